@@ -13,7 +13,7 @@ run = sp.simulate(bookcase, room, sp.near_fault())
 print(sentence(run, "bookcase"))
 with tempfile.TemporaryDirectory() as folder:
     picture = Path(folder) / "bookcase.png"
-    run.plot(picture)
+    run.figure().savefig(picture)
     film = run.animate(Path(folder) / "bookcase.html")
     assert picture.stat().st_size > 10_000
     assert film.stat().st_size > 10_000

@@ -6,6 +6,7 @@ Run as a program, this file compiles.
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +15,8 @@ from typing import Any
 import pytest
 
 from stayput.execution import cores
+
+os.environ["LC_ALL"] = "C.UTF-8"  # commands speak the language of the locale
 
 APP = Path(__file__).parent / "app"
 

@@ -169,7 +169,7 @@ class Entry:
 
         How many there will be depends on what the arguments rule out, so the bar has no end.
         """
-        with bar(None, "Compiling the mechanics once", unit="functions") as advance:
+        with bar(None, "progress.compiling", unit="progress.functions") as advance:
             yield lambda function: advance(1)
 
 

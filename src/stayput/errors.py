@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import errno
 import math
 import re
 import sys
 import warnings
+from collections.abc import Sized
 from contextlib import contextmanager
 from contextvars import ContextVar
 from difflib import get_close_matches
@@ -33,6 +35,29 @@ _BEGINNING = 400
 
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
 """Control characters, invisible ones, and those that change the direction of the text."""
+
+
+_SYSTEM = {
+    errno.ENOENT: "common.no_such_file",
+    errno.EACCES: "common.no_access",
+    errno.EPERM: "common.no_access",
+    errno.EISDIR: "common.is_folder",
+    errno.ENOTDIR: "common.no_folder",
+    errno.EEXIST: "common.there_already",
+    errno.ENAMETOOLONG: "common.long_name",
+    errno.ENOSPC: "common.disk_full",
+    errno.EROFS: "common.read_only",
+    errno.EADDRINUSE: "common.address_in_use",
+    errno.ECONNREFUSED: "common.connection_refused",
+}
+"""What the system says by numbers."""
+
+
+def reason_of(error: Exception) -> Phrase:
+    """Return what the system says of a failure: as it says it, and in Japanese where it is a usual one."""
+    said = " ".join((getattr(error, "strerror", None) or str(error) or type(error).__name__).split()).lower()
+    known = _SYSTEM.get(getattr(error, "errno", None) or 0)
+    return said, say(known, "ja") if known else said
 
 
 def has_control(text: str) -> bool:
@@ -67,6 +92,15 @@ def readable(sentence: str) -> str:
 def quoted(value: str) -> str:
     """Return a piece of the input as a sentence quotes it: between quotation marks, the end left out."""
     return repr(value if len(value) <= _LONGEST_QUOTE else f"{value[:_LONGEST_QUOTE]}…")
+
+
+def shown(value: object) -> str:
+    """Return a value as a sentence shows it: as Python does, or its type and length where that is long."""
+    told = repr(value)
+    if len(told) <= _LONGEST_QUOTE and "\n" not in told:
+        return told
+    length = f" of length {len(value)}" if isinstance(value, Sized) else ""
+    return f"{type(value).__name__}{length}"
 
 
 def excerpt(value: str) -> Phrase:
@@ -239,7 +273,7 @@ def instance_of(name: str, value: object, kind: type[T] | tuple[type[T], ...]) -
     if not isinstance(value, kind):
         kinds = (kind,) if isinstance(kind, type) else kind
         wanted = " | ".join(each.__name__ for each in kinds)
-        raise InputError("common.wrong_type", name, name=name, value=repr(value), wanted=wanted)
+        raise InputError("common.wrong_type", name, name=name, value=shown(value), wanted=wanted)
     return value
 
 

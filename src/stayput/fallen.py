@@ -21,7 +21,7 @@ from stayput.motion.units import STANDARD_GRAVITY
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from stayput.fragility.fallen import IntensityEstimate
 
@@ -78,7 +78,7 @@ def intensity_from_fallen(
     motions: Suite | None = None,
     scatter: float = 0.2,
     samples: int = 16,
-    levels: Sequence[float] | NDArray[np.float64] = LEVELS,
+    levels: ArrayLike = LEVELS,
     vertical: bool = True,
     seed: int = 1,
     threads: int | None = None,

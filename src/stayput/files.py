@@ -10,7 +10,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, instance_of
+from stayput.errors import InputError, instance_of, reason_of
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterable, Sequence
@@ -90,7 +90,7 @@ def draft(target: Path) -> Generator[Path]:
         yield path
         path.replace(target)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         raise InputError("model.not_written", file=repr(str(target)), reason=reason) from error
     finally:
         path.unlink(missing_ok=True)

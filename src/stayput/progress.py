@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import multiprocessing
 from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import TYPE_CHECKING
+
+from stayput.catalogue import say
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -12,14 +15,32 @@ if TYPE_CHECKING:
     from rich.progress import Progress, Task
     from rich.text import Text
 
+    from stayput.catalogue import Language
+
+_language: ContextVar[Language] = ContextVar("_language", default="en")
 
 _drawn: list[Progress] = []
 """What is drawn at present, of one item at most: a terminal has room for no second one."""
 
 
 @contextmanager
+def told_in(language: Language) -> Generator[None]:
+    """Let the bars of this thread speak a language meanwhile."""
+    token = _language.set(language)
+    try:
+        yield
+    finally:
+        _language.reset(token)
+
+
+def language_of_bars() -> Language:
+    """Return the language that bars speak."""
+    return _language.get()
+
+
+@contextmanager
 def bar(
-    total: int | None, what: str, shown: bool | None = None, unit: str = "cases"
+    total: int | None, what: str, shown: bool | None = None, unit: str = "progress.cases"
 ) -> Generator[Callable[[int], None]]:
     """Yield a callback that advances a progress bar on standard error, with the rate and the time left.
 
@@ -30,18 +51,19 @@ def bar(
     total : int or None
         Number of items; None where it is not known, and the bar but moves.
     what : str
-        Label of the bar.
+        Label of the bar: the id of a text.
     shown : bool, optional
         Whether to draw it; by default only if standard error is a terminal, and not in a process that another
         one has started for its work.
     unit : str
-        What the items are called, in the plural.
+        What the items are called, in the plural: the id of a text.
     """
     if not (is_drawn() if shown is None else shown):
         yield lambda count: None
         return
     with _progress() as progress:
-        task = progress.add_task(what, total=total, unit=unit)
+        told = say(what, _language.get())
+        task = progress.add_task(told, total=total, unit=say(unit, _language.get()))
         try:
             yield lambda count: progress.advance(task, count)
         finally:

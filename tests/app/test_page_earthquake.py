@@ -79,6 +79,14 @@ def test_other_ways_to_say_it_in_japanese_on_a_phone(browser: Browser, server: R
         asked, _ = it.simulated(lambda: way.select_option("pgv"))
         assert asked["scene"]["shaking"]["pgv"] == 0.4
         it.kept("entry=pgv%3A0.4")
+        asked, _ = it.simulated(lambda: way.select_option("sa"))
+        assert asked["scene"]["shaking"]["sa"] == {"period": 0.3, "value": 8}
+        asked, _ = it.simulated(lambda: it.page.get_by_label("加速度応答（減衰5%） (gal)").fill("1200"))
+        assert asked["scene"]["shaking"]["sa"] == {"period": 0.3, "value": 12}
+        it.kept("entry=sa%3A0.3%3B12")
+        it.page.reload()
+        it.settle()
+        assert it.page.get_by_label("加速度応答（減衰5%） (gal)").input_value() == "1200"
         wide = it.page.evaluate("() => document.documentElement.scrollWidth")
         assert wide <= PHONE["width"]
 

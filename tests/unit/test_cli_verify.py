@@ -162,7 +162,10 @@ def test_fragility_writes_curves_counts_a_figure_and_the_forms_of_loss_tools(cur
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--im", "SA"], "--im is 'SA'; it must be one of 'JMA', 'PGA', 'PGV', 'PFA', 'PFV'."),
+        (
+            ["--im", "SA"],
+            "--im is 'SA'; it must be one of 'JMA', 'PGA', 'PGV', 'PFA', 'PFV', 'MMI', 'SA(0.3)'.",
+        ),
         (["--measure", "belts"], "--measure is 'belts' (did you mean 'belt'?)"),
     ],
 )

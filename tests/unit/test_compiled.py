@@ -300,7 +300,7 @@ def test_a_bar_advances_with_each_function_while_the_mechanics_are_compiled(run,
     for _ in range(2):
         named_four(1.0, None, result)
     assert result[0] == 5.0
-    assert seen == [(None, "Compiling the mechanics once", "functions"), 1, 1, 1, 1]
+    assert seen == [(None, "progress.compiling", "progress.functions"), 1, 1, 1, 1]
 
 
 def test_constants_do_not_compile_a_function_anew():

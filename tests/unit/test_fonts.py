@@ -52,7 +52,7 @@ def test_japanese_is_drawn_where_a_font_has_it(tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("error")  # Matplotlib's of missing glyphs among them
         figure = plot_fragility([curve(JAPANESE)], tmp_path / "it.png", title=JAPANESE)
-        run = plot_run(report_runs.rocking(), tmp_path / "run.svg", name=JAPANESE)
+        run = plot_run(report_runs.rocking(), tmp_path / "run.svg", title=JAPANESE)
     texts = [text.get_text() for text in figure.findobj(mpl.text.Text)]
     assert any(text.startswith(JAPANESE) for text in texts)
     assert JAPANESE in run.get_suptitle()

@@ -368,9 +368,9 @@ def test_refused(call: object, part: str) -> None:
 def test_results_are_said_in_both_languages() -> None:
     curve = fragility_curve(Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]))
     assert curve.text == "Half fall at PGA 4.17 m/s² (3.22 to 5.23), 10 % at 2 m/s² (at most 2.59)."
-    assert curve.texts[1].startswith("半数が転倒するPGAは4.17 m/s²（3.22～5.23）")
+    assert curve.texts[1].startswith("半数が転倒する地面の最大加速度は4.17 m/s²（3.22～5.23）")
     assert curve.lognormal is not None
     assert curve.lognormal.texts[1].startswith("対数正規分布の曲線が合います：中央値 4.07 m/s²")
     none = fragility_curve(Trials.from_counts(PGA, [2.0, 4.0], [0, 0], [40, 40]))
     assert none.capacity(0.5).texts == ("> 4 m/s²", "4 m/s²超")
-    assert none.texts[1] == "PGA 4 m/s²まで、80件の計算はどれも転倒しませんでした。"
+    assert none.texts[1] == "地面の最大加速度4 m/s²まで、80件の計算はどれも転倒しませんでした。"

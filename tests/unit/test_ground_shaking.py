@@ -14,17 +14,27 @@ from stayput.app.refusals import RefusedError
 from stayput.app.server import create_app
 from stayput.app.shaking import shaking_reply
 from stayput.catalogue import say
-from stayput.fragility import JMA_INTENSITY
+from stayput.fragility import (
+    INTENSITY_MEASURES,
+    JMA_INTENSITY,
+    MMI,
+    PGA,
+    IntensityMeasure,
+    spectral_acceleration,
+)
 from stayput.montecarlo.hazard import Ground, Hazard
 from stayput.motion.ground_shaking import (
     EarthquakeSource,
     horizontal_peak,
+    horizontal_sa,
     strength_of_earthquake,
     strength_of_intensity,
     strength_of_mercalli,
     strength_of_pga,
     strength_of_pgv,
+    strength_of_sa,
 )
+from stayput.motion.intensity import mercalli
 from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.pairs import floor_motion
 from stayput.scenario import Scenario
@@ -53,6 +63,11 @@ def scenario(**shaking: Any) -> Scenario:
         ),
         ({"pga": 3.0, "earthquake": QUAKE}, "shaking.earthquake is given beside shaking.pga"),
         ({"pgv": 0.3, "scale": 2.0}, "shaking.scale is 2 beside shaking.pgv; it must be one of the two."),
+        (
+            {"sa": {"period": 20.0, "value": 3.0}},
+            "shaking.sa.period is 20.0; it must be a number between 0.01 and 10 s.",
+        ),
+        ({"sa": {"period": 0.3}}, "shaking.sa.value is missing"),
         ({"mmi": 11.0}, "shaking.mmi is 11.0; it must be a number between 2 and 10."),
         ({"pga": 0.0}, "shaking.pga is 0.0; it must be a number between 0.001 and 10000 m/s²."),
         (
@@ -119,7 +134,37 @@ def test_a_stated_intensity_is_to_the_bit_what_a_level_of_a_curve_is() -> None:
     assert np.array_equal(stated.scales, level.scales)
 
 
-@pytest.mark.parametrize("keys", [{"pga": 4.0}, {"pgv": 0.4}, {"mmi": 8.0}, {"earthquake": QUAKE}])
+@pytest.mark.parametrize("period", [0.1, 0.3, 1.0])
+def test_a_motion_is_scaled_to_the_spectral_acceleration_of_both_components(period: float) -> None:
+    motion = scenario(sa={"period": period, "value": 6.0}).motion()
+    along, across = (motion.spectrum([period], 0.05, name).sa[0] for name in ("x", "y"))
+    assert math.sqrt(along * across) == pytest.approx(6.0)
+    assert along != pytest.approx(6.0, rel=1e-3)
+
+
+def test_curves_are_drawn_over_mercalli_intensities_and_spectral_accelerations_too() -> None:
+    sa = spectral_acceleration(0.3)
+    wanted = scenario(intensity=6.0, suite={"count": 4})
+    verdict = verify(wanted, levels=[5.5, 6.0], intensity_measures=[MMI, sa, PGA], progress=False)
+    curve = verdict.without.curves
+    assert set(curve) == {*INTENSITY_MEASURES.values(), MMI, sa}
+    felt = [motion.to_intensity(6.0) for motion in wanted.ground()]
+    expected = {
+        sa: [horizontal_sa(motion, 0.3) for motion in felt],
+        MMI: [mercalli(horizontal_peak(motion, "PGA"), horizontal_peak(motion, "PGV")) for motion in felt],
+    }
+    for measure, values in expected.items():
+        assert set(np.round(values, 9)) <= set(np.round(curve[measure].trials.im, 9))
+    usual = verify(wanted, levels=[5.5, 6.0], progress=False).without.curves
+    assert set(usual) == set(INTENSITY_MEASURES.values())
+    with pytest.raises(sp.InputError, match="intensity_measures is 'CAV'"):
+        verify(wanted, intensity_measures=[IntensityMeasure("CAV", ("CAV", "CAV"), "m/s")])
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [{"pga": 4.0}, {"pgv": 0.4}, {"sa": {"period": 0.3, "value": 8.0}}, {"mmi": 8.0}, {"earthquake": QUAKE}],
+)
 def test_a_verdict_says_what_was_stated_and_by_which_source(keys: dict[str, Any]) -> None:
     verdict = verify(scenario(**keys, suite={"count": 6}), levels=[], progress=False)
     data = json.loads(json.dumps(verdict_data(verdict)))
@@ -168,6 +213,7 @@ def test_strengths_say_themselves_in_both_languages() -> None:
         strength_of_pga(3.0),
         strength_of_pgv(0.3),
         strength_of_mercalli(7.0),
+        strength_of_sa(0.3, 8.0),
         strength_of_earthquake(EarthquakeSource(7.0, 20.0, kind="intraslab")),
     ):
         for motions in (1, 12):

@@ -14,7 +14,16 @@ SOURCES = Path(stayput.__file__).parent
 
 LAYERS = (
     {"catalogue", "errors"},
-    {"extras", "files", "wording", "randomness", "spreadsheets", "intermediate_code", "machine_code"},
+    {
+        "extras",
+        "files",
+        "saved",
+        "wording",
+        "randomness",
+        "spreadsheets",
+        "intermediate_code",
+        "machine_code",
+    },
     {"progress", "execution", "uncertainty", "compiled"},
     {"mechanics", "model"},
     {"motion"},

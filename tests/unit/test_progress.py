@@ -16,11 +16,11 @@ def terminal(monkeypatch):
 
 
 def test_a_bar_shows_rate_and_time_left_on_a_terminal_only(request, capsys):
-    with bar(10, "Simulating") as tell:
+    with bar(10, "progress.simulating") as tell:
         tell(10)
     assert capsys.readouterr() == ("", "")
     request.getfixturevalue("terminal")
-    with bar(10, "Simulating", True) as tell:
+    with bar(10, "progress.simulating", True) as tell:
         tell(4)
         time.sleep(0.3)
         tell(6)
@@ -31,15 +31,15 @@ def test_a_bar_shows_rate_and_time_left_on_a_terminal_only(request, capsys):
 
 
 def test_a_bar_within_another_stands_below_it_and_goes_when_it_is_done(terminal, capsys):
-    with bar(10, "Simulating", unit="cases") as tell:
-        with bar(3, "Compiling", unit="functions") as inner:
+    with bar(10, "progress.simulating", unit="progress.cases") as tell:
+        with bar(3, "progress.compiling", unit="progress.functions") as inner:
             inner(1)
             time.sleep(0.01)
             inner(1)
             (drawn,) = progress._drawn
             assert [(task.description, task.completed) for task in drawn.tasks] == [
                 ("Simulating", 0),
-                ("Compiling", 2),
+                ("Compiling the mechanics once", 2),
             ]
             time.sleep(0.3)
         assert [task.description for task in drawn.tasks] == ["Simulating"]
@@ -51,13 +51,13 @@ def test_a_bar_within_another_stands_below_it_and_goes_when_it_is_done(terminal,
 
 
 def test_an_error_clears_all_bars(terminal):
-    with pytest.raises(ZeroDivisionError), bar(10, "Simulating"), bar(3, "Compiling"):
+    with pytest.raises(ZeroDivisionError), bar(10, "progress.simulating"), bar(3, "progress.compiling"):
         raise ZeroDivisionError
     assert not progress._drawn
 
 
 def test_a_process_that_another_has_started_draws_none(terminal, monkeypatch, capsys):
     monkeypatch.setattr(multiprocessing, "parent_process", lambda: "another")
-    with bar(10, "Simulating") as tell:
+    with bar(10, "progress.simulating") as tell:
         tell(10)
     assert capsys.readouterr() == ("", "")

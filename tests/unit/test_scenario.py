@@ -23,6 +23,7 @@ NEEDED = {  # what must stand beside a key so that only that key is wrong
     "room.ceiling": {"height": 2.4},
     "shaking.sine": {"amplitude": 1.0, "frequency": 1.0},
     "shaking.earthquake": {"magnitude": 7.0, "distance": 20.0},
+    "shaking.sa": {"period": 0.3, "value": 8.0},
     "furniture": {"preset": "bookcase"},
 }
 

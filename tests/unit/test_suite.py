@@ -15,6 +15,7 @@ from stayput.motion.suites import (
     synthetic_motion,
     synthetic_suite,
 )
+from stayput.report.suite import plot_suite, suite_title
 
 PERIODS = np.array([0.1, 0.3, 1.0, 3.0])
 FLAT = TargetSpectrum([0.05, 10.0], [5.0, 5.0], "flat")
@@ -115,12 +116,12 @@ def test_a_folder_and_a_list_of_files_are_read(tmp_path, small):
 
 
 def test_the_plot_is_written_with_and_without_a_target(tmp_path, small):
-    figure = small.plot(tmp_path / "suite.png", japanese_design())
+    figure = plot_suite(small, tmp_path / "suite.png", japanese_design(), title=suite_title(small, "en"))
     assert (tmp_path / "suite.png").stat().st_size > 10_000
     labels = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert any(label.startswith("target") for label in labels)
     assert "synthetic" in figure.get_suptitle()
-    assert small[:1].plot() is not None
+    assert small[:1].figure() is not None
 
 
 @pytest.mark.parametrize(

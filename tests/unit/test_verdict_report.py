@@ -23,7 +23,7 @@ from stayput.measures import MEASURES, Belt
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.motion.suites import FAMILIES, synthetic_suite
-from stayput.report.names import motion_named
+from stayput.report.names import given_name
 from stayput.report.verdict import words
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.curves import legend
@@ -161,12 +161,12 @@ def test_a_device_is_told_with_its_load_its_margin_and_when_it_failed(language, 
 def test_motions_of_suites_have_names_in_both_languages():
     for family in FAMILIES:
         name = synthetic_suite(family, 1)[0].name
-        assert motion_named(name, "en") == name
-        assert motion_named(name, "ja").startswith("模擬地震動（")
-        assert "synthetic" not in motion_named(name, "ja")
-        assert not set(motion_named(name, "ja")) & set(string.ascii_letters)
-    assert motion_named("El Centro 1940", "ja") == "El Centro 1940"
-    assert motion_named(sp.sine(6.0, 1.0, 2.0).name, "ja") == "正弦波 6 m/s², 1 Hz"
+        assert given_name(name, "en") == name
+        assert given_name(name, "ja").startswith("模擬地震動（")
+        assert "synthetic" not in given_name(name, "ja")
+        assert not set(given_name(name, "ja")) & set(string.ascii_letters)
+    assert given_name("El Centro 1940", "ja") == "El Centro 1940"
+    assert given_name(sp.sine(6.0, 1.0, 2.0).name, "ja") == "正弦波 6 m/s², 1 Hz"
 
 
 @pytest.mark.parametrize(

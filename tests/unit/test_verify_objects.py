@@ -141,6 +141,7 @@ def test_what_is_not_in_the_uncertainty_is_as_stated():
             "friction",
         ),
         (lambda: sp.verify("bookcase.toml"), "what"),
+        (lambda: sp.verify(BODY, ROOM, shaking=np.zeros(99)), r"ndarray of length 99; .* Motion\(dt=0.01"),
     ],
 )
 def test_what_is_wrong_is_refused_in_a_sentence(call: Any, told: str):

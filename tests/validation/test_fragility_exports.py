@@ -20,6 +20,7 @@ from scipy.stats import lognorm
 from stayput import InputError
 from stayput.fragility import (
     JMA_INTENSITY,
+    MMI,
     PFA,
     PFV,
     PGA,
@@ -28,11 +29,12 @@ from stayput.fragility import (
     IntensityMeasure,
     Trials,
     fragility_curve,
+    spectral_acceleration,
     write_nrml,
     write_pelicun,
 )
 from stayput.fragility.nrml import NAMESPACE, lognormal_moments
-from stayput.fragility.pelicun import JMA_OPTION
+from stayput.fragility.pelicun import JMA_OPTION, MMI_OPTION
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -94,6 +96,24 @@ def test_pelicun_rules(table: Path) -> None:
         assert row["LS1-Family"] == ("normal_std" if curve.measure is JMA_INTENSITY else "lognormal")
         assert float(row["LS1-Theta_0"]) * units[row["Demand-Unit"]] == pytest.approx(curve.lognormal.median)
         assert float(row["LS1-Theta_1"]) == pytest.approx(curve.lognormal.dispersion)
+
+
+def test_spectral_accelerations_and_mercalli_intensities(tmp_path: Path) -> None:
+    """OpenQuake calls them SA(0.3) [g] and MMI; pelicun splits a demand at | into its type and the period."""
+    curves = [_curve(spectral_acceleration(0.3), 0.8 * G, 0.4, "本棚"), _curve(MMI, 8.5, 0.5, "本棚 2")]
+    write_nrml(curves, tmp_path / "a.xml")
+    first, second = ET.parse(tmp_path / "a.xml").getroot().iter(f"{{{NAMESPACE}}}fragilityFunction")
+    assert [function[0].attrib["imt"] for function in (first, second)] == ["SA(0.3)", "MMI"]
+    mean, deviation = lognormal_moments(0.8, 0.4)
+    assert float(first[1].attrib["mean"]) == pytest.approx(mean, rel=1e-3)
+    assert float(first[1].attrib["stddev"]) == pytest.approx(deviation, rel=0.01)
+    assert second.attrib["format"] == "discrete"
+    write_pelicun(curves, tmp_path / "a.csv")
+    with (tmp_path / "a.csv").open() as file:
+        sa, mmi = csv.DictReader(file)
+    assert (sa["Demand-Type"], sa["Demand-Unit"]) == ("Spectral Acceleration|0.3", "g")
+    assert float(sa["LS1-Theta_0"]) == pytest.approx(0.8, rel=1e-3)
+    assert (mmi["Demand-Type"], mmi["LS1-Family"]) == (next(iter(MMI_OPTION)), "normal_std")
 
 
 def test_curve_that_no_lognormal_fits_is_written_by_its_levels_only(tmp_path: Path) -> None:

@@ -3,7 +3,8 @@
 Si and Midorikawa (1999) as Japan's hazard maps take it (National Research Institute for Earth Science and
 Disaster Prevention, Technical Note 336, 2009, equation 3.5.1-1; OpenQuake's hazard library has it too);
 Fujimoto and Midorikawa (2006); Worden et al. (2012) as the US Geological Survey's ShakeMap has it;
-Midorikawa, Fujimoto and Muramatsu (1999), I = 2.68 + 1.72 log PGV.
+Midorikawa, Fujimoto and Muramatsu (1999), I = 2.68 + 1.72 log PGV; Wald, Quitoriano, Heaton and
+Kanamori (1999).
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from stayput.motion.ground_shaking import (
     strength_of_earthquake,
     strength_of_mercalli,
 )
-from stayput.motion.intensity import jma_from_pgv, mercalli, pgv_of_mercalli
+from stayput.motion.intensity import jma_from_pgv, mercalli, mercalli_beyond, pgv_of_mercalli
 from stayput.motion.suites import FAMILIES, synthetic_suite
 
 ROCK = 600.0
@@ -80,6 +81,38 @@ def test_the_regression_read_backwards_gives_the_intensity(mmi: float) -> None:
     """The acceleration is that which the same paper's other line has at this intensity."""
     a = (mmi - 1.78) / 1.55 if mmi < 4.22 else (mmi + 1.60) / 3.70
     assert mercalli(0.01 * 10.0**a, pgv_of_mercalli(mmi)) == pytest.approx(mmi, abs=1e-9)
+
+
+LEGEND = [
+    (4, 2.8, 1.4),
+    (5, 6.2, 4.7),
+    (6, 12.0, 9.6),
+    (7, 22.0, 20.0),
+    (8, 40.0, 41.0),
+    (9, 75.0, 86.0),
+    (10, 139.0, 178.0),
+]
+"""ShakeMap's legend by Worden et al. (2012): intensity, PGA [% of g], PGV [cm/s]."""
+
+
+@pytest.mark.parametrize(("mmi", "percent", "cm_s"), LEGEND)
+def test_mercalli_intensity_is_that_of_the_legend_of_shakemap(mmi: int, percent: float, cm_s: float) -> None:
+    assert mercalli_beyond(0.0980665 * percent, 0.01 * cm_s) == pytest.approx(mmi, abs=0.05)
+
+
+@pytest.mark.parametrize(("mmi", "percent", "cm_s"), LEGEND[1:5])
+def test_the_older_relation_of_california_is_within_a_third_of_a_degree(
+    mmi: int, percent: float, cm_s: float
+) -> None:
+    """Wald et al. (1999) for V to VIII: 3.66 log PGA - 1.66 (cm/s²) and 3.47 log PGV + 2.35 (cm/s)."""
+    gal = 9.80665 * percent
+    older = 0.5 * (3.66 * math.log10(gal) - 1.66 + 3.47 * math.log10(cm_s) + 2.35)
+    assert mercalli_beyond(0.01 * gal, 0.01 * cm_s) == pytest.approx(older, abs=0.34)
+
+
+def test_beyond_the_ends_of_the_scale_the_lines_go_on() -> None:
+    assert mercalli_beyond(30.0, 5.0) > mercalli(30.0, 5.0) == 10.0
+    assert mercalli_beyond(1e-4, 1e-5) < mercalli(1e-4, 1e-5) == 1.0
 
 
 def test_built_in_motions_have_the_intensity_that_recorded_ones_have_at_their_peak_velocity() -> None:

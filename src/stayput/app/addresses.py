@@ -6,27 +6,31 @@ import ipaddress
 import socket
 from contextlib import suppress
 
-from stayput.errors import InputError
+from stayput.catalogue import phrase, say
+from stayput.errors import InputError, reason_of
 
 _ELSEWHERE = {socket.AF_INET: "192.0.2.1", socket.AF_INET6: "2001:db8::1"}
 """Addresses for documentation: nobody has them, and a socket of datagrams that is connected sends nothing."""
 
-NO_PROTECTION = (
-    "There is no password and no encryption: whoever reaches it can use this machine's time and read what "
-    "goes over the network. Do this only in a network that you trust; without --host only this machine can."
-)
 
+def warning_of(bound: socket.socket, language: str = "en") -> str | None:
+    """Return the warning about a bound socket that other machines can reach, or None where none can.
 
-def warning_of(bound: socket.socket) -> str | None:
-    """Return the warning about a bound socket that other machines can reach, or None where none can."""
+    Parameters
+    ----------
+    bound : socket
+        The socket.
+    language : str
+        "en" or "ja".
+    """
     host, port = str(bound.getsockname()[0]), int(bound.getsockname()[1])
     address = ipaddress.ip_address(host.partition("%")[0])
     if address.is_loopback:
         return None
     reachable = own_addresses(bound.family) if address.is_unspecified else [host]
     urls = [_url(ip, port) for ip in reachable]
-    where = ", ".join(urls) or f"port {port} of every address of this machine"
-    return f"Warning: other machines can reach stayput, at {where}. {NO_PROTECTION}"
+    where = ", ".join(urls) or phrase("app.every_address", port=port)
+    return say("app.reachable", language, where=where)
 
 
 def own_addresses(family: socket.AddressFamily | int) -> list[str]:
@@ -71,7 +75,7 @@ def bind(host: str, port: int) -> socket.socket:
             listener.close()
             raise
     except (OSError, UnicodeError, OverflowError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        reason = reason_of(error)
         raise InputError("app.not_served", host=host, port=port, reason=reason) from None
     listener.setblocking(False)
     return listener

@@ -55,6 +55,7 @@ from stayput.motion.ground_shaking import (
     strength_of_mercalli,
     strength_of_pga,
     strength_of_pgv,
+    strength_of_sa,
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.suites import synthetic_suite
@@ -112,6 +113,8 @@ NUMBERS = {
     "shaking.suite.count": parameter_of(synthetic_suite, "count"),
     "shaking.pga": parameter_of(strength_of_pga, "pga"),
     "shaking.pgv": parameter_of(strength_of_pgv, "pgv"),
+    "shaking.sa.period": parameter_of(strength_of_sa, "period"),
+    "shaking.sa.value": parameter_of(strength_of_sa, "value"),
     "shaking.mmi": parameter_of(strength_of_mercalli, "mmi"),
     **{f"shaking.earthquake.{about.name}": about for about in parameters_of(EarthquakeSource)},
     **{f"plan.{name}": parameter_of(FloorPlan, name) for name in ("width", "length")},

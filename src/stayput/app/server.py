@@ -37,6 +37,7 @@ from stayput.app.refusals import RefusedError, error_response, refusal_of_reques
 from stayput.app.running import simulated
 from stayput.app.service import Service, Workers
 from stayput.app.size_map import size_map
+from stayput.catalogue import say
 from stayput.errors import InputError, InputWarning
 from stayput.scenario import Scenario
 from stayput.verification import verify
@@ -184,7 +185,7 @@ def server_of(app: FastAPI) -> uvicorn.Server:
     return uvicorn.Server(config)
 
 
-def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True) -> None:
+def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True, language: str = "en") -> None:
     """Bind, print the address, and serve until interrupted.
 
     Parameters
@@ -195,6 +196,8 @@ def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True) ->
         Port; 0 takes one that is free.
     browser : bool
         Whether to open the page.
+    language : str
+        "en" or "ja", of what is printed; the page has that of the browser.
 
     Raises
     ------
@@ -206,8 +209,8 @@ def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True) ->
     address = address_of(bound)
     app = create_app(host)
     server = server_of(app)
-    print(f"stayput is at {address} (Ctrl-C ends it)", flush=True)
-    warning = warning_of(bound)
+    print(say("app.at_address", language, address=address), flush=True)
+    warning = warning_of(bound, language)
     if warning is not None:
         print(warning, file=sys.stderr, flush=True)
     if browser:

@@ -16,10 +16,12 @@ from stayput.building.shears import ai_distribution, spectral_factor, storey_sti
 from stayput.errors import InputError, instance_of, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.wording import brief
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
+    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from stayput.building.model import FloorPeaks, FloorResponse
@@ -73,7 +75,7 @@ FLOOR_MASS = 5e5
 """Mass of every floor [kg]; it has no influence on any motion, and scales forces and energies."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Building:
     """A regular building: storeys of one height and one mass, stiffnesses from the Ai distribution.
 
@@ -150,6 +152,9 @@ class Building:
         "Factor on the vertical motion at the roof, growing linearly from 1.",
     )
 
+    def __repr__(self) -> str:
+        return brief(self)
+
     def __post_init__(self) -> None:
         word_of("building.structure", self.structure, STRUCTURES, "structure")
         if not isinstance(self.storeys, Real) or self.storeys not in range(1, MOST_STOREYS):
@@ -164,6 +169,11 @@ class Building:
         if self.structure == ISOLATED and self.fixed_period >= self.isolation.period:
             fixed, isolators = self.fixed_period, self.isolation.period
             raise InputError("building.period_of_isolated", "period", period=fixed, isolators=isolators)
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import building_html
+
+        return building_html(self)
 
     @property
     def name(self) -> str:
@@ -223,6 +233,10 @@ class Building:
             coefficient = self._values.yield_coefficient * spectral_factor(period)
         weight = STANDARD_GRAVITY * weight_above(masses)
         return coefficient * ai_distribution(masses, period) * weight
+
+    def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
+        """Draw the slowest mode shapes: `ShearModel.plot`."""
+        return self.model.plot(ax, modes=modes, language=language)
 
     def respond(self, motion: Motion) -> FloorResponse:
         """Return the response of all floors to a motion of the ground: `ShearModel.respond`."""

@@ -5,30 +5,36 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from numbers import Real
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
 
 from stayput.building.modes import ModalModel, Modes, natural_modes
-from stayput.errors import InputError, InputWarning, instance_of, list_of, quoted, warn
+from stayput.errors import InputError, InputWarning, instance_of, list_of, quoted, warn, whole_within
 from stayput.execution import Call, ThreadExecutor
 from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.integrals import peak_velocity
 from stayput.motion.processing import refine
+from stayput.motion.record import Motion
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from stayput.building.histories import Energy, Histories
-    from stayput.motion import Motion
 
 T = TypeVar("T")
 
 MOST_STOREYS = 200
 """Most masses that are accepted."""
+
+FloorDrawing = Literal["acceleration", "velocity", "spectra"]
+"""What `FloorResponse.plot` draws: peaks over the storeys, or floor spectra."""
 
 AMPLIFICATION_RANGE = (0.0, 10.0)
 """Smallest and largest factor on the vertical motion at the roof that is accepted."""
@@ -168,6 +174,7 @@ class ShearModel:
 
     def _ground(self, motion: Motion) -> Motion:
         """Return the motion; warn where it is not one of the ground."""
+        motion = Motion.given(motion)
         if motion.floor:
             warn(
                 InputWarning(
@@ -179,6 +186,26 @@ class ShearModel:
                 )
             )
         return motion
+
+    def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
+        """Draw the slowest mode shapes over the height, times their participation factors.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        modes : int
+            How many, where the building has them.
+        language : str
+            Language of the texts, "en" or "ja".
+        """
+        from stayput.report.building import draw_modes
+        from stayput.report.figures import axes_of, drawn
+
+        number = whole_within("building.modes", modes, 1, MOST_STOREYS, "", "modes")
+        axis = axes_of(ax)
+        draw_modes(axis, self, number, check_language(language))
+        return drawn(axis)
 
     def respond(self, motion: Motion) -> FloorResponse:
         """Return the response of all floors to a motion of the ground.
@@ -305,7 +332,7 @@ class ShearModel:
         )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class FloorResponse:
     """Response of all floors of a building to one motion of the ground.
 
@@ -332,6 +359,51 @@ class FloorResponse:
     acceleration: dict[str, NDArray[np.float64]]
     drift: dict[str, NDArray[np.float64]]
     energy: dict[str, Energy]
+
+    def __repr__(self) -> str:
+        peaks = ", ".join(f"{name} {self.peak_acceleration(name)[-1]:.3g}" for name in self.acceleration)
+        return f"FloorResponse({self.model.name!r}, {self.motion.name!r}, peaks of the roof [m/s²]: {peaks})"
+
+    def plot(
+        self,
+        ax: Axes | None = None,
+        *,
+        what: FloorDrawing = "acceleration",
+        storeys: Sequence[int] | None = None,
+        language: str = "en",
+    ) -> Axes:
+        """Draw the floors' peaks over the storeys, or floor spectra of x, on axes.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : {"acceleration", "velocity", "spectra"}
+            Peak acceleration beside the ground's times 1 + 2z/h, peak velocity, or spectra at 5 % damping.
+        storeys : sequence of int, optional
+            Floors whose spectra are drawn; default one in the middle, and the roof.
+        language : str
+            Language of the texts, "en" or "ja".
+
+        Raises
+        ------
+        InputError
+            Something else to draw, or a storey that the building has not.
+        """
+        from stayput.report.building import draw_floors
+        from stayput.report.figures import axes_of, drawn
+
+        axis = axes_of(ax)
+        draw_floors(axis, self, what, storeys, check_language(language))
+        return drawn(axis)
+
+    def figure(
+        self, title: str = "", *, storeys: Sequence[int] | None = None, language: str = "en"
+    ) -> Figure:
+        """Return a figure with the floors' peaks over the storeys, and floor spectra."""
+        from stayput.report.building import plot_building
+
+        return plot_building(self, None, storeys, title=title, language=check_language(language))
 
     @property
     def storeys(self) -> NDArray[np.int64]:

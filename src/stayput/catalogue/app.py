@@ -1,6 +1,27 @@
 """Refusals of the app's server."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    # The command that serves the page
+    "at_address": (
+        "stayput is at {address} (Ctrl-C ends it)",
+        "stayputのアドレス：{address}（Ctrl-Cで終了）",
+    ),
+    "reachable": (
+        (
+            "Warning: other machines can reach stayput, at {where}. There is no password and no encryption: "
+            "whoever reaches it can use this machine's time and read what goes over the network. Do this only "
+            "in a network that you trust; without --host only this machine can."
+        ),
+        (
+            "注意：ほかの機器からも{where}でstayputにアクセスできます。パスワードも暗号化もないため、"
+            "アクセスした人はこの機器で計算でき、ネットワーク上の通信も読まれるおそれがあります。信頼できるネットワークだけで"
+            "使ってください。--hostを付けなければ、この機器からだけ使えます。"
+        ),
+    ),
+    "every_address": (
+        "port {port} of every address of this machine",
+        "この機器のすべてのアドレスのポート{port}",
+    ),
     # Requests
     "map_in_space": (
         "The map of sizes is of simulations in the plane; dimensions must be 2 for it.",

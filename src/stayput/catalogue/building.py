@@ -2,6 +2,7 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Refusals
+    "modes": ("The number of modes", "モードの数"),
     "structure": ("The structure", "建物の構造"),
     "storeys": (
         "The number of storeys is {storeys}; it must be a whole number from 1 to {most}.",

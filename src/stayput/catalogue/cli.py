@@ -10,6 +10,82 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} is {value}; it must be written like {example}.",
         "{flag}が{value}になっています。{example}のように書いてください。",
     ),
+    "wrote": ("Wrote {file}", "{file}を書き出しました"),
+    "study_in_english": (
+        "Texts and figures of studies are in English.",
+        "研究の結果の文章と図は英語です。",
+    ),
+    "wrote_motion": (
+        "Wrote {file}: {count} samples every {dt:g} s, {components}",
+        "{file}を書き出しました（{dt:g}秒間隔、{count}点、成分：{components}）",
+    ),
+    "wrote_suite": (
+        "Wrote {folder}: the motions, suite.csv, suite.png",
+        "{folder}に地震動とsuite.csv、suite.pngを書き出しました",
+    ),
+    "curve": ("{name}: {told}", "{name}：{told}"),
+    # A building
+    "building": ("{name}, T1 = {period:.3g} s, {kind}", "{name}、T1 = {period:.3g} s、{kind}"),
+    "building_ground": ("Ground: {motion}", "地盤の揺れ：{motion}"),
+    "building_floor": ("Floor", "床"),
+    "building_no_energy": ("Energy, {component}: none.", "エネルギー（{component}）：なし。"),
+    "building_energy": (
+        "Energy, {component}: {share:.0f} % of the input went into yielding; the balance closes to {imbalance:.1e}.",
+        "エネルギー（{component}）：入力の{share:.0f}%が降伏による変形で吸収されました（収支の誤差は{imbalance:.1e}）。",
+    ),
+    # A motion
+    "samples": (
+        "{count} samples every {dt:g} s: {duration:g} s",
+        "{dt:g}秒間隔、{count}点、{duration:g}秒間",
+    ),
+    "intensities": (
+        (
+            "JMA intensity {intensity:.1f}, class {name}; long-period class {long_period} (Sva {sva:.3g} cm/s); "
+            "modified Mercalli about {mmi:.1f}"
+        ),
+        (
+            "計測震度{intensity:.1f}（{name}）、長周期地震動階級{long_period}（Sva {sva:.3g} cm/s）、"
+            "改正メルカリ震度 約{mmi:.1f}"
+        ),
+    ),
+    "along": ("x (along)", "x（加振方向）"),
+    "across": ("y (across)", "y（直交方向）"),
+    "up": ("z (up)", "z（上下）"),
+    "pga": ("PGA [m/s²]", "最大加速度 [m/s²]"),
+    "pgv": ("PGV [cm/s]", "最大速度 [cm/s]"),
+    "pgd": ("PGD [cm]", "最大変位 [cm]"),
+    "arias": ("Arias intensity [m/s]", "アリアス強度 [m/s]"),
+    "cav": ("CAV [m/s]", "累積絶対速度 CAV [m/s]"),
+    "d5_95": ("Duration D5-95 [s]", "継続時間 D5-95 [s]"),
+    "housner": ("Housner intensity [m]", "ハウスナー強度 [m]"),
+    "si": ("SI, 20 % [cm/s]", "SI値、減衰20% [cm/s]"),
+    "largest_sa": ("Period of largest Sa [s]", "Saが最大の周期 [s]"),
+    "mean_period": ("Mean period Tm [s]", "平均周期 Tm [s]"),
+    "spectra": (
+        "{motion}: response spectra, {damping:g} % damping",
+        "{motion}：応答スペクトル、減衰{damping:g}%",
+    ),
+    "period": ("Period [s]", "周期 [s]"),
+    "suite": (
+        "{count}: JMA intensity {low:.2f} to {high:.2f}",
+        "{count}：計測震度{low:.2f}～{high:.2f}",
+    ),
+    "suite_off": (
+        (
+            "Median spectrum against {target}, {first:g} to {last:g} s: {mean:.1f} % off on average, "
+            "{worst:.1f} % at most (at {at:.2g} s)"
+        ),
+        (
+            "スペクトルの中央値と{target}との差（周期{first:g}～{last:g}秒）：平均{mean:.1f}%、"
+            "最大{worst:.1f}%（{at:.2g}秒）"
+        ),
+    ),
+    "interrupted": ("Interrupted.", "中断しました。"),
+    "unwritten": ("The output could not be written: {reason}.", "出力を書き込めませんでした（{reason}）。"),
+    "compiling": (
+        "Compiling the mechanics once, which takes up to half a minute ...",
+        "計算プログラムを準備しています（初回のみ、30秒ほどかかります）…",
+    ),
     "warning": ("Warning: {sentence}", "注意：{sentence}"),
     "wrong_value": (
         "{name} is {value}; it must be {allowed}.",

@@ -18,6 +18,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Refusals
     "aside": (" ({content})", "（{content}）"),
     "did_you_mean": (" (did you mean {name}?)", "（{name}ではありませんか）"),
+    "no_such_file": ("no such file or directory", "ファイルまたはフォルダーがありません"),
+    "no_access": ("permission denied", "アクセスが許可されていません"),
+    "is_folder": ("is a directory", "フォルダーです"),
+    "no_folder": ("not a directory", "フォルダーではありません"),
+    "there_already": ("file exists", "すでにあります"),
+    "long_name": ("file name too long", "名前が長すぎます"),
+    "disk_full": ("no space left on device", "ディスクの空き容量がありません"),
+    "read_only": ("read-only file system", "書き込みが禁止されています"),
+    "address_in_use": ("address already in use", "そのアドレスはすでに使われています"),
+    "connection_refused": ("connection refused", "接続が拒否されました"),
     "not_one_of": (
         "{name} is {value}{hint}; it must be one of {known}.",
         "{name}が{value}になっています{hint}。次のいずれかにしてください：{known}",

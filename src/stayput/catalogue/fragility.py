@@ -1,6 +1,25 @@
 """Fragility curves and the probabilities behind them."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    # measures of intensity
+    "jma": ("JMA instrumental intensity", "計測震度"),
+    "pga": ("peak ground acceleration", "地面の最大加速度"),
+    "pgv": ("peak ground velocity", "地面の最大速度"),
+    "pfa": ("peak floor acceleration", "床の最大加速度"),
+    "pfv": ("peak floor velocity", "床の最大速度"),
+    "mmi": ("modified Mercalli intensity", "改正メルカリ震度"),
+    "mmi_scatter": (
+        (
+            "The intensities are means of the two lines of Worden et al. (2012), from PGA and PGV; what people "
+            "report at a place has a standard deviation of 0.66 and 0.63 about them, which the curves do not "
+            "hold."
+        ),
+        (
+            "改正メルカリ震度は、最大加速度と最大速度からWordenほか（2012）の2つの式で求めた値の平均です。"
+            "各地で実際に報告される震度は、これらの式のまわりに標準偏差0.66と0.63でばらつきますが、曲線には含まれていません。"
+        ),
+    ),
+    "sa": ("spectral acceleration at {period:g} s", "周期{period:g}秒の加速度応答"),
     # counts and shapes
     "not_bool": (
         "The type of fallen is {dtype}; it must be bool, and missing runs go apart.",
@@ -69,21 +88,27 @@ TEXTS: dict[str, tuple[str, str]] = {
     "doubt_unsure": (" (unsure)", "（不確実）"),
     "doubt_one_motion": (" (one motion)", "（地震動が1つ）"),
     # curves in words
+    "state_fitted": ("fitted", "曲線あり"),
+    "state_none_fell": ("none fell", "転倒なし"),
+    "state_all_fell": ("all fell", "すべて転倒"),
+    "state_abrupt": ("abrupt", "ある強さから一斉に転倒"),
+    "state_one_level": ("one level", "強さが1段階のみ"),
+    "state_no_trend": ("no trend", "傾向なし"),
     "curve_fitted": (
         "Half fall at {measure} {half}, 10 % at {tenth}.{intervals}",
         "半数が転倒する{measure}は{half}、10%が転倒する{measure}は{tenth}です。{intervals}",
     ),
     "curve_none_fell": (
         "None of {runs} fell, up to {measure} {highest}.{intervals}",
-        "{measure} {highest}まで、{runs}の計算はどれも転倒しませんでした。{intervals}",
+        "{measure}{highest}まで、{runs}の計算はどれも転倒しませんでした。{intervals}",
     ),
     "curve_all_fell": (
         "All of {runs} fell, from {measure} {lowest} on.{intervals}",
-        "{measure} {lowest}から、{runs}の計算はすべて転倒しました。{intervals}",
+        "{measure}{lowest}から、{runs}の計算はすべて転倒しました。{intervals}",
     ),
     "curve_one_level": (
         "At {measure} {level} {probability} fell; no other was run.{intervals}",
-        "{measure} {level}で転倒した割合は{probability}です。ほかの強さでは計算していません。{intervals}",
+        "{measure}{level}で転倒した割合は{probability}です。ほかの強さでは計算していません。{intervals}",
     ),
     "curve_abrupt": (
         (

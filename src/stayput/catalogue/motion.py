@@ -124,6 +124,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The intensity is {intensity!r}; it must be a number or one of {known}.",
         "震度が「{intensity}」になっています。数値か、次のいずれかを指定してください：{known}",
     ),
+    "still_component": (
+        "The {component} component of {motion} is still; it cannot have an Sa.",
+        "{motion}の{component}成分は揺れていません。加速度応答スペクトルSaを求められません。",
+    ),
     "still_floor": (
         "The motion is a still floor; it cannot be scaled to an intensity.",
         "揺れのない記録なので、震度に合わせることができません。",
@@ -296,6 +300,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "suite_empty": (
         "The suite has no motions; it must have at least one.",
         "地震動群に地震動がありません。1つ以上必要です。",
+    ),
+    "only_samples": (
+        "{name} is {value}; bare samples must be given their time step, in m/s²: Motion(dt=0.01, x=samples).",
+        "{name}が{value}になっています。時間刻みを付け、m/s²の値でMotion(dt=0.01, x=samples)のように指定してください。",
+    ),
+    "only_a_path": (
+        "{name} is {value}; a file must be read first: read_motion({value}).",
+        "{name}が{value}になっています。ファイルは先にread_motion({value})で読み込んでください。",
     ),
     "suite_item": (
         "An item of the suite is of type {kind}; all must be motions.",

@@ -125,8 +125,14 @@ MOTIONS: dict[str, tuple[str, str]] = {
     "long-period basin": FAMILIES["basin"][0],
     "synthetic near-fault motion": ("Near-fault, synthetic", "断層近傍の模擬地震動"),
     "sine": ("Sine", "正弦波"),
+    "Mavroeidis-Papageorgiou pulse and a random band, fixed seed; not a recorded earthquake": (
+        "Mavroeidis-Papageorgiou pulse and a random band, fixed seed; not a recorded earthquake",
+        "Mavroeidis・Papageorgiouのパルスと乱数による波（種は固定）。観測記録ではありません",
+    ),
+    "rare": ("Rare", "稀に発生する地震動"),
+    "very rare": ("Very rare", "極めて稀に発生する地震動"),
 }
-"""Synthetic motions, by what their names say."""
+"""Synthetic motions and targets, by what their names say."""
 
 PLACES: dict[str, tuple[str, str]] = {
     "front": ("front", "前面側"),

@@ -15,6 +15,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "curve": ("curve", "曲線"),
     "half": ("{name}: half fall at {half}", "{name}：半数が{half}で転倒"),
     "half_state": ("{name}: {state}; half fall at {half}", "{name}：{state}、半数が{half}で転倒"),
+    "per_cent": ("{value:.0f} %", "{value:.0f}%"),
     "probability": ("Probability of overturning", "転倒確率"),
     # Floors of a building.
     "building": (
@@ -29,8 +30,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "peak_acceleration": ("Peak floor acceleration [m/s²]", "最大床加速度 [m/s²]"),
     "peak_velocity": ("Peak floor velocity [cm/s]", "最大床速度 [cm/s]"),
     "storey": ("Floor of storey ({roof}: roof)", "階の床（{roof}：屋上）"),
+    "floor": ("Mass above the ground (0)", "地盤（0）からの質点"),
     "ground": ("ground", "地盤"),
     "periods": ("natural periods", "固有周期"),
+    "mode_shape": (
+        "mode {number}, {period:.3g} s ({percent:.0f} % of the mass)",
+        "{number}次、{period:.3g} s（有効質量比{percent:.0f}%）",
+    ),
+    "mode_shapes": ("Mode shape times participation factor", "刺激関数"),
     "period": ("Period [s]", "周期 [s]"),
     "frequency": ("Frequency [Hz]", "振動数 [Hz]"),
     "floor_sa": (
@@ -59,6 +66,17 @@ TEXTS: dict[str, tuple[str, str]] = {
     # A motion and its spectra.
     "spectra": ("{name}: spectra, {damping:g} % damping", "{name}：スペクトル、減衰{damping:g}%"),
     "spectrum_sa": ("Acceleration Sa [m/s²]", "加速度応答 Sa [m/s²]"),
+    "what": ("What is drawn", "描く量"),
+    "across_room": ("Across the room [m]", "部屋の中の位置 [m]"),
+    "above_floor": ("Height above the floor [m]", "床からの高さ [m]"),
+    "corner": (
+        "corner {corner}: R = {size:.3g} m, α = {slenderness:.1f}°",
+        "角{corner}：R = {size:.3g} m、α = {slenderness:.1f}°",
+    ),
+    "centre_of_gravity": ("centre of gravity", "重心"),
+    "spectrum_sv": ("Relative velocity Sv [cm/s]", "相対速度応答 Sv [cm/s]"),
+    "spectrum_sd": ("Relative displacement Sd [cm]", "相対変位応答 Sd [cm]"),
+    "spectrum_psa": ("Pseudo-acceleration ω²·Sd [m/s²]", "擬似加速度応答 ω²·Sd [m/s²]"),
     "spectrum_psv": ("Pseudo-velocity ω·Sd [cm/s]", "擬似速度応答 ω·Sd [cm/s]"),
     "spectrum_sva": ("Absolute velocity Sva [cm/s]", "絶対速度応答 Sva [cm/s]"),
     "spectrum_fourier": (

@@ -377,6 +377,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}, synthetic: computed, not recorded",
         "{name}（模擬）：観測記録ではありません",
     ),
+    "sine": ("sine {values}", "正弦波 {values}"),
+    "suite": ("synthetic {family} suite, seed {seed}", "模擬地震動群（{family}、乱数の種{seed}）"),
+    "japanese_target": (
+        "Japanese design spectrum, {level}, soil {soil}",
+        "建築基準法の設計用スペクトル（{level}、第{soil}種地盤）",
+    ),
+    "building_name": ("{storeys}-storey {structure} building", "{storeys}階建て（{structure}）"),
+    "model_name": ("{masses}-mass shear model", "{masses}質点せん断モデル"),
+    "floor_name": ("storey {storey}", "{storey}階"),
+    "ground_name": ("ground", "地盤"),
     "suite_member": ("synthetic {family} {number}", "模擬地震動（{family}）{number}"),
     "building_text": (
         "{name}, floor of storey {storey}, as a shear model",

@@ -42,10 +42,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Two measures are named {name}; each must have a name of its own.",
         "{name}という名前の対策が2つあります。それぞれに異なる名前を付けてください。",
     ),
-    "still_component": (
-        "The {component} component of {motion} is still; it cannot have an Sa.",
-        "{motion}の{component}成分は揺れていません。加速度応答スペクトルSaを求められません。",
-    ),
     # the verdict in a sentence
     "falls": ("in {share} of the cases", "{share}の場合に転倒します"),
     "never_falls": ("in none of the cases", "計算した場合のいずれでも転倒しません"),

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import typer
 
+from stayput.cli.language import OF_LOCALE, LanguageOption
+
 PORT = 8000
 
 
@@ -15,6 +17,7 @@ def app(
     ] = "127.0.0.1",
     port: Annotated[int, typer.Option(min=0, max=65535, help="Port; 0 takes a free one.")] = PORT,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page.")] = True,
+    lang: LanguageOption = OF_LOCALE,
 ) -> None:
     """Serve the app: set a scene, see it shaken, see what holds it."""
     from stayput.extras import absent
@@ -25,4 +28,4 @@ def app(
         if error.name is not None and error.name.startswith("stayput"):
             raise
         raise absent("The app", error.name or "a library", "app") from None
-    serve(host, port, browser=browser)
+    serve(host, port, browser=browser, language=lang)

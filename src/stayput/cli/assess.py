@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.catalogue import say
 from stayput.cli.flags import ThreadsOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
 from stayput.cli.messages import print_json
 
 if TYPE_CHECKING:
@@ -58,6 +60,7 @@ def assess(
         typer.Option(metavar="ADDRESS", help="A Dask scheduler whose workers simulate: tcp://host:8786."),
     ] = None,
     memory: Annotated[str, typer.Option(help="Memory to stay below.")] = "2GB",
+    lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
     """Assess every piece of an inventory: how likely it overturns, and which measure helps most.
@@ -84,7 +87,7 @@ def assess(
     if json:
         print_json(_record(assessment))
     else:
-        _print(assessment)
+        _print(assessment, lang)
     if not assessment.facts["pieces"]:
         from stayput.errors import InputError
 
@@ -114,37 +117,28 @@ def _record(assessment: Assessment) -> dict[str, object]:
     }
 
 
-def _print(assessment: Assessment) -> None:
-    from stayput.fragility.probabilities import percent
-    from stayput.wording import counted
+def _print(assessment: Assessment, lang: str) -> None:
+    from stayput.inventory.words import counted_phrase, printed, read_as
+
+    def line(key: str, **values: object) -> None:
+        typer.echo(say(f"inventory_report.{key}", lang, **values))
 
     facts = assessment.facts
-    typer.echo(f"Read {counted(facts['rows'], 'row')} as {facts['read as']}: {facts['pieces']:,} assessed.")
+    rows, how = counted_phrase(facts["rows"], "row", "行"), read_as(facts["read as"])
+    line("printed_read", rows=rows, how=how, pieces=f"{facts['pieces']:,}")
     if facts["columns renamed"]:
-        typer.echo(f"Columns as they were understood: {', '.join(facts['columns renamed'])}.")
+        line("renamed", columns=", ".join(facts["columns renamed"]))
     if facts["columns not used"]:
-        typer.echo(f"Columns that were not used: {', '.join(facts['columns not used'])}.")
+        line("not_used", columns=", ".join(facts["columns not used"]))
     if facts["rejects"]:
-        typer.echo(f"Not assessed: {counted(facts['rejects'], 'row')}; rejects.csv says why, row by row.")
+        line("printed_rejects", rows=counted_phrase(facts["rejects"], "row", "行"))
     without = facts["pieces"] - facts["with coordinates"]
     if 0 < without < facts["pieces"]:
-        typer.echo(f"Without coordinates: {counted(without, 'piece')}; on a map they have no point.")
-    different = f"{counted(facts['choices'], 'combination')}, {facts['units']:,} of them different"
-    typer.echo(f"{different}; {counted(assessment.runs, 'run')}.")
+        line("without_coordinates", pieces=counted_phrase(without, "piece", "点"))
+    choices = counted_phrase(facts["choices"], "combination", "通り")
+    runs = counted_phrase(assessment.runs, "run", "回")
+    line("printed_runs", choices=choices, units=f"{facts['units']:,}", runs=runs)
     for name, total in assessment.summary.events.items():
-        known = total.pieces > total.unknown
-        share = f"{percent(total.share)} %" if known else "all runs were given up"
-        expected = f"{total.fallen:,.1f} of {counted(total.pieces, 'piece')} ({share})"
-        line = f"{name}: expected to overturn: {expected}"
-        if total.fallen_best < total.fallen:
-            line += f", {total.fallen_best:,.1f} with the best measures"
-        elif not total.helped:
-            line += "; none of the compared measures helps any of them"
-        typer.echo(f"{line}.")
-        if total.share_out is not None and total.share_out_best is not None:
-            share, best = f"{percent(total.share_out)} %", f"{percent(total.share_out_best)} %"
-            inside = (
-                f"{name}: of what is inside {counted(total.filled, 'piece')}, {share} is expected to come out"
-            )
-            typer.echo(f"{inside}, {best} with the best measures.")
-    typer.echo(f"Wrote {assessment.folder / 'report.html'}")
+        for sentence in printed(total, name, lang):
+            typer.echo(sentence)
+    wrote(lang, assessment.report("ja" if lang == "ja" else "en"))

@@ -7,8 +7,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from stayput.catalogue import say
 from stayput.cli.flags import ComponentOption, TimeStepOption, UnitOption, motion_of
-from stayput.cli.messages import print_json
+from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
+from stayput.cli.messages import folded, print_json
+from stayput.cli.shaking import (
+    EarthquakeOption,
+    IntensityOption,
+    MercalliOption,
+    PgaOption,
+    PgvOption,
+    SpectralOption,
+    stated_strength,
+)
 
 if TYPE_CHECKING:
     from stayput.building.model import FloorResponse
@@ -30,6 +41,12 @@ def building(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    intensity: IntensityOption = None,
+    pga: PgaOption = None,
+    pgv: PgvOption = None,
+    sa: SpectralOption = None,
+    mmi: MercalliOption = None,
+    earthquake: EarthquakeOption = None,
     storey: Annotated[
         list[int] | None,
         typer.Option(help="Storey to write with --out, and to draw the spectrum of; may be repeated."),
@@ -42,6 +59,7 @@ def building(
         Path | None,
         typer.Option(metavar="FILE", help="Plot peaks over the storeys, and spectra: .png, .svg or .pdf."),
     ] = None,
+    lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
     """Floor motions of a building: the peaks of every storey, and the motion of one."""
@@ -59,17 +77,20 @@ def building(
     described = Building(storeys, structure, period, damping, nonlinear=not linear)
     for number in storey or ():
         described.model.place(number)
-    response = described.respond(motion_of(motion, component=component, unit=unit, dt=dt))
+    strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
+    ground = motion_of(motion, component=component, unit=unit, dt=dt, **strength)
+    response = described.respond(ground)
     if out is not None and storey:
         response.floor(storey[0]).write(out)
     if plot is not None:
-        from stayput.report.building import plot_building
+        from stayput.report.building import building_title, plot_building
 
-        plot_building(response, plot, storey)
+        plot_building(response, plot, storey, title=building_title(response, lang), language=lang)
     if json:
         print_json(_record(response))
     else:
-        _print_table(response, [file for file in (out, plot) if file is not None])
+        _print_table(response, lang)
+        wrote(lang, *filter(None, (out, plot)))
 
 
 def _record(response: FloorResponse) -> dict[str, Any]:
@@ -106,19 +127,21 @@ def _energies(response: FloorResponse, name: str) -> dict[str, float]:
     }
 
 
-def _print_table(response: FloorResponse, written: list[Path]) -> None:
+def _print_table(response: FloorResponse, lang: str) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from stayput.report.names import motion_label
+    from stayput.report.names import given_name, motion_label
 
     console = Console(highlight=False, markup=False)
     model = response.model
-    kind = "before yielding" if model.yields else "linear"
-    console.print(f"{model.name}, T1 = {model.periods[0]:.3g} s, {kind}", style="bold")
-    console.print(f"Ground: {motion_label(response.motion)}")
+    kind = say("plots.yielding" if model.yields else "plots.linear", lang)
+    name = given_name(model.name, lang)
+    heading = say("cli.building", lang, name=name, period=model.periods[0], kind=kind)
+    console.print(heading, style="bold")
+    console.print(say("cli.building_ground", lang, motion=motion_label(response.motion, lang)))
     table = Table(box=None, padding=(0, 2, 0, 0))
-    table.add_column("Floor")
+    table.add_column(say("cli.building_floor", lang))
     for name in response.acceleration:
         for heading in (f"PFA {name} [m/s²]", f"PFV {name} [cm/s]"):
             table.add_column(heading, justify="right")
@@ -131,16 +154,12 @@ def _print_table(response: FloorResponse, written: list[Path]) -> None:
     ]
     rows += [(model.place(s), [values[s - 1] for values in columns]) for s in response.storeys.tolist()]
     for label, values in reversed(rows):
-        table.add_row(label, *(f"{value:.3g}" for value in values))
+        table.add_row(given_name(label, lang), *(f"{value:.3g}" for value in values))
     console.print(table)
     for name, energy in response.energy.items():
         if not energy.input[-1] > 0.0:
-            console.print(f"Energy, {name}: none.")
+            console.print(say("cli.building_no_energy", lang, component=name))
             continue
-        yielding = 100.0 * energy.plastic[-1] / energy.input[-1]
-        console.print(
-            f"Energy, {name}: {yielding:.0f} % of the input went into yielding; "
-            f"the balance closes to {energy.imbalance:.1e}."
-        )
-    for file in written:
-        console.print(f"Wrote {file}", soft_wrap=True)
+        share = 100.0 * energy.plastic[-1] / energy.input[-1]
+        said = say("cli.building_energy", lang, component=name, share=share, imbalance=energy.imbalance)
+        console.print(folded(said, console.width) if lang == "ja" else said)

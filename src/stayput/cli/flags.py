@@ -31,9 +31,6 @@ UnitOption: TypeAlias = Annotated[
 TimeStepOption: TypeAlias = Annotated[
     float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
 ]
-LanguageOption: TypeAlias = Annotated[
-    str, typer.Option("--lang", metavar="en|ja", help="Language of what is printed.")
-]
 ThreadsOption: TypeAlias = Annotated[
     int | None, typer.Option("--threads", help="Threads; as many as there are cores by default.")
 ]
@@ -83,6 +80,12 @@ def earthquake_table(text: str) -> dict[str, Any]:
     kind = {"kind": parts.pop()} if parts[-1].isalpha() and not _is_number(parts[-1]) else {}
     values = _numbers("--earthquake", text, parts, (2, 3, 4), "7,20,10,300,crustal")
     return dict(zip(("magnitude", "distance", "depth", "vs30"), values, strict=False)) | kind
+
+
+def spectral_table(text: str) -> dict[str, Any]:
+    """Return the table of a spectral acceleration, ``PERIOD,VALUE``."""
+    values = _numbers("--sa", text, text.split(","), (2,), "0.3,8")
+    return dict(zip(("period", "value"), values, strict=True))
 
 
 def friction_table(text: str) -> dict[str, Any]:
@@ -214,7 +217,7 @@ def inputs_of(tables: Mapping[str, Any], path: Path | None, motion: str | None) 
     return [*([] if path is None else [path]), *records, *([] if motion is None else [Path(motion)])]
 
 
-def motion_of(text: str, **fields: str | float | None) -> Motion:
+def motion_of(text: str, **fields: Any) -> Motion:
     """Return the motion of a ``--motion`` text and of single keys of the shaking table.
 
     Raises

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.catalogue import say
 from stayput.cli.flags import EveryRunOption, ThreadsOption, chosen_measures
+from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
 from stayput.cli.messages import compiling
 
 if TYPE_CHECKING:
-    from stayput.fragility import FragilityCurve, IntensityMeasure
+    from stayput.fragility import FragilityCurve
     from stayput.scenario import Scenario
 
 
@@ -21,14 +23,16 @@ def fragility(
     im: Annotated[
         str,
         typer.Option(
-            metavar="JMA|PGA|PGV|PFA|PFV",
-            help="Intensity measure of the curves; PFA, PFV: the floor's peaks.",
+            metavar="JMA|MMI|PGA|PGV|SA(T)|PFA|PFV",
+            help="Intensity measure of the curves; SA(0.3): spectral acceleration at 0.3 s; PFA, PFV: the "
+            "floor's peaks.",
         ),
     ] = "JMA",
     measure: Annotated[
         list[str] | None,
         typer.Option(metavar="TYPE|NAME", help="Only this measure beside none; may be repeated."),
     ] = None,
+    lang: LanguageOption = OF_LOCALE,
     every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
 ) -> None:
@@ -37,11 +41,10 @@ def fragility(
     The folder gets curves.csv and observed.csv, a figure, pelicun's file of those curves that a lognormal
     fits and, where OpenQuake knows the measure, its NRML file. The curves are isotonic: no shape is assumed.
     """
-    from stayput.errors import InputError, unknown
-    from stayput.fragility import INTENSITY_MEASURES
+    from stayput.errors import InputError
+    from stayput.fragility import MMI, intensity_measure
 
-    if im not in INTENSITY_MEASURES:
-        raise unknown("--im", im, INTENSITY_MEASURES, "--im")
+    wanted = intensity_measure(im, "--im")
     if out.exists() and not out.is_dir():
         raise InputError("cli.folder_is_file", "--out", folder=repr(str(out)))
     if not out.parent.is_dir():
@@ -53,20 +56,22 @@ def fragility(
 
     from stayput.report.verdict.exports import write_curves
     from stayput.verification import verify
+    from stayput.verification.words import title
 
     with compiling():
-        verdict = verify(selected, every_run=every_run, threads=threads)
-    wanted: IntensityMeasure = INTENSITY_MEASURES[im]
-    files, left_out = write_curves(verdict, wanted, out)
+        verdict = verify(selected, intensity_measures=[wanted], every_run=every_run, threads=threads)
+    files, left_out = write_curves(verdict, wanted, out, lang)
     for result in verdict.options:
         curve: FragilityCurve = result.curves[wanted]
-        typer.echo(f"{curve.name}: {curve.text}")
+        name = title(result.option, verdict, lang) if lang == "ja" else curve.name
+        typer.echo(say("cli.curve", lang, name=name, told=curve.texts))
         if curve.lognormal is not None:
-            typer.echo(f"  {curve.lognormal.text}")
+            typer.echo(f"  {say(curve.lognormal.texts, lang)}")
+    if wanted == MMI:
+        typer.echo(say("fragility.mmi_scatter", lang))
     for sentence in left_out:
         typer.echo(sentence, err=True)
-    for file in files:
-        typer.echo(f"Wrote {file}")
+    wrote(lang, *files)
 
 
 def _only(scenario: Scenario, names: list[str] | None) -> Scenario:

@@ -13,8 +13,10 @@ import typer
 from typer.core import TyperGroup
 
 from stayput.catalogue import say
+from stayput.cli.language import of_arguments
 from stayput.cli.usage import USAGE, misused
-from stayput.errors import InputError, InputWarning, warnings_to
+from stayput.errors import InputError, InputWarning, reason_of, warnings_to
+from stayput.progress import told_in
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
@@ -38,20 +40,21 @@ class CommandGroup(TyperGroup):
 
     def main(self, args: Sequence[str] | None = None, *rest: Any, **kwargs: Any) -> Any:
         """Run the command line, and flush standard output."""
-        self._language = _language_of(sys.argv[1:] if args is None else args)
+        self._language = of_arguments(sys.argv[1:] if args is None else args)
         try:
             try:
-                return super().main(args, *rest, **kwargs)
+                with told_in(self._language):
+                    return super().main(args, *rest, **kwargs)
             finally:
                 if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison] - where it is closed
                     sys.stdout.flush()
         except OSError as error:
-            sys.exit(_unwritten(error))
+            sys.exit(_unwritten(error, self._language))
         except SystemExit as end:
             if isinstance(
                 end.__context__, BrokenPipeError
             ):  # Rich and Typer end so where the reader has gone
-                sys.exit(_unwritten(end.__context__))
+                sys.exit(_unwritten(end.__context__, self._language))
             raise
 
     def make_context(self, *args: Any, **kwargs: Any) -> Any:
@@ -82,9 +85,9 @@ class CommandGroup(TyperGroup):
         except USAGE as error:
             raise self._refused(misused(error)) from None
         except OSError as error:
-            raise typer.Exit(_unwritten(error)) from None
+            raise typer.Exit(_unwritten(error, self._language)) from None
         except KeyboardInterrupt:
-            typer.echo("Interrupted.", err=True)
+            typer.echo(say("cli.interrupted", self._language), err=True)
             raise typer.Exit(INTERRUPTED) from None
 
     def _refused(self, error: InputError) -> typer.Exit:
@@ -92,13 +95,7 @@ class CommandGroup(TyperGroup):
         return typer.Exit(REFUSED)
 
 
-def _language_of(args: Sequence[str]) -> Language:
-    """Return the language that ``--lang`` says, in which refusals are told too."""
-    flags = " ".join(args)
-    return "ja" if "--lang ja" in flags or "--lang=ja" in flags else "en"
-
-
-def _unwritten(error: OSError) -> int:
+def _unwritten(error: OSError, language: Language) -> int:
     """Report a failure of standard output, unless its reader has closed it; return the exit code.
 
     An error that names a file is none of the output's.
@@ -107,8 +104,8 @@ def _unwritten(error: OSError) -> int:
         raise error
     with suppress(OSError):
         if not isinstance(error, BrokenPipeError):
-            reason = (error.strerror or str(error)).lower()
-            typer.echo(f"The output could not be written: {reason}.", err=True)
+            reason = reason_of(error)
+            typer.echo(say("cli.unwritten", language, reason=reason), err=True)
         # what still waits would fail again when the program ends
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return UNREAD if isinstance(error, BrokenPipeError) else REFUSED
@@ -147,11 +144,11 @@ def print_json(values: object) -> None:
 def compiling() -> Generator[None]:
     """Announce on standard error that the mechanics are being compiled, where no bar shows it."""
     from stayput.compiled import on_compilation
-    from stayput.progress import is_drawn
+    from stayput.progress import is_drawn, language_of_bars
 
     def announce() -> None:
         if not is_drawn():
-            typer.echo("Compiling the mechanics once, which takes up to half a minute ...", err=True)
+            typer.echo(say("cli.compiling", language_of_bars()), err=True)
 
     with on_compilation(announce):
         yield

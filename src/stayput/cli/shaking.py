@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
 
-from stayput.cli.flags import building_table, earthquake_table, intensity_value, shaking_table, table_of
+from stayput.cli.flags import (
+    building_table,
+    earthquake_table,
+    intensity_value,
+    shaking_table,
+    spectral_table,
+    table_of,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -34,6 +41,14 @@ PgaOption: TypeAlias = Annotated[
 PgvOption: TypeAlias = Annotated[
     float | None, typer.Option("--pgv", help="Peak ground velocity to scale to [m/s].")
 ]
+SpectralOption: TypeAlias = Annotated[
+    str | None,
+    typer.Option(
+        "--sa",
+        metavar="T,VALUE",
+        help="Spectral acceleration to scale to, at 5 % damping: period [s] and value [m/s²], such as 0.3,8.",
+    ),
+]
 MercalliOption: TypeAlias = Annotated[
     float | None, typer.Option("--mmi", help="Modified Mercalli intensity to scale to.")
 ]
@@ -59,6 +74,32 @@ VerticalOption: TypeAlias = Annotated[
 ]
 
 
+def stated_strength(
+    *,
+    intensity: str | None,
+    pga: float | None,
+    pgv: float | None,
+    sa: str | None,
+    mmi: float | None,
+    earthquake: str | None,
+) -> dict[str, Any]:
+    """Return the keys of a shaking table that flags of strength stand for; None where one is not given.
+
+    Raises
+    ------
+    InputError
+        A flag's text that cannot be read.
+    """
+    return {
+        "intensity": None if intensity is None else intensity_value(intensity),
+        "pga": pga,
+        "pgv": pgv,
+        "sa": None if sa is None else spectral_table(sa),
+        "mmi": mmi,
+        "earthquake": None if earthquake is None else earthquake_table(earthquake),
+    }
+
+
 def shaken(
     tables: Mapping[str, Any],
     path: Path | None,
@@ -71,6 +112,7 @@ def shaken(
     intensity: str | None,
     pga: float | None,
     pgv: float | None,
+    sa: str | None,
     mmi: float | None,
     earthquake: str | None,
     building: str | None,
@@ -85,7 +127,7 @@ def shaken(
         The tables.
     path : Path, optional
         The scenario's file.
-    motion, component, unit, dt, scale, intensity, pga, pgv, mmi, earthquake, building, storey, vertical
+    motion, component, unit, dt, scale, intensity, pga, pgv, sa, mmi, earthquake, building, storey, vertical
         The flags; None where one is not given. ``motion`` replaces the whole table, a strength those of the
         file and its scale.
 
@@ -96,16 +138,13 @@ def shaken(
     """
     from stayput.scenario.shaking import STRENGTHS
 
+    strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
     flags = {
         "component": component,
         "unit": unit,
         "dt": dt,
         "scale": scale,
-        "intensity": None if intensity is None else intensity_value(intensity),
-        "pga": pga,
-        "pgv": pgv,
-        "mmi": mmi,
-        "earthquake": None if earthquake is None else earthquake_table(earthquake),
+        **strength,
         "building": None if building is None else building_table(building),
         "storey": storey,
         "vertical": vertical,

@@ -11,7 +11,6 @@ import typer
 from stayput.catalogue import LANGUAGES, say
 from stayput.cli.flags import (
     ComponentOption,
-    LanguageOption,
     TimeStepOption,
     UnitOption,
     chosen_measures,
@@ -20,6 +19,7 @@ from stayput.cli.flags import (
     parsed,
     scenario_data,
 )
+from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
 from stayput.cli.messages import compiling, folded, print_json
 from stayput.cli.shaking import (
     BuildingOption,
@@ -30,6 +30,7 @@ from stayput.cli.shaking import (
     PgaOption,
     PgvOption,
     ScaleOption,
+    SpectralOption,
     StoreyOption,
     VerticalOption,
     shaken,
@@ -67,6 +68,7 @@ def simulate(
     intensity: IntensityOption = None,
     pga: PgaOption = None,
     pgv: PgvOption = None,
+    sa: SpectralOption = None,
     mmi: MercalliOption = None,
     earthquake: EarthquakeOption = None,
     building: BuildingOption = None,
@@ -103,7 +105,7 @@ def simulate(
             help="A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
         ),
     ] = None,
-    lang: LanguageOption = "en",
+    lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Plot the histories: .png, .svg or .pdf.")
@@ -122,9 +124,7 @@ def simulate(
     from stayput.report.summary import piece_name
     from stayput.scenario import Scenario
     from stayput.simulation.run import Run
-    from stayput.wording import check_language
 
-    check_language(lang)
     _check_targets(plot, animate)
     given = scenario_data(scenario, body)
     check_apart((plot, animate), inputs_of(given, scenario, motion))
@@ -164,6 +164,7 @@ def simulate(
         intensity=intensity,
         pga=pga,
         pgv=pgv,
+        sa=sa,
         mmi=mmi,
         earthquake=earthquake,
         building=building,
@@ -223,7 +224,8 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
     if wanted.plot is not None:
         from stayput.report.plot import plot_run
 
-        plot_run(run, wanted.plot, name=wanted.name[0])
+        title = say(sentences(run, (wanted.called, wanted.called)), wanted.lang)
+        plot_run(run, wanted.plot, title=title, language=wanted.lang)
     if wanted.animate is not None:
         from stayput.report.animation import animate_run
 
@@ -250,7 +252,8 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
     if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
 
-        plot_space_run(run, wanted.plot, names=names, language=wanted.lang)
+        title = say(became(run, names), wanted.lang)
+        plot_space_run(run, wanted.plot, names=names, title=title, language=wanted.lang)
     if wanted.animate is not None:
         from stayput.report.space.animation import animate_space_run
 
@@ -287,12 +290,14 @@ def _progress() -> Generator[Progress | None]:
     from rich.console import Console
     from rich.progress import Progress as Bar
 
+    from stayput.progress import language_of_bars
+
     console = Console(stderr=True)
     if not console.is_terminal:
         yield None
         return
     with Bar(console=console, transient=True) as bar:
-        task = bar.add_task("Drawing")
+        task = bar.add_task(say("progress.drawing", language_of_bars()))
         yield lambda done, total: bar.update(task, completed=done, total=total)
 
 
@@ -311,6 +316,4 @@ def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> 
     if wanted.strength is not None:
         table.add_row(say("cli.strength", wanted.lang), say(wanted.strength.about, wanted.lang))
     console.print(table)
-    for path in (wanted.plot, wanted.animate):
-        if path is not None:
-            console.print(f"Wrote {path}", soft_wrap=True)
+    wrote(wanted.lang, *filter(None, (wanted.plot, wanted.animate)))

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.catalogue import say
 from stayput.cli.flags import ComponentOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -48,6 +50,7 @@ def study(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    lang: LanguageOption = OF_LOCALE,
 ) -> None:
     """Run a study and write its data (NetCDF, CSV), figures, key numbers and tables."""
     from stayput.errors import InputError, unknown
@@ -66,5 +69,6 @@ def study(
     result = run(*motions)
     files = result.write(out)
     typer.echo(result.markdown())
-    for file in files:
-        typer.echo(f"Wrote {file}")
+    if lang == "ja":
+        typer.echo(say("cli.study_in_english", lang))
+    wrote(lang, *files)

@@ -12,7 +12,6 @@ import typer
 from stayput.cli.flags import (
     ComponentOption,
     EveryRunOption,
-    LanguageOption,
     ThreadsOption,
     TimeStepOption,
     UnitOption,
@@ -20,6 +19,7 @@ from stayput.cli.flags import (
     parsed,
     scenario_data,
 )
+from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
 from stayput.cli.messages import compiling, folded
 from stayput.cli.shaking import (
     BuildingOption,
@@ -30,6 +30,7 @@ from stayput.cli.shaking import (
     PgaOption,
     PgvOption,
     ScaleOption,
+    SpectralOption,
     StoreyOption,
     VerticalOption,
     shaken,
@@ -54,7 +55,7 @@ def verify(
         Path | None,
         typer.Option(metavar="FILE", help="Write a report that needs nothing else: .html."),
     ] = None,
-    lang: LanguageOption = "en",
+    lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md.")] = None,
     csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv.")] = None,
@@ -80,6 +81,7 @@ def verify(
     intensity: IntensityOption = None,
     pga: PgaOption = None,
     pgv: PgvOption = None,
+    sa: SpectralOption = None,
     mmi: MercalliOption = None,
     earthquake: EarthquakeOption = None,
     building: BuildingOption = None,
@@ -98,9 +100,7 @@ def verify(
     """
     from stayput.errors import InputError, within
     from stayput.files import check_apart, check_target
-    from stayput.wording import check_language
 
-    check_language(lang)
     for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv"), (plan, ".html")):
         if path is not None:
             check_target(path, (suffix,))
@@ -127,6 +127,7 @@ def verify(
         intensity=intensity,
         pga=pga,
         pgv=pgv,
+        sa=sa,
         mmi=mmi,
         earthquake=earthquake,
         building=building,
@@ -270,8 +271,7 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     if not verdict.precise:
         paragraph(text("not_precise"))
     paragraph(simulations(verdict, lang))
-    for path in written:
-        console.print(f"Wrote {path}", soft_wrap=True)
+    wrote(lang, *written)
 
 
 def _fitting(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from stayput.cli.language import wrote
 from stayput.cli.messages import folded
 
 if TYPE_CHECKING:
@@ -73,8 +74,7 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
     if more := len(verdict.changes) - len(listed):
         paragraph(say("rooms.more_changes", lang, count=more))
     paragraph(simulations_of_room(verdict, lang))
-    for path in written:
-        console.print(f"Wrote {path}", soft_wrap=True)
+    wrote(lang, *written)
 
 
 def _listed(verdict: RoomVerdict) -> tuple[ChangeVerdict, ...]:

@@ -6,6 +6,7 @@ import math
 from functools import partial
 from typing import TYPE_CHECKING
 
+from stayput.cli.language import wrote
 from stayput.cli.messages import folded
 
 if TYPE_CHECKING:
@@ -78,5 +79,4 @@ def print_several(verdict: AssemblyVerdict, lang: str, written: list[Path]) -> N
     if not verdict.precise:
         paragraph(text("not_precise"))
     paragraph(simulations_of_several(verdict, lang))
-    for path in written:
-        console.print(f"Wrote {path}", soft_wrap=True)
+    wrote(lang, *written)

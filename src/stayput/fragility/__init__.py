@@ -7,11 +7,13 @@ from stayput.fragility.curve import CurveState, FragilityCurve, fragility_curve
 from stayput.fragility.intensity_measures import (
     INTENSITY_MEASURES,
     JMA_INTENSITY,
+    MMI,
     PFA,
     PFV,
     PGA,
     PGV,
     IntensityMeasure,
+    intensity_measure,
     spectral_acceleration,
 )
 from stayput.fragility.isotonic import Isotonic
@@ -25,6 +27,7 @@ from stayput.fragility.trials import Level, Trials
 __all__ = [
     "INTENSITY_MEASURES",
     "JMA_INTENSITY",
+    "MMI",
     "PFA",
     "PFV",
     "PGA",
@@ -42,6 +45,7 @@ __all__ = [
     "Trials",
     "difference",
     "fragility_curve",
+    "intensity_measure",
     "probability",
     "samples_needed",
     "spectral_acceleration",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,9 +15,13 @@ from stayput.fragility.capacity import Capacity, capacity_of, unknown_capacity
 from stayput.fragility.isotonic import Isotonic
 from stayput.fragility.lognormal import LognormalFit, lognormal
 from stayput.fragility.trials import Level, Trials, observed_levels
-from stayput.wording import counted
+from stayput.wording import check_language, counted
 
 if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import Self
+
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
@@ -36,6 +40,11 @@ class CurveState(StrEnum):
     ABRUPT = "abrupt"
     ONE_LEVEL = "one level"
     NO_TREND = "no trend"
+
+    @property
+    def phrase(self) -> Phrase:
+        """What it is called, in both languages."""
+        return phrase(f"fragility.state_{self.value.replace(' ', '_')}")
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -69,6 +78,62 @@ class FragilityCurve:
         return (
             f"FragilityCurve({self.name!r}, {self.measure.key}, {self.state.value}; {self.capacity().text})"
         )
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import curve_html
+
+        return curve_html(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the curve to a file (.json) that `load` reads again, to the bit and with its inputs.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        from stayput.saved import save_json
+
+        return save_json(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read the curve that `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        from stayput.saved import load_json
+
+        return load_json(cls, path)
+
+    def plot(self, ax: Axes | None = None, *, language: str = "en", **line: Any) -> Axes:
+        """Draw the curve with its 95 % band, and the observed shares with their 95 % intervals.
+
+        Drawn on the axes of other curves it looks different from them and joins their legend.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        language : str
+            Language of the texts, "en" or "ja".
+        **line
+            How the line looks, as for ``Axes.plot``: ``label``, ``color``, ...
+
+        Raises
+        ------
+        InputError
+            The axes hold a curve over another intensity measure.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.fragility import draw_curve
+
+        axis = axes_of(ax)
+        draw_curve(axis, self, check_language(language), **line)
+        return drawn(axis)
 
     @property
     def measure(self) -> IntensityMeasure:
@@ -127,7 +192,7 @@ class FragilityCurve:
         first, last = self.levels[0], self.levels[-1]
         return phrase(
             f"fragility.curve_{self.state.value.replace(' ', '_')}",
-            measure=self.measure.key,
+            measure=(self.measure.key, self.measure.names[1]),
             runs=(counted(count, "run"), f"{count:,}件"),
             half=self.capacity(0.5).texts,
             tenth=self.capacity(0.1).texts,

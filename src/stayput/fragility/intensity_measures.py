@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, numbers
+from stayput.errors import InputError, numbers, unknown, within
 from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
+
+    from stayput.catalogue import Phrase
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +26,7 @@ class IntensityMeasure:
     ----------
     key : str
         Short name, as in files.
-    name : str
+    names : Phrase
         Full name.
     unit : str
         Unit that values are shown in; "" for none. Inside they are SI.
@@ -34,19 +37,29 @@ class IntensityMeasure:
         otherwise it is lognormal.
     period : float, optional
         Period of a spectral acceleration [s]; none of another measure.
+    source : Phrase
+        By whom a measure is got from others.
     """
 
     key: str
-    name: str
+    names: Phrase
     unit: str
     shown: float = 1.0
     is_logarithm: bool = False
     period: float | None = None
+    source: Phrase = ("", "")
 
     @property
-    def label(self) -> str:
-        """Name and unit, as for an axis."""
-        return f"{self.name} [{self.unit}]" if self.unit else self.name
+    def name(self) -> str:
+        """Full name in English."""
+        return self.names[0]
+
+    @property
+    def labels(self) -> Phrase:
+        """Name, unit and source, as for an axis."""
+        english, japanese = (f"{name} [{self.unit}]" if self.unit else name for name in self.names)
+        of, by = self.source
+        return english[0].upper() + english[1:] + (of and f" ({of})"), japanese + (by and f"（{by}）")
 
     @property
     def least(self) -> float:
@@ -87,27 +100,70 @@ class IntensityMeasure:
         return values
 
 
-JMA_INTENSITY = IntensityMeasure("JMA", "JMA instrumental intensity", "", is_logarithm=True)
+JMA_INTENSITY = IntensityMeasure("JMA", phrase("fragility.jma"), "", is_logarithm=True)
 """JMA's instrumental intensity, not rounded."""
 
-PGA = IntensityMeasure("PGA", "peak ground acceleration", "m/s²")
+PGA = IntensityMeasure("PGA", phrase("fragility.pga"), "m/s²")
 """Peak acceleration of the ground [m/s²]."""
 
-PGV = IntensityMeasure("PGV", "peak ground velocity", "cm/s", 100.0)
+PGV = IntensityMeasure("PGV", phrase("fragility.pgv"), "cm/s", 100.0)
 """Peak velocity of the ground [m/s], shown in cm/s."""
 
-PFA = IntensityMeasure("PFA", "peak floor acceleration", "m/s²")
+PFA = IntensityMeasure("PFA", phrase("fragility.pfa"), "m/s²")
 """Peak acceleration of the floor that the body stands on [m/s²]."""
 
-PFV = IntensityMeasure("PFV", "peak floor velocity", "cm/s", 100.0)
+PFV = IntensityMeasure("PFV", phrase("fragility.pfv"), "cm/s", 100.0)
 """Peak velocity of the floor that the body stands on [m/s], shown in cm/s."""
+
+MMI = IntensityMeasure(
+    "MMI", phrase("fragility.mmi"), "", is_logarithm=True, source=phrase("ground_shaking.mmi_source")
+)
+"""Modified Mercalli intensity by Worden et al. (2012), from the ground's PGA and PGV; not cut off at 10."""
+
+PERIODS = (0.01, 10.0)
+"""Shortest and longest period of a spectral acceleration [s]."""
+
+_SPECTRAL = re.compile(r"SA\((.*)\)", re.IGNORECASE)
 
 
 def spectral_acceleration(period: float) -> IntensityMeasure:
     """Return Sa at a period [s]: 5 % damping, geometric mean of the horizontal components, shown in g."""
-    name = f"spectral acceleration at {period:g} s"
-    return IntensityMeasure(f"Sa_{period:g}", name, "g", 1.0 / STANDARD_GRAVITY, period=period)
+    names = phrase("fragility.sa", period=period)
+    return IntensityMeasure(f"SA({period:g})", names, "g", 1.0 / STANDARD_GRAVITY, period=period)
 
 
 INTENSITY_MEASURES = {measure.key: measure for measure in (JMA_INTENSITY, PGA, PGV, PFA, PFV)}
-"""The measures that fragility curves are drawn against, by key."""
+"""The measures that fragility curves are always drawn against, by key."""
+
+
+def intensity_measure(text: str, name: str = "im") -> IntensityMeasure:
+    """Return the measure of a text: a key of `INTENSITY_MEASURES`, MMI, or SA(T) with the period T [s].
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    name : str
+        What it is called in a refusal.
+
+    Raises
+    ------
+    InputError
+        Another text, or a period out of range.
+
+    Examples
+    --------
+    >>> intensity_measure("SA(0.3)").labels[0]
+    'Spectral acceleration at 0.3 s [g]'
+    """
+    known = {**INTENSITY_MEASURES, MMI.key: MMI}
+    if text in known:
+        return known[text]
+    spectral = _SPECTRAL.fullmatch(text)
+    try:
+        period = float(spectral[1]) if spectral else None
+    except ValueError:
+        period = None
+    if period is None:
+        raise unknown(name, text, [*known, "SA(0.3)"], name)
+    return spectral_acceleration(within(name, period, *PERIODS, "s", name))

@@ -1,9 +1,9 @@
 """Fragility curves as OpenQuake's fragility model, NRML 0.5.
 
 Over a peak a lognormal that fits is written as a continuous function, given by mean and standard deviation
-of the peak itself, not of its logarithm (OpenQuake manual, fragility models). Over JMA's intensity, and where
-no lognormal fits, the curve is written as a discrete function: its probabilities at the levels. OpenQuake has
-no measure of a floor's motion, so curves over one are refused.
+of the peak itself, not of its logarithm (OpenQuake manual, fragility models). Over an intensity (JMA, MMI),
+and where no lognormal fits, the curve is written as a discrete function: its probabilities at the levels.
+OpenQuake has no measure of a floor's motion, so curves over one are refused.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from stayput.errors import InputError
 from stayput.files import check_target, draft
-from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA, PGV
+from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PGA, PGV
 from stayput.fragility.labels import identifiers
 from stayput.motion.units import STANDARD_GRAVITY
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.fragility.curve import FragilityCurve
+    from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.lognormal import LognormalFit
 
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
@@ -35,12 +36,20 @@ MEASURES = {
     PGA.key: ("PGA", 1.0 / STANDARD_GRAVITY),
     PGV.key: ("PGV", 100.0),
     JMA_INTENSITY.key: ("JMA", 1.0),
+    MMI.key: ("MMI", 1.0),
 }
-"""Name, and number in OpenQuake's unit (g, cm/s) over the SI number, of each measure that it has."""
+"""Name, and number in OpenQuake's unit (g, cm/s) over the SI number, of each measure it has beside Sa."""
 
 _REACH = 4.0
 """Dispersions on both sides of the median over which a lognormal is written; beyond, OpenQuake keeps its
 ends."""
+
+
+def in_openquake(measure: IntensityMeasure) -> tuple[str, float] | None:
+    """Return the name of a measure and the number in OpenQuake's unit over the SI number, or None."""
+    if measure.period is not None:
+        return f"SA({measure.period:g})", 1.0 / STANDARD_GRAVITY
+    return MEASURES.get(measure.key)
 
 
 def lognormal_moments(median: float, dispersion: float) -> tuple[float, float]:
@@ -60,18 +69,19 @@ def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
     ET.SubElement(model, _tag("description")).text = text.encode("ascii", "replace").decode("ascii")
     ET.SubElement(model, _tag("limitStates")).text = LIMIT_STATE
     for name, curve in zip(names, curves, strict=True):
-        if curve.measure.key not in MEASURES:
+        known = in_openquake(curve.measure)
+        if known is None:
             raise InputError(
                 "fragility.not_in_nrml",
                 name=repr(curve.name),
                 measure=curve.measure.key,
-                allowed=", ".join(MEASURES),
+                allowed=", ".join((*MEASURES, "SA(T)")),
             )
         fitted = curve.lognormal
         if fitted is not None and fitted.fits and not curve.measure.is_logarithm:
-            _add_lognormal(model, name, fitted)
+            _add_lognormal(model, name, fitted, *known)
         else:
-            _add_discrete(model, name, curve)
+            _add_discrete(model, name, curve, *known)
     ET.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, encoding="unicode") + "\n"
 
@@ -80,8 +90,7 @@ def _tag(name: str) -> str:
     return f"{{{NAMESPACE}}}{name}"
 
 
-def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit) -> None:
-    imt, factor = MEASURES[curve.measure.key]
+def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit, imt: str, factor: float) -> None:
     median, beta = curve.median * factor, curve.dispersion
     mean, deviation = lognormal_moments(median, beta)
     function = ET.SubElement(
@@ -95,8 +104,7 @@ def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit) -> None:
     )
 
 
-def _add_discrete(model: ET.Element, name: str, curve: FragilityCurve) -> None:
-    imt, factor = MEASURES[curve.measure.key]
+def _add_discrete(model: ET.Element, name: str, curve: FragilityCurve, imt: str, factor: float) -> None:
     levels = [level.im * factor for level in curve.levels]
     function = ET.SubElement(model, _tag("fragilityFunction"), {"id": name, "format": "discrete"})
     ends = {"imt": imt, "noDamageLimit": f"{levels[0]:.6g}"}
@@ -111,7 +119,7 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        Fitted curves of several motions with different names, over PGA, PGV or JMA's intensity.
+        Fitted curves of several motions with different names, over PGA, PGV, Sa(T), MMI or JMA's intensity.
     path : str or Path
         The file, whose name ends in .xml.
     description : str

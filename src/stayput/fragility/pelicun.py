@@ -1,7 +1,7 @@
 """Fragility curves as a component library of pelicun, the tool for FEMA P-58 assessments.
 
 Format: pelicun's damage model parameters (its ``fragility.csv``), one component a row, whose single limit
-state LS1 is the fall. A limit state is lognormal there (normal in JMA's intensity), so only curves that
+state LS1 is the fall. A limit state is lognormal there (normal in an intensity), so only curves that
 are so too can be written. Names of demands and units are those of pelicun 3.10 and its model library.
 """
 
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.files import check_target, draft
-from stayput.fragility.intensity_measures import JMA_INTENSITY, PFA, PFV, PGA, PGV
+from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
 from stayput.fragility.labels import identifiers
 from stayput.motion.units import STANDARD_GRAVITY
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.fragility.curve import FragilityCurve
+    from stayput.fragility.intensity_measures import IntensityMeasure
 
 HEADER = (
     "ID",
@@ -43,14 +44,28 @@ JMA_DEMAND = "JMA Instrumental Intensity"
 JMA_OPTION = {JMA_DEMAND: {"Acronym": "JMA", "UnitType": "unitless"}}
 """What that option must hold for curves over JMA's intensity."""
 
+MMI_DEMAND = "Modified Mercalli Intensity"
+"""Name of the other demand that its option ``CustomDemandTypes`` must name."""
+
+MMI_OPTION = {MMI_DEMAND: {"Acronym": "MMI", "UnitType": "unitless"}}
+"""What that option must hold for curves over modified Mercalli intensity."""
+
 DEMANDS = {
     PGA.key: ("Peak Ground Acceleration", "g", 1.0 / STANDARD_GRAVITY),
     PFA.key: ("Peak Floor Acceleration", "g", 1.0 / STANDARD_GRAVITY),
     PGV.key: ("Peak Ground Velocity", "cmps", 100.0),
     PFV.key: ("Peak Floor Velocity", "cmps", 100.0),
     JMA_INTENSITY.key: (JMA_DEMAND, "unitless", 1.0),
+    MMI.key: (MMI_DEMAND, "unitless", 1.0),
 }
-"""Name, unit, and number in that unit over the SI number, of each measure."""
+"""Name, unit, and number in that unit over the SI number, of each measure but Sa."""
+
+
+def _demand(measure: IntensityMeasure) -> tuple[str, str, float]:
+    """Return name and unit of a measure, and the number in that unit over the SI number."""
+    if measure.period is not None:
+        return f"Spectral Acceleration|{measure.period:g}", "g", 1.0 / STANDARD_GRAVITY
+    return DEMANDS[measure.key]
 
 
 def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
@@ -63,7 +78,7 @@ def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
         if lognormal is None or not lognormal.fits:
             fit = phrase("fragility.no_lognormal") if lognormal is None else lognormal.texts
             raise InputError("fragility.not_lognormal", name=repr(curve.name), fit=fit)
-        demand, unit, factor = DEMANDS[curve.measure.key]
+        demand, unit, factor = _demand(curve.measure)
         # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" that of the value
         family = "normal_std" if curve.measure.is_logarithm else "lognormal"
         parameters = (family, repr(lognormal.median * factor), repr(lognormal.dispersion))

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, within
+from stayput.errors import InputError, instance_of, reason_of, within
 from stayput.execution import DaskExecutor, ThreadExecutor
 from stayput.extras import absent
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
@@ -39,7 +39,7 @@ from stayput.spreadsheets import csv_text
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Mapping, Sequence
 
-    from stayput.catalogue import Phrase
+    from stayput.catalogue import Language, Phrase
     from stayput.execution import Executor
     from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.summary import Summary
@@ -53,7 +53,10 @@ CONNECTING = 20.0
 
 _UNITS = {"": 1, "k": 2**10, "m": 2**20, "g": 2**30, "t": 2**40}
 
-REPORT, SUMMARY = "report.html", ("summary.parquet", "summary.csv")
+REPORTS: dict[Language, str] = {"en": "report.html", "ja": "report.ja.html"}
+"""The reports in each language: their names do not depend on the language of who runs the command."""
+
+SUMMARY = ("summary.parquet", "summary.csv")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -89,9 +92,13 @@ class Assessment:
         """The results as a dataset of PyArrow: one row a piece and event."""
         return dataset().dataset(self.folder / PIECES, format="parquet")
 
+    def report(self, language: Language) -> Path:
+        """Return the report in a language."""
+        return self.folder / REPORTS[language]
+
     @property
     def rejects(self) -> Any:
-        """The rows that were not assessed, as a table of PyArrow: row, id, reason."""
+        """The rows that were not assessed, as a table of PyArrow: row, id, reason, and reason_ja."""
         return parquet().read_table(self.folder / REJECTS[0])
 
 
@@ -199,7 +206,7 @@ def assess(
 
     with _full_disk(folder), claimed(folder, inputs) as space:
         plan = digest_of_inputs(inputs)
-        with bar(_rows_about(table), "Reading", progress, "rows") as advance:
+        with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
             facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged, mapping)
         refuse_nowhere(formats, facts["with coordinates"])
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
@@ -250,7 +257,7 @@ def _digest(name: str, path: Path) -> str:
     try:
         return digest_of(path)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         raise InputError(
             "inventory.unreadable", file=_called(name), path=repr(str(path)), reason=reason
         ) from None
@@ -269,7 +276,7 @@ def _full_disk(folder: Path) -> Generator[None]:
     try:
         yield
     except (OSError, sqlite3.OperationalError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        reason = reason_of(error)
         where = getattr(error, "filename2", None) or getattr(error, "filename", None)
         at = phrase("inventory.at_path", path=repr(str(where))) if where else ""
         raise InputError(
@@ -303,7 +310,7 @@ def _simulate(
     if not work.left:
         return
     with (
-        bar(work.left, "Simulating", progress, "units") as advance,
+        bar(work.left, "progress.simulating", progress, "progress.units") as advance,
         _executor(threads, scheduler, client, say) as executor,
     ):
         work.run(executor, advance, time.monotonic)
@@ -377,7 +384,9 @@ def _write(
     try:
         record_file.gather(space.folder / UNITS, plan, facts["units"])
         about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
-        with bar(facts["pieces"] * len(work.scenarios.events), "Writing", progress, "rows") as advance:
+        with bar(
+            facts["pieces"] * len(work.scenarios.events), "progress.writing", progress, "progress.rows"
+        ) as advance:
             Writer(folder, space, record_file, about, _strengths(work)).write(facts["parts"], advance)
     finally:
         record_file.path.unlink(missing_ok=True)
@@ -441,8 +450,9 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
     for batch in pq.ParquetFile(folder / REJECTS[0]).iter_batches(20):
         first = batch.to_pylist()
         break
-    with space.durable(folder / REPORT) as file:
-        file.write(report_html(summary, facts, manifest, first).encode())
+    for language, name in REPORTS.items():
+        with space.durable(folder / name) as file:
+            file.write(report_html(summary, facts, manifest, first, language).encode())
     return summary
 
 

@@ -26,6 +26,7 @@ from stayput.scenario.tables import FurnitureTable
 if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Mapping
 
+    from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell
     from stayput.inventory.places import GroundLevel
     from stayput.inventory.scenarios import Scenarios
@@ -83,7 +84,7 @@ class Exposure:
         Spec of the piece with its contents in its room.
     options : tuple of MeasureSet
         Without a measure first.
-    impossible : tuple of (str, str)
+    impossible : tuple of (str, Phrase)
         Names of the sets of measures that cannot be put in place, and why not.
     costs : tuple of float
         Costs of the options but the first, where they are given.
@@ -97,7 +98,7 @@ class Exposure:
     building: str | None
     piece: str
     options: tuple[MeasureSet, ...]
-    impossible: tuple[tuple[str, str], ...]
+    impossible: tuple[tuple[str, Phrase], ...]
     costs: tuple[float, ...]
 
 
@@ -203,20 +204,21 @@ class RowReader:
 
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int
-    ) -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
+    ) -> tuple[str, tuple[MeasureSet, ...], dict[str, Phrase]]:
         """Return the piece's spec in its room, the options, and reasons against those not possible."""
         scenario = self.scenarios.all[station].scenario
 
-        def make() -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
+        def make() -> tuple[str, tuple[MeasureSet, ...], dict[str, Phrase]]:
             room = room_of(cells, scenario)
             refuse_bad_start(body, room, State())
-            options, not_possible = options_of(cells, scenario), dict[str, str]()
+            options = options_of(cells, scenario)
+            not_possible: dict[str, Phrase] = {}
             for option in options:
                 refuse_conflicts(option.measures)
                 try:
                     hold(body, room, option.measures)
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
-                    not_possible[option.name] = str(error)
+                    not_possible[option.name] = error.told("en"), error.told("ja")
             contents = contents_of(cells, body, scenario)
             return piece_spec(body, room, contents), options, not_possible
 

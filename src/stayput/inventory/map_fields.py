@@ -10,6 +10,7 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, PGA, PGV, spectral_acceleration
+from stayput.fragility.intensity_measures import PERIODS
 from stayput.motion.ground_shaking import MERCALLI_SCATTER
 from stayput.motion.intensity import mercalli_rise, pgv_of_mercalli
 from stayput.motion.units import STANDARD_GRAVITY, unit_factor
@@ -18,9 +19,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.fragility import IntensityMeasure
-
-PERIODS = (0.01, 10.0)
-"""Shortest and longest period of an Sa [s]."""
 
 MERCALLI = (2.0, 10.0)
 """Modified Mercalli intensities that a peak velocity is known for; lower ones are taken for the lowest."""

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, unknown
+from stayput.errors import InputError, reason_of, unknown
 from stayput.inventory.cells import shown
 from stayput.inventory.columns import COLUMNS, UNITS, NumberUnit, header_name, plain_name
 from stayput.scenario.toml import read_toml
@@ -145,7 +145,7 @@ def _file(path: Path) -> dict[str, Any]:
         with path.open("rb") as file:
             content: Any = json.loads(file.read(LARGEST_FILE).decode("utf-8-sig"))
     except OSError as error:
-        reason, called = (error.strerror or str(error)).lower(), phrase("inventory_tables.the_mapping")
+        reason, called = reason_of(error), phrase("inventory_tables.the_mapping")
         raise InputError("inventory.unreadable", file=called, path=repr(str(path)), reason=reason) from None
     except (ValueError, RecursionError):
         content = None

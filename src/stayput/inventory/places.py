@@ -15,6 +15,7 @@ from stayput.motion.spectrum import DAMPING
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.fragility import IntensityMeasure
 
 PLACE = ("lat", "lon")
@@ -44,16 +45,14 @@ def steps_of(measure: IntensityMeasure) -> int:
     return 10 if measure.is_logarithm else 40
 
 
-def measure_about(measure: IntensityMeasure) -> str:
+def measure_about(measure: IntensityMeasure) -> Phrase:
     """Return a description of a map's measure."""
     if measure.is_logarithm:
-        return "JMA intensity, rounded to 0.1"
+        return phrase("inventory_report.map_of_intensity")
     if measure.period is None:
-        return f"{measure.name} of the larger horizontal component, rounded by at most 3 %"
-    return (
-        f"Sa at {measure.period:g} s, {100.0 * DAMPING:g} % damping, geometric mean of the horizontal "
-        "components, rounded by at most 3 %"
-    )
+        return phrase("inventory_report.map_of_peak", measure=measure.names)
+    damping = f"{100.0 * DAMPING:g}"
+    return phrase("inventory_report.map_of_sa", period=f"{measure.period:g}", damping=damping)
 
 
 def distances(lat: float, lon: float, lats: ArrayLike, lons: ArrayLike) -> NDArray[np.float64]:
@@ -96,9 +95,10 @@ class ShakeMap:
     scatters: NDArray[np.float64] | None = None
 
     @property
-    def about(self) -> str:
+    def about(self) -> Phrase:
         """Description of what it maps."""
-        return measure_about(self.measure) + ("" if self.scatters is None else ", with its scatter")
+        about = measure_about(self.measure)
+        return about if self.scatters is None else phrase("inventory_report.with_scatter", about=about)
 
     def at(self, lat: float, lon: float) -> GroundLevel:
         """Return the level at a place, rounded: bilinear on a grid, else of the nearest place.

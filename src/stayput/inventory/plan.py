@@ -73,7 +73,7 @@ def not_possible() -> Any:
     """Return the type of the sets of measures that cannot be put in place: their names, and why not."""
     pa = arrow()
 
-    return pa.list_(pa.struct([("name", pa.string()), ("reason", pa.string())]))
+    return pa.list_(pa.struct([("name", pa.string()), ("reason", pa.string()), ("reason_ja", pa.string())]))
 
 
 class Rejects:
@@ -82,19 +82,20 @@ class Rejects:
     def __init__(self, folder: Path) -> None:
         pa, pq = arrow(), parquet()
 
-        self.schema = pa.schema([("row", pa.int64()), ("id", pa.string()), ("reason", pa.string())])
+        texts = [(name, pa.string()) for name in ("id", "reason", "reason_ja")]
+        self.schema = pa.schema([("row", pa.int64()), *texts])
         self.file = (folder / REJECTS[0]).open("wb")
         self.parquet: Any = pq.ParquetWriter(self.file, self.schema, compression="zstd")
         self.text = (folder / REJECTS[1]).open("w", encoding="utf-8", newline="")
         self.lines = csv.writer(self.text)
         self.lines.writerow(self.schema.names)
-        self.buffered: list[tuple[int, str, str]] = []
+        self.buffered: list[tuple[int, str, str, str]] = []
         self.count = 0
 
-    def add(self, row: int, name: object, reason: str) -> None:
-        """Add a row."""
+    def add(self, row: int, name: object, error: InputError) -> None:
+        """Add a row that is refused."""
         identifier = "" if name is None or isinstance(name, Unusable) else str(name)[:200]
-        self.buffered.append((row, identifier, reason))
+        self.buffered.append((row, identifier, error.told("en"), error.told("ja")))
         self.count += 1
         if len(self.buffered) >= ROWS_PER_PART:
             self.flush()
@@ -108,7 +109,8 @@ class Rejects:
         columns = dict(zip(self.schema.names, map(list, zip(*self.buffered, strict=True)), strict=True))
         self.parquet.write_table(pa.table(columns, schema=self.schema))
         self.lines.writerows(
-            (row, harmless(" ".join(name.split())), harmless(reason)) for row, name, reason in self.buffered
+            (row, harmless(" ".join(name.split())), *map(harmless, reasons))
+            for row, name, *reasons in self.buffered
         )
         self.buffered.clear()
 
@@ -283,7 +285,7 @@ def _checked(
         if first != number:
             raise InputError("inventory.id_twice", "id", id=repr(piece.id), row=first)
     except InputError as error:
-        rejects.add(number, name, str(error))
+        rejects.add(number, name, error)
         return None
     return piece
 
@@ -308,7 +310,10 @@ def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], scenarios:
             [option.name for option in exposure.options],
             list(exposure.costs) or None,
             numbers,
-            [{"name": name, "reason": reason} for name, reason in exposure.impossible],
+            [
+                {"name": name, "reason": english, "reason_ja": japanese}
+                for name, (english, japanese) in exposure.impossible
+            ],
         )
         for piece, units in rows
         for exposure, numbers in zip(piece.exposures, units, strict=True)

@@ -5,16 +5,28 @@ from __future__ import annotations
 import math
 import re
 from typing import TYPE_CHECKING, Any
+from unicodedata import east_asian_width
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from stayput.catalogue import say
 from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
+from stayput.inventory.words import (
+    amount,
+    building_named,
+    counted_phrase,
+    done,
+    expected,
+    further,
+    interval_told,
+    measures_named,
+    pieces_counted,
+    share_told,
+)
+from stayput.report.page import framed, rendered
 from stayput.report.palette import INK, PAPER, rgb
 from stayput.report.verdict.svg import element, label
-from stayput.verification.contents import MOTIONS
-from stayput.wording import counted
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -26,16 +38,18 @@ MOST_BUILDINGS = 40
 
 REJECTS_SHOWN = 20
 
-SHOWS = "share that overturns, per cent"
-
 CELL, ROW, LEFT, TOP, SLANT = 46.0, 24.0, 64.0, 10.0, 4.7
 """Sizes of a map [px]: of a cell, room for the storeys and above, height of a slanted letter."""
 
 LONGEST_NAME = 22
-"""Characters of a building's name that a map shows."""
+"""Cells of a building's name that a map shows; a Japanese letter has two."""
 
 RAMP = ("#f7fbff", "#fdd49e", "#fc8d59", "#d7301f", "#7f0000")
 """Colours from 0 to 100 %: light to dark, so that they tell without hue as well."""
+
+
+def _words(key: str, language: str, **values: object) -> str:
+    return say(f"inventory_report.{key}", language, **values)
 
 
 def colour(share: float) -> str:
@@ -53,7 +67,7 @@ def _ink(fill: str) -> str:
     return INK if 0.299 * red + 0.587 * green + 0.114 * blue > 140.0 else PAPER
 
 
-def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -> str:
+def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str, language: str = "en") -> str:
     """Return a map of risk: storeys over buildings, each cell with its share in per cent, as SVG.
 
     Parameters
@@ -64,34 +78,37 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
         Whether with the best measures.
     name : str
         What the map shows, for those who hear it.
+    language : str
+        "en" or "ja".
     """
     fallen: dict[str, float] = {}
     for (building, _), total in totals.items():
         fallen[building] = fallen.get(building, 0.0) + total.fallen
     buildings = sorted(sorted(fallen, key=lambda name: -fallen[name])[:MOST_BUILDINGS], key=_by_number)
+    called = {building: building_named(building, language) for building in buildings}
     storeys = _storeys({storey for building, storey in totals if building in buildings})
-    longest = min(max(len(building or "no building") for building in buildings), LONGEST_NAME)
+    longest = min(max(map(_cells, called.values())), LONGEST_NAME)
     height = TOP + ROW * len(storeys) + 24.0 + SLANT * longest
     width = LEFT + CELL * len(buildings) + 1.2 * SLANT * longest
     parts: list[str] = []
     for j, storey in enumerate(storeys):
         y = TOP + ROW * j
-        floor = f"{storey}F" if storey else "ground"
+        floor = _words("floor", language, storey=storey) if storey else _words("on_ground", language)
         parts.append(label(LEFT - 8.0, y + 0.7 * ROW, floor, "axis", "end"))
         for i, building in enumerate(buildings):
             total = totals.get((building, storey))
             if total is not None:
-                where = f"{building or 'no building'}, {floor}"
-                parts.append(_map_cell(LEFT + CELL * i, y, total, best, where))
+                where = _words("place", language, building=called[building], floor=floor)
+                parts.append(_map_cell(LEFT + CELL * i, y, total, best, where, language))
     y = TOP + ROW * len(storeys) + 12.0
     for i, building in enumerate(buildings):
         x = LEFT + CELL * (i + 0.5)
-        text = building if len(building) <= LONGEST_NAME else f"{building[: LONGEST_NAME - 1]}…"
-        tooltip = element("title", Markup.escape(building)) if text != building else ""
+        text = _shortened(called[building])
+        tooltip = element("title", Markup.escape(called[building])) if text != called[building] else ""
         parts.append(
             element(
                 "text",
-                tooltip + str(Markup.escape(text or "no building")),
+                tooltip + str(Markup.escape(text)),
                 x=x,
                 y=y,
                 class_="axis",
@@ -106,6 +123,20 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
     )
 
 
+def _cells(text: str) -> int:
+    """Return the width of a text, in which a Japanese letter has two cells."""
+    return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def _shortened(name: str) -> str:
+    """Return a name in at most `LONGEST_NAME` cells."""
+    if _cells(name) <= LONGEST_NAME:
+        return name
+    while _cells(name) >= LONGEST_NAME:
+        name = name[:-1]
+    return f"{name}…"
+
+
 def _by_number(name: str) -> list[tuple[bool, int, str]]:
     """Return a sort key that takes the numbers in a name by size: 2 wood before 10 RC."""
     parts = re.findall(r"\d+|\D+", name)
@@ -118,11 +149,12 @@ def _storeys(storeys: set[int]) -> list[int]:
     return [*above, 0] if 0 in storeys else list(above)
 
 
-def _map_cell(x: float, y: float, total: Total, best: bool, where: str) -> str:
+def _map_cell(x: float, y: float, total: Total, best: bool, where: str, language: str) -> str:
     share = total.share_best if best else total.share
     fill = "#ffffff" if math.isnan(share) else colour(share)
     text_shown = "?" if math.isnan(share) else percent(share)
-    title = element("title", Markup.escape(f"{where}: {text_shown} % of {counted(total.pieces, 'piece')}"))
+    told = _words("cell", language, place=where, share=text_shown, pieces=pieces_counted(total.pieces))
+    title = element("title", Markup.escape(told))
     box = element("rect", title, x=x, y=y, width=CELL - 2.0, height=ROW - 2.0, fill=fill, class_="cell")
     text = element(
         "text",
@@ -136,21 +168,12 @@ def _map_cell(x: float, y: float, total: Total, best: bool, where: str) -> str:
     return box + text
 
 
-def _share(value: float | None) -> str:
-    if value is None:
-        return ""
-    return "unknown" if math.isnan(value) else f"{percent(value)} %"
-
-
-def _amount(value: float | None) -> str:
-    return "" if value is None else f"{value:,.0f}"
-
-
 def report_html(
     summary: Summary,
     facts: Mapping[str, Any],
     manifest: Mapping[str, Any],
     rejects: Sequence[Mapping[str, Any]],
+    language: str = "en",
 ) -> str:
     """Return the report as HTML.
 
@@ -164,41 +187,69 @@ def report_html(
         What the manifest says of the assessment.
     rejects : sequence
         The first rows that were not assessed.
+    language : str
+        "en" or "ja".
     """
-    maps: list[dict[str, Any]] = []
-    for event in summary.events:
-        totals = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
-        buildings = len({building for building, _ in totals})
-        maps.append(
-            {
-                "event": event,
-                "total": summary.events[event],
-                "left_out": max(0, buildings - MOST_BUILDINGS),
-                "without": Markup(storey_map(totals, False, f"{event}, no measure: {SHOWS}")),
-                "best": Markup(storey_map(totals, True, f"{event}, best measures: {SHOWS}")),
-            }
-        )
-    environment = Environment(
-        loader=PackageLoader("stayput.inventory", "."),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["percent"] = percent
-    environment.filters["amount"] = _amount
-    page = environment.get_template("report.html")
-    return page.render(
-        counted=counted,
-        share=_share,
-        maps=maps,
-        worst=summary.worst,
-        contents=any(row["contents_out_share"] is not None for row in summary.worst),
-        by_cost=any(row["best_by_cost"] is not None for row in summary.worst),
-        followed=MOTIONS,
-        facts=facts,
-        manifest=manifest,
-        rejects=rejects[:REJECTS_SHOWN],
-        no_measure=NO_MEASURE,
-        ramp=[(share, colour(share), _ink(colour(share))) for share in (0.0, 0.25, 0.5, 0.75, 1.0)],
-    )
+    maps = [_map(event, summary, language) for event in summary.events]
+    contents = any(row["contents_out_share"] is not None for row in summary.worst)
+    rows = counted_phrase(facts["rows"] - facts["empty rows"], "row", "行")
+    head = framed(language, "inventory_report", _words("title", language), ["inventory/inventory.css"])
+    page = {
+        **head,
+        "maps": maps,
+        "several": len(maps) > 1,
+        "worst": [_piece(row, language) for row in summary.worst],
+        "contents": contents,
+        "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
+        "rejects": rejects[:REJECTS_SHOWN],
+        "rejects_counted": _words("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
+        "done": done(facts, manifest, contents, language),
+        "ramp": [
+            (share_told(share, language), colour(share), _ink(colour(share)))
+            for share in (0.0, 0.25, 0.5, 0.75, 1.0)
+        ],
+    }
+    return rendered("inventory/inventory.html", page)
+
+
+def _map(event: str, summary: Summary, language: str) -> dict[str, Any]:
+    totals = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
+    total, buildings = summary.events[event], len({building for building, _ in totals})
+    left_out = buildings - MOST_BUILDINGS
+    more = counted_phrase(left_out, "more building", "棟")
+    verb = ("is" if left_out == 1 else "are", "")
+    names = {best: _words("map_best" if best else "map_without", language) for best in (False, True)}
+    return {
+        "event": event,
+        "expected": expected(total, language),
+        "more": further(total, language),
+        "left_out": _words("left_out", language, buildings=more, verb=verb) if left_out > 0 else "",
+        "without": Markup(storey_map(totals, False, f"{event}: {names[False]}", language)),
+        "best": Markup(storey_map(totals, True, f"{event}: {names[True]}", language)),
+    }
+
+
+def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
+    """Return the cells of a piece at risk."""
+    helped = row["best"] != NO_MEASURE
+    by_cost = row["best_by_cost"]
+    return {
+        **{key: row[key] for key in ("row", "id", "event", "count")},
+        "building": row["building"] or "",
+        "storey": row["storey"] or "",
+        "overturned": interval_told(row, "", language),
+        "out": share_told(row["contents_out_share"], language),
+        "best": measures_named(row["best"], language) if helped else _words("no_help", language),
+        "best_overturned": interval_told(row, "best_", language) if helped else "",
+        "best_out": share_told(row["best_contents_out_share"], language) if helped else "",
+        "best_by_cost": _words("not_worth", language)
+        if by_cost == NO_MEASURE
+        else measures_named(by_cost or "", language),
+        "loss": amount(row["expected_loss"]),
+        "not_possible": [_reason(option, language) for option in row["not_possible"] or ()],
+    }
+
+
+def _reason(option: Mapping[str, str], language: str) -> dict[str, str]:
+    reason = option["reason" if language == "en" else "reason_ja"]
+    return {"name": measures_named(option["name"], language), "reason": reason}

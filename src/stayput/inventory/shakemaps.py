@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError, reason_of, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.map_fields import field_of, field_of_grid
 from stayput.inventory.places import LIMITS, PLACE, ShakeMap
@@ -59,7 +59,7 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
             raise InputError("inventory_tables.uncertainty_of_csv", "uncertainty")
         return _of_csv(path, field)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         file = phrase("inventory.the_shake_map")
         shown = repr(str(error.filename or path))
         raise InputError("inventory.unreadable", file=file, path=shown, reason=reason) from None

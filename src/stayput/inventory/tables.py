@@ -13,7 +13,7 @@ from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, TextIO, cast
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, reason_of
 from stayput.extras import absent
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.cells import Unusable
@@ -115,7 +115,7 @@ def _readable(path: Path) -> Generator[None]:
     except InputError:
         raise
     except OSError as error:
-        reason = _one_line(error.strerror or str(error)).lower()
+        reason = reason_of(error)
         file = phrase("inventory.the_inventory")
         raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
     except Exception as error:  # of a broken file libraries say this or that

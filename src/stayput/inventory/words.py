@@ -1,77 +1,215 @@
-"""Words in the cells of an inventory in the languages of its users: presets, surfaces, contents, storeys."""
+"""What an assessment came to, in sentences: for its report and for the command line."""
 
 from __future__ import annotations
 
+import math
 import re
-import unicodedata
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from stayput.catalogue import names
+from stayput.catalogue import phrase, say
+from stayput.fragility.probabilities import percent
+from stayput.measures import MEASURES
+from stayput.report.names import given_name
+from stayput.verification.contents import MOTIONS
+from stayput.wording import counted
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
-    from stayput.inventory.cells import Cell
+    from stayput.catalogue import Phrase
+    from stayput.inventory.summary import Total
 
-STOREY = re.compile(r"[1-9][0-9]{0,2}(?:\.0)?\s*(?:f|fl|階)?", re.IGNORECASE | re.ASCII)
-"""A storey as people write it: 3, 3F, 3階."""
-
-OTHER_NAMES = {
-    "bookshelf": "bookcase",
-    "book shelf": "bookcase",
-    "書棚": "bookcase",
-    "書架": "bookcase",
-    "洋服タンス": "wardrobe",
-    "整理タンス": "chest",
-    "fridge": "refrigerator",
-    "tv": "television",
-    "自販機": "vending machine",
-    "サーバラック": "server rack",
-    "piano": "upright piano",
-    "ピアノ": "upright piano",
-}
-"""Further names of presets of furniture."""
+_SHEET = re.compile(r"sheet (?P<name>'.*?')(?:; not (?P<others>.*))?")
+"""How a sheet of a workbook is called in the facts."""
 
 
-def plain_word(text: str) -> str:
-    """Return a word in one spelling: of width, case and blanks."""
-    return " ".join(unicodedata.normalize("NFKC", text).lower().split())
+def counted_phrase(number: int, noun: str, counter: str) -> Phrase:
+    """Return a number with its noun in English, and with its counter in Japanese."""
+    return counted(number, noun), f"{number:,}{counter}"
 
 
-def _words(*tables: Mapping[str, tuple[str, str]]) -> dict[str, str]:
-    """Return the keys of tables of names by their names; of two with one name, the first."""
-    words: dict[str, str] = {}
-    for table in tables:
-        for key, labels in table.items():
-            for word in (key, *labels):
-                words.setdefault(plain_word(word), key)
-    return words
+def pieces_counted(number: int) -> Phrase:
+    """Return a number of pieces."""
+    return counted_phrase(number, "piece", "点")
 
 
-WORDS: dict[str, dict[str, str]] = {
-    "preset": _words(names.FURNITURE, names.PIECES) | OTHER_NAMES,
-    "floor": _words(names.SURFACES),
-    "contents": _words(names.CONTENTS),
-}
-"""What the words of a column stand for."""
+def share_told(value: float | None, language: str) -> str:
+    """Return a share in per cent; empty where there is none."""
+    if value is None:
+        return ""
+    if math.isnan(value):
+        return say("inventory_report.unknown", language)
+    return say("inventory_report.share", language, value=percent(value))
 
 
-def meant(column: str, cell: Cell) -> Cell:
-    """Return what a cell stands for: the name of a preset for what people call it; else the cell as it is."""
-    if not isinstance(cell, str) or not cell or len(cell) > 100:
-        return cell
-    return WORDS[column].get(plain_word(cell), cell)
+def interval_told(row: Mapping[str, Any], which: str, language: str) -> str:
+    """Return the probability of overturning of a row, with its interval.
+
+    Parameters
+    ----------
+    row : mapping
+        The row.
+    which : str
+        "" without a measure, "best_" with the best one.
+    language : str
+        "en" or "ja".
+    """
+    names = {"estimate": "", "low": "_low", "high": "_high"}
+    ends = {name: percent(row[f"{which}overturned{end}"]) for name, end in names.items()}
+    return say("inventory_report.interval", language, **ends)
 
 
-def preset_called(name: Cell) -> str | None:
-    """Return the preset that a piece is called, or None where its name is no preset's."""
-    return WORDS["preset"].get(plain_word(name)) if isinstance(name, str) and len(name) <= 100 else None
+def amount(value: float | None) -> str:
+    """Return an amount of money; empty where there is none."""
+    return "" if value is None else f"{value:,.0f}"
 
 
-def storey_meant(cell: Cell) -> Cell:
-    """Return the number of a storey such as "3F" or "3階"; any other cell as it is."""
-    if isinstance(cell, str) and len(cell) <= 20:
-        text = unicodedata.normalize("NFKC", cell).strip()
-        if STOREY.fullmatch(text):
-            return re.match(r"\d+", text)[0]  # type: ignore[index]
-    return cell
+def building_named(building: str, language: str) -> str:
+    """Return a building's name, or that there is none."""
+    return building or say("inventory_report.no_building", language)
+
+
+def measures_named(name: str, language: str) -> str:
+    """Return a set of measures as it is called in a language; a name of one's own stays as it is."""
+    if language == "en":
+        return name
+    return "+".join(
+        say(MEASURES[part].label, language) if part in MEASURES else part for part in name.split("+")
+    )
+
+
+def read_as(how: str) -> Phrase:
+    """Return how a table was read, in both languages."""
+    sheet = _SHEET.fullmatch(how)
+    if sheet is None:
+        return how, how
+    key = "sheet" if sheet["others"] is None else "sheet_of_several"
+    return phrase(f"inventory_report.{key}", **sheet.groupdict())
+
+
+def expected(total: Total, language: str) -> str:
+    """Return how many pieces are expected to overturn, without and with the best measures."""
+    best = ""
+    if total.fallen_best < total.fallen:
+        shared = share_told(total.share_best, language)
+        best = say("inventory_report.expected_best", language, fallen=amount(total.fallen_best), share=shared)
+    return say(
+        "inventory_report.expected",
+        language,
+        fallen=amount(total.fallen),
+        pieces=pieces_counted(total.pieces),
+        verb=("is" if total.pieces == 1 else "are", ""),
+        share=share_told(total.share, language),
+        best=best,
+    )
+
+
+def further(total: Total, language: str) -> str:
+    """Return what else is known of the pieces: what helps, the loss, what comes out, what is unknown."""
+    return (" " if language == "en" else "").join(_further(total, language))
+
+
+def _further(total: Total, language: str) -> Iterator[str]:
+    if not total.helped:
+        yield say("inventory_report.none_helps", language)
+    elif total.helped < total.pieces:
+        yield say("inventory_report.some_helped", language, helped=f"{total.helped:,}")
+    if total.loss is not None:
+        loss, best = amount(total.loss), amount(total.loss_best)
+        yield say("inventory_report.expected_loss", language, loss=loss, best=best)
+    if total.share_out is not None:
+        yield say(
+            "inventory_report.inside_out",
+            language,
+            pieces=pieces_counted(total.filled),
+            share=share_told(total.share_out, language),
+            best=share_told(total.share_out_best, language),
+        )
+    if total.unknown:
+        yield say("inventory_report.nothing_known", language, pieces=pieces_counted(total.unknown))
+
+
+def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, language: str) -> list[str]:
+    """Return what was read and computed, a sentence or two each.
+
+    Parameters
+    ----------
+    facts : mapping
+        What is known of the plan.
+    manifest : mapping
+        What the manifest says of the assessment.
+    contents : bool
+        Whether there is anything inside the pieces.
+    language : str
+        "en" or "ja".
+    """
+    empty = phrase("inventory_report.empty_rows", count=facts["empty rows"]) if facts["empty rows"] else ""
+    rows, how = counted_phrase(facts["rows"], "row", "行"), read_as(facts["read as"])
+    read = say("inventory_report.read", language, rows=rows, how=how, empty=empty)
+    if facts["columns not used"]:
+        columns = ", ".join(facts["columns not used"])
+        read += (" " if language == "en" else "") + say(
+            "inventory_report.not_used", language, columns=columns
+        )
+    if facts["columns renamed"]:
+        columns = ", ".join(facts["columns renamed"])
+        read += (" " if language == "en" else "") + say("inventory_report.renamed", language, columns=columns)
+    told = [read, *(_scenario(scenario, language) for scenario in manifest["scenarios"])]
+    choices = counted_phrase(facts["choices"], "combination", "通り")
+    told.append(say("inventory_report.units", language, choices=choices, units=f"{facts['units']:,}"))
+    told.append(say("inventory_report.slide_limit", language, limit=manifest["slide limit"]))
+    if contents:
+        told.append(say("inventory_report.contents_followed", language, most=MOTIONS))
+    told.append(say("inventory_report.intervals", language))
+    if manifest["shake map"]:
+        told.append(say("inventory_report.shake_map", language, map=tuple(manifest["shake map"])))
+    return [*told, say("inventory_report.version", language, version=manifest["version"])]
+
+
+def _scenario(scenario: Mapping[str, Any], language: str) -> str:
+    level = scenario["intensity"]
+    suite = scenario["suite"]
+    return say(
+        "inventory_report.scenario",
+        language,
+        name=scenario["name"],
+        strength="" if level is None else phrase("inventory_report.at_intensity", value=level),
+        suite=given_name(suite, language) if suite else phrase("inventory_report.one_motion"),
+        motions=counted_phrase(scenario["motions"], "motion", "本"),
+        synthetic=phrase("inventory_report.synthetic") if scenario["synthetic"] else "",
+        samples=counted_phrase(scenario["samples"], "Monte Carlo sample", "組"),
+        seed=scenario["seed"],
+    )
+
+
+def printed(total: Total, event: str, language: str) -> list[str]:
+    """Return what an event came to, in the lines of a terminal."""
+    best: Phrase | str = ""
+    if total.fallen_best < total.fallen:
+        best = phrase("inventory_report.printed_best", fallen=f"{total.fallen_best:,.1f}")
+    elif not total.helped:
+        best = phrase("inventory_report.printed_none_helps")
+    known = total.pieces > total.unknown
+    lines = [
+        say(
+            "inventory_report.printed_expected",
+            language,
+            event=event,
+            fallen=f"{total.fallen:,.1f}",
+            pieces=pieces_counted(total.pieces),
+            share=share_told(total.share, language) if known else phrase("inventory_report.given_up"),
+            best=best,
+        )
+    ]
+    if total.share_out is not None:
+        lines.append(
+            say(
+                "inventory_report.printed_inside",
+                language,
+                event=event,
+                pieces=pieces_counted(total.filled),
+                share=share_told(total.share_out, language),
+                best=share_told(total.share_out_best, language),
+            )
+        )
+    return lines

@@ -7,11 +7,14 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, finite, list_of, within
+from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
 from stayput.model.parameters import check_fields, parameter, parameter_of, quantity
 from stayput.wording import brief
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
+
+    from matplotlib.axes import Axes
 
 SIZE_RANGE = (1e-3, 100.0)
 """Smallest and largest width and height that are accepted [m]."""
@@ -160,6 +163,25 @@ class Body:
                 "model.cg_beside_base", "base_insets", x=e_x, insets=repr(self.base_insets), width=self.width
             )
 
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import body_html
+
+        return body_html(self)
+
+    def plot(self, ax: Axes | None = None, *, language: str = "en") -> Axes:
+        """Draw the section to scale, with the centre of gravity and R and α of the base corners.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        language : str
+            Language of the texts, "en" or "ja".
+        """
+        from stayput.model.room import Room
+
+        return Room().plot(ax, body=self, language=language)
+
     @property
     def uniform_inertia(self) -> float:
         """Moment of inertia about G of the uniform rectangle, m(b²+h²)/12 [kg m²]."""
@@ -219,6 +241,46 @@ class Body:
         """Angles α_A and α_B between the vertical and the lines from G to the corners A and B [rad]."""
         (u_a, v_a), (u_b, v_b), _, _ = self.corners
         return math.atan2(-u_a, -v_a), math.atan2(u_b, -v_b)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Size parameters R_A and R_B, the distances of the corners A and B from G [m] (Housner 1963)."""
+        a, b, _, _ = self.corners
+        return math.hypot(*a), math.hypot(*b)
+
+    def frequency_parameter(self, gravity: float = STANDARD_GRAVITY) -> tuple[float, float]:
+        """Return p = √(m g R/J) about the corners A and B, with J = J_G + m R² [rad/s].
+
+        That of the uniform rectangle is √(3g/4R) (Housner 1963). A body that rocks by small angles beside α
+        rises and falls with p, not with a period of its own: larger bodies are slower at the same shape.
+
+        Examples
+        --------
+        >>> block = Body(width=0.4, height=1.2)
+        >>> [round(p, 3) for p in block.frequency_parameter()]
+        [3.41, 3.41]
+        """
+        g = GRAVITY.check(gravity)
+        left, right = (
+            math.sqrt(self.mass * g * R / (self.inertia_about_cg + self.mass * R**2)) for R in self.size
+        )
+        return left, right
+
+    def overturning_acceleration(self, gravity: float = STANDARD_GRAVITY) -> tuple[float, float]:
+        """Return the static overturning accelerations g tan α about the corners A and B [m/s²] (West 1882).
+
+        Held for long, more of it tips the body; less of it does not even lift an edge. Over a wedge α is
+        measured from the tilt of rest.
+
+        Examples
+        --------
+        >>> block = Body(width=0.4, height=1.2)
+        >>> [round(a, 3) for a in block.overturning_acceleration()]
+        [3.269, 3.269]
+        """
+        g = GRAVITY.check(gravity)
+        left, right = self.slenderness
+        return g * math.tan(left + self.resting_tilt), g * math.tan(right - self.resting_tilt)
 
     @classmethod
     def from_parts(

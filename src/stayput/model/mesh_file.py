@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, unknown
+from stayput.errors import InputError, instance_of, reason_of, unknown
 from stayput.extras import absent
 from stayput.model.polyhedron import (
     check_filled,
@@ -101,7 +101,7 @@ def _corners(path: Path) -> NDArray[np.float64]:
             raise InputError("solids.mesh_too_large", "file", file=name, size=size, most=MOST_BYTES)
         content = path.read_bytes()
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         raise InputError("solids.mesh_no_file", "file", file=name, reason=reason) from None
     if not content.strip():
         raise InputError("solids.mesh_empty", "file", file=name)

@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
-from stayput.wording import brief
+from stayput.wording import brief, check_language
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from stayput.catalogue import Phrase
+    from stayput.model.body import Body
 
 MOST_SETTLEMENT = 0.05
 """How far a piece may sink in at most [m]."""
@@ -301,6 +304,30 @@ class Room:
 
     def __repr__(self) -> str:
         return brief(self)
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import room_html
+
+        return room_html(self)
+
+    def plot(self, ax: Axes | None = None, *, body: Body | None = None, language: str = "en") -> Axes:
+        """Draw the section of the room at a piece, to scale, with walls and ceiling where they are near.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        body : Body, optional
+            The piece; by default one of usual size is indicated.
+        language : str
+            Language of the texts, "en" or "ja".
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.section import draw_body_in_room
+
+        axis = axes_of(ax)
+        draw_body_in_room(axis, body, self, check_language(language))
+        return drawn(axis)
 
     def __post_init__(self) -> None:
         instance_of("floor", self.floor, Floor)

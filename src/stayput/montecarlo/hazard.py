@@ -15,12 +15,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError
-from stayput.fragility import JMA_INTENSITY, PFA, PFV, PGA, PGV
+from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
 from stayput.mechanics.runner import Shaking, shaking
-from stayput.motion.ground_shaking import GroundStrength, horizontal_peak
-from stayput.motion.intensity import factor_to_intensity
-from stayput.motion.spectrum import DAMPING, response_spectrum
+from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
+from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
 from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -66,29 +64,6 @@ def factors_to_level_zero(measure: IntensityMeasure, motions: Iterable[Motion]) 
         peak = "PGA" if measure == PGA else "PGV"
         return np.array([1.0 / horizontal_peak(motion, peak) for motion in motions])
     return np.array([STANDARD_GRAVITY / horizontal_sa(motion, period) for motion in motions])
-
-
-def horizontal_sa(motion: Motion, period: float) -> float:
-    """Return the geometric mean of Sa of the horizontal components [m/s²]; of a motion without y it is x's.
-
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    period : float
-        The period [s]; the damping is 5 %.
-
-    Raises
-    ------
-    InputError
-        A component that is still.
-    """
-    names = [name for name in ("x", "y") if name in motion.components]
-    values = [float(response_spectrum(motion, period, DAMPING, name).sa[0]) for name in names]
-    for name, sa in zip(names, values, strict=True):
-        if not sa > 0.0:
-            raise InputError("verification.still_component", component=name, motion=repr(motion.name))
-    return math.prod(values) ** (1.0 / len(values))
 
 
 @dataclass(frozen=True, eq=False)
@@ -272,6 +247,9 @@ class Hazard:
         Whether the vertical motion acts on the furniture. The intensity counts it in any case.
     dimensions : int
         2 where pieces are run in the plane, 3 in space.
+    further : tuple of IntensityMeasure
+        Measures of the ground that are wanted beside the usual ones: modified Mercalli intensity, or spectral
+        accelerations.
     """
 
     ground: Suite
@@ -279,6 +257,7 @@ class Hazard:
     storey: int = 1
     vertical: bool = True
     dimensions: int = 2
+    further: tuple[IntensityMeasure, ...] = ()
 
     @cached_property
     def _scaled(self) -> Ground:
@@ -346,8 +325,29 @@ class Hazard:
             PGV: np.abs(factors) * pgv,
             PFA: np.abs(scales) * pfa,
             PFV: np.abs(scales) * pfv,
+            **{measure: self._further(measure, np.abs(factors)) for measure in self.further},
         }
         return FloorMotions(motions, scales, measures, self.dimensions)
+
+    @cached_property
+    def _horizontal_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        pga, pgv = ([horizontal_peak(motion, name) for motion in self.ground] for name in ("PGA", "PGV"))
+        return np.array(pga), np.array(pgv)
+
+    @cached_property
+    def _spectral(self) -> dict[float, NDArray[np.float64]]:
+        periods = [measure.period for measure in self.further if measure.period is not None]
+        return {
+            period: np.array([horizontal_sa(motion, period) for motion in self.ground]) for period in periods
+        }
+
+    def _further(self, measure: IntensityMeasure, factors: NDArray[np.float64]) -> NDArray[np.float64]:
+        if measure.period is not None:
+            return factors * self._spectral[measure.period]
+        if measure != MMI:
+            raise ValueError(measure)
+        pga, pgv = self._horizontal_peaks
+        return np.array([mercalli_beyond(k * a, k * v) for k, a, v in zip(factors, pga, pgv, strict=True)])
 
 
 def _peaks(motions: tuple[Motion, ...]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -1,8 +1,9 @@
 """How strongly the ground shakes, from what people know: an intensity, a peak, or an earthquake's distance.
 
-Motions are scaled to an intensity. They are scaled to a peak acceleration or velocity too, each to that peak
-itself: to make an intensity of it first, by a regression, would add the regression's error. A modified
-Mercalli intensity and an earthquake become a peak velocity by published models, with their scatter:
+Motions are scaled to an intensity. They are scaled to a peak acceleration or velocity or a spectral
+acceleration too, each to that value itself: to make an intensity of it first, by a regression, would add
+the regression's error. A modified Mercalli intensity and an earthquake become a peak velocity by published
+models, with their scatter:
 
 - Worden, Gerstenberger, Rhoades and Wald (2012), Bulletin of the Seismological Society of America 102,
   204-221: peak velocity at a modified Mercalli intensity, for California.
@@ -30,14 +31,16 @@ from stayput.errors import InputError
 from stayput.model.parameters import arguments, check_fields, parameter, quantity
 from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
 from stayput.motion.processing import LARGEST_ACCELERATION
+from stayput.motion.spectrum import DAMPING, response_spectrum
 from stayput.randomness import random_bits
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.motion.record import Motion
 
-StrengthMeasure = Literal["JMA", "PGA", "PGV"]
-"""What a strength is of: JMA's intensity, or the peak of the larger horizontal component."""
+StrengthMeasure = Literal["JMA", "PGA", "PGV", "SA"]
+"""What a strength is of: JMA's intensity, the peak of the larger horizontal component, or the geometric mean
+of the spectral accelerations of both."""
 
 EARTHQUAKE_TERMS = {"crustal": 0.0, "interface": -0.02, "intraslab": 0.12}
 """Kinds of earthquake, and what each adds to log₁₀ PGV (Si and Midorikawa 1999)."""
@@ -127,7 +130,7 @@ class GroundStrength:
     measure : str
         What the level is of.
     level : float
-        The median: JMA's intensity, or the common logarithm of a peak [m/s², m/s].
+        The median: JMA's intensity, or the common logarithm of a peak or spectral acceleration [m/s², m/s].
     scatter : float
         Standard deviation of the level.
     about : Phrase
@@ -136,6 +139,8 @@ class GroundStrength:
         The same within a sentence: its value alone.
     source : Phrase
         The model by which it is a strength, where it has scatter.
+    period : float
+        Period of a spectral acceleration [s].
     """
 
     measure: StrengthMeasure
@@ -144,10 +149,11 @@ class GroundStrength:
     about: Phrase = ("", "")
     brief: Phrase = ("", "")
     source: Phrase = ("", "")
+    period: float = 0.0
 
     @property
     def median(self) -> float:
-        """JMA's intensity, or the peak [m/s², m/s]."""
+        """JMA's intensity, or the peak or spectral acceleration [m/s², m/s]."""
         return self.level if self.measure == "JMA" else 10.0**self.level
 
     def drawn(self, motions: int, seed: int) -> list[GroundStrength]:
@@ -198,7 +204,42 @@ class GroundStrength:
         """
         if self.measure == "JMA":
             return factor_to_intensity(motion.intensity, self.level)
-        return self.median / horizontal_peak(motion, self.measure)
+        return self.median / self.peak(motion)
+
+    def peak(self, motion: Motion) -> float:
+        """Return the peak or spectral acceleration of a motion that the level is of [m/s², m/s].
+
+        Raises
+        ------
+        InputError
+            A still motion.
+        """
+        if self.measure == "SA":
+            return horizontal_sa(motion, self.period)
+        return horizontal_peak(motion, self.measure)
+
+
+def horizontal_sa(motion: Motion, period: float) -> float:
+    """Return the geometric mean of Sa of the horizontal components [m/s²]; of a motion without y it is x's.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    period : float
+        The period [s]; the damping is 5 %.
+
+    Raises
+    ------
+    InputError
+        A component that is still.
+    """
+    names = [name for name in ("x", "y") if name in motion.components]
+    values = [float(response_spectrum(motion, period, DAMPING, name).sa[0]) for name in names]
+    for name, sa in zip(names, values, strict=True):
+        if not sa > 0.0:
+            raise InputError("motion.still_component", component=name, motion=repr(motion.name))
+    return math.prod(values) ** (1.0 / len(values))
 
 
 def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
@@ -258,6 +299,30 @@ def strength_of_pgv(pgv: float) -> GroundStrength:
     return GroundStrength(
         "PGV", math.log10(pgv), about=phrase("ground_shaking.scaled", stated=brief), brief=brief
     )
+
+
+@arguments(
+    period=quantity(
+        "s",
+        0.01,
+        10.0,
+        ("Period", "周期"),
+        "Natural period of the oscillator, whose damping is 5 %.",
+    ),
+    value=quantity(
+        "m/s²",
+        1e-3,
+        LARGEST_ACCELERATION,
+        ("Spectral acceleration", "加速度応答"),
+        "Spectral acceleration, the geometric mean of the horizontal components, that every motion is scaled "
+        "to, in the place of an intensity.",
+    ),
+)
+def strength_of_sa(period: float, value: float) -> GroundStrength:
+    """Return the strength of a spectral acceleration [m/s²] at a period [s]."""
+    brief = phrase("ground_shaking.sa", period=period, value=value)
+    about = phrase("ground_shaking.scaled", stated=brief)
+    return GroundStrength("SA", math.log10(value), about=about, brief=brief, period=period)
 
 
 @arguments(

@@ -199,11 +199,22 @@ def mercalli(pga: float, pgv: float) -> float:
     InputError
         A peak that is not larger than 0.
     """
+    return min(10.0, max(1.0, mercalli_beyond(pga, pgv)))
+
+
+def mercalli_beyond(pga: float, pgv: float) -> float:
+    """Return what `mercalli` returns, beyond the ends of the scale too: there the lines go on.
+
+    Raises
+    ------
+    InputError
+        A peak that is not larger than 0.
+    """
     a, v = _logarithm("pga", pga, "m/s²"), _logarithm("pgv", pgv, "m/s")
     from_a = 1.78 + 1.55 * a if a <= 1.57 else -1.60 + 3.70 * a
     (low, rise), (high, steep) = MERCALLI_OF_PGV
     from_v = low + rise * v if v <= 0.53 else high + steep * v
-    return min(10.0, max(1.0, 0.5 * (from_a + from_v)))
+    return 0.5 * (from_a + from_v)
 
 
 def mercalli_rise(mercalli: ArrayLike) -> NDArray[np.float64]:

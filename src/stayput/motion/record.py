@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from stayput.errors import InputError, finite, instance_of, visible, within
+from stayput.errors import InputError, finite, instance_of, shown, visible, within
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.channels import (
@@ -31,12 +33,19 @@ from stayput.motion.processing import (
 )
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, spectrum_of_samples
 from stayput.motion.writers import FORMATS
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from pathlib import Path
+    from typing import Self
 
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
+
+MotionHistory = Literal["acceleration", "velocity", "displacement"]
+"""What `Motion.plot` draws over time."""
 
 COMPONENTS = ("x", "y", "z")
 """Names of a motion's components: along the shaking, across it, up."""
@@ -90,6 +99,21 @@ class Motion:
     floor: str = ""
     listing: Listing | None = None
 
+    if TYPE_CHECKING:  # samples are taken as whatever NumPy makes an array of, and kept as arrays
+
+        def __init__(
+            self,
+            dt: float,
+            x: ArrayLike,
+            y: ArrayLike | None = None,
+            z: ArrayLike | None = None,
+            name: str = "",
+            synthetic: bool = False,
+            source: str = "",
+            floor: str = "",
+            listing: Listing | None = None,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "dt", within("motion.name_motion_dt", self.dt, *STEP_RANGE, "s", "dt"))
         for name in ("name", "source", "floor"):  # a file's header may hold anything
@@ -111,6 +135,11 @@ class Motion:
     def __repr__(self) -> str:
         peaks = ", ".join(f"{name} {np.abs(a).max():.4g}" for name, a in self.components.items())
         return f"Motion({self.name!r}, {len(self)} samples, dt={self.dt:g} s, peaks [m/s²]: {peaks})"
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import motion_html
+
+        return motion_html(self)
 
     def __len__(self) -> int:
         return len(self.x)
@@ -141,6 +170,23 @@ class Motion:
             self.floor,
             self.listing,
         )
+
+    @classmethod
+    def given(cls, value: object, name: str = "motion") -> Self:
+        """Return a motion that was given as one, or refuse what is none with how to make one of it.
+
+        Raises
+        ------
+        InputError
+            It is something else: bare samples have neither a time step nor a unit.
+        """
+        if isinstance(value, cls):
+            return value
+        if isinstance(value, str | PathLike):
+            raise InputError("motion.only_a_path", name, name=name, value=repr(str(cast("object", value))))
+        if isinstance(value, Sequence) or hasattr(value, "__array__"):
+            raise InputError("motion.only_samples", name, name=name, value=shown(cast("object", value)))
+        return instance_of(name, value, cls)
 
     @property
     def components(self) -> dict[str, NDArray[np.float64]]:
@@ -208,6 +254,51 @@ class Motion:
     ) -> ResponseSpectrum:
         """Return the response spectrum of a component; see `stayput.response_spectrum`."""
         return spectrum_of_samples(self.component(component).x, self.dt, periods, damping)
+
+    def plot(
+        self,
+        ax: Axes | None = None,
+        *,
+        what: MotionHistory = "acceleration",
+        component: str = "x",
+        language: str = "en",
+        **line: Any,
+    ) -> Axes:
+        """Draw one history of one component on axes.
+
+        Velocity and displacement are integrals of the record as it is, without any correction.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : {"acceleration", "velocity", "displacement"}
+            In m/s², cm/s and cm.
+        component : str
+            "x", "y" or "z".
+        language : str
+            Language of the texts, "en" or "ja".
+        **line
+            How the line looks, as for ``Axes.plot``; with a ``label`` it stands in the legend in the place
+            of the peak.
+
+        Raises
+        ------
+        InputError
+            Another history, or a component that is not there.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.plot import draw_motion
+
+        axis = axes_of(ax)
+        draw_motion(axis, self, what, component, check_language(language), **line)
+        return drawn(axis)
+
+    def figure(self, title: str = "", *, language: str = "en") -> Figure:
+        """Return a figure with acceleration, velocity and displacement of every component."""
+        from stayput.report.plot import plot_motion
+
+        return plot_motion(self, title=title, language=check_language(language))
 
     def write(self, path: str | Path) -> Path:
         """Write the motion to a file: columns (.csv, all components) or PEER AT2 (.at2, x alone).

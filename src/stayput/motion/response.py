@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from stayput.errors import InputError, numbers, within
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
 PERIODS: NDArray[np.float64] = np.geomspace(0.05, 10.0, 100)
@@ -24,7 +26,11 @@ PERIOD_RANGE = (1e-3, 1e3)
 """Shortest and longest period that is accepted [s]."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+SpectralResponse = Literal["sa", "sv", "sd", "psa", "psv", "sva"]
+"""The largest responses that a `ResponseSpectrum` has, by their names there."""
+
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class ResponseSpectrum:
     """Largest responses of damped oscillators on the floor, over the length of the motion.
 
@@ -50,6 +56,48 @@ class ResponseSpectrum:
     sv: NDArray[np.float64]
     sa: NDArray[np.float64]
     sva: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        place = int(np.argmax(self.sa))
+        first, last = float(self.periods[0]), float(self.periods[-1])
+        return (
+            f"ResponseSpectrum({len(self.periods)} periods from {first:g} to {last:g} s, "
+            f"damping={self.damping:g}, largest Sa {self.sa[place]:.4g} m/s² at {self.periods[place]:.3g} s)"
+        )
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import spectrum_html
+
+        return spectrum_html(self)
+
+    def plot(
+        self, ax: Axes | None = None, *, what: SpectralResponse = "sa", language: str = "en", **line: Any
+    ) -> Axes:
+        """Draw one response over the period on logarithmic axes.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : str
+            Absolute acceleration "sa", relative velocity "sv" or displacement "sd", pseudo-acceleration
+            "psa" or -velocity "psv", or absolute velocity "sva".
+        language : str
+            Language of the texts, "en" or "ja".
+        **line
+            How the line looks, as for ``Axes.plot``.
+
+        Raises
+        ------
+        InputError
+            Another response.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.spectrum import draw_spectrum
+
+        axis = axes_of(ax)
+        draw_spectrum(axis, self, what, check_language(language), **line)
+        return drawn(axis)
 
     @property
     def psv(self) -> NDArray[np.float64]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from stayput.errors import instance_of
 from stayput.execution import Call, ThreadExecutor
 from stayput.motion.record import Motion
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, checked_periods
@@ -45,7 +44,7 @@ def response_spectrum(
     InputError
         Periods or a damping out of range; a component that the motion has not.
     """
-    return instance_of("motion", motion, Motion).spectrum(periods, damping, component)
+    return Motion.given(motion).spectrum(periods, damping, component)
 
 
 def spectra(

@@ -5,16 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, excerpt
-from stayput.model.parameters import Parameter
+from stayput.model.gravity import GRAVITY as GRAVITY
+from stayput.model.gravity import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
-
-STANDARD_GRAVITY = 9.80665
-"""Standard acceleration of gravity [m/s²]: one "g" of a record, and the default of a simulation."""
-
-GRAVITY = Parameter("gravity", STANDARD_GRAVITY, "m/s²", 0.01, 1e3, ("Gravity", "重力加速度"))
-"""Acceleration of gravity where a function asks for it."""
 
 ACCELERATION_UNITS = {"m/s²": 1.0, "cm/s²": 0.01, "gal": 0.01, "mm/s²": 0.001, "g": STANDARD_GRAVITY}
 """Size of each accepted unit [m/s²]."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
 from stayput.files import check_animation, draft
-from stayput.report.embedding import filled, inks_css, script_json, script_module
+from stayput.report.embedding import Player, filled, inks_css, script_json, script_module
 from stayput.report.film import film_of
 from stayput.report.frames import Painter
 from stayput.report.movie import FilmSettings, Progress, write_film
@@ -91,6 +91,12 @@ def animate_run(
         else:
             write_film(film.times, partial(Painter, film), unfinished, settings)
     return target
+
+
+def run_player(run: Run, language: str = "en") -> Player:
+    """Return an animation of a run that notebooks play."""
+    film = film_of(run, None, check_language(language))
+    return Player(player_page(film, speed=1.0, hold=1.5), film.title)
 
 
 def player_page(film: Film, speed: float, hold: float) -> str:

@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, get_args
 
+import numpy as np
 from matplotlib.ticker import MaxNLocator
 
+from stayput.building.model import FloorDrawing
 from stayput.catalogue import phrase, say
+from stayput.errors import word_of
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
-from stayput.report.names import motion_label
+from stayput.report.names import given_name, motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    import numpy as np
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.building.model import FloorResponse
+    from stayput.building.model import FloorResponse, ShearModel
     from stayput.motion import Motion
 
 LINES = (
@@ -50,7 +52,12 @@ def shown_storeys(response: FloorResponse) -> tuple[int, ...]:
 
 
 def plot_building(
-    response: FloorResponse, path: str | Path | None = None, storeys: Sequence[int] | None = None
+    response: FloorResponse,
+    path: str | Path | None = None,
+    storeys: Sequence[int] | None = None,
+    *,
+    title: str = "",
+    language: str = "en",
 ) -> Figure:
     """Plot peak floor acceleration and velocity over the storeys, and floor spectra beside the ground's.
 
@@ -64,6 +71,10 @@ def plot_building(
         Where to save it: PNG, SVG or PDF, by its ending.
     storeys : sequence of int, optional
         Floors whose spectra are drawn; default one in the middle, and the roof.
+    title : str
+        Title; none by default.
+    language : str
+        "en" or "ja".
 
     Raises
     ------
@@ -71,76 +82,111 @@ def plot_building(
         A storey that the building has not, or a path that cannot be written.
     """
     figure = new_figure(12.0, 5.0)
-    acceleration, velocity, spectra = figure.subplots(1, 3, width_ratios=[1.0, 1.0, 1.35])
-    model = response.model
-    title = say(
-        "plots.building",
-        name=model.name,
-        period=model.periods[0],
-        kind=phrase("plots.yielding" if model.yields else "plots.linear"),
-        motion=motion_label(response.motion),
-    )
-    figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
-    ground = response.motion.peaks()
-    for name in response.acceleration:
-        drawn = {
-            "color": COMPONENT_COLOURS[name],
-            "marker": HORIZONTAL[name],
-            "markersize": 4.0,
-            "linewidth": 1.4,
-        }
-        acceleration.plot(
-            response.peak_acceleration(name),
-            response.storeys,
-            label=say("plots.floors", component=name),
-            **drawn,
-        )
-        velocity.plot(
-            100.0 * response.peak_velocity(name),
-            response.storeys,
-            label=say("plots.floors", component=name),
-            **drawn,
-        )
-    reference = {"color": MUTED, "linestyle": "--", "linewidth": 1.3}
-    thumb = ground["x"].pga * height_factor(response)
-    acceleration.plot(thumb, response.storeys, label=say("plots.thumb"), **reference)
-    velocity.axvline(100.0 * ground["x"].pgv, label=say("plots.ground_x"), **reference)
-    for axis, label in (
-        (acceleration, "plots.peak_acceleration"),
-        (velocity, "plots.peak_velocity"),
-    ):
-        _storey_axis(axis, response)
-        axis.set_xlabel(say(label), fontsize=FONT)
-        axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
-    _draw_spectra(spectra, response, shown_storeys(response) if storeys is None else storeys)
+    axes = figure.subplots(1, 3, width_ratios=[1.0, 1.0, 1.35])
+    if title:
+        figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
+    for axis, what in zip(axes, get_args(FloorDrawing), strict=True):
+        draw_floors(axis, response, what, storeys, language)
     return saved(figure, path)
 
 
-def _storey_axis(axis: Axes, response: FloorResponse) -> None:
+def building_title(response: FloorResponse, language: str) -> str:
+    """Return the title of a picture: the building and its first period, and the motion of the ground."""
+    model = response.model
+    return say(
+        "plots.building",
+        language,
+        name=given_name(model.name, language),
+        period=model.periods[0],
+        kind=phrase("plots.yielding" if model.yields else "plots.linear"),
+        motion=motion_label(response.motion, language),
+    )
+
+
+def draw_floors(
+    axis: Axes, response: FloorResponse, what: FloorDrawing, storeys: Sequence[int] | None, language: str
+) -> None:
+    """Draw the floors' peak acceleration or velocity over the storeys, or floor spectra, on axes.
+
+    Raises
+    ------
+    InputError
+        Something else, or a storey that the building has not.
+    """
+    word_of("plots.what", what, get_args(FloorDrawing), "what")
+    if what == "spectra":
+        _draw_spectra(axis, response, shown_storeys(response) if storeys is None else storeys, language)
+        return
+    for name in response.acceleration:
+        fast = what == "velocity"
+        peaks = 100.0 * response.peak_velocity(name) if fast else response.peak_acceleration(name)
+        axis.plot(
+            peaks,
+            response.storeys,
+            color=COMPONENT_COLOURS[name],
+            marker=HORIZONTAL[name],
+            markersize=4.0,
+            linewidth=1.4,
+            label=say("plots.floors", language, component=name),
+        )
+    reference: dict[str, Any] = {"color": MUTED, "linestyle": "--", "linewidth": 1.3}
+    ground = response.motion.peaks()["x"]
+    if what == "acceleration":
+        thumb = ground.pga * height_factor(response)
+        axis.plot(thumb, response.storeys, label=say("plots.thumb", language), **reference)
+    else:
+        axis.axvline(100.0 * ground.pgv, label=say("plots.ground_x", language), **reference)
+    _storey_axis(axis, response, language)
+    axis.set_xlabel(say(f"plots.peak_{what}", language), fontsize=FONT)
+    axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
+
+
+def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None:
+    """Draw the slowest mode shapes of a building over its masses, times their participation factors.
+
+    Their sum over all modes is 1 at every mass.
+    """
+    style(axis, zero=False)
+    axis.axvline(0.0, color=MUTED, linewidth=0.6)
+    found = model.modes
+    floors = np.arange(len(model.masses) + 1)
+    for i in range(min(modes, len(model.masses))):
+        colour, line = LINES[i % len(LINES)]
+        percent = 100.0 * found.effective_mass[i]
+        label = say("plots.mode_shape", language, number=i + 1, period=found.periods[i], percent=percent)
+        values = np.append(0.0, found.participation[i] * found.shapes[:, i])
+        axis.plot(values, floors, color=colour, linestyle=line, marker="o", markersize=4.0, label=label)
+    axis.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axis.set_xlabel(say("plots.mode_shapes", language), fontsize=FONT)
+    axis.set_ylabel(say("plots.floor", language), fontsize=FONT)
+    axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
+
+
+def _storey_axis(axis: Axes, response: FloorResponse, language: str) -> None:
     style(axis, zero=False)
     axis.set_xlim(left=0.0)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))
     axis.set_ylim(0.7, response.model.storeys + 1.3)
-    axis.set_ylabel(say("plots.storey", roof=response.model.storeys + 1), fontsize=FONT)
+    axis.set_ylabel(say("plots.storey", language, roof=response.model.storeys + 1), fontsize=FONT)
 
 
-def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int]) -> None:
+def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], language: str) -> None:
     style(axis, zero=False)
     ground = response_spectrum(response.motion)
-    axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("plots.ground"))
+    axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("plots.ground", language))
     for i, storey in enumerate(storeys):
         colour, line = LINES[i % len(LINES)]
         spectrum = response_spectrum(response.floor(storey))
-        label = response.model.place(storey)
+        label = given_name(response.model.place(storey), language)
         axis.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
     for i, period in enumerate(response.model.periods[:3]):
         if PERIODS[0] <= period <= PERIODS[-1]:
-            label_of_periods = say("plots.periods") if i == 0 else None
+            label_of_periods = say("plots.periods", language) if i == 0 else None
             axis.axvline(period, color=MUTED, linewidth=0.9, linestyle=":", label=label_of_periods)
     plain_log(axis)
     axis.set_xlim(PERIODS[0], PERIODS[-1])
-    axis.set_xlabel(say("plots.period"), fontsize=FONT)
-    axis.set_ylabel(say("plots.floor_sa", damping=100.0 * DAMPING), fontsize=FONT)
+    axis.set_xlabel(say("plots.period", language), fontsize=FONT)
+    axis.set_ylabel(say("plots.floor_sa", language, damping=100.0 * DAMPING), fontsize=FONT)
     axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import re
+from dataclasses import dataclass
 from importlib import resources
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,34 @@ if TYPE_CHECKING:
 _IN_SCRIPT = str.maketrans({c: f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"})
 _IMPORT = re.compile(r"^import [^;]*/([\w.]+)\";\n", re.MULTILINE)
 _EXPORT = re.compile(r"^export ", re.MULTILINE)
+
+
+FRAME_HEIGHT = 640
+"""Height of a player in a notebook [px]."""
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Player:
+    """A player of an animation that notebooks show, in a frame of its own.
+
+    Parameters
+    ----------
+    page : str
+        The HTML page of the player, which needs nothing else.
+    title : str
+        What it shows.
+    """
+
+    page: str
+    title: str
+
+    def __repr__(self) -> str:
+        return f"Player({self.title!r})"
+
+    def _repr_html_(self) -> str:
+        page, title = html.escape(self.page), html.escape(self.title)
+        looks = f'style="width: 100%; height: {FRAME_HEIGHT}px; border: 0"'
+        return f'<iframe title="{title}" {looks} srcdoc="{page}"></iframe>'
 
 
 def canvas_files() -> dict[str, Traversable]:

@@ -31,6 +31,21 @@ def new_figure(width: float, height: float) -> Figure:
     return figure
 
 
+def axes_of(ax: Axes | None) -> Axes:
+    """Return the axes to draw on: those given, or those of a new figure of pyplot, which notebooks show."""
+    if ax is not None:
+        return ax
+    from matplotlib import pyplot  # which chooses how figures are shown, and is slow to load
+
+    return pyplot.subplots(layout="constrained")[1]
+
+
+def drawn(ax: Axes) -> Axes:
+    """Return axes once they are drawn: with fonts that have the letters of their texts."""
+    with_fallback(ax)
+    return ax
+
+
 def saved(figure: Figure, path: str | Path | None) -> Figure:
     """Save a figure atomically where a path is given: PNG, SVG or PDF by its ending."""
     with_fallback(figure)

@@ -19,7 +19,7 @@ from PIL import ImageFont
 from stayput.errors import InputWarning, warn
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.artist import Artist
 
 _FILE = Path(mpl.get_data_path()) / "fonts/ttf/DejaVuSans.ttf"
 _JAPANESE = r"\u3000-\u9fff\uff00-\uffef"
@@ -97,9 +97,9 @@ def wrapped(text: str, face: ImageFont.FreeTypeFont, room: float) -> str:
     return "\n".join(line.strip() for line in lines)
 
 
-def with_fallback(figure: Figure) -> None:
-    """Give those texts of a figure a second font that have letters which the first one lacks."""
-    for text in figure.findobj(Text):
+def with_fallback(drawn: Artist) -> None:
+    """Give those texts of a figure or of axes a second font that have letters which the first one lacks."""
+    for text in drawn.findobj(Text):
         missing = _missing(text.get_text())
         other = _other(missing) if missing else None
         if other is not None:

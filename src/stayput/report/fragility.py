@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+from unicodedata import east_asian_width
 
 import numpy as np
+from matplotlib.ticker import LogLocator
 
 from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.fragility.curve import CurveState
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.report.figures import FONT, new_figure, plain_log, saved, shaded_classes, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import INK, MUTED
@@ -40,6 +43,12 @@ _LOOKS = (
 _POINTS = 381
 _TOP = 1.1
 
+_DIGITS = (1.0, 2.0, 3.0, 5.0)
+"""First digits of the numbers along a logarithmic axis."""
+
+_SHARES = "observed shares over "
+"""What marks the observed shares of a curve on axes, with its measure's key; curves there are counted."""
+
 
 def plot_fragility(
     curves: Sequence[FragilityCurve],
@@ -48,6 +57,7 @@ def plot_fragility(
     here: float | None = None,
     title: str = "",
     subtitle: str = "",
+    language: str = "en",
 ) -> Figure:
     """Plot fragility curves with their 95 % bands and the observed shares with their 95 % intervals.
 
@@ -64,6 +74,8 @@ def plot_fragility(
         Intensity of the shaking in question [SI], drawn as a vertical line.
     title, subtitle : str
         Title, and what was run (whether motions are synthetic among it).
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -77,36 +89,73 @@ def plot_fragility(
     """
     if not 1 <= len(curves) <= len(_LOOKS):
         raise InputError("plots.curves_number", count=len(curves), most=len(_LOOKS))
-    measures = {curve.measure.key: curve.measure for curve in curves}
-    if len(measures) > 1:
-        raise InputError("plots.curves_measures", measures=", ".join(measures))
-    (measure,) = measures.values()
+    _refuse_other_measures([curve.measure.key for curve in curves])
+    measure = curves[0].measure
     figure = new_figure(8.4, 5.4)
     axis: Axes = figure.subplots()
     style(axis, zero=False)
     grid = _grid(curves, measure)
     shift = _shift(curves, measure)
     for place, curve in enumerate(curves):
-        _draw(axis, curve, place, shift * (place - 0.5 * (len(curves) - 1)))
-    _finish(axis, measure, grid)
+        _draw(axis, curve, place, shift * (place - 0.5 * (len(curves) - 1)), language)
+    _finish(axis, measure, grid, language)
     if here is not None:
-        label = say("report.here", value=measure.text(here))
+        label = say("report.here", language, value=measure.text(here))
         x = here * measure.shown
         axis.plot([x, x], [-0.02, 1.02], color=INK, linewidth=1.6, linestyle=":", zorder=2, label=label)
     if title:
         figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
-    alone = say("plots.no_bands") if any(curve.one_motion for curve in curves) else ""
-    label = say("plots.isotonic", alone=alone)
+    alone = say("plots.no_bands", language) if any(curve.one_motion for curve in curves) else ""
+    label = say("plots.isotonic", language, alone=alone)
     below = "\n".join((drawable(subtitle), label)) if subtitle else label
     axis.set_title(below, fontsize=FONT - 1.0, color=MUTED, loc="left")
+    labels = [_legend_label(curve, language) for curve in curves]
     figure.legend(
         loc="outside lower center",
-        ncols=1 if max(len(_legend_label(curve)) for curve in curves) > 52 or len(curves) < 3 else 2,
+        ncols=1 if max(map(_cells, labels)) > 52 or len(curves) < 3 else 2,
         fontsize=FONT - 1.0,
         frameon=False,
         handlelength=3.6,
     )
     return saved(figure, path)
+
+
+def draw_curve(axis: Axes, curve: FragilityCurve, language: str, **line: Any) -> None:
+    """Draw one curve on axes, which may hold others over the same measure.
+
+    Parameters
+    ----------
+    axis : Axes
+        Where to draw.
+    curve : FragilityCurve
+        The curve.
+    language : str
+        "en" or "ja".
+    **line
+        How the line looks, as for ``Axes.plot``; by default each curve of the axes looks different, and is
+        called by its name and the intensity at which half fall.
+
+    Raises
+    ------
+    InputError
+        The axes hold a curve over another measure.
+    """
+    over = [
+        gid.removeprefix(_SHARES) for one in axis.lines if (gid := one.get_gid() or "").startswith(_SHARES)
+    ]
+    _refuse_other_measures([*over, curve.measure.key])
+    style(axis, zero=False)
+    _draw(axis, curve, len(over) % len(_LOOKS), 0.0, language, **line)
+    _label(axis, curve.measure, language)
+    if not curve.measure.is_logarithm:
+        axis.xaxis.set_major_locator(LogLocator(subs=_DIGITS))
+    axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85, handlelength=3.6)
+
+
+def _refuse_other_measures(keys: Sequence[str]) -> None:
+    """Refuse curves over different measures on the same axes."""
+    if len(measures := dict.fromkeys(keys)) > 1:
+        raise InputError("plots.curves_measures", measures=", ".join(measures))
 
 
 def _grid(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> NDArray[np.float64]:
@@ -125,73 +174,68 @@ def _shift(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> float
     return 0.6 * min(steps, default=0.0) / len(_LOOKS)
 
 
-def _legend_label(curve: FragilityCurve) -> str:
-    name, half = curve.name or say("plots.curve"), curve.capacity(0.5).text
+def _cells(text: str) -> int:
+    """Return the width of a text, in which a Japanese letter has two cells."""
+    return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def _legend_label(curve: FragilityCurve, language: str) -> str:
+    name, half = curve.name or say("plots.curve", language), say(curve.capacity(0.5).texts, language)
     if curve.state is CurveState.FITTED:
-        return say("plots.half", name=name, half=half)
-    return say("plots.half_state", name=name, state=curve.state.value, half=half)
+        return say("plots.half", language, name=name, half=half)
+    return say("plots.half_state", language, name=name, state=curve.state.phrase, half=half)
 
 
-def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float) -> None:
-    colour, line, marker = _LOOKS[place]
+def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, language: str, **line: Any) -> None:
+    colour, dashes, marker = _LOOKS[place]
+    looks: dict[str, Any] = {"color": colour, "linestyle": dashes, "marker": marker}
+    looks |= {"linewidth": 2.0, "markersize": 5.0} | line
+    colour, label = looks["color"], drawable(looks.pop("label", _legend_label(curve, language)))
     measure = curve.measure
     middles = measure.value(measure.coordinate([level.im for level in curve.levels]) + shift) * measure.shown
     probabilities = [level.probability for level in curve.levels]
     shares = np.array([p.estimate for p in probabilities])
     ends = np.array([[p.estimate - p.low, p.high - p.estimate] for p in probabilities]).T
-    fitted = curve.state is CurveState.FITTED
-    if fitted:
+    if curve.state is CurveState.FITTED:
         grid = curve.grid(_POINTS)
         x = grid * measure.shown
         low, high = curve.band(grid)
         axis.fill_between(x, low, high, color=colour, alpha=0.13, linewidth=0.0)
-        axis.plot(x, curve.probability(grid), color=colour, linestyle=line, linewidth=2.0)
+        line_alone: dict[str, Any] = looks | {"marker": "none"}
+        axis.plot(x, curve.probability(grid), **line_alone)
+    else:
+        looks["linestyle"] = "none"
     axis.errorbar(middles, shares, yerr=ends, fmt="none", ecolor=colour, elinewidth=0.8, alpha=0.45, zorder=3)
-    axis.plot(
-        middles,
-        shares,
-        linestyle="none",
-        marker=marker,
-        markersize=5.0,
-        color=colour,
-        markerfacecolor="white",
-        zorder=4,
-    )
-    axis.plot(
-        [],
-        [],
-        color=colour,
-        linestyle=line if fitted else "none",
-        linewidth=2.0,
-        marker=marker,
-        markersize=5.0,
-        markerfacecolor="white",
-        label=drawable(_legend_label(curve)),
-    )
+    with_marks: dict[str, Any] = looks | {"markerfacecolor": "white", "zorder": 4}
+    marks_alone: dict[str, Any] = with_marks | {"linestyle": "none"}
+    axis.plot(middles, shares, gid=_SHARES + measure.key, **marks_alone)
+    axis.plot([], [], label=label, **with_marks)
 
 
-def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64]) -> None:
-    first, last = (float(end) * measure.shown for end in (grid[0], grid[-1]))
+def _label(axis: Axes, measure: IntensityMeasure, language: str) -> None:
+    """Label axes of the probability over an intensity measure."""
     if not measure.is_logarithm:
         plain_log(axis, y=False)
+    axis.set_ylim(-0.02, _TOP)
+    ticks = np.linspace(0.0, 1.0, 6)
+    axis.set_yticks(ticks, [say("plots.per_cent", language, value=100.0 * share) for share in ticks])
+    axis.set_xlabel(say(measure.labels, language), fontsize=FONT)
+    axis.set_ylabel(say("plots.probability", language), fontsize=FONT)
+
+
+def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64], language: str) -> None:
+    first, last = (float(end) * measure.shown for end in (grid[0], grid[-1]))
+    _label(axis, measure, language)
+    if not measure.is_logarithm:
         axis.set_xticks(_round_numbers(first, last))
     axis.set_xlim(first, last)
-    axis.set_ylim(-0.02, _TOP)
-    axis.set_yticks(np.linspace(0.0, 1.0, 6), [f"{percent:.0f} %" for percent in np.linspace(0.0, 100.0, 6)])
-    axis.set_xlabel(measure.label[0].upper() + measure.label[1:], fontsize=FONT)
-    axis.set_ylabel(say("plots.probability"), fontsize=FONT)
-    if measure.is_logarithm:
+    if measure == JMA_INTENSITY:
         _mark_classes(axis, first, last)
 
 
 def _round_numbers(first: float, last: float) -> list[float]:
     tens = range(math.floor(math.log10(first)), math.ceil(math.log10(last)) + 1)
-    return [
-        digit * 10.0**ten
-        for ten in tens
-        for digit in (1.0, 2.0, 3.0, 5.0)
-        if first <= digit * 10.0**ten <= last
-    ]
+    return [digit * 10.0**ten for ten in tens for digit in _DIGITS if first <= digit * 10.0**ten <= last]
 
 
 def _mark_classes(axis: Axes, first: float, last: float) -> None:

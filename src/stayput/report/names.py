@@ -1,4 +1,4 @@
-"""Names of presets, places of devices, and motions, in one language."""
+"""Names of presets, places of devices, motions, suites, targets, buildings and floors, in one language."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
-from stayput.catalogue.names import FAMILIES, MOTIONS, PIECES, PLACES, SURFACES
+from stayput.catalogue.names import FAMILIES, MOTIONS, PIECES, PLACES, STRUCTURES, SURFACES
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
@@ -16,14 +16,22 @@ _NAMES = {
     **MOTIONS,
     **PIECES,
     **PLACES,
+    **STRUCTURES,
     **SURFACES,
 }
 
-_MEMBER = re.compile(r"synthetic (.+) (\d+)")
-"""What a motion of a synthetic suite is called: its kind of earthquake and its number."""
-
-_SINE = re.compile(r"(sine) (.+)")
-"""What a sine is called: with its amplitude and frequency."""
+_MADE = (
+    ("report.sine", re.compile(r"sine (?P<values>.+)")),
+    ("report.suite", re.compile(r"synthetic (?P<family>.+) suite, seed (?P<seed>\d+)")),
+    ("report.suite_member", re.compile(r"synthetic (?P<family>.+) (?P<number>\d+)")),
+    ("report.japanese_target", re.compile(r"Japanese design spectrum, (?P<level>.+), soil (?P<soil>\d)")),
+    ("report.building_name", re.compile(r"(?P<storeys>\d+)-storey (?P<structure>.+) building")),
+    ("report.model_name", re.compile(r"(?P<masses>\d+)-mass shear model")),
+    ("report.floor_name", re.compile(r"storey (?P<storey>\d+)")),
+    ("motion.roof", re.compile(r"roof")),
+    ("report.ground_name", re.compile(r"ground")),
+)
+"""Names that stayput gives, with what varies in them, and the sentence of each."""
 
 
 def named(name: str, language: str) -> str:
@@ -36,14 +44,23 @@ def place_named(place: str, language: str) -> str:
     return place if language == "en" else "・".join(named(part, language) for part in place.split())
 
 
-def motion_named(name: str, language: str) -> str:
-    """Return a motion's name in a language; a record's stays as it is."""
+def given_name(name: str, language: str) -> str:
+    """Return a name that stayput gives, to a motion, a suite, a target, a building or a floor, in a language.
+
+    A name of the user's own stays as it is, as do all in English.
+
+    Examples
+    --------
+    >>> given_name("10-storey RC building", "ja"), given_name("Kobe, JMA", "ja")
+    ('10階建て（鉄筋コンクリート造）', 'Kobe, JMA')
+    """
     if language == "en":
         return name
-    if member := _MEMBER.fullmatch(name):
-        return say("report.suite_member", language, family=named(member[1], language), number=member[2])
-    if sine := _SINE.fullmatch(name):
-        return f"{named(sine[1], language)} {sine[2]}"
+    for key, pattern in _MADE:
+        if made := pattern.fullmatch(name):
+            return say(
+                key, language, **{part: named(text, language) for part, text in made.groupdict().items()}
+            )
     return named(name, language)
 
 
@@ -51,6 +68,6 @@ def motion_label(motion: Motion, language: str = "en") -> str:
     """Return a motion's label in pictures; a computed one is always labelled synthetic."""
     if not motion.name:
         return say("runs.unnamed", language)
-    name = motion_named(motion.name, language)
+    name = given_name(motion.name, language)
     plain = motion.synthetic and "synthetic" not in motion.name.lower()
     return say("runs.synthetic", language, name=name) if plain else name

@@ -1,38 +1,46 @@
-"""Plots of a run and of a motion, as Matplotlib figures made without pyplot (thread-safe, headless)."""
+"""Plots of a run and of a motion: one history on axes, or all in a figure.
+
+The figures are made without pyplot, so that they work in threads and without a screen.
+"""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from matplotlib.patches import Patch
 
 from stayput.catalogue import say
-from stayput.catalogue.names import MODES
+from stayput.catalogue.names import EVENTS, MODES
+from stayput.errors import word_of
 from stayput.model.state import State, standing_corners, wall_faces
+from stayput.motion.record import MotionHistory
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.history import history
 from stayput.report.names import motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
-from stayput.report.summary import sentence
 from stayput.simulation.outcome import EventKind, Mode
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from pathlib import Path
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from stayput.motion import Motion
-    from stayput.simulation.run import Run
+    from stayput.simulation.run import Run, RunHistory
 
 _AFTER = 1.2  # the time axis goes on after overturning by this factor
+BAND = 0.25
+"""Opacity of the modes' bands behind a history."""
+
 _TILT_SHOWN = 3.0  # the tilt axis ends here, in critical angles; a fall beyond it is marked, not followed
 
 
-def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") -> Figure:
+def plot_run(run: Run, path: str | Path | None = None, *, title: str = "", language: str = "en") -> Figure:
     """Plot the floor's acceleration, the tilt and the slide, with the modes as bands and the events marked.
 
     Parameters
@@ -41,8 +49,10 @@ def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") ->
         The run.
     path : str or Path, optional
         Where to save it: PNG, SVG or PDF, by its ending.
-    name : str
-        What the body is called in the title.
+    title : str
+        Title; none by default.
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -57,18 +67,46 @@ def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") ->
     figure = new_figure(9.5, 7.2)
     axes = figure.subplots(4, 1, sharex=True, height_ratios=[1.0, 1.6, 1.0, 0.16])
     acceleration, tilt, slide, modes = axes
-    figure.suptitle(drawable(sentence(run, name)), fontsize=FONT + 2.0, color=INK)
-    _draw_acceleration(acceleration, run.motion)
-    _draw_tilt(tilt, run)
-    _draw_slide(slide, run)
-    _draw_modes(modes, (tilt, slide), run)
+    if title:
+        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
+    _draw_acceleration(acceleration, run, language)
+    name = drawable(motion_label(run.motion, language))
+    acceleration.set_title(name, fontsize=FONT - 0.5, color=MUTED, loc="left")
+    _draw_tilt(tilt, run, language)
+    _draw_slide(slide, run, language)
+    _draw_modes(modes, (tilt, slide), run, language)
     modes.set_xlim(0.0, _last_time(run))
-    modes.set_xlabel(say("report.axis_time"), fontsize=FONT)
+    modes.set_xlabel(say("report.axis_time", language), fontsize=FONT)
     figure.align_ylabels(axes[:3])
     return saved(figure, path)
 
 
-def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
+def draw_run(axis: Axes, run: Run, what: RunHistory, language: str) -> None:
+    """Draw one history of a run on axes, with the modes as bands behind a tilt or a slide.
+
+    Raises
+    ------
+    InputError
+        Another history.
+    """
+    draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}
+    draw[word_of("plots.what", what, draw, "what")](axis, run, language)
+    if what != "acceleration":
+        present = _draw_bands((axis,), run)
+        handles, _ = axis.get_legend_handles_labels()
+        axis.legend(
+            handles=[*handles, *_mode_handles(present, language, alpha=BAND)],
+            loc="best",
+            fontsize=FONT - 1.5,
+            framealpha=0.85,
+        )
+    axis.set_xlim(0.0, _last_time(run))
+    axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+
+
+def plot_motion(
+    motion: Motion, path: str | Path | None = None, *, title: str = "", language: str = "en"
+) -> Figure:
     """Plot acceleration, velocity and displacement of every component of a motion.
 
     Velocity and displacement are integrals of the record as it is, without any correction.
@@ -79,6 +117,10 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
         The motion.
     path : str or Path, optional
         Where to save it: PNG, SVG or PDF, by its ending.
+    title : str
+        Title; none by default.
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -92,26 +134,63 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
     """
     parts = motion.components
     figure = new_figure(4.0 + 3.6 * len(parts), 6.6)
-    axes = figure.subplots(3, len(parts), sharex=True, sharey="row", squeeze=False)
-    figure.suptitle(drawable(motion_label(motion)), fontsize=FONT + 2.0, color=INK)
-    for column, component in enumerate(parts):
-        part = motion.component(component)
-        time = motion.time
-        rows = (part.x, 100.0 * part.velocity, 100.0 * part.displacement)
-        axes[0, column].set_title(say(f"plots.component_{component}"), fontsize=FONT, color=INK)
-        axes[2, column].set_xlabel(say("report.axis_time"), fontsize=FONT)
-        for axis, values, unit in zip(axes[:, column], rows, ("m/s²", "cm/s", "cm"), strict=True):
-            style(axis)
-            peak = int(np.argmax(np.abs(values)))
-            axis.plot(time, values, color=COMPONENT_COLOURS[component], linewidth=0.9)
-            axis.plot(
-                time[peak], values[peak], "o", color=INK, markersize=4.0, label=f"{values[peak]:.3g} {unit}"
-            )
-            axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85, handletextpad=0.2)
-    for axis, what in zip(axes[:, 0], ("acceleration", "velocity", "displacement"), strict=True):
-        axis.set_ylabel(say(f"plots.{what}"), fontsize=FONT)
+    histories: tuple[MotionHistory, ...] = get_args(MotionHistory)
+    axes = figure.subplots(len(histories), len(parts), sharex=True, sharey="row", squeeze=False)
+    if title:
+        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
+    for column, component in zip(axes.T, parts, strict=True):
+        for axis, what in zip(column, histories, strict=True):
+            draw_motion(axis, motion, what, component, language)
+            axis.label_outer()
+        column[0].set_title(say(f"plots.component_{component}", language), fontsize=FONT, color=INK)
     figure.align_ylabels(axes[:, 0])
     return saved(figure, path)
+
+
+def draw_motion(
+    axis: Axes, motion: Motion, what: MotionHistory, component: str, language: str, **line: Any
+) -> None:
+    """Draw one history of one component on axes, with its peak marked.
+
+    Parameters
+    ----------
+    axis : Axes
+        Where to draw.
+    motion : Motion
+        The motion.
+    what : str
+        "acceleration", "velocity" or "displacement".
+    component : str
+        "x", "y" or "z".
+    language : str
+        "en" or "ja".
+    **line
+        How the line looks, as for ``Axes.plot``. With a label there is no mark of the peak.
+
+    Raises
+    ------
+    InputError
+        Another history, or a component that is not there.
+    """
+    part = motion.component(component)
+    word_of("plots.what", what, get_args(MotionHistory), "what")
+    match what:
+        case "acceleration":
+            values, unit = part.x, "m/s²"
+        case "velocity":
+            values, unit = 100.0 * part.velocity, "cm/s"
+        case "displacement":
+            values, unit = 100.0 * part.displacement, "cm"
+    style(axis)
+    looks: dict[str, Any] = {"color": COMPONENT_COLOURS[component], "linewidth": 0.9} | line
+    axis.plot(part.time, values, **looks)
+    if "label" not in line:
+        peak = int(np.argmax(np.abs(values)))
+        found = f"{values[peak]:.3g} {unit}"
+        axis.plot(part.time[peak], values[peak], "o", color=INK, markersize=4.0, label=found)
+    axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85, handletextpad=0.2)
+    axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+    axis.set_ylabel(say(f"plots.{what}", language), fontsize=FONT)
 
 
 def critical_angles(run: Run) -> tuple[float, float]:
@@ -140,8 +219,9 @@ def _last_time(run: Run) -> float:
     return min(duration, _AFTER * run.overturn_time) if run.overturned else duration
 
 
-def _draw_acceleration(axis: Axes, motion: Motion) -> None:
+def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
     style(axis)
+    motion = run.motion
     for component, a in (("x", motion.x), ("z", motion.z)):
         if a is not None:
             axis.plot(
@@ -149,22 +229,21 @@ def _draw_acceleration(axis: Axes, motion: Motion) -> None:
                 a,
                 color=COMPONENT_COLOURS[component],
                 linewidth=0.9,
-                label=say(f"plots.floor_{component}"),
+                label=say(f"plots.floor_{component}", language),
             )
-    axis.set_ylabel(say("plots.floor_acceleration"), fontsize=FONT)
-    axis.set_title(drawable(motion_label(motion)), fontsize=FONT - 0.5, color=MUTED, loc="left")
+    axis.set_ylabel(say("plots.floor_acceleration", language), fontsize=FONT)
     axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85)
 
 
-def _draw_tilt(axis: Axes, run: Run) -> None:
+def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, np.degrees(shown.tilt), color=INK, linewidth=1.3)
-    axis.set_ylabel(say("plots.tilt"), fontsize=FONT)
+    axis.set_ylabel(say("plots.tilt", language), fontsize=FONT)
     low, high = _tilt_limits(run)
     axis.set_ylim(low, high)
     lines = [
-        (angle, "--", MUTED, say("plots.critical", angle=abs(math.degrees(angle))))
+        (angle, "--", MUTED, say("plots.critical", language, angle=abs(math.degrees(angle))))
         for angle in critical_angles(run)
     ]
     lines += [
@@ -172,7 +251,7 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
             angle,
             ":",
             EVENT_MARKERS[EventKind.WALL_IMPACT][1],
-            say("plots.wall_reached", angle=abs(math.degrees(angle))),
+            say("plots.wall_reached", language, angle=abs(math.degrees(angle))),
         )
         for angle in wall_angles(run)
         if angle is not None
@@ -193,9 +272,10 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
         if events:
             times = [event.time for event in events]
             heights = [min(max(math.degrees(event.tilt), low), high) for event in events]
-            label = f"{kind.value} × {len(events)}" if len(events) > 1 else kind.value
+            name = kind.value if language == "en" else say(EVENTS[kind.value], language)
+            label = f"{name} × {len(events)}" if len(events) > 1 else name
             if kind is EventKind.OVERTURNED:
-                label = say("plots.overturned", time=run.overturn_time)
+                label = say("plots.overturned", language, time=run.overturn_time)
             axis.plot(
                 times,
                 heights,
@@ -226,42 +306,57 @@ def _tilt_limits(run: Run) -> tuple[float, float]:
     )
 
 
-def _draw_slide(axis: Axes, run: Run) -> None:
+def _draw_slide(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, 100.0 * shown.slide, color=INK, linewidth=1.3)
-    axis.set_ylabel(say("plots.slide"), fontsize=FONT)
+    axis.set_ylabel(say("plots.slide", language), fontsize=FONT)
     if run.peak_slide < 1e-3:
         axis.set_ylim(-0.1, 0.1)
 
 
-def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run) -> None:
-    """Draw the modes as a solid strip with a legend, and as faint bands behind the histories."""
+def _draw_bands(bands: tuple[Axes, ...], run: Run) -> dict[Mode, list[tuple[float, float]]]:
+    """Draw the modes as faint bands behind histories; return when and how long the body was in each [s]."""
     spans = history(run).spans()
-    present = [mode for mode in Mode if any(span[2] is mode for span in spans)]
-    for mode in present:
-        widths = [(start, end - start) for start, end, span in spans if span is mode]
-        strip.broken_barh(widths, (0.0, 1.0), facecolors=MODE_COLOURS[mode], linewidth=0.0)
-        for axis in bands if mode is not Mode.REST else ():
-            axis.broken_barh(
-                widths,
-                (0.0, 1.0),
-                facecolors=MODE_COLOURS[mode],
-                alpha=0.25,
-                linewidth=0.0,
-                transform=axis.get_xaxis_transform(),
-                zorder=0,
-            )
+    present = {
+        mode: [(start, end - start) for start, end, span in spans if span is mode]
+        for mode in Mode
+        if any(span[2] is mode for span in spans)
+    }
     for axis in bands:
+        for mode, widths in present.items():
+            if mode is not Mode.REST:
+                axis.broken_barh(
+                    widths,
+                    (0.0, 1.0),
+                    facecolors=MODE_COLOURS[mode],
+                    alpha=BAND,
+                    linewidth=0.0,
+                    transform=axis.get_xaxis_transform(),
+                    zorder=0,
+                )
         if run.overturned:
             axis.axvline(run.overturn_time, color=ALARM, linewidth=1.0)
+    return present
+
+
+def _mode_handles(modes: Iterable[Mode], language: str, alpha: float = 1.0) -> list[Patch]:
+    return [
+        Patch(facecolor=MODE_COLOURS[mode], alpha=alpha, label=say(MODES[mode], language)) for mode in modes
+    ]
+
+
+def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run, language: str) -> None:
+    """Draw the modes as a solid strip with a legend, and as faint bands behind the histories."""
+    present = _draw_bands(bands, run)
+    for mode, widths in present.items():
+        strip.broken_barh(widths, (0.0, 1.0), facecolors=MODE_COLOURS[mode], linewidth=0.0)
     strip.set_yticks([])
     strip.set_ylim(0.0, 1.0)
-    strip.set_ylabel(say("plots.mode"), fontsize=FONT, rotation=0, ha="right", va="center")
+    strip.set_ylabel(say("plots.mode", language), fontsize=FONT, rotation=0, ha="right", va="center")
     strip.tick_params(labelsize=FONT - 1.0, colors=INK)
-    handles = [Patch(facecolor=MODE_COLOURS[mode], label=say(MODES[mode])) for mode in present]
     strip.legend(
-        handles=handles,
+        handles=_mode_handles(present, language),
         loc="upper center",
         bbox_to_anchor=(0.5, -2.6),
         ncols=len(present),

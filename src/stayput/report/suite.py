@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import numpy as np
 from matplotlib.ticker import LogLocator
 
 from stayput.catalogue import phrase, say
+from stayput.errors import word_of
 from stayput.motion.spectrum import DAMPING, PERIODS
 from stayput.motion.suites.families import FAMILIES
+from stayput.motion.suites.suite import SuiteSpectra
 from stayput.motion.suites.synthesis import synthetic_motion
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
+from stayput.report.names import given_name
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
 from stayput.wording import counted
 
@@ -38,6 +41,9 @@ def plot_suite(
     path: str | Path | None = None,
     target: TargetSpectrum | None = None,
     component: str = "x",
+    *,
+    title: str = "",
+    language: str = "en",
 ) -> Figure:
     """Plot all spectra of a suite, their median and scatter, and the standard deviation of ln Sa below.
 
@@ -51,6 +57,10 @@ def plot_suite(
         Drawn too; its damping is then that of the spectra.
     component : str
         "x", "y" or "z".
+    title : str
+        Title; none by default.
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -62,30 +72,61 @@ def plot_suite(
     InputError
         A path that cannot be written; a component that is not there.
     """
-    damping = DAMPING if target is None else target.damping
-    sa = suite.spectra(PERIODS, damping, component)
-    logs = np.log(np.maximum(sa, 1e-12))
-    median = np.exp(logs.mean(axis=0))
-    scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
     figure = new_figure(7.6, 7.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[2.4, 1.0])
+    if title:
+        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
+    draw_suite(upper, suite, "spectra", target, component, language)
+    draw_suite(lower, suite, "scatter", target, component, language)
+    upper.set_xlabel("")
+    figure.align_ylabels([upper, lower])
+    return saved(figure, path)
+
+
+def suite_title(suite: Suite, language: str) -> str:
+    """Return what a suite is called in the title of a picture, and whether it was computed."""
     kind = "whole" if all(motion.synthetic for motion in suite) else "part"
-    title = say(
+    return say(
         "plots.suite",
-        name=suite.name or phrase("plots.suite_unnamed"),
+        language,
+        name=given_name(suite.name, language) or phrase("plots.suite_unnamed"),
         count=(counted(len(suite), "motion"), f"{len(suite)}本"),
         kind=phrase(f"plots.suite_{kind}") if suite.synthetic else "",
     )
-    figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
-    _draw_spectra(upper, sa, median, scatter, COMPONENT_COLOURS[component])
-    if target is not None:
-        _draw_target(upper, target)
-    upper.set_ylabel(say("plots.sa_of", component=component, damping=100.0 * damping), fontsize=FONT)
-    upper.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.9)
-    _draw_scatter(lower, scatter, COMPONENT_COLOURS[component])
-    lower.set_xlabel(say("plots.period"), fontsize=FONT)
-    figure.align_ylabels([upper, lower])
-    return saved(figure, path)
+
+
+def draw_suite(
+    axis: Axes,
+    suite: Suite,
+    what: SuiteSpectra,
+    target: TargetSpectrum | None,
+    component: str,
+    language: str,
+) -> None:
+    """Draw a suite's spectra, or the standard deviation of ln Sa, on axes.
+
+    Raises
+    ------
+    InputError
+        Something else, or a component that is not there.
+    """
+    word_of("plots.what", what, get_args(SuiteSpectra), "what")
+    damping = DAMPING if target is None else target.damping
+    sa = suite.spectra(PERIODS, damping, component)
+    logs = np.log(np.maximum(sa, 1e-12))
+    scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
+    if what == "spectra":
+        _draw_spectra(axis, sa, np.exp(logs.mean(axis=0)), scatter, COMPONENT_COLOURS[component], language)
+        if target is not None:
+            _draw_target(axis, target, language)
+        axis.set_ylabel(
+            say("plots.sa_of", language, component=component, damping=100.0 * damping), fontsize=FONT
+        )
+        axis.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.9)
+    else:
+        _draw_scatter(axis, scatter, COMPONENT_COLOURS[component], language)
+        plain_log(axis, y=False)
+    axis.set_xlabel(say("plots.period", language), fontsize=FONT)
 
 
 def _draw_spectra(
@@ -94,14 +135,15 @@ def _draw_spectra(
     median: NDArray[np.float64],
     scatter: NDArray[np.float64] | None,
     colour: str,
+    language: str,
 ) -> None:
     style(axis, zero=False)
     for place, row in enumerate(sa):
-        label = say("plots.each_motion") if place == 0 else None
+        label = say("plots.each_motion", language) if place == 0 else None
         axis.plot(PERIODS, row, color=MUTED, linewidth=0.6, alpha=0.45, label=label)
-    axis.plot(PERIODS, median, color=colour, linewidth=2.4, label=say("plots.median"))
+    axis.plot(PERIODS, median, color=colour, linewidth=2.4, label=say("plots.median", language))
     if scatter is not None:
-        for sign, label in ((1.0, say("plots.spread")), (-1.0, None)):
+        for sign, label in ((1.0, say("plots.spread", language)), (-1.0, None)):
             edge = median * np.exp(sign * scatter)
             axis.plot(PERIODS, edge, color=colour, linewidth=1.4, linestyle="--", label=label)
     plain_log(axis)
@@ -112,7 +154,7 @@ def _draw_spectra(
     axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
 
 
-def _draw_target(axis: Axes, target: TargetSpectrum) -> None:
+def _draw_target(axis: Axes, target: TargetSpectrum, language: str) -> None:
     inside = (target.periods >= PERIODS[0]) & (target.periods <= PERIODS[-1])
     axis.plot(
         target.periods[inside],
@@ -120,12 +162,12 @@ def _draw_target(axis: Axes, target: TargetSpectrum) -> None:
         color=ALARM,
         linewidth=2.0,
         linestyle="-.",
-        label=drawable(say("plots.target", name=target.name)),
+        label=drawable(say("plots.target", language, name=given_name(target.name, language))),
         zorder=5,
     )
 
 
-def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str) -> None:
+def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str, language: str) -> None:
     style(axis)
     low, high = USUAL_SCATTER
     axis.axhspan(
@@ -134,14 +176,14 @@ def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str) 
         color=MUTED,
         alpha=0.22,
         linewidth=0.0,
-        label=say("plots.usual_scatter", low=low, high=high),
+        label=say("plots.usual_scatter", language, low=low, high=high),
     )
     top = 1.0
     if scatter is not None:
-        axis.plot(PERIODS, scatter, color=colour, linewidth=2.0, label=say("plots.this_suite"))
+        axis.plot(PERIODS, scatter, color=colour, linewidth=2.0, label=say("plots.this_suite", language))
         top = max(top, 1.15 * float(scatter.max()))
     axis.set_ylim(0.0, top)
-    axis.set_ylabel(say("plots.scatter"), fontsize=FONT)
+    axis.set_ylabel(say("plots.scatter", language), fontsize=FONT)
     axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.9)
 
 

@@ -115,7 +115,7 @@ def action_plan(
     asked = instance_of("verdict", verdict, RoomVerdict)
     home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
     made = 0
-    with bar(None, "Planning", progress) as advance:
+    with bar(None, "progress.planning", progress) as advance:
 
         def count(runs: int) -> None:
             nonlocal made

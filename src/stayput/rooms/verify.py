@@ -89,7 +89,7 @@ def verify_room(
     question = question_of(scenario, threads)
     each = len(question.drawn) * len(question.drawn[0])
     total, made = len(groups_of(question.scenario)) * each, 0
-    with bar(total, "Verifying", progress) as advance:
+    with bar(total, "progress.verifying", progress) as advance:
 
         def count(runs: int) -> None:
             nonlocal made

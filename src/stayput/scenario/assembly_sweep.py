@@ -59,7 +59,7 @@ def sweep_assembly(
     def run(number: int) -> None:
         results[number], failures[number], used[number] = _run(cases[number])
 
-    with bar(len(cases), "Simulating", progress) as advance, ThreadExecutor(threads) as executor:
+    with bar(len(cases), "progress.simulating", progress) as advance, ThreadExecutor(threads) as executor:
         for _ in executor.as_completed(Call(run, number) for number in range(len(cases))):
             advance(1)
     shape = tuple(len(values) for values in lists.values())

@@ -7,7 +7,7 @@ from dataclasses import asdict, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, cast
 
-from stayput.errors import instance_of, list_of
+from stayput.errors import InputError, instance_of, list_of, shown
 from stayput.measures import MEASURES, Measure
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import Body
@@ -131,6 +131,8 @@ def _motions(shaking: StatedShaking) -> Suite | None:
         return shaking
     if isinstance(shaking, str | float | int | Mapping):
         return None
+    if hasattr(shaking, "__array__"):
+        raise InputError("motion.only_samples", "shaking", name="shaking", value=shown(shaking))
     return Suite(list_of("shaking", shaking, Motion))
 
 

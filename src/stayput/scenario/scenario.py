@@ -26,7 +26,7 @@ from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import EverydayTable, FurnitureTable, InitialTable, RoomTable
 from stayput.scenario.toml import read_toml
 from stayput.simulation.run import Case
-from stayput.uncertainty import QUANTITIES
+from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -181,6 +181,32 @@ class Scenario(FromFile):
         copy._own_measures = tuple(measures)
         _refuse_same_names(copy.measures)
         return copy
+
+    def kept(self) -> dict[str, Any]:
+        """Return what a file of a result holds of the scenario, with what was given in Python."""
+        quantities, stated = self.uncertainty.quantities, self.uncertainty.as_stated
+        drawn = {name: one for name, one in quantities.marginals.items() if name not in stated}
+        return {
+            "data": self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True),
+            "folder": self._folder.resolve(),
+            "file": self._file,
+            "motions": self.shaking.in_python,
+            "measures": self._own_measures,
+            "quantities": None if quantities is QUANTITIES else Uncertainty(drawn),
+        }
+
+    @classmethod
+    def of_kept(cls, parts: Mapping[str, Any]) -> Scenario:
+        """Make a scenario of what `kept` returned."""
+        scenario = cls.parse(parts["data"], parts["folder"], parts["file"])
+        if parts["measures"] is not None:
+            scenario = scenario.with_measures(parts["measures"])
+        changed: dict[str, Any] = {}
+        if parts["motions"] is not None:
+            changed["shaking"] = scenario.shaking.with_motions(parts["motions"])
+        if parts["quantities"] is not None:
+            changed["uncertainty"] = scenario.uncertainty.with_quantities(parts["quantities"])
+        return scenario.model_copy(update=changed) if changed else scenario
 
     @property
     def contents(self) -> Contents | None:

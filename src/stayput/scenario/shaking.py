@@ -14,12 +14,12 @@ from stayput.motion.ground_shaking import (
     EARTHQUAKE_TERMS,
     EarthquakeSource,
     GroundStrength,
-    horizontal_peak,
     strength_of_earthquake,
     strength_of_intensity,
     strength_of_mercalli,
     strength_of_pga,
     strength_of_pgv,
+    strength_of_sa,
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
@@ -89,6 +89,13 @@ Intensity = Annotated[
 EarthquakeKind = Annotated[str, one_of(EARTHQUAKE_TERMS), named(EARTHQUAKE_TERMS)]
 
 
+class SpectralTable(Table):
+    """A spectral acceleration, to which every motion is scaled."""
+
+    period: float = of(strength_of_sa, "period")
+    value: float = of(strength_of_sa, "value")
+
+
 class EarthquakeTable(Table):
     """An earthquake and the ground where it is felt; a ground-motion model gives how strongly it shakes."""
 
@@ -119,7 +126,7 @@ SuiteOrFolder = Annotated[
     Annotated[SuiteTable, Tag(TABLE)] | Annotated[Text, Tag(NAME)], Discriminator(kind_of)
 ]
 SOURCES = ("record", "sine", "builtin", "suite")
-STRENGTHS = ("intensity", "pga", "pgv", "mmi", "earthquake")
+STRENGTHS = ("intensity", "pga", "pgv", "sa", "mmi", "earthquake")
 """Ways to say how strongly the ground shakes."""
 
 
@@ -157,6 +164,11 @@ class ShakingTable(Table):
     )
     pga: float | None = of(strength_of_pga, "pga", default=None)
     pgv: float | None = of(strength_of_pgv, "pgv", default=None)
+    sa: SpectralTable | None = Field(
+        default=None,
+        description="A spectral acceleration at 5 % damping, in the place of an intensity: the geometric "
+        "mean of the horizontal components, that every motion is scaled to.",
+    )
     mmi: float | None = of(strength_of_mercalli, "mmi", default=None)
     earthquake: EarthquakeTable | None = Field(
         default=None,
@@ -267,8 +279,8 @@ class ShakingTable(Table):
     def ground(self, folder: Path) -> Suite:
         """Make the motions of the ground with all their components, not scaled.
 
-        Where a peak is stated, each has a peak of 1 m/s² or 1 m/s: a piece that faces another way has other
-        components, of which neither may be the larger one as stated.
+        Where a peak or a spectral acceleration is stated, each has one of 1 m/s² or 1 m/s: a piece that faces
+        another way has other components, of which neither may be the larger one as stated.
 
         Raises
         ------
@@ -279,7 +291,7 @@ class ShakingTable(Table):
         strength = self.strength
         if strength is None or strength.measure == "JMA":
             return given
-        unit = (motion.scaled(1.0 / horizontal_peak(motion, strength.measure)) for motion in given)
+        unit = (motion.scaled(1.0 / strength.peak(motion)) for motion in given)
         return Suite(tuple(unit), given.name)
 
     @property
@@ -298,6 +310,8 @@ class ShakingTable(Table):
             return strength_of_pga(self.pga)
         if self.pgv is not None:
             return strength_of_pgv(self.pgv)
+        if self.sa is not None:
+            return strength_of_sa(self.sa.period, self.sa.value)
         if self.mmi is not None:
             return strength_of_mercalli(self.mmi)
         return None if self.earthquake is None else strength_of_earthquake(self.earthquake.source())

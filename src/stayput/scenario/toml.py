@@ -11,7 +11,7 @@ import tomllib
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, reason_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -60,7 +60,7 @@ def read_toml(file: Path) -> dict[str, object]:
             raise _refused(file, "too_long", most=LARGEST_FILE)
         text = data.decode("utf-8-sig")
     except OSError as error:
-        raise _refused(file, "not_read", reason=(error.strerror or str(error)).lower()) from None
+        raise _refused(file, "not_read", reason=reason_of(error)) from None
     except UnicodeDecodeError:
         raise _refused(file, "not_utf8") from None
     return table_of_toml(text, file)

@@ -142,7 +142,7 @@ def run_columns(
         results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], motion)
         return len(chunk)
 
-    with bar(len(cases), "Simulating", progress) as advance, ThreadExecutor(threads) as executor:
+    with bar(len(cases), "progress.simulating", progress) as advance, ThreadExecutor(threads) as executor:
         for _, done in executor.as_completed(Call(run, chunk) for chunk in _chunks(indices)):
             advance(done)
             if on_progress is not None:

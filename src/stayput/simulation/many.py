@@ -106,7 +106,7 @@ def run_grid(
         return Call(run_block, grid.block(start, min(start + chunk, count)), motions)
 
     with (
-        bar(count, "Simulating", progress) as advance,
+        bar(count, "progress.simulating", progress) as advance,
         ThreadExecutor(threads) if client is None else DaskExecutor(client) as executor,
     ):
         for number, results in executor.as_completed(map(call, starts)):

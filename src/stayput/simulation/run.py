@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, overload
+from typing import TYPE_CHECKING, Literal, cast, overload
 
 import numpy as np
 
@@ -19,18 +19,21 @@ from stayput.motion.record import Motion
 from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
-from stayput.wording import brief
+from stayput.wording import brief, check_language
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
+    from typing import Self
 
     import xarray as xr
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from stayput.mechanics.runner import Shaking, Traced
     from stayput.model.solid import Solid
+    from stayput.report.embedding import Player
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Assembly, Standing
 
@@ -40,6 +43,9 @@ Contact = Literal["coulomb", "paper"]
 The paper is *A fundamental study on development of a verification system for earthquake-proof measures for
 furniture* (14WCEE, 2008).
 """
+
+RunHistory = Literal["tilt", "slide", "acceleration"]
+"""What `Run.plot` draws over time."""
 
 Dimensions = Literal[2, 3]
 """In the plane, or in space."""
@@ -126,6 +132,11 @@ class Run:
         slide, tilt = f"{self.peak_slide:.3g} m", f"{self.peak_tilt:.3g} rad"
         return f"Run({self.outcome.value}{fell}; peaks: slide {slide}, tilt {tilt}; {len(self.time)} samples)"
 
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import run_html
+
+        return run_html(self)
+
     def count(self, kind: EventKind) -> int:
         """Return how many events of a kind there were, listed or not."""
         return sum(event.kind is kind for event in self.events) + self.unlisted.get(kind, 0)
@@ -166,17 +177,87 @@ class Run:
 
         return run_to_dataset(self)
 
-    def plot(self, path: str | Path | None = None) -> Figure:
-        """Draw the histories; see `stayput.report.plot.plot_run`."""
+    def save(self, path: str | Path) -> Path:
+        """Write the run to a file (.nc) that `load` reads again, to the bit and with its inputs.
+
+        Any program that knows NetCDF reads the histories in it.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        from stayput.saved import save_netcdf
+
+        return save_netcdf(self, self.to_dataset(), path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read the run that `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        from stayput.saved import load_netcdf
+
+        return load_netcdf(cls, path)
+
+    def plot(self, ax: Axes | None = None, *, what: RunHistory = "tilt", language: str = "en") -> Axes:
+        """Draw one history on axes, with the modes as bands and the events marked.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : {"tilt", "slide", "acceleration"}
+            The tilt [°], the slide [cm], or the floor's acceleration [m/s²].
+        language : str
+            Language of the texts, "en" or "ja".
+
+        Returns
+        -------
+        Axes
+            Those that were drawn on; ``run.plot().figure.savefig("run.pdf")`` saves them.
+
+        Raises
+        ------
+        InputError
+            Another history, or another language.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.plot import draw_run
+
+        axis = axes_of(ax)
+        draw_run(axis, self, what, check_language(language))
+        return drawn(axis)
+
+    def figure(self, title: str = "", *, language: str = "en") -> Figure:
+        """Return a figure with the floor's acceleration, the tilt, the slide and the modes over time.
+
+        Examples
+        --------
+        >>> import stayput as sp
+        >>> run = sp.simulate(sp.Body(0.3, 1.8, 90.0), sp.Room(), sp.near_fault())
+        >>> run.figure("Bookcase").savefig("run.svg")  # or .pdf, .png
+        """
         from stayput.report.plot import plot_run
 
-        return plot_run(self, path)
+        return plot_run(self, title=title, language=check_language(language))
 
-    def animate(self, path: str | Path, language: str = "en") -> Path:
-        """Write an animation (GIF, MP4 or HTML); see `stayput.report.animation.animate_run`."""
-        from stayput.report.animation import animate_run
+    @overload
+    def animate(self, path: None = ..., language: str = ...) -> Player: ...
+    @overload
+    def animate(self, path: str | Path, language: str = ...) -> Path: ...
+    def animate(self, path: str | Path | None = None, language: str = "en") -> Path | Player:
+        """Write an animation (GIF, MP4 or HTML), or without a path return one that notebooks play.
 
-        return animate_run(self, path, language=language)
+        See `stayput.report.animation.animate_run`, which has more to choose from.
+        """
+        from stayput.report.animation import animate_run, run_player
+
+        return run_player(self, language) if path is None else animate_run(self, path, language=language)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -195,10 +276,27 @@ class Case:
     def __repr__(self) -> str:
         return brief(self)
 
+    def plot(self, ax: Axes | None = None, *, language: str = "en") -> Axes:
+        """Draw the body with its measures in the room, to scale and from the side.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        language : str
+            Language of the texts, "en" or "ja".
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.section import draw_section
+
+        axis = axes_of(ax)
+        draw_section(axis, hold(self.body, self.room, self.measures), check_language(language))
+        return drawn(axis)
+
     def __post_init__(self) -> None:
         instance_of("body", self.body, Body)
         instance_of("room", self.room, Room)
-        instance_of("motion", self.motion, Motion)
+        Motion.given(self.motion)
         instance_of("initial", self.initial, State)
         object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
         law_number(self.contact)
@@ -392,9 +490,10 @@ def _simulate_solids(
     from stayput.simulation.space import simulate_assembly
     from stayput.simulation.standing import Assembly, Standing
 
-    given = instance_of("body", what, (Solid, Standing, Assembly))
+    kinds = (Body, Solid, Standing, Assembly)  # a body has been taken already, and is named as allowed
+    given = cast("Solid | Standing | Assembly", instance_of("body", what, kinds))
     instance_of("room", room, Room)
-    instance_of("motion", motion, Motion)
+    Motion.given(motion)
     for name, value, usual in (
         ("measures", tuple(measures), ()),
         ("initial", initial, State()),

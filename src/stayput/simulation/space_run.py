@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 
@@ -16,8 +16,10 @@ from stayput.simulation.space_records import matrices
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
+    from typing import Self
 
     import xarray as xr
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
@@ -26,9 +28,13 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import FloorPlan
     from stayput.model.room import Room
     from stayput.motion import Motion
+    from stayput.report.embedding import Player
     from stayput.simulation.space_fate import Fate
     from stayput.simulation.space_gaps import Gaps
     from stayput.simulation.standing import Standing
+
+SpaceDrawing = Literal["tilt", "yaw", "plan", "acceleration"]
+"""What `SpaceRun.plot` draws."""
 
 SEVERITY = (
     Outcome.RESTED,
@@ -70,7 +76,7 @@ class Hit:
     impulse: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class SpaceRun:
     """What bodies in space did, in axes that move with the floor.
 
@@ -141,8 +147,17 @@ class SpaceRun:
     plan: FloorPlan | None = None
 
     def __repr__(self) -> str:
-        bodies = ", ".join(outcome.value for outcome in self.outcomes)
-        return f"SpaceRun({len(self.standing)} bodies: {bodies}; {self.time[-1]:g} s)"
+        became = ", ".join(
+            f"{outcome.value} (slide {slide:.3g} m, tilt {tilt:.3g} rad)"
+            for outcome, slide, tilt in zip(self.outcomes[:4], self.peak_slide, self.peak_tilt, strict=False)
+        )
+        more = f", and {len(self.standing) - 4} more" if len(self.standing) > 4 else ""
+        return f"SpaceRun({became}{more}; {len(self.time)} samples)"
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import space_run_html
+
+        return space_run_html(self)
 
     @property
     def turn(self) -> NDArray[np.float64]:
@@ -255,24 +270,106 @@ class SpaceRun:
             },
         )
 
+    def save(self, path: str | Path) -> Path:
+        """Write the run to a file (.nc) that `load` reads again, to the bit and with its inputs.
+
+        Any program that knows NetCDF reads the histories in it.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        from stayput.saved import save_netcdf
+
+        return save_netcdf(self, self.to_dataset(), path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read the run that `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        from stayput.saved import load_netcdf
+
+        return load_netcdf(cls, path)
+
     def plot(
-        self, path: str | Path | None = None, *, names: Sequence[str] | None = None, language: str = "en"
-    ) -> Figure:
-        """Draw the histories and the ways in plan; see `stayput.report.space.plot.plot_space_run`."""
+        self,
+        ax: Axes | None = None,
+        *,
+        what: SpaceDrawing = "tilt",
+        names: Sequence[str] | None = None,
+        language: str = "en",
+    ) -> Axes:
+        """Draw one history of every body, or their ways as seen from above, on axes.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : {"tilt", "yaw", "plan", "acceleration"}
+            The tilt or the turn in plan [°], the ways in plan [m], or the floor's acceleration [m/s²].
+        names : sequence of str, optional
+            What the bodies are called; by default by their numbers.
+        language : str
+            Language of the texts, "en" or "ja".
+
+        Raises
+        ------
+        InputError
+            Something else to draw, another language, or not a name for each body.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.space.plot import draw_space_run
+
+        axis = axes_of(ax)
+        draw_space_run(axis, self, what, names, language)
+        return drawn(axis)
+
+    def figure(self, title: str = "", *, names: Sequence[str] | None = None, language: str = "en") -> Figure:
+        """Return a figure with the floor's acceleration, tilts and turns over time, and the ways in plan."""
         from stayput.report.space.plot import plot_space_run
 
-        return plot_space_run(self, path, names=names, language=language)
+        return plot_space_run(self, names=names, title=title, language=language)
 
+    @overload
+    def animate(
+        self,
+        path: None = ...,
+        *,
+        names: Sequence[str] | None = ...,
+        speed: float = ...,
+        language: str = ...,
+    ) -> Player: ...
+    @overload
     def animate(
         self,
         path: str | Path,
+        *,
+        names: Sequence[str] | None = ...,
+        fps: float = ...,
+        speed: float = ...,
+        language: str = ...,
+    ) -> Path: ...
+    def animate(
+        self,
+        path: str | Path | None = None,
         *,
         names: Sequence[str] | None = None,
         fps: float = 20.0,
         speed: float = 1.0,
         language: str = "en",
-    ) -> Path:
-        """Write an animation (GIF, MP4 or HTML); see `stayput.report.space.animation.animate_space_run`."""
-        from stayput.report.space.animation import animate_space_run
+    ) -> Path | Player:
+        """Write an animation (GIF, MP4 or HTML), or without a path return one that notebooks play.
 
+        See `stayput.report.space.animation.animate_space_run`, which has more to choose from.
+        """
+        from stayput.report.space.animation import animate_space_run, space_run_player
+
+        if path is None:
+            return space_run_player(self, names, speed, language)
         return animate_space_run(self, path, names=names, fps=fps, speed=speed, language=language)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of, within
+from stayput.errors import InputError, within
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import response_spectrum
 from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
@@ -79,7 +79,7 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
         A friction or a gravity out of range, or A_v of 2.5 g and more, which leaves no friction: beyond the
         method.
     """
-    instance_of("motion", motion, Motion)
+    Motion.given(motion)
     mu = within("standards.friction", friction, 0.001, 10.0, "", "friction")
     GRAVITY.check(gravity)
     vertical = 0.0 if motion.z is None else float(np.abs(motion.z).max())

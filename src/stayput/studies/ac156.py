@@ -96,7 +96,7 @@ def ac156(
     sliding = np.zeros((2, len(sites), len(HEIGHTS), len(BUILDINGS)))
     given_up = 0
     steps = len(HEIGHTS) * len(TESTS) + len(sites) * len(BUILDINGS)
-    with bar(steps, "Testing", unit="parts") as advance:
+    with bar(steps, "progress.studying", unit="progress.parts") as advance:
         for height, ratio in enumerate(HEIGHTS):
             for test, kind in enumerate(TESTS):
                 unscaled = test_motions(kind, ratio, count, seed)

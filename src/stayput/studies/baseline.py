@@ -122,7 +122,7 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
         2 * len(pieces) + 2 * len(sizes) + len(home)
     )
     runs += count * each * len(home) * len(STOREYS) * len(GROUND_LEVELS)
-    with bar(runs + single * len(sizes), "Overturning") as advance:
+    with bar(runs + single * len(sizes), "progress.studying") as advance:
 
         def run(rows: list[Rows], effect: Effect | None = None) -> list[Baseline]:
             return run_baselines(rows, hazard_of(effect), advance)

@@ -133,7 +133,7 @@ def capacity(
                 shakings = as_drawn(family, count, seed, vertical=vertical)
                 work.append((Setting(name, STATED.room), shakings))
     rows: list[SettingResult] = []
-    with bar(len(work) * len(bodies) * count * len(factors), "Overturning") as advance:
+    with bar(len(work) * len(bodies) * count * len(factors), "progress.studying") as advance:
         for setting, shakings in work:
             capacities: list[BodyCapacity] = []
             for body in bodies.values():

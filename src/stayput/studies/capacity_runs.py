@@ -53,7 +53,9 @@ LANDING_FACTOR = 0.9
 BEHIND = Wall(0.02)
 """The wall of the variation with one."""
 
-AMPLITUDE = IntensityMeasure("A/A50", "peak acceleration over the formula's median", "")
+AMPLITUDE = IntensityMeasure(
+    "A/A50", ("peak acceleration over the formula's median", "最大加速度の、式の中央値に対する比"), ""
+)
 """What the curves are fitted over: A/A₅₀, with each motion's own Fe in A₅₀."""
 
 LOWEST, HIGHEST = 0.4, 4.0

@@ -136,7 +136,7 @@ def consumer_centre(motions: int = 24, *, samples: int = 8, seed: int = 1) -> St
     given_up = 0
     hazards = {family: Hazard(synthetic_suite(family, count, seed)) for family in ("crustal", "near-fault")}
     work = list(product(enumerate(TESTS), enumerate(SHAKINGS.values())))
-    with bar(len(work), "Testing", unit="cases") as advance:
+    with bar(len(work), "progress.studying", unit="progress.cases") as advance:
         for (row, test), (shaking, (family, above)) in work:
             preset = FURNITURE[test.piece]
             body = Body(preset.width, preset.height, preset.mass)

@@ -133,7 +133,7 @@ def contents(motion: Motion | None = None, intensities: ArrayLike = INTENSITIES)
     shaking = near_fault() if motion is None else motion
     asked = increasing("studies.intensities", intensities, 3.0, 7.5)
     levels = np.unique([*asked.tolist(), SIX_UPPER, SEVEN])
-    with bar(len(SETTINGS) * len(HELD) * len(levels) * 2, "Shaking") as advance:
+    with bar(len(SETTINGS) * len(HELD) * len(levels) * 2, "progress.studying") as advance:
         data = _computed(shaking, levels, advance)
     results = claims(data)
     pallets = _pallets()

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError, reason_of, within
 from stayput.files import draft
 from stayput.report.figures import saved
 
@@ -169,7 +169,7 @@ class Study:
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            reason = (error.strerror or str(error)).lower()
+            reason = reason_of(error)
             raise InputError("studies.folder", "out", folder=str(folder), reason=reason) from error
         netcdf, text = folder / f"{self.name}.nc", folder / f"{self.name}.md"
         with draft(netcdf) as path:

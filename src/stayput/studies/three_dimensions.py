@@ -80,7 +80,7 @@ def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS,
     shaken = Shaken.of(count, angles.tolist(), seed)
     shape = (len(SETTINGS), len(LEVELS), len(ENGINES), len(angles), len(FAMILIES) * count)
     overturned, missing, slide = np.zeros(shape, np.bool_), np.zeros(shape, np.bool_), np.zeros(shape)
-    with bar(len(SETTINGS) * len(LEVELS), "Shaking", unit="settings") as advance:
+    with bar(len(SETTINGS) * len(LEVELS), "progress.studying", unit="progress.settings") as advance:
         for row, setting in enumerate(SETTINGS):
             for column, intensity in enumerate(LEVELS.values()):
                 found = outcomes(setting, intensity, shaken)

@@ -94,7 +94,7 @@ def tokyo(
     changed = VARIATIONS if variations else VARIATIONS[:1]
     each = len(facings(shaking)) * count * len(LEVELS)
     touched = sum(variation.touches(option) for variation in changed for option in PROBES)
-    with bar(each * (len(BODIES) * len(OPTIONS) + touched), "Testing") as advance:
+    with bar(each * (len(BODIES) * len(OPTIONS) + touched), "progress.studying") as advance:
         runs = tested(shaking, OPTIONS, count, seed, advance)
         change = varied(shaking, changed, count, seed, advance)
     outcomes = shares(runs)

@@ -80,7 +80,7 @@ def tombstones(
     of_a_place = whole_within("studies.stones", stones, 1, 10_000)
     share = np.zeros((len(settings), len(LEVELS), count))
     given_up = 0
-    with bar(len(settings), "Shaking", unit="settings") as advance:
+    with bar(len(settings), "progress.studying", unit="progress.settings") as advance:
         for row, setting in enumerate(settings):
             found = cemeteries(setting, count, of_a_place, seed)
             share[row] = found.fell.mean(axis=2)

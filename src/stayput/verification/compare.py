@@ -29,7 +29,7 @@ from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure
@@ -61,7 +61,8 @@ def curve_levels(dimensions: int) -> NDArray[np.float64]:
 def compare(
     scenario: Scenario,
     *,
-    levels: Sequence[float] | NDArray[np.float64] | None,
+    levels: ArrayLike | None,
+    further: Sequence[IntensityMeasure] = (),
     slide_limit: float,
     every_run: bool,
     threads: int | None,
@@ -81,13 +82,14 @@ def compare(
         raise InputError("verification.levels_not_increasing", "levels")
     (options, impossible), shaking = compared_options(scenario), scenario.shaking
     ground, dimensions = scenario.ground(), scenario.dimensions
-    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), dimensions)
+    place = shaking.building, shaking.storey or 1
+    hazard = Hazard(ground, *place, bool(shaking.vertical), dimensions, tuple(further))
     settings = Settings.of(scenario, len(ground), limit)
     faulty = _faulty(options, scenario)
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
-    with bar(total, "Verifying", progress) as advance:
+    with bar(total, "progress.verifying", progress) as advance:
         seen = 0
 
         def count(runs: int) -> None:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, overload
 
-from stayput.errors import InputError, instance_of, within
+import numpy as np
+
+from stayput.errors import InputError, instance_of, list_of, within
+from stayput.fragility import INTENSITY_MEASURES, IntensityMeasure, intensity_measure
 from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -17,8 +20,7 @@ from stayput.verification.several import verify_several
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    import numpy as np
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike
 
     from stayput.scenario.in_python import MeasureSets, StatedShaking
     from stayput.uncertainty import Uncertainty
@@ -35,7 +37,8 @@ def verify(
     samples: int | None = ...,
     seed: int | None = ...,
     precision: float | None = ...,
-    levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    levels: ArrayLike | None = ...,
+    intensity_measures: Sequence[IntensityMeasure] = ...,
     slide_limit: float = ...,
     every_run: bool = ...,
     threads: int | None = ...,
@@ -56,7 +59,8 @@ def verify(
     samples: int | None = ...,
     seed: int | None = ...,
     precision: float | None = ...,
-    levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    levels: ArrayLike | None = ...,
+    intensity_measures: Sequence[IntensityMeasure] = ...,
     slide_limit: float = ...,
     every_run: bool = ...,
     threads: int | None = ...,
@@ -99,7 +103,8 @@ def verify(
     samples: int | None = None,
     seed: int | None = None,
     precision: float | None = None,
-    levels: Sequence[float] | NDArray[np.float64] | None = None,
+    levels: ArrayLike | None = None,
+    intensity_measures: Sequence[IntensityMeasure] = (),
     slide_limit: float = SLIDE_LIMIT,
     every_run: bool = False,
     threads: int | None = None,
@@ -134,9 +139,12 @@ def verify(
         Most samples of each set of measures, and the seed of the draws, of a body or a case.
     precision : float, optional
         Half-width of the 95 % interval of the probability of overturning that is enough, of a body or a case.
-    levels : sequence of float, optional
+    levels : array_like, optional
         JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
         curves. Default `stayput.verification.LEVELS`, in space fewer.
+    intensity_measures : sequence of IntensityMeasure, optional
+        What else the curves are drawn against, beside the usual measures: `stayput.fragility.MMI`, or
+        `stayput.fragility.spectral_acceleration` at a period.
     slide_limit : float
         Slide that counts as too far [m].
     every_run : bool
@@ -192,7 +200,7 @@ def verify(
             _refuse_beside(given, in_python | settings)
             scenario = given
     if isinstance(scenario, AssemblyScenario):
-        if levels is not None and len(levels):
+        if levels is not None and np.size(levels):
             raise InputError("several.levels", "levels")
         return verify_several(
             scenario, slide_limit=limit, threads=threads, progress=progress, on_progress=on_progress
@@ -200,6 +208,7 @@ def verify(
     return compare(
         scenario,
         levels=levels,
+        further=_further(intensity_measures),
         slide_limit=limit,
         every_run=every_run,
         threads=threads,
@@ -207,6 +216,19 @@ def verify(
         on_progress=on_progress,
         on_verdict=on_verdict,
     )
+
+
+def _further(measures: Sequence[IntensityMeasure]) -> tuple[IntensityMeasure, ...]:
+    """Return those measures of intensity that are not among the usual ones.
+
+    Raises
+    ------
+    InputError
+        A measure that motions of the ground have not.
+    """
+    given = list_of("intensity_measures", measures, IntensityMeasure)
+    known = (intensity_measure(one.key, "intensity_measures") for one in given)
+    return tuple(dict.fromkeys(one for one in known if one.key not in INTENSITY_MEASURES))
 
 
 def _refuse_beside(what: Scenario | AssemblyScenario | Case, given: dict[str, Any]) -> None:

@@ -70,7 +70,7 @@ def verify_several(
         seed=settings.seed,
         as_stated=settings.as_stated,
     )
-    with bar(total, "Verifying", progress) as advance:
+    with bar(total, "progress.verifying", progress) as advance:
         done = 0
 
         def count(runs: int) -> None:

@@ -15,12 +15,14 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
 from stayput.standards.asce43 import VERTICAL_SHARE
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
     from typing import Self
 
+    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
@@ -309,6 +311,28 @@ class Verdict:
         more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
         return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more})"
 
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import verdict_html
+
+        return verdict_html(self)
+
+    def plot(self, ax: Axes | None = None, *, language: str = "en") -> Axes:
+        """Draw the share that overturns with each option, with its 95 % interval, the best first.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        language : str
+            Language of the texts, "en" or "ja".
+        """
+        from stayput.report.charts.chances import draw_ranking
+        from stayput.report.figures import axes_of, drawn
+
+        axis = axes_of(ax)
+        draw_ranking(axis, self, check_language(language))
+        return drawn(axis)
+
     @property
     def without(self) -> OptionVerdict:
         """The option without a measure."""
@@ -337,6 +361,31 @@ class Verdict:
         from stayput.verification.notes import notes
 
         return tuple(say(note, language) for note in notes(self))
+
+    def save(self, path: str | Path) -> Path:
+        """Write the verdict to a file (.json) that `load` reads again, to the bit and with its inputs.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        from stayput.saved import save_json
+
+        return save_json(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read the verdict that `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        from stayput.saved import load_json
+
+        return load_json(cls, path)
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""

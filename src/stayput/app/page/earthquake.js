@@ -7,7 +7,7 @@ import { worded } from "./refusals.js";
 import { clamp, numberOf, wordsOf } from "./scene.js";
 import { both, t } from "./words.js";
 
-const WAYS = ["intensity", "mmi", "pga", "pgv", "earthquake"];
+const WAYS = ["intensity", "mmi", "pga", "pgv", "sa", "earthquake"];
 const MERCALLI = [4, 5, 6, 7, 8, 9, 10];
 const GROUNDS = [600, 300, 180];
 
@@ -17,6 +17,7 @@ const FIRST = {
   mmi: { mmi: 8 },
   pga: { pga: 4 },
   pgv: { pgv: 0.4 },
+  sa: { sa: { period: 0.3, value: 8 } },
   earthquake: { earthquake: { magnitude: 7, distance: 20, depth: 10, kind: "crustal", vs30: 300 } },
 };
 
@@ -25,11 +26,12 @@ const wayOf = (entry) => (entry ? Object.keys(entry)[0] : "intensity");
 
 /**
  * Builds the entry in an element, and returns {update()}, which is to be called after every change of the scene.
- * get() and set(entry) read and change the entry: {mmi}, {pga}, {pgv} or {earthquake: {…}}, null for an
+ * get() and set(entry) read and change the entry: {mmi}, {pga}, {pgv}, {sa: {…}} or {earthquake: {…}}, null for an
  * intensity. scene() is what the server is asked of: a whole scene as it reads it.
  */
 export function build(container, { get, set, presets, scene }) {
   const quake = () => get()?.earthquake ?? FIRST.earthquake.earthquake;
+  const spectral = () => get()?.sa ?? FIRST.sa.sa;
   const turn = (part) => set({ earthquake: { ...quake(), ...part } });
   const number = (name, also) => slider({ label: t(name), ...numberOf(presets, name), ...also });
   const way = choice({
@@ -45,6 +47,8 @@ export function build(container, { get, set, presets, scene }) {
     }),
     pga: number("pga", { step: 0.05, unit: "gal", factor: 100, changed: (pga) => set({ pga }) }),
     pgv: number("pgv", { step: 0.01, unit: "cm/s", factor: 100, changed: (pgv) => set({ pgv }) }),
+    saPeriod: number("saPeriod", { step: 0.05, changed: (period) => set({ sa: { ...spectral(), period } }) }),
+    sa: number("sa", { step: 0.1, unit: "gal", factor: 100, changed: (value) => set({ sa: { ...spectral(), value } }) }),
     magnitude: number("magnitude", { step: 0.1, changed: (magnitude) => turn({ magnitude }) }),
     distance: number("distance", { step: 1, changed: (distance) => turn({ distance }) }),
     depth: number("depth", { step: 1, changed: (depth) => turn({ depth }) }),
@@ -87,6 +91,9 @@ export function build(container, { get, set, presets, scene }) {
       fields[name].element.hidden = name !== now;
       if (name === now) fields[name].set(name === "mmi" ? String(entry.mmi) : entry[name]);
     }
+    fields.saPeriod.element.hidden = fields.sa.element.hidden = now !== "sa";
+    fields.saPeriod.set(spectral().period);
+    fields.sa.set(spectral().value);
     for (const name of Object.keys(quake())) {
       fields[name].element.hidden = now !== "earthquake";
       fields[name].set(name === "vs30" ? String(quake().vs30) : quake()[name]);
@@ -104,7 +111,7 @@ export function build(container, { get, set, presets, scene }) {
   return { update };
 }
 
-/** An entry as text for a link: "mmi:8", "earthquake:7;20;10;crustal;300"; "" for an intensity. */
+/** An entry as text for a link: "mmi:8", "sa:0.3;8", "earthquake:7;20;10;crustal;300"; "" for an intensity. */
 export const written = (entry) =>
   entry
     ? `${wayOf(entry)}:${Object.values(entry).flatMap((one) => (typeof one === "object" ? Object.values(one) : [one])).join(";")}`
@@ -125,6 +132,10 @@ export function fromText(text, presets) {
   if (way === "pga" || way === "pgv") {
     const peak = within(way, values[0]);
     return peak === null ? null : { [way]: peak };
+  }
+  if (way === "sa") {
+    const [period, value] = [within("sa.period", values[0]), within("sa.value", values[1] ?? "")];
+    return period === null || value === null ? null : { sa: { period, value } };
   }
   if (way !== "earthquake" || values.length !== 5) return null;
   const [magnitude, distance, depth, , vs30] = ["magnitude", "distance", "depth", "kind", "vs30"].map((name, i) =>

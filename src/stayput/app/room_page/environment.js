@@ -7,7 +7,7 @@ import * as upload from "../upload.js";
 import * as room from "./room.js";
 
 const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "builtin", "suite", "member"],
-  WAYS = ["pga", "pgv", "mmi", "earthquake"],
+  WAYS = ["pga", "pgv", "sa", "mmi", "earthquake"],
   STRENGTHS = ["intensity", "scale", ...WAYS];
 let presets = null,
   wanted = null, // the record that the server is being asked for

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from stayput.catalogue import say
 from stayput.cli.flags import (
     ComponentOption,
     MotionArgument,
@@ -17,7 +18,8 @@ from stayput.cli.flags import (
     motion_of,
     one_of_two,
 )
-from stayput.cli.messages import print_json
+from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
+from stayput.cli.messages import folded, print_json
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -35,6 +37,7 @@ def info(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
     """Say how long and how strong a motion is: its intensities, and its peaks by component."""
@@ -46,7 +49,7 @@ def info(
     if json:
         print_json(_info_record(record, intensities, rows))
     else:
-        _print_info(record, intensities, rows)
+        _print_info(record, intensities, rows, lang)
 
 
 def _number(value: float) -> float | None:
@@ -87,42 +90,50 @@ def _info_record(
 
 
 def _print_info(
-    motion: Motion, intensities: Intensities, rows: dict[str, tuple[Peaks, SpectralMeasures]]
+    motion: Motion,
+    intensities: Intensities,
+    rows: dict[str, tuple[Peaks, SpectralMeasures]],
+    lang: str,
 ) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from stayput.report.names import motion_label
+    from stayput.catalogue.names import INTENSITIES
+    from stayput.report.names import given_name, motion_label
 
     console = Console(highlight=False, markup=False)
-    console.print(motion_label(motion), style="bold")
-    console.print(motion.source)
-    console.print(f"{len(motion)} samples every {motion.dt:g} s: {motion.duration:g} s")
-    console.print(
-        f"JMA intensity {intensities.published:.1f}, class {intensities.intensity_class}; "
-        f"long-period class {intensities.long_period_class} "
-        f"(Sva {100.0 * intensities.long_period_response:.3g} cm/s); "
-        f"modified Mercalli about {intensities.mercalli:.1f}"
+    console.print(motion_label(motion, lang), style="bold")
+    console.print(given_name(motion.source, lang))
+    console.print(say("cli.samples", lang, count=len(motion), dt=motion.dt, duration=motion.duration))
+    strong = say(
+        "cli.intensities",
+        lang,
+        intensity=intensities.published,
+        name=INTENSITIES[intensities.intensity_class],
+        long_period=intensities.long_period_class,
+        sva=100.0 * intensities.long_period_response,
+        mmi=intensities.mercalli,
     )
-    names = {"x": "x (along)", "y": "y (across)", "z": "z (up)"}
+    console.print(folded(strong, console.width) if lang == "ja" else strong)
+    names = {"x": "cli.along", "y": "cli.across", "z": "cli.up"}
     table = Table(box=None, padding=(0, 2, 0, 0))
     table.add_column("")
     for name in rows:
-        table.add_column(names[name], justify="right")
+        table.add_column(say(names[name], lang), justify="right")
     lines = (
-        ("PGA [m/s²]", [peaks.pga for peaks, _ in rows.values()]),
-        ("PGV [cm/s]", [100.0 * peaks.pgv for peaks, _ in rows.values()]),
-        ("PGD [cm]", [100.0 * peaks.pgd for peaks, _ in rows.values()]),
-        ("Arias intensity [m/s]", [peaks.arias for peaks, _ in rows.values()]),
-        ("CAV [m/s]", [peaks.cav for peaks, _ in rows.values()]),
-        ("Duration D5-95 [s]", [peaks.significant_duration for peaks, _ in rows.values()]),
-        ("Housner intensity [m]", [spectral.housner_intensity for _, spectral in rows.values()]),
-        ("SI, 20 % [cm/s]", [100.0 * spectral.spectrum_intensity for _, spectral in rows.values()]),
-        ("Period of largest Sa [s]", [spectral.predominant_period for _, spectral in rows.values()]),
-        ("Mean period Tm [s]", [spectral.mean_period for _, spectral in rows.values()]),
+        ("cli.pga", [peaks.pga for peaks, _ in rows.values()]),
+        ("cli.pgv", [100.0 * peaks.pgv for peaks, _ in rows.values()]),
+        ("cli.pgd", [100.0 * peaks.pgd for peaks, _ in rows.values()]),
+        ("cli.arias", [peaks.arias for peaks, _ in rows.values()]),
+        ("cli.cav", [peaks.cav for peaks, _ in rows.values()]),
+        ("cli.d5_95", [peaks.significant_duration for peaks, _ in rows.values()]),
+        ("cli.housner", [spectral.housner_intensity for _, spectral in rows.values()]),
+        ("cli.si", [100.0 * spectral.spectrum_intensity for _, spectral in rows.values()]),
+        ("cli.largest_sa", [spectral.predominant_period for _, spectral in rows.values()]),
+        ("cli.mean_period", [spectral.mean_period for _, spectral in rows.values()]),
     )
     for label, values in lines:
-        table.add_row(label, *(f"{value:.3g}" for value in values))
+        table.add_row(say(label, lang), *(f"{value:.3g}" for value in values))
     console.print(table)
 
 
@@ -132,6 +143,7 @@ def plot(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    lang: LanguageOption = OF_LOCALE,
 ) -> None:
     """Plot acceleration, velocity and displacement of every component."""
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target
@@ -140,10 +152,11 @@ def plot(
     check_apart((out,), [Path(motion)])
     record = motion_of(motion, component=component, unit=unit, dt=dt)
 
+    from stayput.report.names import motion_label
     from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
 
-    plot_motion(record, out)
-    typer.echo(f"Wrote {out}")
+    plot_motion(record, out, title=motion_label(record, lang), language=lang)
+    wrote(lang, out)
 
 
 def spectrum(
@@ -159,6 +172,7 @@ def spectrum(
         Path | None,
         typer.Option(metavar="FILE", help="Plot them, and the Fourier spectra: .png, .svg, .pdf."),
     ] = None,
+    lang: LanguageOption = OF_LOCALE,
 ) -> None:
     """Print the response spectra of a motion: what it does to oscillators of every period."""
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target
@@ -174,15 +188,18 @@ def spectrum(
     def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
         return {name: response_spectrum(record, periods, damping, name) for name in record.components}
 
-    _print_spectra(record, spectra(TABLE_PERIODS))
+    _print_spectra(record, spectra(TABLE_PERIODS), lang)
     if out is not None:
         _write_spectra(out, spectra(PERIODS))
-        typer.echo(f"Wrote {out}")
+        wrote(lang, out)
     if plot is not None:
+        from stayput.catalogue import say
+        from stayput.report.names import motion_label
         from stayput.report.spectrum import plot_spectra
 
-        plot_spectra(record, plot, damping)
-        typer.echo(f"Wrote {plot}")
+        title = say("plots.spectra", lang, name=motion_label(record, lang), damping=100.0 * damping)
+        plot_spectra(record, plot, damping, title=title, language=lang)
+        wrote(lang, plot)
 
 
 def _write_spectra(out: Path, spectra: dict[str, ResponseSpectrum]) -> None:
@@ -199,7 +216,7 @@ def _write_spectra(out: Path, spectra: dict[str, ResponseSpectrum]) -> None:
         unfinished.write_text("\n".join([",".join(columns), *rows, ""]), encoding="utf-8")
 
 
-def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum]) -> None:
+def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: str) -> None:
     from rich.console import Console
     from rich.table import Table
 
@@ -207,9 +224,10 @@ def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum]) -> None
 
     console = Console(highlight=False, markup=False)
     damping = 100.0 * next(iter(spectra.values())).damping
-    console.print(f"{motion_label(motion)}: response spectra, {damping:g} % damping", style="bold")
+    heading = say("cli.spectra", lang, motion=motion_label(motion, lang), damping=damping)
+    console.print(heading, style="bold")
     table = Table(box=None, padding=(0, 2, 0, 0))
-    table.add_column("Period [s]", justify="right")
+    table.add_column(say("cli.period", lang), justify="right")
     for name in spectra:
         for label in (f"Sa {name} [m/s²]", f"ω·Sd {name} [cm/s]"):
             table.add_column(label, justify="right")
@@ -235,6 +253,7 @@ def convert(
     intensity: Annotated[
         str | None, typer.Option(help="JMA intensity to scale to: a number, or a class such as 6-upper.")
     ] = None,
+    lang: LanguageOption = OF_LOCALE,
 ) -> None:
     """Write a motion in another format, or changed."""
     from stayput.files import check_apart, check_target
@@ -254,4 +273,5 @@ def convert(
     if only is not None:
         record = record.component(only)
     record.write(out)
-    typer.echo(f"Wrote {out}: {len(record)} samples every {record.dt:g} s, {', '.join(record.components)}")
+    parts = ", ".join(record.components)
+    typer.echo(say("cli.wrote_motion", lang, file=out, count=len(record), dt=record.dt, components=parts))

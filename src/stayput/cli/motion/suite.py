@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.catalogue import say
 from stayput.cli.flags import (
     ComponentOption,
     TimeStepOption,
@@ -16,6 +17,7 @@ from stayput.cli.flags import (
     one_of_two,
     target_of,
 )
+from stayput.cli.language import OF_LOCALE, LanguageOption
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
@@ -75,6 +77,7 @@ def suite(
     intensity: Annotated[
         str | None, typer.Option(help="JMA intensity of every motion: a number, or a class such as 6-upper.")
     ] = None,
+    lang: LanguageOption = OF_LOCALE,
 ) -> None:
     """Make or read a suite of motions, scale it, and write it with a table and a figure."""
     from stayput.errors import InputError, unknown
@@ -103,8 +106,8 @@ def suite(
         motions = scaled if fit == "scale" else scaled.matched(wanted, periods, together=fit == "together")
     if intensity is not None:
         motions = motions.to_intensity(intensity_value(intensity))
-    _write(motions, out, wanted)
-    _print_end(motions, wanted, periods, out)
+    _write(motions, out, wanted, lang)
+    _print_end(motions, wanted, periods, out, lang)
 
 
 def _numbers(motion: Motion) -> list[float]:
@@ -118,12 +121,13 @@ def _numbers(motion: Motion) -> list[float]:
     ]
 
 
-def _write(motions: Suite, out: Path, target: TargetSpectrum | None) -> None:
+def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) -> None:
     import csv
     import io
 
     from stayput.files import draft, name_part
     from stayput.progress import bar
+    from stayput.report.suite import plot_suite, suite_title
     from stayput.spreadsheets import text_cell
 
     folder = out / "motions"
@@ -131,7 +135,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None) -> None:
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
     rows.writerow(COLUMNS)
-    with bar(len(motions), "Writing motions", unit="motions") as advance:
+    with bar(len(motions), "progress.writing", unit="progress.motions") as advance:
         for i, motion in enumerate(motions, start=1):
             file = f"{i:0{len(str(len(motions)))}d}-{name_part(motion.name, 'motion')}.csv"
             motion.write(folder / file)
@@ -140,22 +144,30 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None) -> None:
             advance(1)
     with draft(out / "suite.csv") as unfinished:
         unfinished.write_text(table.getvalue(), encoding="utf-8")
-    motions.plot(out / "suite.png", target=target)
+    plot_suite(motions, out / "suite.png", target, title=suite_title(motions, lang), language=lang)
 
 
 def _print_end(
-    motions: Suite, target: TargetSpectrum | None, periods: tuple[float, float], out: Path
+    motions: Suite, target: TargetSpectrum | None, periods: tuple[float, float], out: Path, lang: str
 ) -> None:
+    from stayput.report.names import given_name
     from stayput.wording import counted
 
-    intensities = motions.intensities
-    count = counted(len(motions), "synthetic motion" if motions.synthetic else "motion")
-    typer.echo(f"{count}: JMA intensity {intensities.min():.2f} to {intensities.max():.2f}")
+    number, kind = len(motions), "synthetic motion" if motions.synthetic else "motion"
+    japanese = f"{'模擬' if motions.synthetic else ''}地震動{number}本"
+    count, at = (counted(number, kind), japanese), motions.intensities
+    typer.echo(say("cli.suite", lang, count=count, low=at.min(), high=at.max()))
     if target is not None:
         off = motions.deviation(target, periods)
-        typer.echo(
-            f"Median spectrum against {target.name}, {periods[0]:g} to {periods[1]:g} s: "
-            f"{100.0 * off.mean:.1f} % off on average, {100.0 * off.worst:.1f} % at most "
-            f"(at {off.worst_period:.2g} s)"
+        said = say(
+            "cli.suite_off",
+            lang,
+            target=given_name(target.name, lang),
+            first=periods[0],
+            last=periods[1],
+            mean=100.0 * off.mean,
+            worst=100.0 * off.worst,
+            at=off.worst_period,
         )
-    typer.echo(f"Wrote {out}: the motions, suite.csv, suite.png")
+        typer.echo(said)
+    typer.echo(say("cli.wrote_suite", lang, folder=out))

@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError
+from stayput.errors import InputError, reason_of
 
 if TYPE_CHECKING:
     import os
@@ -49,7 +49,7 @@ def file_text(path: str | os.PathLike[str]) -> str:
     except FileNotFoundError:
         raise InputError("motion.file_missing", path=str(path)) from None
     except OSError as error:
-        reason = error.strerror or type(error).__name__
+        reason = reason_of(error)
         raise InputError("motion.file_unreadable", path=str(path), reason=reason) from None
     except (TypeError, ValueError) as error:
         if isinstance(error, InputError):

@@ -188,7 +188,10 @@ def matched(
         return _with_gains(motion, parts, _suite_gains([parts], target, periods, 1), periods, note)
 
     results: list[Motion] = []
-    with ThreadExecutor(threads) as executor, bar(len(motions), "Matching", unit="motions") as done:
+    with (
+        ThreadExecutor(threads) as executor,
+        bar(len(motions), "progress.matching", unit="progress.motions") as done,
+    ):
         pairs = zip(motions, filtered, strict=True)
         for motion in executor.in_order(Call(match_alone, *pair) for pair in pairs):
             results.append(motion)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, cast, overload
+from typing import TYPE_CHECKING, Literal, cast, overload
 
 import numpy as np
 
@@ -17,15 +17,20 @@ from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
 from stayput.motion.suites.matching import matched
 from stayput.motion.suites.target import DEFAULT_BAND, band_periods
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.motion.suites.target import TargetSpectrum
 
+
+SuiteSpectra = Literal["spectra", "scatter"]
+"""What `Suite.plot` draws over the period."""
 
 _NO_RECORDS = (".md",)
 """Endings of files of a folder that are not records."""
@@ -88,6 +93,11 @@ class Suite(Sequence[Motion]):
 
     def __repr__(self) -> str:
         return f"Suite({self.name!r}, {len(self)} motions)"
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import suite_html
+
+        return suite_html(self)
 
     def __len__(self) -> int:
         return len(self.motions)
@@ -232,11 +242,54 @@ class Suite(Sequence[Motion]):
         worst = int(np.argmax(off))
         return Deviation(float(off.mean()), float(off[worst]), float(band_periods(band)[worst]))
 
-    def plot(self, path: str | Path | None = None, target: TargetSpectrum | None = None) -> Figure:
-        """Plot the spectra and their variability; see `stayput.report.suite.plot_suite`."""
+    def plot(
+        self,
+        ax: Axes | None = None,
+        *,
+        what: SuiteSpectra = "spectra",
+        target: TargetSpectrum | None = None,
+        component: str = "x",
+        language: str = "en",
+    ) -> Axes:
+        """Draw all spectra with their median and scatter, or the standard deviation of ln Sa, on axes.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : {"spectra", "scatter"}
+            The spectra, or their standard deviation.
+        target : TargetSpectrum, optional
+            Drawn with the spectra; its damping is then theirs.
+        component : str
+            "x", "y" or "z".
+        language : str
+            Language of the texts, "en" or "ja".
+
+        Raises
+        ------
+        InputError
+            Something else to draw, or a component that is not there.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.suite import draw_suite
+
+        axis = axes_of(ax)
+        draw_suite(axis, self, what, target, component, check_language(language))
+        return drawn(axis)
+
+    def figure(
+        self,
+        title: str = "",
+        *,
+        target: TargetSpectrum | None = None,
+        component: str = "x",
+        language: str = "en",
+    ) -> Figure:
+        """Return a figure with the spectra, and the standard deviation of ln Sa below."""
         from stayput.report.suite import plot_suite
 
-        return plot_suite(self, path, target)
+        return plot_suite(self, None, target, component, title=title, language=check_language(language))
 
     def _with(self, motions: list[Motion]) -> Suite:
         return replace(self, motions=tuple(motions))

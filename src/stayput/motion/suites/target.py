@@ -59,6 +59,12 @@ class TargetSpectrum:
     name: str = "target spectrum"
     damping: float = DAMPING
 
+    if TYPE_CHECKING:  # taken as whatever NumPy makes an array of, and kept as arrays
+
+        def __init__(
+            self, periods: ArrayLike, sa: ArrayLike, name: str = ..., damping: float = DAMPING
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         periods = checked_periods(self.periods)
         sa = np.atleast_1d(numbers("motion.name_target_sa", self.sa, "sa"))

@@ -107,13 +107,18 @@ def ranking_chart(verdict: Verdict, source: ChartSource) -> Chart:
     }
 
     def draw(figure: Figure) -> None:
-        axis: Axes = figure.subplots()
-        draw_shares(axis, labels, [option.probabilities[OVERTURNED] for option in options], language)
-        axis.set_xlabel(drawable(say("figures.axis_overturned", language)), fontsize=FONT)
+        draw_ranking(figure.subplots(), verdict, language)
 
     caption = verdict.sentence(language) + say("page.space", language) + say("figures.ranking_note", language)
     size = (8.4, 1.2 + 0.42 * len(options))
     return Chart(say("figures.ranking", language), caption, source, columns, draw, size)
+
+
+def draw_ranking(axis: Axes, verdict: Verdict, language: str) -> None:
+    """Draw the share that overturns with each option, with its 95 % interval, the best first."""
+    labels = [title(option.option, verdict, language) for option in verdict.options]
+    draw_shares(axis, labels, [option.probabilities[OVERTURNED] for option in verdict.options], language)
+    axis.set_xlabel(drawable(say("figures.axis_overturned", language)), fontsize=FONT)
 
 
 def draw_shares(axis: Axes, labels: Sequence[str], chances: Sequence[Probability], language: str) -> None:

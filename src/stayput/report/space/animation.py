@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
 from stayput.files import check_animation, draft
-from stayput.report.embedding import filled, inks_css, script_json, script_module
+from stayput.report.embedding import Player, filled, inks_css, script_json, script_module
 from stayput.report.movie import FilmSettings, Progress, write_film
 from stayput.report.space.film import SpaceFilm, space_film
 from stayput.report.space.frames import SpacePainter
@@ -85,6 +85,12 @@ def animate_space_run(
         else:
             write_film(film.times, partial(SpacePainter, film), unfinished, settings)
     return target
+
+
+def space_run_player(run: SpaceRun, names: Sequence[str] | None, speed: float, language: str) -> Player:
+    """Return an animation of a run in space that notebooks play."""
+    film = space_film(run, names, check_language(language))
+    return Player(space_player_page(film, speed, hold=1.5), film.title)
 
 
 def space_player_page(film: SpaceFilm, speed: float, hold: float, *, plays: bool = True) -> str:

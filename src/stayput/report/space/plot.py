@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -11,15 +11,17 @@ from scipy.spatial import ConvexHull
 
 from stayput.catalogue import say
 from stayput.catalogue.names import OUTCOMES
+from stayput.errors import word_of
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable, with_face, wrapped
 from stayput.report.names import motion_label
 from stayput.report.palette import BODY_COLOURS, COMPONENT_COLOURS, INK, MUTED, ROOM
 from stayput.report.space.histories import at_time
-from stayput.report.space.said import became, names_of
+from stayput.report.space.said import names_of
 from stayput.report.space.scene import body_colour
 from stayput.report.space.still import STILL_LOOKS, still_of
 from stayput.simulation.space_records import matrices
+from stayput.simulation.space_run import SpaceDrawing
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -47,6 +49,7 @@ def plot_space_run(
     path: str | Path | None = None,
     *,
     names: Sequence[str] | None = None,
+    title: str = "",
     language: str = "en",
 ) -> Figure:
     """Plot the floor's acceleration, tilt and turn in plan of each body, and their ways as seen from above.
@@ -59,6 +62,8 @@ def plot_space_run(
         Where to save it: PNG, SVG or PDF, by its ending.
     names : sequence of str, optional
         What the bodies are called; by default by their numbers.
+    title : str
+        Title; none by default.
     language : str
         Language of the texts, "en" or "ja".
 
@@ -75,8 +80,9 @@ def plot_space_run(
     check_language(language)
     called = names_of(run, names, language)
     figure, several = new_figure(_WIDTH, 6.6), len(called) > 1
-    title, face = with_face(say(became(run, called), language), FONT + 2.0)
-    figure.suptitle(wrapped(title, face, 0.96 * 72.0 * _WIDTH), fontsize=FONT + 2.0, color=INK)
+    if title:
+        said, face = with_face(title, FONT + 2.0)
+        figure.suptitle(wrapped(said, face, 0.96 * 72.0 * _WIDTH), fontsize=FONT + 2.0, color=INK)
     grid = figure.add_gridspec(3, 2, width_ratios=[1.35, 1.0], height_ratios=[1.0, 1.3, 1.0])
     acceleration = figure.add_subplot(grid[0, 0])
     tilt = figure.add_subplot(grid[1, 0], sharex=acceleration)
@@ -100,14 +106,42 @@ def plot_space_run(
     return saved(figure, path)
 
 
+def draw_space_run(
+    axis: Axes, run: SpaceRun, what: SpaceDrawing, names: Sequence[str] | None, language: str
+) -> None:
+    """Draw the tilts or turns of the bodies over time, the floor's acceleration, or their ways in plan.
+
+    Raises
+    ------
+    InputError
+        Something else, another language, or not a name for each body.
+    """
+    check_language(language)
+    called = names_of(run, names, language)
+    match word_of("plots.what", what, get_args(SpaceDrawing), "what"):
+        case "tilt":
+            _draw_of_bodies(axis, run, np.degrees(run.tilt), say("space.axis_tilt", language), language)
+        case "yaw":
+            _draw_of_bodies(axis, run, np.degrees(run.yaw), say("space.axis_yaw", language), language)
+        case "plan":
+            _draw_plan(axis, run, called, language)
+        case _:
+            _draw_acceleration(axis, run, language)
+    if what != "plan":
+        axis.set_xlim(float(run.time[0]), float(run.time[-1]))
+        axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+    if what != "acceleration" and (len(called) > 1 or what == "plan"):
+        axis.legend(handles=_body_handles(run, called, language), fontsize=FONT - 1.0, framealpha=0.85)
+
+
 def _dashes(body: int) -> Literal["-", "--", ":"]:
     """Return the line style of a body, which tells apart bodies of one colour."""
     styles: tuple[Literal["-"], Literal["--"], Literal[":"]] = ("-", "--", ":")
     return styles[body // len(BODY_COLOURS) % 3]
 
 
-def _name_bodies(figure: Figure, run: SpaceRun, names: Sequence[str], language: str) -> None:
-    """Write the names of several bodies below the figure, with what the marks on their lines mean."""
+def _body_handles(run: SpaceRun, names: Sequence[str], language: str) -> list[Line2D]:
+    """Return the legend of several bodies: their names, and what the marks on their lines mean."""
     shown = [
         Line2D([], [], color=body_colour(b), linestyle=_dashes(b), linewidth=2.0, label=drawable(name))
         for b, name in enumerate(names)
@@ -122,6 +156,12 @@ def _name_bodies(figure: Figure, run: SpaceRun, names: Sequence[str], language: 
                 [], [], color="none", marker=marker, markersize=8.0, markeredgecolor=INK, label=label
             )
             shown.append(mark)
+    return shown
+
+
+def _name_bodies(figure: Figure, run: SpaceRun, names: Sequence[str], language: str) -> None:
+    """Write the names of several bodies below the figure."""
+    shown = _body_handles(run, names, language)
     size = FONT - 0.5
     widest = max(with_face(str(line.get_label()), size)[1].getlength(str(line.get_label())) for line in shown)
     columns = int(72.0 * _WIDTH // (widest + 5.5 * size))  # with the line and the space around it

@@ -191,7 +191,7 @@ def _motions(scenario: Scenario | AssemblyScenario, count: int) -> Assumption:
 def _building(scenario: Scenario | AssemblyScenario) -> Assumption:
     table = scenario.shaking.building
     assert table is not None
-    value = _text("building_text", name=table.building().name, storey=scenario.shaking.storey)
+    value = _text("building_text", name=_in_both(table.building().name), storey=scenario.shaking.storey)
     return Assumption((_text("building"), value), building_tag(table))
 
 

@@ -106,7 +106,7 @@ def strength_data(scenario: Scenario | AssemblyScenario, motions: int) -> dict[s
         return None
     return {
         "stated": scenario.shaking.stated,
-        "measure": strength.measure,
+        "measure": f"SA({strength.period:g})" if strength.period else strength.measure,
         "median": number(strength.median),
         "scatter_of_log10": number(strength.scatter),
         "about": _texts(strength.told(motions)),

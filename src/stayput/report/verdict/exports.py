@@ -6,21 +6,23 @@ import csv
 import io
 import re
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.catalogue import say
 from stayput.files import drafts
-from stayput.fragility import PFA, PFV
+from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.labels import identifiers
-from stayput.fragility.nrml import nrml_xml
+from stayput.fragility.nrml import in_openquake, nrml_xml
 from stayput.fragility.pelicun import pelicun_csv
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
 from stayput.report.verdict.assumptions import assumptions
 from stayput.spreadsheets import text_cell
+from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.verification import Verdict
+    from stayput.verification.options import Option
 
 POINTS = 101
 """Points of a curve in the table."""
@@ -36,7 +39,9 @@ DRAWN = 8
 """Most curves in a figure: no measure, and the best ones."""
 
 
-def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> tuple[list[Path], list[str]]:
+def write_curves(
+    verdict: Verdict, measure: IntensityMeasure, folder: Path, language: str = "en"
+) -> tuple[list[Path], list[str]]:
     """Write the curves of all options over one measure of intensity.
 
     Parameters
@@ -47,6 +52,8 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
         What they are over.
     folder : Path
         Where the files go; it is made.
+    language : str
+        "en" or "ja": of the figure, and of the sentences.
 
     Returns
     -------
@@ -61,22 +68,23 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
     curves = [result.curves[measure] for result in verdict.options]
     fitted = [curve for curve in curves if curve.state is CurveState.FITTED]
     texts = {"curves.csv": curves_csv(fitted, measure), "observed.csv": observed_csv(curves)}
-    left_out = [reason for curve in curves if (reason := _left_out(curve))]
+    called = {result.option.name: _called(result.option, verdict, language) for result in verdict.options}
+    left_out = [reason for curve in curves if (reason := _left_out(curve, called[curve.name], language))]
     left_out += [
-        say("report.in_no_file", option=result.option.name, reason=result.reason)
+        say("report.in_no_file", language, option=result.option.name, reason=result.why(language))
         for result in verdict.impossible
     ]
     several = [curve for curve in fitted if not curve.one_motion]
     left_out += [
-        say("report.renamed", option=curve.name, identifier=identifier)
+        say("report.renamed", language, option=called[curve.name], identifier=identifier)
         for curve, identifier in zip(several, identifiers(several) if several else (), strict=True)
         if re.search(r"_[0-9a-f]{8}$", identifier)
     ]
     lognormals = [curve for curve in several if curve.lognormal is not None and curve.lognormal.fits]
     if lognormals:
         texts["pelicun.csv"] = pelicun_csv(lognormals)
-    if several and measure in (PFA, PFV):
-        left_out.append(say("report.no_nrml", measure=measure.key))
+    if several and in_openquake(measure) is None:
+        left_out.append(say("report.no_nrml", language, measure=measure.key))
     elif several:
         texts["nrml.xml"] = nrml_xml(
             several, say("report.overturning_of", piece=verdict.scenario.furniture.title)
@@ -89,21 +97,26 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
             if name in texts:
                 path.write_text(texts[name], encoding="utf-8")
             else:
-                _plot(verdict, measure, path)
+                _plot(verdict, measure, path, language)
     return files, left_out
 
 
-def _left_out(curve: FragilityCurve) -> str:
+def _called(option: Option, verdict: Verdict, language: str) -> str:
+    """Return what an option is called in sentences: in English as in the files."""
+    return option.name if language == "en" else title(option, verdict, language)
+
+
+def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
     """Return why a curve is not in the files for loss tools, or in one of them only; empty where it is."""
     if curve.state is not CurveState.FITTED:
-        return say("fragility.left_out_state", option=curve.name, state=curve.state.value)
+        return say("fragility.left_out_state", language, option=name, state=curve.state.phrase)
     if curve.one_motion:
-        return say("fragility.left_out_one_motion", option=curve.name)
+        return say("fragility.left_out_one_motion", language, option=name)
     if curve.lognormal is None:
-        return say("fragility.left_out_abrupt", option=curve.name)
+        return say("fragility.left_out_abrupt", language, option=name)
     if curve.lognormal.fits:
         return ""
-    return say("fragility.left_out_misfit", option=curve.name, why=curve.lognormal.texts)
+    return say("fragility.left_out_misfit", language, option=name, why=curve.lognormal.texts)
 
 
 @contextmanager
@@ -154,7 +167,8 @@ def observed_csv(curves: Sequence[FragilityCurve]) -> str:
 def key(measure: IntensityMeasure) -> str:
     """Return the heading of a measure's column, with its SI unit."""
     unit = "" if measure.is_logarithm else "_m_s" if measure.unit == "cm/s" else "_m_s2"
-    return f"{measure.key.lower()}{unit}"
+    name = measure.key if measure.period is None else f"sa_{measure.period:g}"
+    return f"{name.lower()}{unit}"
 
 
 def _text(heading: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
@@ -165,16 +179,20 @@ def _text(heading: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
     return text.getvalue()
 
 
-def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path) -> None:
+def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path, language: str) -> None:
     bare = verdict.without
     best = [result for result in verdict.options if result is not bare][: DRAWN - 1]
-    curves = [result.curves[measure] for result in (bare, *best)]
-    motions = next(entry for entry in assumptions(verdict) if entry.what("en") == "Motions").value("en")
-    here = verdict.intensity if measure.is_logarithm else None
+    curves = [
+        replace(result.curves[measure], name=title(result.option, verdict, language))
+        for result in (bare, *best)
+    ]
+    motions = next(entry for entry in assumptions(verdict) if entry.what("en") == "Motions").value(language)
+    here = verdict.intensity if measure == JMA_INTENSITY else None
     plot_fragility(
         curves,
         path,
         here=here,
         title=verdict.scenario.title or "",
-        subtitle=say("report.motions_shown", motions=motions),
+        subtitle=say("report.motions_shown", language, motions=motions),
+        language=language,
     )

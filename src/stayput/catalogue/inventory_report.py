@@ -1,0 +1,190 @@
+"""What is printed and reported of an assessment."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "title": ("Furniture at risk", "家具の転倒危険度"),
+    # Numbers
+    "share": ("{value} %", "{value}%"),
+    "unknown": ("unknown", "不明"),
+    "given_up": ("all runs were given up", "すべての計算を打ち切り"),
+    "interval": ("{estimate} % ({low} to {high} %)", "{estimate}%（{low}～{high}%）"),
+    # Sums
+    "event_heading": ("Event: {event}", "地震：{event}"),
+    "expected": (
+        "{fallen} of {pieces} {verb} expected to overturn ({share}){best}.",
+        "{pieces}のうち{fallen}点が転倒する見込みです（{share}）{best}。",
+    ),
+    "expected_best": (
+        "; with the best of the compared measures on each, {fallen} ({share})",
+        "。それぞれに最も有効な対策をとると{fallen}点（{share}）です",
+    ),
+    "none_helps": (
+        "None of the compared measures helps any of them.",
+        "比較した対策で効果のあるものはありません。",
+    ),
+    "some_helped": (
+        "One of the compared measures helps {helped} of them, and none helps the others.",
+        "このうち{helped}点には効果のある対策がありますが、残りにはありません。",
+    ),
+    "expected_loss": (
+        "Expected loss {loss}, with the best measures {best} (where values are given, in their currency).",
+        "損失の見込みは{loss}、最も有効な対策をとると{best}です（損失額の入力があるものだけの合計）。",
+    ),
+    "inside_out": (
+        "Of what is inside {pieces}, {share} is expected to come out; with the best measures {best}.",
+        "{pieces}の収納物のうち{share}が飛び出す見込みです。最も有効な対策をとると{best}です。",
+    ),
+    "nothing_known": (
+        "Of {pieces} nothing is known: all runs were given up.",
+        "{pieces}はすべての計算を打ち切ったため、結果が分かりません。",
+    ),
+    # Maps
+    "map_without": (
+        "Share that overturns, in per cent, without a measure",
+        "転倒する割合（%）：対策なし",
+    ),
+    "map_best": (
+        "The same with the best measure on each piece",
+        "転倒する割合（%）：それぞれに最も有効な対策をとったとき",
+    ),
+    "left_out": (
+        "{buildings}, with fewer pieces expected to overturn, {verb} in summary.csv.",
+        "転倒の見込みがより少ない残りの建物（{buildings}）は、summary.csvにあります。",
+    ),
+    "no_building": ("no building", "建物の指定なし"),
+    "floor": ("{storey}F", "{storey}階"),
+    "on_ground": ("ground", "地上"),
+    "cell": ("{place}: {share} % of {pieces}", "{place}：{pieces}の{share}%"),
+    "place": ("{building}, {floor}", "{building}、{floor}"),
+    # The pieces
+    "greatest": ("Pieces at greatest risk", "危険度の高い家具"),
+    "greatest_order": (
+        "By expected loss where a value is given, then by the probability of overturning.",
+        "損失額の入力があるものは損失の見込みの大きい順、次に転倒確率の高い順に並べています。",
+    ),
+    "row": ("Row", "行"),
+    "piece": ("Piece", "家具"),
+    "event": ("Event", "地震"),
+    "building": ("Building", "建物"),
+    "storey": ("Storey", "階"),
+    "count": ("Count", "数"),
+    "overturns": ("Overturns", "転倒確率"),
+    "contents_out": ("Contents out", "飛び出す収納物"),
+    "best": ("Best measure", "最も有効な対策"),
+    "overturns_best": ("Overturns with it", "対策後の転倒確率"),
+    "contents_out_best": ("Contents out with it", "対策後に飛び出す収納物"),
+    "best_by_cost": ("Best for its cost", "費用に見合う対策"),
+    "loss": ("Expected loss", "損失の見込み"),
+    "no_help": ("none helps", "効果のある対策なし"),
+    "not_worth": ("none is worth it", "費用に見合うものなし"),
+    "not_possible": ("{name}: not possible. {reason}", "{name}：設置できません。{reason}"),
+    # Rejects
+    "rejected": ("Rows that were not assessed", "評価できなかった行"),
+    "rejects_counted": (
+        "{rejects} of {rows}; rejects.csv has them all.",
+        "{rows}のうち{rejects}行です。すべてrejects.csvにあります。",
+    ),
+    "reason": ("Reason", "理由"),
+    "none": ("None.", "ありません。"),
+    # What was done
+    "done": ("What was done", "計算の内容"),
+    "read": (
+        "{rows} below the header, read as {how}{empty}.",
+        "見出しの下の{rows}を、{how}として読み込みました{empty}。",
+    ),
+    "sheet": ("sheet {name}", "シート{name}"),
+    "sheet_of_several": (
+        "sheet {name}; not {others}",
+        "シート{name}（ほかのシート{others}は読んでいません）",
+    ),
+    "empty_rows": ("; {count} of them empty", "（うち{count}行は空）"),
+    "not_used": ("Columns that were not used: {columns}.", "使わなかった列：{columns}。"),
+    "scenario": (
+        (
+            "Scenario {name}: {strength}{suite}, {motions}{synthetic}, at most {samples} of the uncertain "
+            "quantities for each motion, seed {seed}."
+        ),
+        (
+            "シナリオ「{name}」：{strength}{suite}、{motions}{synthetic}、"
+            "地震動ごとに不確かな量の標本が最大{samples}、乱数の種{seed}。"
+        ),
+    ),
+    "at_intensity": ("the ground at JMA intensity {value:.2f}; ", "地面の計測震度{value:.2f}、"),
+    "one_motion": ("one motion", "地震動1つ"),
+    "synthetic": (" (synthetic)", "（模擬地震動）"),
+    "units": (
+        "{choices} of piece, measures, floor and event; {units} of them simulated, each that differs once.",
+        "家具・対策・床・地震の組み合わせ{choices}のうち、異なる{units}通りを1回ずつ計算しました。",
+    ),
+    "slide_limit": (
+        "A piece slid too far if it slid more than {limit} m. The expected loss counts overturning only.",
+        "{limit} mを超えて移動したものを「移動しすぎ」とします。損失の見込みは転倒だけを数えます。",
+    ),
+    "contents_followed": (
+        (
+            "What is inside is followed in one run of each motion, {most} at most; the shares are means over "
+            "these runs."
+        ),
+        "収納物は、地震動ごとに1回、最大{most}回の計算で追跡します。割合はその平均です。",
+    ),
+    "intervals": (
+        (
+            "Intervals are 95 %, over motions and draws. Pieces of one event meet the same motions, so they "
+            "fall together: the expected number does not say how far the number may be off."
+        ),
+        (
+            "区間は、地震動と不確かな量のばらつきによる95%区間です。同じ地震の家具は同じ地震動を受けて一緒に倒れるため、"
+            "見込みの数からは、実際の数がどれだけ外れうるかは分かりません。"
+        ),
+    ),
+    "shake_map": (
+        "How strongly the ground shakes comes from a shake map: {map}.",
+        "地面の揺れの強さは地震動マップによります：{map}。",
+    ),
+    "map_of_intensity": ("JMA intensity, rounded to 0.1", "計測震度（0.1刻みに丸め）"),
+    "map_of_peak": (
+        "{measure} of the larger horizontal component, rounded by at most 3 %",
+        "水平2成分の大きい方の{measure}（3%以内で丸め）",
+    ),
+    "with_scatter": ("{about}, with its scatter", "{about}、ばらつき付き"),
+    "renamed": ("Columns as they were understood: {columns}.", "列の読み取り方：{columns}。"),
+    "without_coordinates": (
+        "Without coordinates: {pieces}; on a map they have no point.",
+        "座標のない家具：{pieces}（地図には表示されません）。",
+    ),
+    "map_of_sa": (
+        (
+            "Sa at {period} s, {damping} % damping, geometric mean of the horizontal components, rounded by at "
+            "most 3 %"
+        ),
+        "周期{period}秒の加速度応答（減衰{damping}%、水平2成分の幾何平均、3%以内で丸め）",
+    ),
+    "version": ("stayput {version}.", "stayput {version}。"),
+    # Printed
+    "printed_read": (
+        "Read {rows} as {how}: {pieces} assessed.",
+        "{rows}を{how}として読み込み、{pieces}行を評価しました。",
+    ),
+    "printed_rejects": (
+        "Not assessed: {rows}; rejects.csv says why, row by row.",
+        "評価できなかった行：{rows}。理由は行ごとにrejects.csvに書かれています。",
+    ),
+    "printed_runs": (
+        "{choices}, {units} of them different; {runs}.",
+        "組み合わせ{choices}（うち異なるもの{units}通り）、計算{runs}。",
+    ),
+    "printed_expected": (
+        "{event}: expected to overturn: {fallen} of {pieces} ({share}){best}.",
+        "{event}：転倒の見込みは{pieces}のうち{fallen}点（{share}）{best}。",
+    ),
+    "printed_best": (", {fallen} with the best measures", "、最も有効な対策をとると{fallen}点"),
+    "printed_none_helps": (
+        "; none of the compared measures helps any of them",
+        "、比較した対策で効果のあるものはなし",
+    ),
+    "printed_inside": (
+        "{event}: of what is inside {pieces}, {share} is expected to come out, {best} with the best measures.",
+        "{event}：{pieces}の収納物のうち{share}が飛び出す見込み、最も有効な対策をとると{best}。",
+    ),
+    "dashboard": ("Dashboard of the cluster: {link}", "クラスターの状況：{link}"),
+}
+"""Texts by their keys: English, Japanese."""

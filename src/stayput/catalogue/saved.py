@@ -1,0 +1,17 @@
+"""Values in files."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "unreadable": ("{file} cannot be read: {reason}.", "{file}を読み込めません（{reason}）。"),
+    "another": (
+        "{file} holds no {kind}; it must be a file that save() of a {kind} wrote.",
+        "{file}は{kind}のファイルではありません。{kind}のsave()で保存したファイルを指定してください。",
+    ),
+    "other_version": (
+        "{file}, written by stayput {version}, cannot be read by this version; it must be as save() wrote it.",
+        "stayput {version}で保存された{file}は、このバージョンでは読み込めません。save()で保存したままのファイルを指定してください。",
+    ),
+    "not_ours": (
+        "A {value} cannot be saved; what is saved must be made of stayput's own classes.",
+        "{value}は保存できません。保存できるのはstayputのクラスだけです。",
+    ),
+}

@@ -1,0 +1,188 @@
+"""What notebooks show of a value: a picture, a sentence, and its key numbers, as HTML."""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+import math
+from typing import TYPE_CHECKING
+
+from stayput.catalogue import say
+from stayput.model.room import Room
+from stayput.montecarlo.counting import EVENTS
+from stayput.report.building import draw_modes
+from stayput.report.charts.chances import draw_ranking
+from stayput.report.figures import new_figure
+from stayput.report.fonts import with_fallback
+from stayput.report.fragility import draw_curve
+from stayput.report.names import motion_label
+from stayput.report.plot import plot_motion, plot_run
+from stayput.report.section import draw_body_in_room
+from stayput.report.space.plot import plot_space_run
+from stayput.report.space.said import became, names_of
+from stayput.report.space.summary import space_rows
+from stayput.report.spectrum import draw_spectrum
+from stayput.report.suite import draw_suite, suite_title
+from stayput.report.summary import rows, sentence
+from stayput.verification.words import reason, title
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from stayput.building import Building
+    from stayput.fragility import FragilityCurve
+    from stayput.model.body import Body
+    from stayput.motion import Motion
+    from stayput.motion.response import ResponseSpectrum
+    from stayput.motion.suites import Suite
+    from stayput.simulation.run import Run
+    from stayput.simulation.space_run import SpaceRun
+    from stayput.verification import Verdict
+
+MOST_ROWS = 10
+"""Motions of a suite that are listed."""
+
+
+def run_html(run: Run) -> str:
+    """Return a run as its sentence, histories and results."""
+    return _shown(sentence(run), plot_run(run), rows(run))
+
+
+def space_run_html(run: SpaceRun) -> str:
+    """Return a run in space as its sentence, histories, ways in plan and results."""
+    names = names_of(run, None, "en")
+    table = [(label, *values) for label, *values in space_rows(run, names, "en")]
+    return _shown(say(became(run, names)), plot_space_run(run), table)
+
+
+def verdict_html(verdict: Verdict) -> str:
+    """Return a verdict as its sentence, the chances of its options, and their ranking."""
+    figure = _drawn(lambda axis: draw_ranking(axis, verdict, "en"), 8.4, 1.2 + 0.42 * len(verdict.options))
+    heads = [say("notebook.rank"), say("notebook.measures")]
+    events = [event for event in EVENTS if event in verdict.best.probabilities]
+    heads += [say(f"notebook.{event}") for event in events] + [say("notebook.reason")]
+    table = [
+        (
+            str(option.rank),
+            title(option.option, verdict, "en"),
+            *(option.probabilities[event].text for event in events),
+            reason(option, verdict, "en"),
+        )
+        for option in verdict.options
+    ]
+    return _shown(verdict.sentence(), figure, table, heads)
+
+
+def curve_html(curve: FragilityCurve) -> str:
+    """Return a fragility curve as its sentence and picture, and the intensities at which shares fall."""
+    table = [
+        (say("notebook.capacity", percent=100.0 * share), curve.capacity(share).text)
+        for share in (0.1, 0.5, 0.9)
+    ]
+    if curve.lognormal is not None:
+        table.append((say("notebook.lognormal"), curve.lognormal.text))
+    return _shown(curve.text, _drawn(lambda axis: draw_curve(axis, curve, "en"), 7.0, 4.4), table)
+
+
+def motion_html(motion: Motion) -> str:
+    """Return a motion as its histories and the measures of its components."""
+    peaks = motion.peaks()
+    heads = ["", *peaks]
+    intensity = motion.intensity
+    table: list[Sequence[str]] = [
+        (say("notebook.pga"), *(f"{one.pga:.3g}" for one in peaks.values())),
+        (say("notebook.pgv"), *(f"{100.0 * one.pgv:.3g}" for one in peaks.values())),
+        (say("notebook.duration"), f"{motion.duration:.4g}"),
+        (say("notebook.step"), f"{motion.dt:g}"),
+        (say("notebook.intensity"), f"{intensity:.2f}" if math.isfinite(intensity) else ""),
+    ]
+    return _shown(motion_label(motion), plot_motion(motion), table, heads)
+
+
+def spectrum_html(spectrum: ResponseSpectrum) -> str:
+    """Return a response spectrum as the picture of its Sa."""
+    figure = _drawn(lambda axis: draw_spectrum(axis, spectrum, "sa", "en"), 6.4, 4.2)
+    return _shown(repr(spectrum), figure, ())
+
+
+def suite_html(suite: Suite) -> str:
+    """Return a suite as its spectra and a list of its first motions."""
+    figure = _drawn(lambda axis: draw_suite(axis, suite, "spectra", None, "x", "en"), 6.8, 4.6)
+    keys = ("name", "pga", "pgv", "intensity", "duration")
+    table = [
+        (
+            motion.name,
+            f"{motion.pga:.3g}",
+            f"{100.0 * motion.pgv:.3g}",
+            f"{motion.intensity:.2f}",
+            f"{motion.duration:.4g}",
+        )
+        for motion in suite[:MOST_ROWS]
+    ]
+    if len(suite) > MOST_ROWS:
+        table.append((say("notebook.more", count=len(suite) - MOST_ROWS), "", "", "", ""))
+    return _shown(suite_title(suite, "en"), figure, table, [say(f"notebook.{key}") for key in keys])
+
+
+def building_html(building: Building) -> str:
+    """Return a building as its mode shapes and what is known or assumed of it."""
+    model = building.model
+    figure = _drawn(lambda axis: draw_modes(axis, model, 3, "en"), 5.2, 4.6)
+    periods = ", ".join(f"{period:.3g}" for period in model.periods[:3])
+    table = [
+        (say("notebook.structure"), building.structure),
+        (say("notebook.storeys"), str(building.storeys)),
+        (say("notebook.height"), f"{building.height:.3g}"),
+        (say("notebook.periods"), periods),
+    ]
+    return _shown(building.name, figure, table)
+
+
+def body_html(body: Body) -> str:
+    """Return a body as a drawing and the quantities of the rocking literature about its base corners."""
+    figure = _drawn(lambda axis: draw_body_in_room(axis, body, Room(), "en"), 5.6, 4.6)
+    table: list[Sequence[str]] = [
+        (say("notebook.size"), *(f"{value:.4g}" for value in body.size)),
+        (say("notebook.slenderness"), *(f"{value:.4g}" for value in body.slenderness)),
+        (say("notebook.frequency"), *(f"{value:.4g}" for value in body.frequency_parameter())),
+        (say("notebook.overturning"), *(f"{value:.4g}" for value in body.overturning_acceleration())),
+    ]
+    return _shown(repr(body), figure, table, ["", "A", "B"])
+
+
+def room_html(room: Room) -> str:
+    """Return a room as a drawing with a piece of usual size in it."""
+    figure = _drawn(lambda axis: draw_body_in_room(axis, None, room, "en"), 5.6, 4.6)
+    table = [
+        (say("notebook.friction"), f"{room.floor.static_friction:g}, {room.floor.kinetic_friction:g}"),
+    ]
+    return _shown(repr(room), figure, table)
+
+
+def _drawn(draw: Callable[[Axes], None], width: float, height: float) -> Figure:
+    figure = new_figure(width, height)
+    draw(figure.subplots())
+    with_fallback(figure)
+    return figure
+
+
+def _shown(said: str, figure: Figure, table: Iterable[Sequence[str]], heads: Sequence[str] = ()) -> str:
+    """Return a sentence, a picture and a table as HTML that needs nothing else."""
+    written = io.BytesIO()
+    figure.savefig(written, format="png")
+    image = base64.b64encode(written.getvalue()).decode("ascii")
+    cells = "".join(f"<th>{html.escape(one)}</th>" for one in heads)
+    head = f"<thead><tr>{cells}</tr></thead>" if heads else ""
+    lines = [
+        f"<tr><th>{html.escape(first)}</th>{''.join(f'<td>{html.escape(one)}</td>' for one in rest)}</tr>"
+        for first, *rest in table
+    ]
+    return (
+        f'<div><p>{html.escape(said)}</p><img style="max-width: 100%; height: auto; background: white" '
+        f'alt="{html.escape(said)}" src="data:image/png;base64,{image}">'
+        f"<table>{head}<tbody>{''.join(lines)}</tbody></table></div>"
+    )

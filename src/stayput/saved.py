@@ -1,0 +1,287 @@
+"""Values of the package in files, and back to the same bits: JSON, or NetCDF where there are histories.
+
+A file holds the values' own fields under the names of their classes, and the version that wrote it. Nothing
+in it is run: only classes of the package are made anew, through the checks of their own.
+"""
+
+from __future__ import annotations
+
+import base64
+import dataclasses
+import json
+import math
+from collections.abc import Callable, Mapping
+from enum import Enum
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast, runtime_checkable
+
+import numpy as np
+
+import stayput
+from stayput.errors import InputError, instance_of
+from stayput.files import check_target, draft
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+T = TypeVar("T")
+
+Keep = Callable[["NDArray[Any]"], Any]
+"""What stands for an array in the data: the numbers themselves, or the name of a variable beside it."""
+
+JSON, NETCDF = (".json",), (".nc",)
+"""Endings of the files."""
+
+_PARTS = "stayput_parts"
+"""The attribute of a dataset that holds everything but the arrays."""
+
+
+@runtime_checkable
+class Kept(Protocol):
+    """A value that is no dataclass and says itself what is to be kept of it."""
+
+    def kept(self) -> dict[str, Any]:
+        """Return the parts that `of_kept` makes it of again."""
+        ...
+
+    @classmethod
+    def of_kept(cls, parts: Mapping[str, Any]) -> Any:
+        """Make it again."""
+        ...
+
+
+def save_json(value: object, path: str | Path) -> Path:
+    """Write a value as JSON, with its arrays.
+
+    Raises
+    ------
+    InputError
+        A path that cannot be written, or something in it that is not of the package: a measure of one's own.
+    """
+    target = check_target(path, JSON)
+    content = {"stayput": stayput.__version__, "value": _encoded(value, _numbers)}
+    text = json.dumps(content, ensure_ascii=False, allow_nan=False)
+    with draft(target) as unfinished:
+        unfinished.write_text(text, encoding="utf-8")
+    return target
+
+
+def load_json(kind: type[T], path: str | Path) -> T:
+    """Read a value that `save_json` wrote.
+
+    Raises
+    ------
+    InputError
+        No such file, or none of a value of this kind.
+    """
+    file = Path(instance_of("path", path, (str, Path)))
+    try:
+        content = json.loads(file.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(
+            "saved.unreadable", "path", file=str(file), reason=str(error.strerror).lower()
+        ) from None
+    except ValueError:
+        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
+    return _read(kind, file, content, _of_numbers)
+
+
+def save_netcdf(value: object, dataset: xr.Dataset, path: str | Path) -> Path:
+    """Write a value with a dataset that others can read: its arrays are variables there.
+
+    Parameters
+    ----------
+    value : object
+        The value. Its own arrays that the dataset has under their names stand there once.
+    dataset : xarray.Dataset
+        The histories and results.
+    path : str or Path
+        Where to write it: .nc.
+
+    Raises
+    ------
+    InputError
+        A path that cannot be written, or something in it that is not of the package: a measure of one's own.
+    """
+    target = check_target(path, NETCDF)
+    own = {id(getattr(value, str(name), None)): str(name) for name in dataset.variables}
+    added: dict[str, Any] = {}
+
+    def keep(array: NDArray[Any]) -> Any:
+        if id(array) not in own:
+            # NetCDF 3 knows no tables, and takes a dimension without a length for one that grows
+            if array.dtype.kind not in "fiub" or array.size == 0:
+                return _numbers(array)
+            name = own[id(array)] = f"stayput_{len(added)}"
+            added[name] = (tuple(f"{name}_{axis}" for axis in range(array.ndim)), array)
+        return {"variable": own[id(array)], "dtype": array.dtype.str}
+
+    content = {"stayput": stayput.__version__, "value": _encoded(value, keep)}
+    attributes = {"stayput_version": stayput.__version__, _PARTS: json.dumps(content, allow_nan=False)}
+    with draft(target) as unfinished:
+        dataset.assign(added).assign_attrs(attributes).to_netcdf(unfinished, engine="scipy")
+    return target
+
+
+def load_netcdf(kind: type[T], path: str | Path) -> T:
+    """Read a value that `save_netcdf` wrote.
+
+    Raises
+    ------
+    InputError
+        No such file, or none of a value of this kind.
+    """
+    import xarray as xr
+
+    file = Path(instance_of("path", path, (str, Path)))
+    try:
+        with xr.open_dataset(file, engine="scipy", decode_times=False, decode_timedelta=False) as opened:
+            dataset = opened.load()
+        content = json.loads(dataset.attrs[_PARTS])
+    except OSError as error:
+        raise InputError(
+            "saved.unreadable", "path", file=str(file), reason=str(error.strerror).lower()
+        ) from None
+    except (ValueError, TypeError, KeyError):
+        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
+
+    def array_of(data: Mapping[str, Any]) -> NDArray[Any]:
+        if "variable" not in data:
+            return _of_numbers(data)
+        values = cast("NDArray[Any]", dataset[data["variable"]].to_numpy())
+        return values.astype(data["dtype"])
+
+    return _read(kind, file, content, array_of)
+
+
+def _read(
+    kind: type[T], file: Path, content: Any, array_of: Callable[[Mapping[str, Any]], NDArray[Any]]
+) -> T:
+    try:
+        version = str(content["stayput"])
+        data = content["value"]
+    except (KeyError, TypeError):
+        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
+    try:
+        value = _decoded(data, array_of)
+    except InputError:
+        raise
+    except Exception as error:  # whatever a file that was changed by hand makes of a class
+        raise InputError("saved.other_version", "path", file=str(file), version=version) from error
+    if not isinstance(value, kind):
+        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__)
+    return value
+
+
+def _encoded(value: Any, keep: Keep) -> Any:
+    """Return a value as JSON holds it; every object says in its first key what it stands for."""
+    if isinstance(value, Enum):
+        return {"enum": _name(type(value)), "value": value.value}
+    if value is None or isinstance(value, bool | int | str):
+        return value
+    if isinstance(value, np.bool_ | np.integer):
+        return cast("np.generic", value).item()
+    if isinstance(value, float):
+        return float(value) if math.isfinite(value) else {"float": repr(float(value))}
+    if isinstance(value, np.ndarray):
+        return {"array": keep(cast("NDArray[Any]", value))}
+    if isinstance(value, InputError):
+        parts = (value.code, value.field, value.context, value.values)
+        return {"error": [_encoded(part, keep) for part in parts]}
+    if isinstance(value, tuple):
+        items = [_encoded(item, keep) for item in cast("tuple[Any, ...]", value)]
+        kind: type = type(cast("object", value))
+        return {"tuple": items} if kind is tuple else {"named": _name(kind), "items": items}
+    if isinstance(value, list):
+        return [_encoded(item, keep) for item in cast("list[Any]", value)]
+    if isinstance(value, Mapping):
+        pairs = cast("Mapping[Any, Any]", value).items()
+        return {"mapping": [[_encoded(key, keep), _encoded(item, keep)] for key, item in pairs]}
+    if isinstance(value, Path):
+        return {"path": str(value)}
+    if isinstance(value, Kept):
+        return {"kept": _name(type(value)), "parts": _encoded(value.kept(), keep)}
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        given = [field.name for field in dataclasses.fields(value) if field.init]
+        fields = {name: _encoded(getattr(value, name), keep) for name in given}
+        return {"object": _name(type(value)), "fields": fields}
+    raise InputError("saved.not_ours", value=type(value).__qualname__)
+
+
+def _decoded(data: Any, array_of: Callable[[Mapping[str, Any]], NDArray[Any]]) -> Any:
+    """Return the value that `_encoded` made this of."""
+
+    def again(part: Any) -> Any:
+        return _decoded(part, array_of)
+
+    match data:
+        case {"enum": name, "value": value}:
+            return _class(name, Enum)(value)
+        case {"float": text}:
+            return float(text)
+        case {"array": kept}:
+            return array_of(kept)
+        case {"error": [code, field, context, values]}:
+            return InputError(code, field, context=again(context), **again(values))
+        case {"tuple": items}:
+            return tuple(again(item) for item in items)
+        case {"named": name, "items": items}:
+            return _class(name, tuple)(*(again(item) for item in items))
+        case {"mapping": pairs}:
+            return {again(key): again(item) for key, item in pairs}
+        case {"path": text}:
+            return Path(text)
+        case {"kept": name, "parts": parts}:
+            return _class(name, Kept).of_kept(again(parts))
+        case {"object": name, "fields": fields}:
+            return _class(name)(**{key: again(part) for key, part in fields.items()})
+        case list():
+            return [again(item) for item in cast("list[Any]", data)]
+        case dict():
+            raise ValueError(f"an object of unknown meaning: {list(cast('dict[str, Any]', data))}")
+        case _:
+            return data
+
+
+def _name(kind: type) -> str:
+    """Return the full name of a class of the package; a user's own cannot be made again from a file."""
+    if kind.__module__.split(".")[0] != __package__:
+        raise InputError("saved.not_ours", value=kind.__qualname__)
+    return f"{kind.__module__}.{kind.__qualname__}"
+
+
+def _class(name: str, parent: type | None = None) -> Any:
+    """Return a class of the package by its full name: a dataclass, or one of a parent.
+
+    Raises
+    ------
+    ValueError
+        It is none of them.
+    """
+    module, _, own = name.rpartition(".")
+    if module.split(".")[0] != __package__:
+        raise ValueError(name)
+    kind = getattr(import_module(module), own)
+    fits = dataclasses.is_dataclass(kind) if parent is None else issubclass(kind, parent)
+    if not isinstance(kind, type) or not fits:
+        raise ValueError(name)
+    return kind
+
+
+def _numbers(array: NDArray[Any]) -> Any:
+    shape = list(array.shape)
+    if array.dtype.names is not None:  # a table of the engine, whose columns may be arrays themselves
+        kinds = [list(column) for column in array.dtype.descr]
+        return {"columns": kinds, "shape": shape, "bytes": base64.b64encode(array.tobytes()).decode("ascii")}
+    values = [_encoded(value, _numbers) for value in array.ravel().tolist()]
+    return {"dtype": array.dtype.str, "shape": shape, "values": values}
+
+
+def _of_numbers(data: Mapping[str, Any]) -> NDArray[Any]:
+    if "columns" in data:
+        kinds = np.dtype([(name, kind, *map(tuple, shape)) for name, kind, *shape in data["columns"]])
+        return np.frombuffer(base64.b64decode(data["bytes"]), kinds).reshape(data["shape"])
+    values = [_decoded(value, _of_numbers) for value in data["values"]]
+    return np.array(values, data["dtype"]).reshape(data["shape"])

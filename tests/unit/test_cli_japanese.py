@@ -1,0 +1,214 @@
+"""Every command in Japanese, by --lang and by the locale: no English words in what it says and reports."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+from typer.testing import CliRunner
+
+import stayput.progress as progress
+from stayput.cli import app
+from stayput.cli.language import of_locale
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+SCENARIO = """
+title = "事務室の書棚"
+[furniture]
+preset = "bookcase"
+[room]
+floor = "wood flooring"
+back_wall = { gap = 0.02 }
+ceiling = { height = 2.4 }
+[shaking]
+SHAKING
+suite = { count = 4 }
+[uncertainty]
+samples = 2
+[[measures]]
+type = "tension_pole"
+name = "ポール/とストッパー 😀"
+[[measures]]
+type = "l_bracket"
+name = "ポール とストッパー"
+"""
+
+INVENTORY = """id,preset,building,storey,measures,value
+書棚,bookcase,10 RC,5,l_bracket;tension_pole+wedge_stopper,1000
+悪い行,だんす,,,,
+"""
+
+ALLOWED = {
+    # names, quantities and units
+    *("stayput", "Mavroeidis", "Papageorgiou", "Worden", "FEMA", "P", "A", "B", "C", "Dask", "UTF", "RC"),
+    *("PFA", "PFV", "PGA", "PGV", "CAV", "SI", "Sa", "Sd", "Sva", "ω", "D", "Tm", "T", "MMI", "ζ"),
+    *("S", "km", "g", "x", "y", "z", "m", "cm", "s", "kg", "N", "Hz", "e", "p", "I", "L", "F", "V"),
+    # files, and what is typed
+    *(
+        "csv",
+        "png",
+        "svg",
+        "html",
+        "xml",
+        "md",
+        "ja",
+        "nrml",
+        "pelicun",
+        "report",
+        "OpenQuake",
+        "NRML",
+        "Ctrl",
+    ),
+}
+"""Latin words of a Japanese text."""
+
+_PATH = re.compile(r"\S*/\S*/\S*")
+_WORD = re.compile(r"[A-Za-zω]+")
+
+
+def english(text: str, *also: str) -> set[str]:
+    """Return the Latin words of a text, beside those allowed and paths."""
+    return set(_WORD.findall(_PATH.sub("", text))) - ALLOWED - set(also)
+
+
+@pytest.fixture
+def scenario(tmp_path: Path) -> Path:
+    return written(tmp_path, 'intensity = "6-upper"')
+
+
+def written(folder: Path, shaking: str) -> Path:
+    path = folder / "事務室 1.toml"
+    path.write_text(SCENARIO.replace("SHAKING", shaking), encoding="utf-8")
+    return path
+
+
+def japanese(*arguments: object, code: int = 0) -> str:
+    done = CliRunner().invoke(app, [*map(str, arguments), "--lang", "ja"])
+    assert done.exit_code == code, done.output
+    return done.output
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("motion", "info", "near-fault"),
+        ("motion", "spectrum", "near-fault"),
+        ("building", "--storeys", "3", "--mmi", "8"),
+        ("building", "--storeys", "3", "--linear", "--sa", "0.3,4"),
+        ("simulate",),
+        ("simulate", "--earthquake", "7,20", "--dimensions", "3", "--length", "0.8"),
+    ],
+)
+def test_what_is_printed(arguments: tuple[str, ...]) -> None:
+    assert not english(japanese(*arguments))
+
+
+def test_what_is_written_is_named(tmp_path: Path) -> None:
+    for arguments in (
+        ("motion", "plot", "near-fault", tmp_path / "波形.png"),
+        ("motion", "convert", "near-fault", tmp_path / "波形.csv"),
+        ("motion", "suite", "--count", "2", "--target", "japan", "--out", tmp_path / "波群"),
+    ):
+        assert not english(japanese(*arguments), "suite")
+
+
+@pytest.mark.parametrize("shaking", ['intensity = "6-upper"', "mmi = 8", "sa = { period = 0.3, value = 8 }"])
+def test_a_verdict_and_its_report(tmp_path: Path, shaking: str) -> None:
+    page = tmp_path / "報告.html"
+    assert not english(japanese("verify", written(tmp_path, shaking), "--report", page))
+    told = page.read_text(encoding="utf-8").replace("\N{NO-BREAK SPACE}", " ")
+    assert ("周期0.3秒の加速度応答8 m/s²" in told) == shaking.startswith("sa")
+
+
+@pytest.mark.parametrize("im", ["JMA", "MMI", "PGA", "SA(0.3)", "PFV"])
+def test_fragility_with_names_that_loss_tools_do_not_take(scenario: Path, tmp_path: Path, im: str) -> None:
+    out = tmp_path / "脆弱性 1"
+    said = japanese("fragility", scenario, "--im", im, "--out", out)
+    identifiers = {word for name in re.findall(r"measure_\w+", said) for word in _WORD.findall(name)}
+    assert not english(said, *identifiers, "curves", "observed", "fragility")
+    drawn = (out / "fragility.svg").read_text(encoding="utf-8")
+    assert "転倒確率" in re.sub(r"<!-- (.*?) -->", r"\1", drawn)
+    rows = (out / "curves.csv").read_text(encoding="utf-8")
+    assert "ポール/とストッパー 😀" in rows
+
+
+def test_an_inventory_in_both_languages(tmp_path: Path) -> None:
+    table, event = tmp_path / "家具 一覧.csv", written(tmp_path, "mmi = 8")
+    table.write_text(INVENTORY, encoding="utf-8")
+    event.write_text(event.read_text(encoding="utf-8").partition("[[measures]]")[0], encoding="utf-8")
+    event.write_text(re.sub(r'\[furniture\]\npreset = "bookcase"', "", event.read_text(encoding="utf-8")))
+    out = tmp_path / "結果 1"
+    said = japanese("assess", table, "--scenario", event, "--out", out)
+    assert not english(said, "rejects")
+    page = (out / "report.ja.html").read_text(encoding="utf-8")
+    shown = re.sub(r"<[^>]*>", " ", page.partition("<body>")[2])
+    assert not english(shown, "rejects", "summary", "preset", *re.findall(r"'([a-z ]+)'", shown), *PRESETS)
+    assert "だんす" in page
+    assert '<html lang="en">' in (out / "report.html").read_text(encoding="utf-8")
+
+
+KNOWN = ("JMA", "SA", "toml", "help", "shaking")
+"""What refusals list."""
+
+PRESETS = set(
+    _WORD.findall(
+        "bookcase empty wardrobe cupboard chest refrigerator television vending machine server rack upright "
+        "piano"
+    )
+)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("verify", "ない.toml"),
+        ("assess", "ない.csv", "--scenario", "ない.toml", "--out", "結果"),
+        ("fragility", "ない.toml", "--out", "結果", "--im", "MMX"),
+        ("fragility", "ない.toml", "--out", "結果", "--im", "SA(99)"),
+        ("simulate", "--sa", "0.3"),
+        ("building", "--mmi", "13"),
+        ("motion", "info", "ない.csv"),
+        ("study", "ない", "--out", "結果"),
+        ("app", "--port", "70000"),
+    ],
+)
+def test_refusals_are_japanese(arguments: tuple[str, ...]) -> None:
+    said = japanese(*arguments, code=2)
+    assert "。" in said or "次のいずれか" in said
+    unquoted = re.sub(r"'[^']*'", "", said)
+    assert not english(unquoted, *_WORD.findall(" ".join(arguments)), *KNOWN)
+
+
+@pytest.mark.parametrize(
+    ("variables", "language"),
+    [
+        ({"LANG": "ja_JP.UTF-8"}, "ja"),
+        ({"LANG": "en_US.UTF-8", "LC_ALL": "ja_JP.UTF-8"}, "ja"),
+        ({"LANG": "ja_JP.UTF-8", "LC_MESSAGES": "C"}, "en"),
+        ({"LANG": "C.UTF-8"}, "en"),
+    ],
+)
+def test_the_locale_says_the_language(
+    variables: dict[str, str], language: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("LANG", "LC_ALL", "LC_MESSAGES"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    assert of_locale() == language
+    said = CliRunner().invoke(app, ["verify", "none.toml"]).output
+    assert ("ファイル" in said) == (language == "ja")
+
+
+def test_bars_speak_the_language_of_the_command(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setenv("COLUMNS", "120")
+    with progress.told_in("ja"), progress.bar(3, "progress.verifying", True):
+        (drawn,) = progress._drawn
+        assert [task.description for task in drawn.tasks] == ["検証"]
+    assert "検証" in capsys.readouterr().err

@@ -1,0 +1,178 @@
+"""Plots on axes of the caller's, in Matplotlib's manner, and what notebooks show."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+import report_runs
+from matplotlib.figure import Figure
+from space_runs import falling
+
+import stayput as sp
+from stayput.fragility import JMA_INTENSITY, PGA
+from stayput.measures import LBracket
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.axes import Axes
+
+BODY = sp.Body(0.3, 1.8, 90.0, cg_offset=(0.02, -0.1))
+ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
+MOTION = sp.near_fault()
+SUITE = sp.synthetic_suite("crustal", 3)
+BUILDING = sp.Building(5, "RC")
+CURVE = sp.fragility_curve(sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]), "bookcase")
+
+
+@pytest.fixture(scope="module")
+def verdict() -> sp.Verdict:
+    return sp.verify(BODY, ROOM, shaking="6-upper", measures=[LBracket()], samples=8, progress=False)
+
+
+@pytest.fixture
+def ax() -> Axes:
+    return Figure().subplots()
+
+
+def plotted(ax: Axes, draw: Callable[..., Axes], **how: Any) -> Axes:
+    """Return axes that were drawn on, after checks that hold for every plot."""
+    assert draw(ax=ax, **how) is ax
+    assert ax.get_title() == ""
+    assert ax.get_xlabel()
+    assert ax.get_ylabel() or ax.get_yticklabels()
+    return ax
+
+
+@pytest.mark.parametrize(
+    ("draw", "what"),
+    [
+        (report_runs.rocking().plot, ("tilt", "slide", "acceleration")),
+        (falling().plot, ("tilt", "yaw", "plan", "acceleration")),
+        (MOTION.plot, ("acceleration", "velocity", "displacement")),
+        (MOTION.spectrum().plot, ("sa", "sv", "sd", "psa", "psv", "sva")),
+        (SUITE.plot, ("spectra", "scatter")),
+        (BUILDING.respond(MOTION).plot, ("acceleration", "velocity", "spectra")),
+    ],
+)
+def test_each_quantity_is_drawn_on_given_axes(draw: Callable[..., Axes], what: tuple[str, ...]):
+    labels = set[str]()
+    for one in what:
+        axes = plotted(Figure().subplots(), draw, what=one)
+        labels.add(axes.get_xlabel() + axes.get_ylabel())
+    assert len(labels) == len(what)
+    with pytest.raises(sp.InputError, match="must be one of"):
+        draw(ax=Figure().subplots(), what="energy")
+
+
+def test_a_run_is_drawn_with_its_modes_and_critical_angle(ax: Axes):
+    run = sp.simulate(BODY, ROOM, MOTION)
+    assert isinstance(run, sp.Run)
+    shown = [text.get_text() for text in plotted(ax, run.plot).get_legend().get_texts()]
+    assert f"overturned at {run.overturn_time:.2f} s" in shown
+    assert "rocks" in shown
+    assert any(text.startswith("critical angle") for text in shown)
+
+
+def test_lines_look_as_one_wants(ax: Axes):
+    MOTION.plot(ax, component="y", color="red", label="mine")
+    MOTION.spectrum().plot(ax=ax, what="psv", color="green", label="spectrum")
+    assert [line.get_color() for line in ax.lines if line.get_label() in ("mine", "spectrum")] == [
+        "red",
+        "green",
+    ]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["mine", "spectrum"]
+
+
+def test_curves_on_one_axes_differ_and_share_the_legend(ax: Axes):
+    plotted(ax, CURVE.plot)
+    CURVE.plot(ax, label="again")
+    colours = {line.get_color() for line in ax.lines if len(line.get_xdata()) > 100}
+    assert len(colours) == 2
+    texts = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert texts[0].startswith("bookcase: half fall at 4.17")
+    assert texts[1] == "again"
+    with pytest.raises(sp.InputError, match="JMA"):
+        sp.fragility_curve(sp.Trials.from_counts(JMA_INTENSITY, [5.0, 6.0], [4, 19], [40, 40]), "other").plot(
+            ax
+        )
+
+
+def test_mode_shapes_of_a_building_sum_to_one(ax: Axes):
+    plotted(ax, BUILDING.plot, modes=5)
+    shapes = [line.get_xdata() for line in ax.lines if len(line.get_xdata()) == 6]
+    assert np.sum(shapes, axis=0)[1:] == pytest.approx(np.ones(5))
+
+
+def test_a_body_is_drawn_to_scale_with_its_measures(ax: Axes):
+    case = sp.Case(BODY, ROOM, MOTION, measures=(LBracket(),))
+    bare = len(plotted(Figure().subplots(), BODY.plot).lines)
+    assert len(plotted(ax, case.plot).lines) > bare
+    assert ax.get_aspect() == 1.0
+    assert {text.get_text() for text in ax.get_legend().get_texts()} >= {"centre of gravity"}
+    plotted(Figure().subplots(), ROOM.plot)
+
+
+def test_a_verdict_is_drawn_in_both_languages(verdict: sp.Verdict):
+    for language, label in (("en", "Without measures"), ("ja", "対策なし")):
+        axes = plotted(Figure().subplots(), verdict.plot, language=language)
+        assert label in [text.get_text() for text in axes.get_yticklabels()]
+
+
+def test_without_axes_a_figure_of_pyplot_is_made():
+    from matplotlib import pyplot
+
+    mpl.use("Agg")
+    axes = MOTION.plot()
+    assert pyplot.fignum_exists(axes.figure.number)
+    pyplot.close(axes.figure)
+
+
+def test_figures_have_a_title_only_where_one_is_given():
+    made = (report_runs.rocking(), falling(), MOTION, SUITE, BUILDING.respond(MOTION))
+    assert [one.figure().get_suptitle() for one in made] == [""] * len(made)
+    assert [one.figure("Mine").get_suptitle() for one in made] == ["Mine"] * len(made)
+
+
+NOTEBOOK: tuple[tuple[Any, str], ...] = (
+    (BODY, "g tan α"),
+    (ROOM, "friction"),
+    (MOTION, "JMA intensity"),
+    (MOTION.spectrum(), "ResponseSpectrum"),
+    (SUITE, "synthetic crustal 3"),
+    (BUILDING, "natural periods"),
+    (CURVE, "50 % fall at"),
+    (report_runs.rocking(), "Peak tilt"),
+    (falling(), "Outcome"),
+)
+
+
+@pytest.mark.parametrize(("value", "said"), NOTEBOOK, ids=lambda one: type(one).__name__)
+def test_notebooks_show_a_picture_and_key_numbers(value: Any, said: str):
+    shown = value._repr_html_()
+    assert said in shown
+    assert re.search(r'src="data:image/png;base64,[\w+/=]+"', shown)
+    assert len(shown) < 400_000
+
+
+def test_notebooks_show_the_ranking_of_a_verdict(verdict: sp.Verdict):
+    shown = verdict._repr_html_()
+    assert verdict.sentence().replace("'", "&#x27;") in shown
+    assert shown.index("Screwed L-brackets") < shown.index("Without measures")
+
+
+def test_hostile_names_stay_text():
+    shown = sp.Motion(0.01, MOTION.x, name="<script>alert(1)</script>")._repr_html_()
+    assert "<script>" not in shown
+
+
+def test_animations_play_in_a_frame_of_their_own():
+    for run in (report_runs.rocking(), falling()):
+        shown = run.animate()._repr_html_()
+        assert shown.startswith("<iframe")
+        assert "&lt;script" in shown
+        assert "<script" not in shown

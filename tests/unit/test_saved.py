@@ -1,0 +1,185 @@
+"""Runs, verdicts and curves in files: the same to the bit, and a sentence for whatever else is read."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import stayput as sp
+from stayput.fragility import PGA
+from stayput.measures import Belt, LBracket
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+BODY = sp.Body(0.3, 1.8, 90.0, length=0.9)
+ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
+MOTION = sp.near_fault()
+CURVE = sp.fragility_curve(sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]), "本棚")
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether two values are equal in all their parts, to the bit."""
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, np.ndarray):
+        return one.dtype == other.dtype and one.shape == other.shape and one.tobytes() == other.tobytes()
+    if isinstance(one, sp.Scenario):
+        return one.kept().keys() == other.kept().keys() and same(
+            list(one.kept().values()), list(other.kept().values())
+        )
+    if isinstance(one, sp.InputError):
+        return same(
+            (one.code, one.field, one.context, one.values),
+            (other.code, other.field, other.context, other.values),
+        )
+    if dataclasses.is_dataclass(one):
+        names = [field.name for field in dataclasses.fields(one)]
+        return all(same(getattr(one, name), getattr(other, name)) for name in names)
+    if isinstance(one, Mapping):
+        return same(list(one), list(other)) and all(same(one[key], other[key]) for key in one)
+    if isinstance(one, tuple | list):
+        return len(one) == len(other) and all(map(same, one, other))
+    return one == other or (one != one and other != other)
+
+
+def flat(measures: tuple[sp.Measure, ...] = (), scale: float = 1.0) -> sp.Run:
+    return sp.simulate(BODY, ROOM, MOTION.scaled(scale), measures, dimensions=2)
+
+
+def verdict(**how: Any) -> sp.Verdict:
+    given: dict[str, Any] = {"shaking": "6-upper", "measures": [LBracket(), Belt()], "samples": 8}
+    return sp.verify(BODY, ROOM, progress=False, **(given | how))
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        flat,
+        lambda: flat((LBracket(), Belt())),
+        lambda: flat(scale=1e-3),  # without an event
+        lambda: sp.simulate(BODY, ROOM, MOTION, [LBracket()], dimensions=3),
+        lambda: sp.simulate(
+            sp.Assembly(
+                [
+                    sp.Standing(sp.Solid.of(BODY)),
+                    sp.Standing(sp.Solid.box(0.4, 0.4, 0.5, 20.0), at=(1.0, 0.0, 0.0)),
+                ]
+            ),
+            sp.Room(),
+            MOTION,
+        ),
+    ],
+    ids=["bare", "held", "still", "in space", "several"],
+)
+def test_a_run_comes_back_from_netcdf_to_the_bit(make: Any, tmp_path: Path):
+    run = make()
+    again = type(run).load(run.save(tmp_path / "run.nc"))
+    assert same(run, again)
+    with xr.open_dataset(tmp_path / "run.nc", engine="scipy", decode_timedelta=False) as data:
+        assert np.array_equal(data.tilt, run.tilt)
+        assert data.attrs["stayput_version"] == sp.__version__
+
+
+@pytest.mark.parametrize(
+    "how",
+    [
+        {},
+        {"shaking": sp.synthetic_suite("crustal", 2).to_intensity(6.0), "levels": []},
+        {"uncertainty": sp.Uncertainty({"friction": sp.Lognormal(1.0, 0.3)}), "levels": []},
+        {"measures": [LBracket(), sp.MEASURES["tension_pole"]()], "levels": []},
+    ],
+    ids=["file", "motions", "uncertainty", "impossible"],
+)
+def test_a_verdict_comes_back_and_goes_on(how: dict[str, Any], tmp_path: Path):
+    found = verdict(**how)
+    again = sp.Verdict.load(found.save(tmp_path / "verdict.json"))
+    assert same(found, again)
+    assert again.to_json() == found.to_json()
+    assert again.sentence("ja") == found.sentence("ja")
+    repeated = sp.verify(again.scenario, levels=[], progress=False)
+    assert [one.probabilities for one in repeated.options] == [one.probabilities for one in found.options]
+
+
+def test_a_verdict_of_a_file_names_its_records_from_anywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    (tmp_path / "here").mkdir()
+    MOTION.write(tmp_path / "here" / "record.csv")
+    monkeypatch.chdir(tmp_path / "here")
+    (tmp_path / "here" / "s.toml").write_text(
+        '[furniture]\npreset = "bookcase"\n[shaking]\nrecord = "record.csv"\n[uncertainty]\nsamples = 4\n'
+    )
+    found = sp.verify(sp.read_scenario("s.toml"), levels=[], progress=False)
+    found.save("v.json")
+    motion = found.scenario.motion()
+    monkeypatch.chdir(tmp_path)
+    assert sp.Verdict.load("here/v.json").scenario.motion() == motion
+
+
+def test_a_curve_comes_back_with_the_version_that_wrote_it(tmp_path: Path):
+    file = CURVE.save(tmp_path / "curve.json")
+    assert same(CURVE, sp.FragilityCurve.load(file))
+    assert json.loads(file.read_text(encoding="utf-8"))["stayput"] == sp.__version__
+
+
+@dataclasses.dataclass(frozen=True, slots=True)
+class Doubled(LBracket):
+    kind: ClassVar[str] = "doubled"
+
+
+def test_what_is_not_of_the_package_is_not_saved(tmp_path: Path):
+    with pytest.raises(sp.InputError, match="A Doubled cannot be saved"):
+        verdict(measures=[Doubled()], levels=[]).save(tmp_path / "v.json")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        (b"", "holds no FragilityCurve"),
+        (b"[1, 2]", "holds no FragilityCurve"),
+        (b'{"stayput": "9.0", "value": 3}', "holds no FragilityCurve"),
+        (
+            b'{"stayput": "9.0", "value": {"object": "stayput.fragility.curve.Gone", "fields": {}}}',
+            "stayput 9.0",
+        ),
+        (
+            b'{"stayput": "9.0", "value": {"object": "os.system", "fields": {"command": "true"}}}',
+            "stayput 9.0",
+        ),
+        (b'{"stayput": "9.0", "value": {"object": "stayput.cli.main", "fields": {}}}', "stayput 9.0"),
+        (b'{"stayput": "9.0", "value": {"enum": "stayput.errors.InputError", "value": 1}}', "stayput 9.0"),
+        (b'{"stayput": "9.0", "value": {"kept": "stayput.files.check_target", "parts": []}}', "stayput 9.0"),
+        (b"\xff\xfe", "holds no FragilityCurve"),
+    ],
+)
+def test_other_files_are_refused_in_a_sentence(content: bytes, told: str, tmp_path: Path):
+    file = tmp_path / "it.json"
+    file.write_bytes(content)
+    with pytest.raises(sp.InputError, match=told):
+        sp.FragilityCurve.load(file)
+
+
+def test_files_of_another_kind_or_missing_are_refused(tmp_path: Path):
+    run, curve = flat().save(tmp_path / "run.nc"), CURVE.save(tmp_path / "curve.json")
+    for kind, file, told in (
+        (sp.Verdict, curve, "holds no Verdict"),
+        (sp.SpaceRun, run, "holds no SpaceRun"),
+        (sp.Run, curve, "holds no Run"),
+        (sp.Verdict, run, "holds no Verdict"),
+        (sp.Run, tmp_path / "no.nc", "no such file"),
+        (sp.Verdict, tmp_path, "is a directory"),
+    ):
+        with pytest.raises(sp.InputError, match=told):
+            kind.load(file)
+    with pytest.raises(sp.InputError, match=r"\.nc"):
+        flat().save(tmp_path / "run.json")
+    (tmp_path / "other.nc").write_bytes(b"")
+    xr.Dataset({"a": ("x", [1.0])}).to_netcdf(tmp_path / "other.nc", engine="scipy")
+    with pytest.raises(sp.InputError, match="holds no Run"):
+        sp.Run.load(tmp_path / "other.nc")
