@@ -26,12 +26,12 @@ extensions = [
     "sphinx.ext.intersphinx",
     "sphinx.ext.viewcode",
     "sphinx_copybutton",
-    # "sphinx_gallery.gen_gallery",
+    "sphinx_gallery.gen_gallery",
     "formulas",
 ]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence"]
 myst_heading_anchors = 3
-exclude_patterns = ["_build", "generated/*.md", "studies/*.md"]
+exclude_patterns = ["_build", "generated/*.md", "studies/*.md", "gallery/used/*", "gallery/*.ipynb"]
 default_role = "py:obj"  # single backquotes in docstrings name Python objects
 
 autosummary_generate = True
@@ -65,6 +65,23 @@ intersphinx_mapping = {
     }.items()
 }
 intersphinx_timeout = 10
+
+sphinx_gallery_conf = {
+    "examples_dirs": str(HERE.parent / "examples"),
+    "gallery_dirs": "gallery",
+    "filename_pattern": r"\.py$",
+    "image_scrapers": ("gallery_figures.figures_made",),
+    "capture_repr": (),
+    "within_subsection_order": "FileNameSortKey",
+    "abort_on_example_error": True,
+    "download_all_examples": False,
+    "min_reported_time": 1e9,
+    "write_computation_times": False,
+    "show_signature": False,
+    "backreferences_dir": "gallery/used",
+    "doc_module": ("stayput",),
+    "inspect_global_variables": False,
+}
 
 copybutton_exclude = ".linenos, .gp, .go"  # neither prompts nor what a program prints
 

@@ -1,4 +1,9 @@
-"""A full bookcase with its back to a wall, in a near-fault earthquake: what happens, told and drawn."""
+"""
+A bookcase falls
+================
+
+A full bookcase with its back to a wall, in a near-fault earthquake: what happens, told and drawn.
+"""
 
 import tempfile
 from pathlib import Path
@@ -23,3 +28,7 @@ assert run.overturned
 assert run.wall_impacts >= 1
 assert run.tilt[-1] > 0.0
 assert 6.0 < run.overturn_time < 12.0
+
+# %%
+# The histories: the floor's acceleration, the tilt and the slide.
+figure = run.plot()
