@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "benchmarks"), str(HERE.parent / "tests" / "validation")]
+TESTS = HERE.parent / "tests"
+sys.path[:0] = [str(HERE), str(HERE.parent / "benchmarks"), str(TESTS / "validation"), str(TESTS / "app")]
 
 import inventories  # noqa: E402
 import pages  # noqa: E402
@@ -31,6 +32,10 @@ extensions = [
 ]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence"]
 myst_heading_anchors = 3
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300
+nb_merge_streams = True
 exclude_patterns = ["_build", "generated/*.md", "studies/*.md", "gallery/used/*", "gallery/*.ipynb"]
 default_role = "py:obj"  # single backquotes in docstrings name Python objects
 

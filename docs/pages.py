@@ -9,8 +9,10 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import app_pictures
 import building_pages
 import calibration_pages
+import index_picture
 import measure_pages
 import motion_pages
 import study_pages
@@ -165,7 +167,17 @@ def quantities() -> str:
 def write(folder: Path) -> None:
     """Write every generated part into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    for make in (formats, surfaces, furniture, scenario, assembly, room, scenario_files, tolerances, quantities):
+    for make in (
+        formats,
+        surfaces,
+        furniture,
+        scenario,
+        assembly,
+        room,
+        scenario_files,
+        tolerances,
+        quantities,
+    ):
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
     validation_run.write(folder)
     study_pages.write(folder)
@@ -174,3 +186,5 @@ def write(folder: Path) -> None:
     building_pages.write(folder)
     measure_pages.write(folder)
     calibration_pages.write(folder)
+    index_picture.write(folder)
+    app_pictures.write(folder)
