@@ -1,4 +1,4 @@
-"""Pictures of the gallery: the Matplotlib figures that an example keeps in a variable, in the order they are made."""
+"""Pictures of the gallery: the Matplotlib figures that an example keeps in variables."""
 
 from __future__ import annotations
 

@@ -9,9 +9,9 @@ from PIL import Image
 
 import stayput as sp
 
-BEFORE = (1.6, 0.62, 0.26, 0.06)
+BEFORE = (2.6, 0.62, 0.26, 0.06)
 """When the stills are taken, before the body lies [s]."""
-SHOWN = (0, 0, 470, 345)
+SHOWN = (0, 0, 390, 345)
 """The part of a still without the history of the floor [px]."""
 
 
@@ -20,12 +20,14 @@ def write(folder: Path) -> None:
     room = sp.Room(floor=sp.Floor.of("wood flooring"), left_wall=sp.Wall(gap=0.02))
     run = sp.simulate(sp.Body(width=0.30, height=1.80, mass=200.0), room, sp.near_fault())
     assert run.overturn_time is not None
-    with tempfile.TemporaryDirectory() as scratch:
-        with Image.open(run.animate(Path(scratch) / "fall.gif")) as film:
-            step = 1e-3 * film.info["duration"]
-            width, height = SHOWN[2] - SHOWN[0], SHOWN[3] - SHOWN[1]
-            strip = Image.new("RGB", (width * len(BEFORE), height))
-            for place, before in enumerate(BEFORE):
-                film.seek(round((run.overturn_time - before) / step))
-                strip.paste(film.convert("RGB").crop(SHOWN), (width * place, 0))
+    width, height = SHOWN[2] - SHOWN[0], SHOWN[3] - SHOWN[1]
+    strip = Image.new("RGB", (width * len(BEFORE), height))
+    with (
+        tempfile.TemporaryDirectory() as scratch,
+        Image.open(run.animate(Path(scratch) / "fall.gif")) as film,
+    ):
+        step = 1e-3 * film.info["duration"]
+        for place, before in enumerate(BEFORE):
+            film.seek(round((run.overturn_time - before) / step))
+            strip.paste(film.convert("RGB").crop(SHOWN), (width * place, 0))
     strip.save(folder / "index_film.png")

@@ -8,7 +8,11 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pathlib import Path
 
-HEAD = b"# Sphinx inventory version 2\n# Project: none\n# Version: none\n# The remainder of this file is compressed using zlib.\n"
+HEAD = b"""# Sphinx inventory version 2
+# Project: none
+# Version: none
+# The remainder of this file is compressed using zlib.
+"""
 
 
 def none(path: Path) -> str:

@@ -7,13 +7,13 @@ Forty synthetic motions, scaled to an intensity and to a design spectrum: how mu
 
 import numpy as np
 
-from stayput.motion.suites import japanese_design, synthetic_suite
+import stayput as sp
 
 periods = np.array([0.1, 0.2, 0.5, 1.0, 2.0, 5.0])
 
 # %%
 # A suite of all families, each motion scaled to the middle of class 6-upper.
-suite = synthetic_suite("mixed", count=40, seed=1)
+suite = sp.synthetic_suite("mixed", count=40, seed=1)
 shaken = suite.to_intensity("6-upper")
 assert np.allclose(shaken.intensities, 6.25, rtol=0.0, atol=1e-9)
 drawn = suite.intensities
@@ -25,8 +25,8 @@ assert (shaken.log_std(periods) > 0.2).all()
 
 # %%
 # Motions that meet a design spectrum.
-target = japanese_design("very rare", soil=2)
-crustal = synthetic_suite("crustal", count=8)
+target = sp.japanese_design("very rare", soil=2)
+crustal = sp.synthetic_suite("crustal", count=8)
 for name, fitted in {
     "one factor each": crustal.to_spectrum(target),
     "spectra matched": crustal.matched(target),

@@ -8,14 +8,13 @@ A test of devices: what holds a chest and a cupboard?
 # %%
 # Seven devices alone and four pairs, every way that a piece may face, under the built-in motion.
 from stayput import studies
-from stayput.studies.tokyo_runs import shares
 
 found = studies.tokyo(samples=4, variations=False)
 print(found.tables["The published result beside ours"].to_string(index=False))
 
 # %%
 # Which devices let the cupboard overturn at full strength, over all facings?
-overturned = shares(found.data)["overturned"].sel(body="cupboard", level=1.0).mean("facing")
+overturned = found.data["overturned"].sel(body="cupboard", level=1.0).mean(("facing", "sample"))
 for device, share in zip(overturned["device"].values, overturned.values, strict=True):
     print(f"{device}: {100 * share:.0f} %")
 

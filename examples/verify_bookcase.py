@@ -11,8 +11,6 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 import stayput as sp
-from stayput.report.verdict.html import write_report
-from stayput.verification import verify
 
 scenario = sp.Scenario.parse(
     {
@@ -24,7 +22,7 @@ scenario = sp.Scenario.parse(
         "measures": [{"type": "felt_glides"}, {"type": "l_bracket"}],
     }
 )
-verdict = verify(scenario)
+verdict = sp.verify(scenario)
 
 for one in verdict.options:
     overturns = one.probabilities["overturned"]
@@ -41,7 +39,7 @@ assert verdict.best.change is not None
 assert verdict.best.change.clear
 
 with tempfile.TemporaryDirectory() as folder:
-    report = write_report(verdict, Path(folder) / "bookcase.html", "ja")
+    report = verdict.report(Path(folder) / "bookcase.html", "ja")
     print(f"The report has {report.stat().st_size / 1000:.0f} kB.")
     assert "L型金具" in report.read_text(encoding="utf-8")
 

@@ -92,6 +92,16 @@ class Run:
         The measures in place; `body` and `room` are what they made of those that were given.
     devices : tuple of DeviceResult
         What became of each device.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> body = sp.Body(width=0.4, height=1.8, mass=80.0)
+    >>> run = sp.simulate(body, sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
+    >>> print(run.outcome, round(run.peak_slide, 3))
+    rocked 0.0
+    >>> run.time.shape == run.tilt.shape
+    True
     """
 
     body: Body
@@ -345,7 +355,7 @@ def simulate(
     >>> from stayput import Body, Room, simulate, sine
     >>> run = simulate(Body(0.4, 1.8, 100.0, length=0.9), Room(), sine(3.0, 1.0, 5.0), dimensions=3)
     >>> run.outcome
-    <Outcome.ROCKED: 'rocked'>
+    <Outcome.OVERTURNED: 'overturned'>
     """
     from stayput.mechanics.runner import shaking
 
