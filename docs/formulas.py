@@ -1,8 +1,8 @@
 """Formulas as pictures: TeX becomes SVG as the pages are built, and MathML beside it for screen readers.
 
 Browsers show an SVG alike, without scripts, fonts or styles from elsewhere. It takes the colour and the size
-of the text around it. What `\\qquad` separates in a displayed formula goes onto lines of its own where the page
-is narrow.
+of the text around it. What `\\qquad` separates in a displayed formula goes onto lines of its own where the
+page is narrow.
 """
 
 from __future__ import annotations
