@@ -45,7 +45,7 @@ def _mathml(tex: str, inline: bool) -> ET.Element:
     named = NAME.sub(r"\\mathrm {\1}", tex)
     text = tex2mml(named, inline=inline).replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "")
     math = ET.fromstring(text)
-    unknown = re.search(r"\\[a-zA-Z]+", "".join(math.itertext()))
+    unknown = re.search(r"\\[a-zA-Z]+", " ".join(math.itertext()))
     if unknown:
         raise ExtensionError(f"The formula {tex!r} has {unknown[0]}, which its renderer does not know.")
     _signs_of_numbers(math)
