@@ -22,7 +22,7 @@ choices = [
     (LBracket(),),
     (WedgeStopper(), TensionPole(count=2)),
 ]
-runs = {}
+runs: dict[str, sp.Run] = {}
 for measures in choices:
     run = sp.simulate(body, room, motion, measures)
     name = " + ".join(measure.label[0] for measure in measures) or "Nothing"

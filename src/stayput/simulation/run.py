@@ -92,16 +92,6 @@ class Run:
         The measures in place; `body` and `room` are what they made of those that were given.
     devices : tuple of DeviceResult
         What became of each device.
-
-    Examples
-    --------
-    >>> import stayput as sp
-    >>> body = sp.Body(width=0.4, height=1.8, mass=80.0)
-    >>> run = sp.simulate(body, sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
-    >>> print(run.outcome, round(run.peak_slide, 3))
-    rocked 0.0
-    >>> run.time.shape == run.tilt.shape
-    True
     """
 
     body: Body
