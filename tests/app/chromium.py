@@ -1,7 +1,8 @@
 """Chromium for the tests of the page: finds one, and gets one where there is none.
 
-``make test`` runs this file. What it tries in turn: Playwright's own download; as root, the system's package
-manager. Where that fails the tests of the page are skipped, except where CI is set.
+``make test`` runs this file; the documentation's pictures of the app are taken in what it finds. What it
+tries in turn: Playwright's own download; as root, the system's package manager. Where that fails the tests of
+the page are skipped, except where CI is set.
 """
 
 from __future__ import annotations

@@ -28,6 +28,13 @@ class Isolation:
     ------
     InputError
         A value out of range, or a damping that no bilinear law of that ratio has.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> building = sp.Building(5, "base-isolated", isolation=sp.Isolation(period=3.0))
+    >>> building.floor_motion(sp.near_fault(), 5).pga < sp.near_fault().pga
+    True
     """
 
     period: float = parameter(4.0, "s", 0.5, 20.0, ("Isolation period", "免震層の周期"))

@@ -73,6 +73,13 @@ class ShearModel:
     ------
     InputError
         A value out of range, or lists of different lengths.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> frame = sp.ShearModel(masses=[2e5, 2e5], stiffnesses=[2e8, 1.5e8], damping=0.03)
+    >>> frame.floor_motion(sp.near_fault(), 2).pga > sp.near_fault().pga
+    True
     """
 
     masses: Sequence[float] = field(

@@ -59,6 +59,15 @@ class Spill:
         Horizontal velocity in the room's frame, that of its floor, + to the front [m/s].
     distance : ndarray
         How far from the edge of the shelf it lands, by free fall from there, + to the front [m].
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> bookcase = sp.Body(width=0.30, height=1.80, mass=200.0)
+    >>> run = sp.simulate(bookcase, sp.Room(), sp.near_fault().scaled(0.4))
+    >>> spilt = sp.spill(run, sp.Contents("books"))
+    >>> 0.0 <= spilt.share_out <= 1.0
+    True
     """
 
     contents: Contents

@@ -65,6 +65,15 @@ class FragilityCurve:
         The rising shares nearest to them, and their band.
     lognormal : LognormalFit, optional
         The lognormal curve for loss tools, and whether it fits; none where there is no curve.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.fragility import PGA
+    >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
+    >>> curve = sp.fragility_curve(trials, "bookcase")
+    >>> curve.name, curve.levels[1].probability.text
+    ('bookcase', '48 % (33 to 63 %)')
     """
 
     name: str

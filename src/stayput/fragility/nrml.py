@@ -130,6 +130,13 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
     InputError
         A curve that is not fitted, is of one motion or is over a floor's motion, names that are alike, or a
         path that cannot be written.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.fragility import PGA
+    >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
+    >>> sp.write_nrml([sp.fragility_curve(trials, "bookcase")], "fragility.xml")
     """
     text = nrml_xml(curves, description)
     with draft(check_target(path, (".xml",))) as unfinished:

@@ -103,6 +103,13 @@ def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
     InputError
         A curve that is not fitted, is of one motion or that no lognormal fits, names that are alike, or a
         path that cannot be written.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.fragility import PGA
+    >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
+    >>> sp.write_pelicun([sp.fragility_curve(trials, "bookcase")], "fragility.csv")
     """
     text = pelicun_csv(curves)
     with draft(check_target(path, (".csv",))) as unfinished:

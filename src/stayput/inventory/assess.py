@@ -168,6 +168,11 @@ def assess(
     InputError
         An inventory, scenario or map that cannot be read; a folder that holds something else; a disk that is
         full; a cluster that is gone.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> done = sp.assess("examples/city/inventory.csv", "examples/city/city.toml", "out", progress=False)
     """
     began = time.perf_counter()
     limit, memory_bytes = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)

@@ -94,6 +94,15 @@ class Element:
         part of it, two at the quarter points.
     across : float
         Where it is along the length, from the middle [m].
+
+    Examples
+    --------
+    >>> from stayput.measures import Belt, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [Belt()])
+    >>> element = held.elements[0]
+    >>> element.kind, element.point
+    ('belt', (-0.1, 1.8))
     """
 
     kind: str

@@ -87,7 +87,16 @@ class OtherFriction(Measure):
 
 @dataclass(frozen=True, slots=True)
 class AntiSlipSheet(OtherFriction):
-    """Anti-slip sheet or rubber stoppers under the whole base."""
+    """Anti-slip sheet or rubber stoppers under the whole base.
+
+    Examples
+    --------
+    >>> from stayput.measures import AntiSlipSheet, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [AntiSlipSheet()])
+    >>> held.room.floor.static_friction
+    0.8
+    """
 
     kind: ClassVar[str] = "anti_slip_sheet"
     label: ClassVar[tuple[str, str]] = ("Anti-slip sheet", "滑り止めシート")
@@ -118,7 +127,16 @@ class Glides(OtherFriction):
 
 @dataclass(frozen=True, slots=True)
 class FeltGlides(Glides):
-    """Felt glides under the base."""
+    """Felt glides under the base.
+
+    Examples
+    --------
+    >>> from stayput.measures import FeltGlides, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [FeltGlides()])
+    >>> held.room.floor.static_friction
+    0.2
+    """
 
     kind: ClassVar[str] = "felt_glides"
     label: ClassVar[tuple[str, str]] = ("Felt glides", "フェルトパッド")
@@ -136,7 +154,16 @@ class FeltGlides(Glides):
 
 @dataclass(frozen=True, slots=True)
 class SlidingGlides(Glides):
-    """Glides of PTFE under the base."""
+    """Glides of PTFE under the base.
+
+    Examples
+    --------
+    >>> from stayput.measures import SlidingGlides, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [SlidingGlides()])
+    >>> held.room.floor.static_friction
+    0.12
+    """
 
     kind: ClassVar[str] = "sliding_glides"
     label: ClassVar[tuple[str, str]] = ("Sliding glides (PTFE)", "すべりパッド（フッ素樹脂）")
@@ -157,7 +184,16 @@ class SlidingGlides(Glides):
 
 @dataclass(frozen=True, slots=True)
 class FreeCasters(OtherFriction):
-    """Casters that roll."""
+    """Casters that roll.
+
+    Examples
+    --------
+    >>> from stayput.measures import FreeCasters, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [FreeCasters()])
+    >>> held.room.floor.static_friction
+    0.03
+    """
 
     kind: ClassVar[str] = "free_casters"
     label: ClassVar[tuple[str, str]] = ("Casters, free", "キャスター（ロックなし）")
@@ -175,7 +211,16 @@ class FreeCasters(OtherFriction):
 
 @dataclass(frozen=True, slots=True)
 class LockedCasters(OtherFriction):
-    """Casters whose brakes are on."""
+    """Casters whose brakes are on.
+
+    Examples
+    --------
+    >>> from stayput.measures import LockedCasters, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LockedCasters()])
+    >>> held.room.floor.static_friction
+    0.4
+    """
 
     kind: ClassVar[str] = "locked_casters"
     label: ClassVar[tuple[str, str]] = ("Casters, locked", "キャスター（ロックあり）")

@@ -20,7 +20,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class BaseIsolator(Measure):
-    """A tray with little friction, and stops at the ends of its stroke to both sides."""
+    """A tray with little friction, and stops at the ends of its stroke to both sides.
+
+    Examples
+    --------
+    >>> from stayput.measures import BaseIsolator, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [BaseIsolator()])
+    >>> held.room.floor.static_friction, len(held.elements)
+    (0.05, 1)
+    """
 
     kind: ClassVar[str] = "base_isolator"
     label: ClassVar[tuple[str, str]] = ("Furniture base isolator", "家具用免震装置")

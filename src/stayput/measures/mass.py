@@ -44,7 +44,16 @@ def with_mass(body: Body, mass: float, height: float, size: tuple[float, float])
 
 @dataclass(frozen=True, slots=True)
 class Ballast(Measure):
-    """Extra mass near the base."""
+    """Extra mass near the base.
+
+    Examples
+    --------
+    >>> from stayput.measures import Ballast, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [Ballast()])
+    >>> held.body.mass
+    100.0
+    """
 
     kind: ClassVar[str] = "ballast"
     label: ClassVar[tuple[str, str]] = ("Ballast at the bottom", "底部のおもり")
@@ -71,7 +80,16 @@ class Ballast(Measure):
 
 @dataclass(frozen=True, slots=True)
 class LowerShelves(Measure):
-    """Heavy things moved from the upper half to the lower half."""
+    """Heavy things moved from the upper half to the lower half.
+
+    Examples
+    --------
+    >>> from stayput.measures import LowerShelves, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LowerShelves()])
+    >>> held.body.centre_of_gravity
+    (0.0, 0.72)
+    """
 
     kind: ClassVar[str] = "lower_shelves"
     label: ClassVar[tuple[str, str]] = ("Heavy things on the lower shelves", "重い物を下段に収納")

@@ -38,6 +38,14 @@ class Held:
         The force elements between the two.
     measures : tuple of Measure
         The measures.
+
+    Examples
+    --------
+    >>> from stayput.measures import LBracket, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
+    >>> len(held.measures), len(held.elements)
+    (1, 1)
     """
 
     body: Body
@@ -65,6 +73,13 @@ class BadlyInstalled:
         What is wrong, as a clause.
     share : float
         Share of installations that are so; an assumption for any one device.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import Belt
+    >>> Belt().badly_installed(sp.Room(left_wall=sp.Wall(0.02))).share
+    0.23
     """
 
     measure: Measure
@@ -82,6 +97,13 @@ class Measure(ABC):
     ------
     InputError
         A parameter out of its range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import Belt
+    >>> isinstance(Belt(), sp.Measure), Belt().label
+    (True, ('Belts', 'ベルト式'))
     """
 
     kind: ClassVar[str]
@@ -163,6 +185,14 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
     ------
     InputError
         Two measures for one place, one that cannot be put there, or in space a body without a length.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import LBracket
+    >>> held = sp.hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
+    >>> [element.kind for element in held.elements]
+    ['l_bracket']
     """
     instance_of("body", body, Body)
     instance_of("room", room, Room)
@@ -181,7 +211,17 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
 
 
 def element_rows(held: Held, strength: float | Sequence[float] = 1.0) -> NDArray[np.void]:
-    """Return the elements as the mechanics read them, shape [n]; see `stayput.measures.element.rows_of`."""
+    """Return the elements as the mechanics read them, shape [n]; see `stayput.measures.element.rows_of`.
+
+    Examples
+    --------
+    >>> from stayput.measures import LBracket, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
+    >>> from stayput.measures import element_rows
+    >>> len(element_rows(held)) == len(held.elements)
+    True
+    """
     return rows_of(held.body, held.elements, strength)
 
 

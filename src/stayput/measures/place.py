@@ -37,7 +37,16 @@ class OtherGap(Measure):
 
 @dataclass(frozen=True, slots=True)
 class AgainstWall(OtherGap):
-    """Moved against the wall."""
+    """Moved against the wall.
+
+    Examples
+    --------
+    >>> from stayput.measures import AgainstWall, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [AgainstWall()])
+    >>> held.room.left_wall.gap
+    0.0
+    """
 
     kind: ClassVar[str] = "against_wall"
     label: ClassVar[tuple[str, str]] = ("Moved against the wall", "壁に寄せる")
@@ -54,7 +63,16 @@ class AgainstWall(OtherGap):
 
 @dataclass(frozen=True, slots=True)
 class AwayFromWall(OtherGap):
-    """Moved away from the wall."""
+    """Moved away from the wall.
+
+    Examples
+    --------
+    >>> from stayput.measures import AwayFromWall, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [AwayFromWall()])
+    >>> held.room.left_wall.gap
+    0.3
+    """
 
     kind: ClassVar[str] = "away_from_wall"
     label: ClassVar[tuple[str, str]] = ("Moved away from the wall", "壁から離す")

@@ -72,6 +72,16 @@ class DeviceResult:
         The number of the piece that it holds, in an assembly; None of a joint.
     between : tuple of int or None
         The numbers of the bodies that a joint joins.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import Belt
+    >>> room = sp.Room(left_wall=sp.Wall(0.02))
+    >>> run = sp.simulate(sp.Body(0.3, 1.8, 90.0), room, sp.near_fault(), [Belt()])
+    >>> device = run.devices[0]
+    >>> device.label[0], device.failed, device.peak_pull > 0.0
+    ('Belts', False, True)
     """
 
     kind: str

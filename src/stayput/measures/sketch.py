@@ -44,6 +44,15 @@ class Shape:
         The place of the element that it shows, in the list of elements.
     when : str
         "always", or while the element is "whole" or "broken".
+
+    Examples
+    --------
+    >>> from stayput.measures import LBracket, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
+    >>> from stayput.measures import sketch
+    >>> sketch(held)[0].kind
+    'line'
     """
 
     kind: Literal["line", "polygon"]
@@ -195,7 +204,17 @@ def _of_measure(measure: Measure, body: Body) -> list[Shape]:
 
 
 def sketch(held: Held) -> list[Shape]:
-    """Return the shapes of all measures of a body, some of which only show when a device is broken."""
+    """Return the shapes of all measures of a body, some of which only show when a device is broken.
+
+    Examples
+    --------
+    >>> from stayput.measures import LBracket, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
+    >>> from stayput.measures import sketch
+    >>> len(sketch(held)) > 0
+    True
+    """
     drawn = [shape for measure in held.measures for shape in _of_measure(measure, held.body)]
     for n, element in enumerate(held.elements):
         drawn += _OF_ELEMENT.get(element.kind, _tie)(n, element, held.body, held.room)
@@ -221,6 +240,15 @@ def shapes(held: Held, x: float, z: float, tilt: float, broken: Iterable[int] = 
     list of dict
         ``kind``: "line" or "polygon"; ``points``: pairs (x, z) [m]; ``role``: what it is made of; ``broken``:
         whether it is what is left of a device that failed.
+
+    Examples
+    --------
+    >>> from stayput.measures import LBracket, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
+    >>> from stayput.measures import shapes
+    >>> sorted(shapes(held, x=0.0, z=0.9, tilt=0.0)[0])
+    ['broken', 'kind', 'points', 'role']
     """
     gone = set(broken)
     x_g, z_g = held.body.centre_of_gravity

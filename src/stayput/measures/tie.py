@@ -112,7 +112,16 @@ class Belt(Tie):
 
 @dataclass(frozen=True, slots=True)
 class Chain(Tie):
-    """Chains from the top of the piece to the wall."""
+    """Chains from the top of the piece to the wall.
+
+    Examples
+    --------
+    >>> from stayput.measures import Chain, hold
+    >>> import stayput as sp
+    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [Chain()])
+    >>> [element.kind for element in held.elements]
+    ['chain']
+    """
 
     kind: ClassVar[str] = "chain"
     label: ClassVar[tuple[str, str]] = ("Chains", "チェーン式")

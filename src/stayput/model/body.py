@@ -44,6 +44,14 @@ class Part:
         Height of its centre above the body's base [m].
     width, height : float
         Size in the plane of shaking [m]; 0 for a thin board or a point mass.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> shelves = [sp.Part(mass=20.0, x=0.0, z=height) for height in (0.3, 0.8, 1.3)]
+    >>> body = sp.Body.from_parts(0.3, 1.8, shelves)
+    >>> body.mass
+    60.0
     """
 
     mass: float = field(metadata=quantity("kg", 0.0, MASS_RANGE[1], ("Part mass", "部分の質量")))

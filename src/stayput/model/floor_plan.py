@@ -97,6 +97,12 @@ class Door:
     ------
     InputError
         A number out of range, or a word that is not known.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> sp.Door("right_wall", start=0.2, width=0.8).way_out
+    True
     """
 
     wall: str
@@ -132,6 +138,12 @@ class Window:
     ------
     InputError
         A number out of range, or a wall that is not known.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> sp.Window("far_side_wall", start=0.5, width=1.6).sill
+    0.8
     """
 
     wall: str
@@ -174,6 +186,13 @@ class PersonPlace:
     ------
     InputError
         A number out of range, or heights in the wrong order.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> bed = sp.PersonPlace.of("bed", at=(0.6, 1.2))
+    >>> bed.low, bed.high
+    (0.45, 0.75)
     """
 
     name: str

@@ -54,6 +54,13 @@ class Parameter:
         How many there are and where is the user's choice; stiffness and damping change little beside these.
     counts : bool
         Whether it counts something although its default, which is taken from elsewhere, is no whole number.
+
+    Examples
+    --------
+    >>> from stayput.measures import AwayFromWall, parameters
+    >>> gap = parameters(AwayFromWall)[0]
+    >>> gap.name, gap.unit, gap.low
+    ('gap', 'm', 0.0)
     """
 
     name: str
@@ -157,7 +164,14 @@ def arguments(**about: Mapping[str, Any]) -> Callable[[F], F]:
 
 
 def parameters(of: Any) -> tuple[Parameter, ...]:
-    """Return what is known of the numbers and words of a dataclass or of a function, in their order."""
+    """Return what is known of the numbers and words of a dataclass or of a function, in their order.
+
+    Examples
+    --------
+    >>> from stayput.measures import Belt, parameters
+    >>> [parameter.name for parameter in parameters(Belt)][:3]
+    ['count', 'strength', 'stiffness']
+    """
     if inspect.isfunction(of):
         return of.__dict__["parameters"]
     return _of_fields(of if isinstance(of, type) else type(of))

@@ -87,6 +87,14 @@ class Motion:
     InputError
         A time step or a sample that is not finite or not sane, fewer than two samples, or components
         of different lengths.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> import numpy as np
+    >>> motion = sp.Motion(dt=0.01, x=np.array([0.0, 1.0, -2.0, 0.0]), name="three steps")
+    >>> motion.pga, motion.duration
+    (2.0, 0.03)
     """
 
     dt: float

@@ -48,6 +48,13 @@ class ResponseSpectrum:
         Absolute acceleration [m/s²].
     sva : ndarray, shape (m,)
         Absolute velocity [m/s].
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> spectrum = sp.response_spectrum(sp.near_fault(), periods=[0.1, 0.5, 1.0])
+    >>> spectrum.sa.round(1).tolist()
+    [10.1, 17.1, 12.3]
     """
 
     periods: NDArray[np.float64]

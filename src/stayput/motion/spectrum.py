@@ -43,6 +43,12 @@ def response_spectrum(
     ------
     InputError
         Periods or a damping out of range; a component that the motion has not.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> sp.response_spectrum(sp.near_fault(), periods=[1.0]).sa.round(2).tolist()
+    [12.34]
     """
     return Motion.given(motion).spectrum(periods, damping, component)
 

@@ -159,6 +159,13 @@ def pulse(
     ------
     InputError
         An unknown kind, a value out of range, or a length where a frequency belongs or the reverse.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> shake = sp.pulse("ricker", amplitude=5.0, frequency=1.0)
+    >>> round(shake.pga, 2)
+    5.0
     """
     if kind not in PULSE_KINDS:
         raise InputError("motion.pulse_kind", "kind", kind=kind, known=", ".join(PULSE_KINDS))

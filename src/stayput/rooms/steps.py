@@ -216,6 +216,19 @@ class ActionPlan:
     drilled : mapping
         Where nothing may be drilled: the best measures that are, on each piece for which all others are too
         weak or do not help.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> import tomllib
+    >>> from pathlib import Path
+    >>> tables = tomllib.loads(Path("examples/bedroom.toml").read_text())
+    >>> tables["furniture"] = tables["furniture"][:1]
+    >>> tables["shaking"]["suite"]["count"] = 2
+    >>> tables["uncertainty"] = {"samples": 2}
+    >>> verdict = sp.verify_room(sp.RoomScenario.parse(tables), changes=False, progress=False)
+    >>> len(sp.action_plan(verdict, progress=False).steps) > 0
+    True
     """
 
     verdict: RoomVerdict

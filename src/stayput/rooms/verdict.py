@@ -273,6 +273,14 @@ class RoomVerdict:
         Seed of the draws.
     seconds : float
         What it took.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> room = sp.read_room("examples/bedroom.toml")
+    >>> verdict = sp.verify_room(room, changes=False, progress=False)
+    >>> [piece.name for piece in verdict.pieces]
+    ['bookcase', 'chest', 'wardrobe']
     """
 
     scenario: RoomScenario

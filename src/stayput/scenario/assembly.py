@@ -52,6 +52,13 @@ class AssemblyScenario(FromFile):
     """Several pieces on, beside or joined to one another, and how they are shaken: in space.
 
     Make one with `read_assembly` or `AssemblyScenario.parse`.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> scenario = sp.read_assembly("examples/television.toml")
+    >>> isinstance(scenario, sp.AssemblyScenario), scenario.title
+    (True, 'Television on a stand')
     """
 
     title: Text | None = Field(default=None, description="What the scenario is about.")
@@ -331,6 +338,13 @@ def read_assembly(path: str | PathLike[str]) -> AssemblyScenario:
     ------
     InputError
         The file cannot be read, is not TOML, or says something that is not allowed.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> scenario = sp.read_assembly("examples/dresser.toml")
+    >>> scenario.title
+    'Dresser with a joined upper part'
     """
     file = Path(path)
     try:

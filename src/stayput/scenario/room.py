@@ -127,6 +127,13 @@ class RoomScenario(AssemblyScenario):
 
     Make one with `read_room` or `RoomScenario.parse`. Places are from the corner of the left and the near
     wall.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> scenario = sp.read_room("examples/bedroom.toml")
+    >>> isinstance(scenario, sp.RoomScenario), scenario.title
+    (True, 'Bedroom')
     """
 
     plan: PlanTable = Field(description="The size of the room.")

@@ -33,7 +33,16 @@ class Outcome(StrEnum):
 
 
 class Mode(StrEnum):
-    """How the body moves at an instant."""
+    """How the body moves at an instant.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> body = sp.Body(width=0.4, height=1.8, mass=80.0)
+    >>> run = sp.simulate(body, sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
+    >>> sorted({str(event.mode) for event in run.events})
+    ['rock']
+    """
 
     REST = "rest"
     SLIDE = "slide"
@@ -77,6 +86,15 @@ class Event:
         θ and θ̇ [rad, rad/s].
     slide, slide_rate : float
         x' at the fulcrum and its rate [m, m/s].
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> body = sp.Body(width=0.4, height=1.8, mass=80.0)
+    >>> run = sp.simulate(body, sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
+    >>> event = run.events[0]
+    >>> print(event.kind, round(event.time, 3))
+    uplift 0.092
     """
 
     time: float

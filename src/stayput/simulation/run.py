@@ -443,7 +443,7 @@ def simulate(
     >>> from stayput import Body, Room, simulate, sine
     >>> run = simulate(Body(0.4, 1.8, 100.0, length=0.9), Room(), sine(3.0, 1.0, 5.0), dimensions=3)
     >>> run.outcome
-    <Outcome.ROCKED: 'rocked'>
+    <Outcome.OVERTURNED: 'overturned'>
     """
     from stayput.mechanics.runner import shaking
 

@@ -66,6 +66,16 @@ class Hit:
         How fast they closed at the point that closed first in the list of contacts [m/s].
     impulse : float
         The impulse there in the step [N s].
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> shaking = sp.sine(amplitude=0.0, frequency=1.0, duration=1.0)
+    >>> box = sp.Solid.box(width=0.3, length=0.3, height=0.3, mass=10.0)
+    >>> run = sp.simulate(sp.Assembly([sp.Standing(box, at=(0.0, 0.0, 0.02))]), sp.Room(), shaking)
+    >>> first = run.hits[0]
+    >>> print(first.surface, round(first.speed, 2))
+    floor 0.63
     """
 
     time: float
@@ -122,6 +132,14 @@ class SpaceRun:
         Whether it took too much work: bodies stay where they were then, and what became of them is not known.
     plan : FloorPlan, optional
         The room's places, doors and windows, which pictures show; nothing of them moves or holds anything.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> box = sp.Solid.box(width=0.3, length=0.5, height=1.5, mass=30.0)
+    >>> run = sp.simulate(box, sp.Room(), sp.near_fault().scaled(0.2))
+    >>> run.outcomes, run.place.shape[1:]
+    ((<Outcome.RESTED: 'rested'>,), (3001, 3))
     """
 
     standing: tuple[Standing, ...]

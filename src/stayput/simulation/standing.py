@@ -133,6 +133,15 @@ class Piece:
     ------
     InputError
         A body without a length, a number out of range, or two measures for one place.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import LBracket
+    >>> body = sp.Body(width=0.4, height=1.8, mass=80.0, length=0.9)
+    >>> piece = sp.Piece(body, at=(0.0, 0.0, 0.0), measures=[LBracket()])
+    >>> piece.body.length
+    0.9
     """
 
     body: Body
@@ -211,6 +220,15 @@ class Joint:
     ------
     InputError
         A number out of range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> low = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=40.0))
+    >>> high = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=30.0), at=(0.0, 0.0, 0.9))
+    >>> joints = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=500.0) for x in (-0.15, 0.15)]
+    >>> len(sp.Assembly([low, high], joints=joints).joints)
+    2
     """
 
     first: int

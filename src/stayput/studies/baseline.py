@@ -109,6 +109,12 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
     ------
     InputError
         A value out of range.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> sorted(studies.baseline(motions=2, samples=1).figures)
+    ['effects', 'field']
     """
     count = whole_within("studies.motions", motions, 2, 1000)
     each = whole_within("studies.samples", samples, 1, 1000)

@@ -119,6 +119,13 @@ def capacity(
     ------
     InputError
         A value out of range, or a preset that is not known.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> few = studies.capacity(2, corners=[0.8], sizes=["bookcase"], step=0.2, variations=False)
+    >>> sorted(few.figures)
+    ['medians', 'shares']
     """
     count = whole_within("studies.motions", motions, 2, 1000)
     factors = amplitudes(within("studies.step", step, 0.005, 0.2))

@@ -128,6 +128,12 @@ def consumer_centre(motions: int = 24, *, samples: int = 8, seed: int = 1) -> St
     ------
     InputError
         A number out of range.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> sorted(studies.consumer_centre(motions=2, samples=1).figures)
+    ['outcomes']
     """
     count = whole_within("studies.motions", motions, 1, 1000)
     each = whole_within("studies.samples", samples, 1, 10_000)

@@ -129,6 +129,12 @@ def contents(motion: Motion | None = None, intensities: ArrayLike = INTENSITIES)
     ------
     InputError
         Intensities that do not rise.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> studies.contents(intensities=[5.5]).data.sizes["intensity"]
+    3
     """
     shaking = near_fault() if motion is None else motion
     asked = increasing("studies.intensities", intensities, 3.0, 7.5)

@@ -38,6 +38,12 @@ class Quantity:
         The value of the paper, the test, the survey or the formula; of a count, what it is of.
     form : str
         Format specification of both numbers.
+
+    Examples
+    --------
+    >>> from stayput.studies import Quantity
+    >>> Quantity("largest slide [cm]", value=12.3, published=11.8).value
+    12.3
     """
 
     label: str
@@ -131,6 +137,13 @@ class Study:
         Small tables by their caption.
     claims : tuple of Claim
         What was published of tests and surveys, beside ours; misses among them.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> study = studies.tip_over()
+    >>> study.name, sorted(study.figures)
+    ('tip-over', ['margins'])
     """
 
     name: str

@@ -74,6 +74,12 @@ def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS,
     ------
     InputError
         A number out of range.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> sorted(studies.three_dimensions(motions=2, headings=[0.0]).figures)
+    ['differences', 'shapes']
     """
     count = whole_within("studies.motions", motions, 2, 1000)
     angles = increasing("simulation.heading", headings, -360.0, 360.0, "°")

@@ -75,6 +75,12 @@ def tombstones(
     ------
     InputError
         A number out of range.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> sorted(studies.tombstones(motions=2, stones=2).figures)
+    ['shares']
     """
     count = whole_within("studies.motions", motions, 2, 1000)
     of_a_place = whole_within("studies.stones", stones, 1, 10_000)

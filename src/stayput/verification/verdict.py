@@ -286,6 +286,19 @@ class Verdict:
         Options that cannot be put in place here, with the reason.
     complete : bool
         Whether it is final; else more samples or the curves are still to come.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import LBracket
+    >>> body = sp.Body(width=0.3, height=1.8, mass=90.0)
+    >>> room = sp.Room(left_wall=sp.Wall(0.02))
+    >>> shaking = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}}
+    >>> verdict = sp.verify(
+    ...     body, room, shaking=shaking, measures=[LBracket()], samples=8, levels=[], progress=False
+    ... )
+    >>> verdict.best.option.name, verdict.best.probabilities["overturned"].estimate
+    ('l_bracket', 0.0)
     """
 
     scenario: Scenario

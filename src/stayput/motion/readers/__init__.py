@@ -96,6 +96,13 @@ def read_motion(
         It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
         file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
         floor, channels seem to be missing.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> path = sp.sine(amplitude=4.0, frequency=1.0, duration=2.0).write("shake.csv")
+    >>> sp.read_motion(path).pga
+    4.0
     """
 
     def asked(channels: Sequence[Channel]) -> str | None:

@@ -335,6 +335,14 @@ def read_suite(
     ------
     InputError
         No folder, no files in it, or a file that cannot be read: its name is in the sentence.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> for count, motion in enumerate(sp.synthetic_suite("crustal", count=2)):
+    ...     _ = motion.write(f"motion{count}.csv")
+    >>> len(sp.read_suite(["motion0.csv", "motion1.csv"]))
+    2
     """
     if isinstance(source, str | os.PathLike):
         folder = Path(source)

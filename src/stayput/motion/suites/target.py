@@ -52,6 +52,15 @@ class TargetSpectrum:
     ------
     InputError
         Fewer than two periods, different lengths, or a value out of range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> import numpy as np
+    >>> target = sp.TargetSpectrum(np.array([0.02, 0.5, 5.0]), np.array([4.0, 8.0, 1.0]), name="asked for")
+    >>> matched = sp.synthetic_suite("crustal", count=2).to_spectrum(target)
+    >>> len(matched)
+    2
     """
 
     periods: NDArray[np.float64]
@@ -141,6 +150,12 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     ------
     InputError
         No such level or class of ground.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> sp.japanese_design("very rare", soil=2).name
+    'Japanese design spectrum, very rare, soil 2'
     """
     word_of("motion.target_level", level, LEVELS, "level")
     if soil not in (1, *SITE_GV):
@@ -168,6 +183,13 @@ def asce7(sds: float, sd1: float, tl: float = 8.0) -> TargetSpectrum:
     ------
     InputError
         A value out of range, or TS = SD1/SDS beyond TL.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> target = sp.asce7(sds=1.0, sd1=0.6)
+    >>> target.name
+    'ASCE 7, SDS 1 g, SD1 0.6 g, TL 8 s'
     """
     short = within("motion.name_sds", sds, 0.001, 10.0, "g", "sds")
     long = within("motion.name_sd1", sd1, 0.001, 10.0, "g", "sd1")
@@ -189,7 +211,7 @@ def _table_periods(corners: list[float]) -> NDArray[np.float64]:
 
 
 def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum:
-    """Read a target spectrum of two columns, period [s] and Sa; lines that begin with # are passed over.
+    r"""Read a target spectrum of two columns, period [s] and Sa; lines that begin with # are passed over.
 
     Parameters
     ----------
@@ -202,6 +224,14 @@ def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum
     ------
     InputError
         The file cannot be read, or a line is not two numbers.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from pathlib import Path
+    >>> _ = Path("target.csv").write_text("0.1,0.8\n1.0,0.6\n2.0,0.3\n")
+    >>> sp.read_target("target.csv", unit="g").sa.round(2).tolist()
+    [7.85, 5.88, 2.94]
     """
     text, factor, name = file_text(path), unit_factor(unit), Path(path).name
     rows: list[list[float]] = []

@@ -1,0 +1,33 @@
+"""The picture of the first page: stills of a film of the bookcase that falls."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from PIL import Image
+
+import stayput as sp
+
+BEFORE = (2.6, 0.62, 0.26, 0.06)
+"""When the stills are taken, before the body lies [s]."""
+SHOWN = (0, 0, 390, 345)
+"""The part of a still without the history of the floor [px]."""
+
+
+def write(folder: Path) -> None:
+    """Write the picture."""
+    room = sp.Room(floor=sp.Floor.of("wood flooring"), left_wall=sp.Wall(gap=0.02))
+    run = sp.simulate(sp.Body(width=0.30, height=1.80, mass=200.0), room, sp.near_fault())
+    assert run.overturn_time is not None
+    width, height = SHOWN[2] - SHOWN[0], SHOWN[3] - SHOWN[1]
+    strip = Image.new("RGB", (width * len(BEFORE), height))
+    with (
+        tempfile.TemporaryDirectory() as scratch,
+        Image.open(run.animate(Path(scratch) / "fall.gif")) as film,
+    ):
+        step = 1e-3 * film.info["duration"]
+        for place, before in enumerate(BEFORE):
+            film.seek(round((run.overturn_time - before) / step))
+            strip.paste(film.convert("RGB").crop(SHOWN), (width * place, 0))
+    strip.save(folder / "index_film.png")
