@@ -30,4 +30,4 @@ assert 6.0 < run.overturn_time < 12.0
 
 # %%
 # The histories: the floor's acceleration, the tilt and the slide.
-figure = run.plot()
+figure = run.figure()

@@ -26,4 +26,4 @@ assert run.outcome is sp.Outcome.ROCKED
 
 # %%
 # Each impact takes energy, and the next swing is shorter.
-figure = run.plot()
+figure = run.figure()

@@ -36,7 +36,7 @@ for name, fitted in {
         f"{name}: {100 * off.mean:.1f} % off on average, {100 * off.worst:.1f} % at {off.worst_period:.2g} s"
     )
 assert off.mean < 0.10
-figure = fitted.plot(target=target)
+figure = fitted.figure(target=target)
 
 # %%
 # The floor comes to rest where it began.

@@ -46,13 +46,4 @@ with tempfile.TemporaryDirectory() as folder:
 # %%
 # The shares in which it overturns, with their 95 % intervals.
 figure, axis = plt.subplots(layout="constrained")
-for place, one in enumerate(verdict.options):
-    share = one.probabilities["overturned"]
-    axis.plot([share.low, share.high], [place, place], color="tab:blue")
-    axis.plot(share.estimate, place, "o", color="tab:blue")
-axis.set(
-    xlabel="probability of overturning",
-    xlim=(0.0, 1.0),
-    yticks=range(len(verdict.options)),
-    yticklabels=[one.option.label("en") for one in verdict.options],
-)
+verdict.plot(axis)
