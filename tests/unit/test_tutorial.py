@@ -32,7 +32,7 @@ def test_the_tutorial_runs() -> None:
         if "data" in out
     ]
     assert sum("image/png" in data for data in shown) == 1
-    body, run, film, _, verdict = (data["text/html"] for data in shown if "text/html" in data)
+    body, run, film, verdict = (data["text/html"] for data in shown if "text/html" in data)
     assert "g tan α" in body
     assert "overturned" in run
     assert film.startswith("<iframe")
