@@ -162,7 +162,7 @@ def _cut_normal(u: NDArray[np.float64], low: float, high: float) -> NDArray[np.f
     return ndtri(first + (last - first) * u)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Uncertainty:
     """Independent quantities that are drawn together.
 
@@ -177,6 +177,9 @@ class Uncertainty:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "marginals", MappingProxyType(dict(self.marginals)))
+
+    def __repr__(self) -> str:
+        return f"Uncertainty({', '.join(self.marginals)})"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Uncertainty, (dict(self.marginals),)  # a view of a mapping cannot be pickled

@@ -33,12 +33,12 @@ def check_language(language: str) -> str:
 
 
 def brief(value: Any) -> str:
-    """Return a dataclass as Python makes it, with those fields only that differ from their defaults."""
+    """Return a dataclass as Python makes it: its first field, and others that differ from their defaults."""
     told: list[str] = []
     for one in fields(value):
         own = getattr(value, one.name)
         usual = one.default_factory() if callable(one.default_factory) else one.default
-        if one.compare and own != usual:
+        if one.compare and (own != usual or not told):
             told.append(f"{one.name}={own:.6g}" if isinstance(own, float) else f"{one.name}={own!r}")
     return f"{type(value).__name__}({', '.join(told)})"
 

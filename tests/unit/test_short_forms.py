@@ -50,3 +50,32 @@ def test_a_curve_shows_its_measure_and_capacity():
     shown = repr(sp.fragility_curve(trials, "bookcase"))
     assert shown.startswith("FragilityCurve('bookcase', PGA")
     assert len(shown) < 200
+
+
+SHORT: tuple[tuple[Any, str], ...] = (
+    (sp.Building(12, "steel"), "Building(storeys=12, structure='steel')"),
+    (sp.Building(), "Building(storeys=10)"),
+    (sp.Building().model, "ShearModel('10-storey RC building', 10 masses, T1 = 0.6 s)"),
+    (sp.japanese_design(), "TargetSpectrum('"),
+    (sp.near_fault().spectrum(), "ResponseSpectrum(100 periods"),
+    (sp.Uncertainty({"friction": sp.Lognormal(1.0, 0.3)}), "Uncertainty(friction)"),
+    (sp.Trials.from_counts(PGA, [2.0, 4.0], [1, 3], [4, 4]), "Trials(PGA, 2 cells, 4 of 8 fell)"),
+    (
+        sp.Scenario.parse({"furniture": {"preset": "chest"}}),
+        "Scenario(furniture=FurnitureTable(preset='chest'))",
+    ),
+)
+
+
+@pytest.mark.parametrize(("value", "shown"), SHORT, ids=lambda one: type(one).__name__)
+def test_other_values_are_short_too(value: Any, shown: str):
+    assert repr(value).startswith(shown)
+    assert len(repr(value)) < 200
+
+
+def test_results_of_several_pieces_and_of_rooms_are_short():
+    several = sp.verify(sp.read_assembly("examples/television.toml"), progress=False)
+    assert repr(several).startswith("AssemblyVerdict(JMA ")
+    room = sp.verify_room(sp.read_room("examples/bedroom.toml"), changes=False, progress=False)
+    assert repr(room).startswith("RoomVerdict(JMA ")
+    assert max(len(repr(several)), len(repr(room))) < 200

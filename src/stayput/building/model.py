@@ -40,7 +40,7 @@ AMPLIFICATION_RANGE = (0.0, 10.0)
 """Smallest and largest factor on the vertical motion at the roof that is accepted."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ShearModel:
     """Masses, one above the other, each on a storey that shears; the ground moves under the lowest.
 
@@ -102,6 +102,9 @@ class ShearModel:
         1.0, "", *AMPLIFICATION_RANGE, ("Vertical amplification", "上下動の増幅率")
     )
     name: str = ""
+
+    def __repr__(self) -> str:
+        return f"ShearModel({self.name!r}, {len(self.masses)} masses, T1 = {self.modes.periods[0]:.3g} s)"
 
     def __post_init__(self) -> None:
         instance_of("isolated", self.isolated, bool)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Trials:
     """Runs and falls, counted in cells; made by one of the three methods below.
 
@@ -44,6 +44,10 @@ class Trials:
     level: NDArray[np.intp]
     motion: NDArray[np.intp] | None = None
     missing: int = 0
+
+    def __repr__(self) -> str:
+        fell, runs = int(self.fell.sum()), int(self.runs.sum())
+        return f"Trials({self.measure.key}, {len(self)} cells, {fell} of {runs} fell)"
 
     def __len__(self) -> int:
         return len(self.im)

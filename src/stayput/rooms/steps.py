@@ -199,7 +199,7 @@ class PlanStep:
         return 0 if self.fix is None else self.fix.cost_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class ActionPlan:
     """Result of `stayput.action_plan`.
 
@@ -236,6 +236,9 @@ class ActionPlan:
     steps: tuple[PlanStep, ...]
     unsolved: tuple[str, ...]
     drilled: Mapping[str, Fix] = field(default_factory=dict[str, "Fix"])
+
+    def __repr__(self) -> str:
+        return f"ActionPlan({len(self.steps)} steps, {len(self.unsolved)} pieces unsolved; {self.verdict!r})"
 
     @property
     def together(self) -> RoomEffect | None:

@@ -233,7 +233,7 @@ class TypicalRun(NamedTuple):
     direction: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class RoomVerdict:
     """Result of `stayput.verify_room`.
 
@@ -302,6 +302,11 @@ class RoomVerdict:
     slide_limit: float
     seed: int
     seconds: float
+
+    def __repr__(self) -> str:
+        chances = f"hit {self.hit.text}; shut in {self.shut_in.text}"
+        numbers = f"{len(self.pieces)} pieces, {len(self.changes)} changes"
+        return f"RoomVerdict(JMA {self.intensity:.2f}; {chances}; {numbers})"
 
     @property
     def best(self) -> ChangeVerdict | None:

@@ -17,7 +17,7 @@ from stayput.model.body import Body
 from stayput.model.parameters import parameter_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
+    from collections.abc import Callable, Collection, Iterator
 
 Made = TypeVar("Made")
 
@@ -29,6 +29,10 @@ class Table(BaseModel):
     """A table of the scenario: unknown keys, other types, NaN and infinity are refused."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+    def __repr_args__(self) -> Iterator[tuple[str | None, Any]]:
+        """Yield what was said, and nothing that was left to its default."""
+        return (pair for pair in super().__repr_args__() if pair[0] in self.model_fields_set)
 
 
 def between(low: float, high: float, unit: str = "", **about: Any) -> Any:

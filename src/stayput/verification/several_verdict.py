@@ -82,7 +82,7 @@ class AssemblyOptionVerdict:
     worst: Member
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class AssemblyVerdict:
     """The outcome of a verification of several pieces.
 
@@ -121,6 +121,10 @@ class AssemblyVerdict:
     seed: int
     seconds: float
     rejected: tuple[RejectedOption, ...] = ()
+
+    def __repr__(self) -> str:
+        best, pieces = self.best, ", ".join(self.scenario.names)
+        return f"AssemblyVerdict(JMA {self.intensity:.2f}; {pieces}; best: {best.option.name})"
 
     @property
     def without(self) -> AssemblyOptionVerdict:

@@ -33,7 +33,7 @@ SITE_GV = {2: 2.03, 3: 2.7}
 """gv of soft soils: the site factor at long periods."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class TargetSpectrum:
     """A spectrum of absolute acceleration as a table, log-log linear between its points.
 
@@ -86,6 +86,10 @@ class TargetSpectrum:
             array.setflags(write=False)
         object.__setattr__(self, "periods", periods)
         object.__setattr__(self, "sa", sa)
+
+    def __repr__(self) -> str:
+        first, last = float(self.periods[0]), float(self.periods[-1])
+        return f"TargetSpectrum({self.name!r}, {first:g} to {last:g} s, damping={self.damping:g})"
 
     def __call__(self, periods: ArrayLike) -> NDArray[np.float64]:
         """Return Sa at periods [s] [m/s²], shape of them.
