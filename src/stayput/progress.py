@@ -16,6 +16,19 @@ if TYPE_CHECKING:
 _drawn: list[Progress] = []
 """What is drawn at present, of one item at most: a terminal has room for no second one."""
 
+_quiet: list[bool] = []
+"""What was asked of this process, of one item at most: whether it keeps quiet."""
+
+
+def keep_quiet(wanted: bool) -> None:
+    """Draw no bar where nobody says so, and print no note beside the results; or do so again."""
+    _quiet[:] = [wanted]
+
+
+def is_quiet() -> bool:
+    """Whether nothing but results and refusals is wanted."""
+    return any(_quiet)
+
 
 @contextmanager
 def bar(
@@ -50,6 +63,8 @@ def bar(
 
 def is_drawn() -> bool:
     """Whether bars are drawn where nobody says so."""
+    if is_quiet():
+        return False
     from rich.console import Console
 
     return Console(stderr=True).is_terminal and multiprocessing.parent_process() is None

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import typer
 
+from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
+
 PORT = 8000
 
 
@@ -15,6 +17,7 @@ def app(
     ] = "127.0.0.1",
     port: Annotated[int, typer.Option(min=0, max=65535, help="Port; 0 takes a free one.")] = PORT,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page.")] = True,
+    quiet: QuietOption = False,
 ) -> None:
     """Serve the app: set a scene, see it shaken, see what holds it."""
     from stayput.extras import absent

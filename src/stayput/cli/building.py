@@ -7,8 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from stayput.cli.flags import ComponentOption, TimeStepOption, UnitOption, motion_of
-from stayput.cli.messages import print_json
+from stayput.cli.completion import structures, words
+from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.messages import print_json, tell_written
+from stayput.cli.shaking import XOption, YOption, ZOption, along
+from stayput.cli.streams import check_output, is_stream, to_output, write_text
 
 if TYPE_CHECKING:
     from stayput.building.model import FloorResponse
@@ -16,7 +19,9 @@ if TYPE_CHECKING:
 
 def building(
     storeys: Annotated[int, typer.Option(help="Number of storeys.")] = 10,
-    structure: Annotated[str, typer.Option(help="RC, steel, wood or base-isolated.")] = "RC",
+    structure: Annotated[
+        str, typer.Option(help="RC, steel, wood or base-isolated.", autocompletion=words(structures))
+    ] = "RC",
     period: Annotated[
         float | None,
         typer.Option(
@@ -25,8 +30,15 @@ def building(
     ] = None,
     damping: Annotated[float | None, typer.Option(help="Damping ratio. Default: by structure.")] = None,
     motion: Annotated[
-        str, typer.Option(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
-    ] = "near-fault",
+        str | None,
+        typer.Option(
+            metavar="MOTION",
+            help="A record's file, - (standard input), near-fault, or sine:A,F[,T]. Default: near-fault.",
+        ),
+    ] = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
@@ -36,40 +48,47 @@ def building(
     ] = None,
     linear: Annotated[bool, typer.Option("--linear", help="Do not let the storeys yield.")] = False,
     out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the floor motion of --storey: .csv.")
+        Path | None,
+        typer.Option(metavar="FILE", help="Write the floor motion of --storey: .csv; - prints it."),
     ] = None,
     plot: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Plot peaks over the storeys, and spectra: .png, .svg or .pdf."),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    quiet: QuietOption = False,
 ) -> None:
     """Floor motions of a building: the peaks of every storey, and the motion of one."""
     from stayput.building import Building
     from stayput.errors import InputError
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target
 
-    if out is not None:
-        check_target(out, (".csv",))
-        if storey is None or len(storey) != 1:
-            raise InputError("cli.out_needs_storey", "--out", out=repr(str(out)))
+    check_output(out, (".csv",))
+    if out is not None and (storey is None or len(storey) != 1):
+        raise InputError("cli.out_needs_storey", "--out", out=repr(str(out)))
+    instead = to_output({"--out": out}, json)
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
-    check_apart((out, plot), [Path(motion)])
+    check_apart((out, plot), [Path(file) for file in (motion, x, y, z) if file is not None])
     described = Building(storeys, structure, period, damping, nonlinear=not linear)
     for number in storey or ():
         described.model.place(number)
-    response = described.respond(motion_of(motion, component=component, unit=unit, dt=dt))
+    ground = along(motion, x) or "near-fault"
+    response = described.respond(
+        motion_of(ground, "--motion", y=y, z=z, component=component, unit=unit, dt=dt)
+    )
+    if json:
+        print_json(_record(response))
+    elif not instead:
+        _print_table(response)
     if out is not None and storey:
-        response.floor(storey[0]).write(out)
+        write_text(out, response.floor(storey[0]).text(".csv"))
     if plot is not None:
         from stayput.report.building import plot_building
 
         plot_building(response, plot, storey)
-    if json:
-        print_json(_record(response))
-    else:
-        _print_table(response, [file for file in (out, plot) if file is not None])
+    if not json:
+        tell_written([file for file in (out, plot) if not is_stream(file)], beside=instead)
 
 
 def _record(response: FloorResponse) -> dict[str, Any]:
@@ -106,7 +125,7 @@ def _energies(response: FloorResponse, name: str) -> dict[str, float]:
     }
 
 
-def _print_table(response: FloorResponse, written: list[Path]) -> None:
+def _print_table(response: FloorResponse) -> None:
     from rich.console import Console
     from rich.table import Table
 
@@ -142,5 +161,3 @@ def _print_table(response: FloorResponse, written: list[Path]) -> None:
             f"Energy, {name}: {yielding:.0f} % of the input went into yielding; "
             f"the balance closes to {energy.imbalance:.1e}."
         )
-    for file in written:
-        console.print(f"Wrote {file}", soft_wrap=True)

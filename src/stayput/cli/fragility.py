@@ -7,8 +7,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.flags import EveryRunOption, ThreadsOption, chosen_measures
-from stayput.cli.messages import compiling
+from stayput.cli.completion import intensity_measures, measures, words
+from stayput.cli.flags import (
+    EveryRunOption,
+    QuietOption,
+    ThreadsOption,
+    chosen_measures,
+    parsed,
+    scenario_data,
+)
+from stayput.cli.messages import compiling, note, tell_written
 
 if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve, IntensityMeasure
@@ -16,21 +24,29 @@ if TYPE_CHECKING:
 
 
 def fragility(
-    scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file.")],
+    scenario: Annotated[
+        Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file; - is standard input.")
+    ],
     out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the files; it is made.")],
     im: Annotated[
         str,
         typer.Option(
             metavar="JMA|PGA|PGV|PFA|PFV",
             help="Intensity measure of the curves; PFA, PFV: the floor's peaks.",
+            autocompletion=words(intensity_measures),
         ),
     ] = "JMA",
     measure: Annotated[
         list[str] | None,
-        typer.Option(metavar="TYPE|NAME", help="Only this measure beside none; may be repeated."),
+        typer.Option(
+            metavar="TYPE|NAME",
+            help="Only this measure beside none; may be repeated.",
+            autocompletion=words(measures),
+        ),
     ] = None,
     every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
+    quiet: QuietOption = False,
 ) -> None:
     """Write the probability of overturning over the strength of the shaking.
 
@@ -47,9 +63,10 @@ def fragility(
     if not out.parent.is_dir():
         raise InputError("cli.no_parent", "--out", folder=repr(str(out)))
 
-    from stayput.scenario import read_scenario
+    from stayput.scenario import Scenario
 
-    selected = _only(read_scenario(scenario), measure)
+    given = scenario_data(scenario, None)
+    selected = _only(parsed(Scenario, given, given, scenario, None), measure)
 
     from stayput.report.verdict.exports import write_curves
     from stayput.verification import verify
@@ -64,9 +81,8 @@ def fragility(
         if curve.lognormal is not None:
             typer.echo(f"  {curve.lognormal.text}")
     for sentence in left_out:
-        typer.echo(sentence, err=True)
-    for file in files:
-        typer.echo(f"Wrote {file}")
+        note(sentence)
+    tell_written(files)
 
 
 def _only(scenario: Scenario, names: list[str] | None) -> Scenario:

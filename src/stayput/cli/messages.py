@@ -13,11 +13,14 @@ import typer
 from typer.core import TyperGroup
 
 from stayput.catalogue import say
+from stayput.cli.streams import standard_input
 from stayput.cli.usage import USAGE, misused
 from stayput.errors import InputError, InputWarning, warnings_to
+from stayput.progress import is_quiet, keep_quiet
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Sequence
+    from collections.abc import Generator, Iterable, Sequence
+    from pathlib import Path
 
     from stayput.catalogue import Language
 
@@ -39,6 +42,7 @@ class CommandGroup(TyperGroup):
     def main(self, args: Sequence[str] | None = None, *rest: Any, **kwargs: Any) -> Any:
         """Run the command line, and flush standard output."""
         self._language = _language_of(sys.argv[1:] if args is None else args)
+        keep_quiet(False)
         try:
             try:
                 return super().main(args, *rest, **kwargs)
@@ -72,10 +76,10 @@ class CommandGroup(TyperGroup):
             sentence = warning.told(self._language)
             if sentence not in printed:
                 printed.add(sentence)
-                typer.echo(say("cli.warning", self._language, sentence=sentence), err=True)
+                note(say("cli.warning", self._language, sentence=sentence))
 
         try:
-            with warnings_to(warn):
+            with warnings_to(warn), standard_input():
                 return super().invoke(ctx)
         except InputError as error:
             raise self._refused(error) from None
@@ -138,6 +142,29 @@ def folded(text: str, width: int) -> str:
     return "\n".join(lines)
 
 
+def note(text: str) -> None:
+    """Print a line beside the results on standard error, unless quiet is wanted."""
+    if not is_quiet():
+        typer.echo(text, err=True)
+
+
+def tell_written(files: Iterable[Path | None], *, beside: bool = False) -> None:
+    """Say which files were written.
+
+    Parameters
+    ----------
+    files : iterable of Path or None
+        The files; None where one was not asked for.
+    beside : bool
+        Whether standard output is for something else.
+    """
+    for file in files:
+        if file is not None and beside:
+            note(f"Wrote {file}")
+        elif file is not None:
+            typer.echo(f"Wrote {file}")
+
+
 def print_json(values: object) -> None:
     """Print values as one JSON object."""
     typer.echo(json.dumps(values, allow_nan=False))
@@ -151,7 +178,7 @@ def compiling() -> Generator[None]:
 
     def announce() -> None:
         if not is_drawn():
-            typer.echo("Compiling the mechanics once, which takes up to half a minute ...", err=True)
+            note("Compiling the mechanics once, which takes up to half a minute ...")
 
     with on_compilation(announce):
         yield

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
 from stayput.catalogue import LANGUAGES, say
+from stayput.cli.completion import measures, surfaces, words
 from stayput.cli.flags import (
     ComponentOption,
     LanguageOption,
+    QuietOption,
     TimeStepOption,
     UnitOption,
     chosen_measures,
@@ -20,7 +22,7 @@ from stayput.cli.flags import (
     parsed,
     scenario_data,
 )
-from stayput.cli.messages import compiling, folded, print_json
+from stayput.cli.messages import compiling, folded, print_json, tell_written
 from stayput.cli.shaking import (
     BuildingOption,
     EarthquakeOption,
@@ -32,12 +34,15 @@ from stayput.cli.shaking import (
     ScaleOption,
     StoreyOption,
     VerticalOption,
+    XOption,
+    YOption,
+    ZOption,
     shaken,
 )
 from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
+    from collections.abc import Callable, Generator
 
     from stayput.catalogue import Phrase
     from stayput.motion.ground_shaking import GroundStrength
@@ -51,7 +56,8 @@ def simulate(
         Path | None,
         typer.Argument(
             metavar="[SCENARIO.toml]",
-            help="A scenario file. Default: a bookcase before a wall and a synthetic near-fault motion.",
+            help="A scenario file; - is standard input. Default: a bookcase before a wall and a synthetic "
+            "near-fault motion.",
             show_default=False,
         ),
     ] = None,
@@ -60,6 +66,9 @@ def simulate(
         typer.Option(metavar="WxHxM", help="A body: width along the shaking [m] x height [m] x mass [kg]."),
     ] = None,
     motion: MotionOption = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
@@ -72,7 +81,10 @@ def simulate(
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,
-    floor: Annotated[str | None, typer.Option(metavar="SURFACE", help="A surface, such as 'carpet'.")] = None,
+    floor: Annotated[
+        str | None,
+        typer.Option(metavar="SURFACE", help="A surface, such as 'carpet'.", autocompletion=words(surfaces)),
+    ] = None,
     friction: Annotated[
         str | None, typer.Option(metavar="STATIC[,KINETIC]", help="Friction of the floor.")
     ] = None,
@@ -86,7 +98,14 @@ def simulate(
     far_side_wall: Annotated[
         float | None, typer.Option(help="Gap to a wall at the far side (+y) [m]; for --dimensions 3.")
     ] = None,
-    contact: Annotated[str | None, typer.Option(metavar="coulomb|paper", help="The contact law.")] = None,
+    contact: Annotated[
+        str | None,
+        typer.Option(
+            metavar="coulomb|paper",
+            help="The contact law.",
+            autocompletion=words(lambda: ("coulomb", "paper")),
+        ),
+    ] = None,
     length: Annotated[
         float | None, typer.Option(help="Length of the piece across the shaking [m]; for --dimensions 3.")
     ] = None,
@@ -101,6 +120,7 @@ def simulate(
         typer.Option(
             metavar="TYPE|NAME",
             help="A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
+            autocompletion=words(measures),
         ),
     ] = None,
     lang: LanguageOption = "en",
@@ -113,6 +133,7 @@ def simulate(
     ] = None,
     speed: Annotated[float, typer.Option(help="Speed of the animation: 0.25 is slow motion.")] = 1.0,
     fps: Annotated[float, typer.Option(help="Frames a second of a .gif or .mp4.")] = 20.0,
+    quiet: QuietOption = False,
 ) -> None:
     """Simulate one body under one motion.
 
@@ -127,8 +148,8 @@ def simulate(
     check_language(lang)
     _check_targets(plot, animate)
     given = scenario_data(scenario, body)
-    check_apart((plot, animate), inputs_of(given, scenario, motion))
-    several = scenario is not None and isinstance(scenario_data(scenario, None).get("furniture"), list)
+    check_apart((plot, animate), inputs_of(given, scenario, (motion, x, y, z)))
+    several = scenario is not None and isinstance(given.get("furniture"), list)
     of_one = {
         "--body": body,
         "--contact": contact,
@@ -157,6 +178,9 @@ def simulate(
         data,
         scenario,
         motion=motion,
+        x=x,
+        y=y,
+        z=z,
         component=component,
         unit=unit,
         dt=dt,
@@ -173,7 +197,9 @@ def simulate(
     if several:
         from stayput.scenario import AssemblyScenario, RoomScenario
 
-        pieces = parsed(RoomScenario if "plan" in given else AssemblyScenario, data, scenario, motion)
+        pieces = parsed(
+            RoomScenario if "plan" in given else AssemblyScenario, data, given, scenario, motion or x
+        )
         with compiling():
             found = pieces.run()
         from stayput.rooms.words import names_in
@@ -184,7 +210,7 @@ def simulate(
             _Wanted(("", ""), pieces.shaking.strength, pieces.title, plot, animate, speed, fps, lang, json),
         )
         return
-    checked = parsed(Scenario, data, scenario, motion)
+    checked = parsed(Scenario, data, given, scenario, motion or x)
     if length is not None and checked.dimensions == 2:
         warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
     with checked.naming_file(), compiling():
@@ -216,10 +242,19 @@ class _Wanted(NamedTuple):
         """What the piece is called in the language."""
         return self.name[LANGUAGES.index(self.lang)]
 
+    def tell_written(self) -> None:
+        """Say which files were written, beside results that are no JSON."""
+        if not self.json:
+            tell_written((self.plot, self.animate))
+
 
 def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
     from stayput.report.summary import rows, sentences, summary
 
+    if wanted.json:
+        print_json(summary(run))
+    else:
+        _print_table(sentences(run, wanted.name), rows(run, wanted.lang), wanted)
     if wanted.plot is not None:
         from stayput.report.plot import plot_run
 
@@ -237,16 +272,17 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
                 language=wanted.lang,
                 progress=progress,
             )
-    if wanted.json:
-        print_json(summary(run))
-    else:
-        _print_table(sentences(run, wanted.name), rows(run, wanted.lang), wanted)
+    wanted.tell_written()
 
 
 def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> None:
     from stayput.report.space.said import became
     from stayput.report.space.summary import space_rows, space_summary
 
+    if wanted.json:
+        print_json(space_summary(run, names))
+    else:
+        _print_table(became(run, names), space_rows(run, names, wanted.lang), wanted)
     if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
 
@@ -264,10 +300,7 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
                 language=wanted.lang,
                 progress=progress,
             )
-    if wanted.json:
-        print_json(space_summary(run, names))
-    else:
-        _print_table(became(run, names), space_rows(run, names, wanted.lang), wanted)
+    wanted.tell_written()
 
 
 def _check_targets(plot: Path | None, animate: Path | None) -> None:
@@ -283,17 +316,21 @@ def _check_targets(plot: Path | None, animate: Path | None) -> None:
 
 @contextmanager
 def _progress() -> Generator[Progress | None]:
-    """Yield a function that advances a bar of frames on standard error, or None where it is no terminal."""
-    from rich.console import Console
-    from rich.progress import Progress as Bar
+    """Yield a function that advances a bar of frames, or None where none is drawn."""
+    from stayput.progress import bar, is_drawn
 
-    console = Console(stderr=True)
-    if not console.is_terminal:
+    if not is_drawn():
         yield None
         return
-    with Bar(console=console, transient=True) as bar:
-        task = bar.add_task("Drawing")
-        yield lambda done, total: bar.update(task, completed=done, total=total)
+    with ExitStack() as stack:
+        advance: list[Callable[[int], None]] = []
+
+        def drawn(done: int, total: int) -> None:
+            if not advance:  # the first frame: only now it is known how many there are
+                advance.append(stack.enter_context(bar(total, "Drawing", unit="frames")))
+            advance[0](1)
+
+        yield drawn
 
 
 def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> None:
@@ -311,6 +348,3 @@ def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> 
     if wanted.strength is not None:
         table.add_row(say("cli.strength", wanted.lang), say(wanted.strength.about, wanted.lang))
     console.print(table)
-    for path in (wanted.plot, wanted.animate):
-        if path is not None:
-            console.print(f"Wrote {path}", soft_wrap=True)

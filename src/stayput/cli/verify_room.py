@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING
 from stayput.cli.messages import folded
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
 
 _NEXT = 3
 """How many changes are listed after those that help."""
 
 
-def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
+def print_room(verdict: RoomVerdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes.
 
     Parameters
@@ -25,8 +23,6 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
         The verdict.
     lang : str
         "en" or "ja".
-    written : list of Path
-        Files that were written.
     """
     from rich.console import Console
     from rich.padding import Padding
@@ -73,8 +69,6 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
     if more := len(verdict.changes) - len(listed):
         paragraph(say("rooms.more_changes", lang, count=more))
     paragraph(simulations_of_room(verdict, lang))
-    for path in written:
-        console.print(f"Wrote {path}", soft_wrap=True)
 
 
 def _listed(verdict: RoomVerdict) -> tuple[ChangeVerdict, ...]:

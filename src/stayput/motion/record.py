@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.errors import InputError, finite, instance_of, visible, within
+from stayput.errors import InputError, finite, instance_of, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.channels import (
@@ -228,11 +228,26 @@ class Motion:
             An unknown ending, a folder that does not exist, or several components for AT2.
         """
         target = check_target(path, tuple(FORMATS))
-        as_text = FORMATS[target.suffix.lower()]
-        text = as_text(self.dt, self.components, self.name, self.source, self.synthetic)
+        text = self.text(target.suffix.lower())
         with draft(target) as unfinished:
             unfinished.write_text(text, encoding="utf-8")
         return target
+
+    def text(self, ending: str = ".csv") -> str:
+        """Return the text of the file that `write` writes.
+
+        Parameters
+        ----------
+        ending : str
+            The format: ".csv" or ".at2".
+
+        Raises
+        ------
+        InputError
+            Another ending, or several components for AT2.
+        """
+        as_text = FORMATS[word_of("ending", ending, FORMATS)]
+        return as_text(self.dt, self.components, self.name, self.source, self.synthetic)
 
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""

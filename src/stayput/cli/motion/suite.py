@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.completion import families, intensity_classes, words
 from stayput.cli.flags import (
     ComponentOption,
+    QuietOption,
     TimeStepOption,
     UnitOption,
     band_of,
@@ -43,7 +45,11 @@ def suite(
         Path, typer.Option(metavar="DIR", help="Folder for the motions, their table and figure; it is made.")
     ],
     family: Annotated[
-        str, typer.Option(help="mixed, near-fault, crustal, subduction or basin; made, so synthetic.")
+        str,
+        typer.Option(
+            help="mixed, near-fault, crustal, subduction or basin; made, so synthetic.",
+            autocompletion=words(families),
+        ),
     ] = "mixed",
     count: Annotated[int, typer.Option(help="How many motions to make.")] = 40,
     seed: Annotated[int, typer.Option(help="Seed: the same one gives the same motions.")] = 1,
@@ -66,15 +72,21 @@ def suite(
         str,
         typer.Option(
             help="How to meet the target: scale (one factor a motion), match (every spectrum) or together "
-            "(the median alone, the scatter stays)."
+            "(the median alone, the scatter stays).",
+            autocompletion=words(lambda: FITS),
         ),
     ] = "scale",
     select: Annotated[
         int | None, typer.Option(metavar="N", help="Keep the N whose spectra are most like the target.")
     ] = None,
     intensity: Annotated[
-        str | None, typer.Option(help="JMA intensity of every motion: a number, or a class such as 6-upper.")
+        str | None,
+        typer.Option(
+            help="JMA intensity of every motion: a number, or a class such as 6-upper.",
+            autocompletion=words(intensity_classes),
+        ),
     ] = None,
+    quiet: QuietOption = False,
 ) -> None:
     """Make or read a suite of motions, scale it, and write it with a table and a figure."""
     from stayput.errors import InputError, unknown
