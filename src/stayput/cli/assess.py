@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.flags import ThreadsOption  # noqa: TC001 - Typer reads the annotations
-from stayput.cli.messages import print_json
+from stayput.cli.flags import QuietOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.messages import note, print_json, tell_written
+from stayput.cli.streams import file_of
 
 if TYPE_CHECKING:
     from stayput.inventory import Assessment
@@ -16,7 +17,11 @@ if TYPE_CHECKING:
 
 def assess(
     inventory: Annotated[
-        Path, typer.Argument(metavar="TABLE", help="The inventory, a row a piece: .csv, .parquet or .xlsx.")
+        Path,
+        typer.Argument(
+            metavar="TABLE",
+            help="The inventory, a row a piece: .csv, .parquet or .xlsx; - is a CSV on standard input.",
+        ),
     ],
     scenario: Annotated[
         Path,
@@ -37,6 +42,7 @@ def assess(
     ] = None,
     memory: Annotated[str, typer.Option(help="Memory to stay below.")] = "2GB",
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    quiet: QuietOption = False,
 ) -> None:
     """Assess every piece of an inventory: how likely it overturns, and which measure helps most.
 
@@ -45,15 +51,15 @@ def assess(
     from stayput.inventory import assess as run
 
     assessment = run(
-        inventory,
+        file_of(str(inventory), "TABLE", ".csv"),
         scenario,
         out,
-        shakemap=shakemap,
+        shakemap=None if shakemap is None else file_of(str(shakemap), "--shakemap", ".csv"),
         slide_limit=slide_limit,
         threads=threads,
         scheduler=scheduler,
         memory=memory,
-        say=lambda text: typer.echo(text, err=True),
+        say=note,
     )
     if json:
         print_json(_record(assessment))
@@ -116,4 +122,4 @@ def _print(assessment: Assessment) -> None:
                 f"{name}: of what is inside {counted(total.filled, 'piece')}, {share} is expected to come out"
             )
             typer.echo(f"{inside}, {best} with the best measures.")
-    typer.echo(f"Wrote {assessment.folder / 'report.html'}")
+    tell_written((assessment.folder / "report.html",))

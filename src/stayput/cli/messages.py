@@ -149,7 +149,7 @@ def note(text: str) -> None:
 
 
 def tell_written(files: Iterable[Path | None], *, beside: bool = False) -> None:
-    """Say which files were written.
+    """Say which files were written, unless quiet is wanted.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ def tell_written(files: Iterable[Path | None], *, beside: bool = False) -> None:
     for file in files:
         if file is not None and beside:
             note(f"Wrote {file}")
-        elif file is not None:
+        elif file is not None and not is_quiet():
             typer.echo(f"Wrote {file}")
 
 

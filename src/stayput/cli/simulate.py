@@ -251,10 +251,6 @@ class _Wanted(NamedTuple):
 def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
     from stayput.report.summary import rows, sentences, summary
 
-    if wanted.json:
-        print_json(summary(run))
-    else:
-        _print_table(sentences(run, wanted.name), rows(run, wanted.lang), wanted)
     if wanted.plot is not None:
         from stayput.report.plot import plot_run
 
@@ -272,6 +268,10 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
                 language=wanted.lang,
                 progress=progress,
             )
+    if wanted.json:
+        print_json(summary(run))
+    else:
+        _print_table(sentences(run, wanted.name), rows(run, wanted.lang), wanted)
     wanted.tell_written()
 
 
@@ -279,10 +279,6 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
     from stayput.report.space.said import became
     from stayput.report.space.summary import space_rows, space_summary
 
-    if wanted.json:
-        print_json(space_summary(run, names))
-    else:
-        _print_table(became(run, names), space_rows(run, names, wanted.lang), wanted)
     if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
 
@@ -300,6 +296,10 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
                 language=wanted.lang,
                 progress=progress,
             )
+    if wanted.json:
+        print_json(space_summary(run, names))
+    else:
+        _print_table(became(run, names), space_rows(run, names, wanted.lang), wanted)
     wanted.tell_written()
 
 

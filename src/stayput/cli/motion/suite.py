@@ -134,25 +134,24 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None) -> None:
     import csv
     import io
 
-    from stayput.files import draft, name_part
+    from stayput.files import folder_draft, name_part
     from stayput.progress import bar
     from stayput.spreadsheets import text_cell
 
-    folder = out / "motions"
-    folder.mkdir(parents=True, exist_ok=True)
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
     rows.writerow(COLUMNS)
-    with bar(len(motions), "Writing motions", unit="motions") as advance:
+    with folder_draft(out) as unfinished, bar(len(motions), "Writing motions", unit="motions") as advance:
+        folder = unfinished / "motions"
+        folder.mkdir()
         for i, motion in enumerate(motions, start=1):
             file = f"{i:0{len(str(len(motions)))}d}-{name_part(motion.name, 'motion')}.csv"
             motion.write(folder / file)
             names = file, text_cell(motion.name)
             rows.writerow([*names, motion.synthetic, *_numbers(motion), text_cell(motion.source)])
             advance(1)
-    with draft(out / "suite.csv") as unfinished:
-        unfinished.write_text(table.getvalue(), encoding="utf-8")
-    motions.plot(out / "suite.png", target=target)
+        (unfinished / "suite.csv").write_text(table.getvalue(), encoding="utf-8")
+        motions.plot(unfinished / "suite.png", target=target)
 
 
 def _print_end(

@@ -5,13 +5,12 @@ from __future__ import annotations
 import csv
 import io
 import re
-from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.catalogue import say
-from stayput.files import drafts
+from stayput.files import folder_draft
 from stayput.fragility import PFA, PFV
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.labels import identifiers
@@ -23,7 +22,7 @@ from stayput.report.verdict.assumptions import assumptions
 from stayput.spreadsheets import text_cell
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Sequence
+    from collections.abc import Sequence
     from pathlib import Path
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
@@ -83,14 +82,13 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
         )
     names = list(texts)
     names.insert(2, "fragility.svg")
-    files = [folder / name for name in names]
-    with _new_folder(folder), drafts(files) as unfinished:
-        for name, path in zip(names, unfinished, strict=True):
+    with folder_draft(folder) as unfinished:
+        for name in names:
             if name in texts:
-                path.write_text(texts[name], encoding="utf-8")
+                (unfinished / name).write_text(texts[name], encoding="utf-8")
             else:
-                _plot(verdict, measure, path)
-    return files, left_out
+                _plot(verdict, measure, unfinished / name)
+    return [folder / name for name in names], left_out
 
 
 def _left_out(curve: FragilityCurve) -> str:
@@ -104,18 +102,6 @@ def _left_out(curve: FragilityCurve) -> str:
     if curve.lognormal.fits:
         return ""
     return say("fragility.left_out_misfit", option=curve.name, why=curve.lognormal.texts)
-
-
-@contextmanager
-def _new_folder(folder: Path) -> Generator[None]:
-    """Make a folder where there is none; remove it if it is left empty."""
-    fresh = not folder.exists()
-    folder.mkdir(exist_ok=True)
-    try:
-        yield
-    finally:
-        if fresh and not any(folder.iterdir()):
-            folder.rmdir()
 
 
 def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> str:
