@@ -84,7 +84,12 @@ def _progress() -> Generator[Progress]:
         def render(self, task: Task) -> Text:
             return Text("" if task.speed is None else f"{task.speed:,.0f} {task.fields['unit']}/s")
 
-    columns = "{task.description}", BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn()
+    class Remaining(TimeRemainingColumn):
+        def render(self, task: Task) -> Text:
+            time = super().render(task)
+            return time if task.time_remaining is None else time.append(" left")
+
+    columns = "{task.description}", BarColumn(), MofNCompleteColumn(), Rate(), Remaining()
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
         _drawn.append(progress)
         try:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import re
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -18,7 +20,10 @@ def words(listed: Callable[[], Iterable[str]]) -> Callable[[str], list[str]]:
     """
 
     def complete(incomplete: str) -> list[str]:
-        return [word for word in listed() if word.startswith(incomplete)]
+        fitting = [word for word in listed() if word.startswith(incomplete)]
+        if "bash" in os.environ.get("_STAYPUT_COMPLETE", ""):  # the other shells quote by themselves
+            return [re.sub(r"([^\w.-])", r"\\\1", word) for word in fitting]
+        return fitting
 
     return complete
 

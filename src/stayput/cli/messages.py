@@ -42,11 +42,11 @@ class CommandGroup(TyperGroup):
     def main(self, args: Sequence[str] | None = None, *rest: Any, **kwargs: Any) -> Any:
         """Run the command line, and flush standard output."""
         self._language = _language_of(sys.argv[1:] if args is None else args)
-        keep_quiet(False)
         try:
             try:
                 return super().main(args, *rest, **kwargs)
             finally:
+                keep_quiet(False)
                 if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison] - where it is closed
                     sys.stdout.flush()
         except OSError as error:

@@ -18,7 +18,7 @@ from stayput.cli.flags import (
     motion_of,
     one_of_two,
 )
-from stayput.cli.messages import note, print_json, tell_written
+from stayput.cli.messages import print_json, tell_written
 from stayput.cli.shaking import XOption, YOption, ZOption, along
 from stayput.cli.streams import check_output, is_stream, to_output, write_text
 from stayput.errors import InputError, InputWarning, unknown, warn
@@ -303,10 +303,8 @@ def convert(
     if only is not None:
         record = record.component(only)
     write_text(out, record.text(ending))
-    what = f"{len(record)} samples every {record.dt:g} s, {', '.join(record.components)}"
-    if is_stream(out):
-        note(f"Wrote {what}")
-    else:
+    if not is_stream(out):
+        what = f"{len(record)} samples every {record.dt:g} s, {', '.join(record.components)}"
         typer.echo(f"Wrote {out}: {what}")
 
 
