@@ -149,3 +149,20 @@ def test_a_stream_is_for_one_thing(here: Path, arguments: tuple[str, ...], told:
     assert told in done.stderr
     assert done.stderr.count("\n") == 1
     assert done.stdout == ""
+
+
+def test_an_inventory_on_standard_input_is_the_same_assessment_as_its_file(here: Path) -> None:
+    pytest.importorskip("pyarrow")
+    rows = "id,preset\na,bookcase\nb,chest\n"
+    (here / "inventory.csv").write_text(rows, encoding="utf-8")
+    flags = ("--scenario", "scenario.toml", "--out", "results", "--quiet")
+    piped = cli("assess", "-", *flags, given=rows)
+    assert piped.exit_code == 0, piped.output
+    assert piped.stderr == ""
+    assert "Wrote" not in piped.stdout
+    assert cli("assess", "inventory.csv", *flags).exit_code == 0  # of which the folder holds the results
+    refused = cli(
+        "assess", "-", "--scenario", "scenario.toml", "--out", "none", given="id,preset\na,bokcase\n"
+    )
+    assert refused.exit_code == 2
+    assert refused.stderr.startswith("No row of the inventory could be assessed")
