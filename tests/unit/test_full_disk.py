@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import errno
 import os
+import shutil
+import subprocess
+import sys
 from typing import TYPE_CHECKING
 
 import pytest
@@ -42,8 +45,6 @@ builtin = "near-fault"
 [uncertainty]
 samples = 2
 """
-SHORT = ("--motion", "sine:2,1,1")
-
 WRITERS = [
     "verify piece.toml --report out/report.html",
     "verify piece.toml --csv out/ranking.csv",
@@ -131,3 +132,14 @@ def test_older_results_stay_as_they_were(full: Path) -> None:
     assert CliRunner().invoke(app, ["study", "tip-over", "--out", "out/study"]).exit_code == 2
     assert [file.name for file in older.iterdir()] == ["tip-over.md"]
     assert (older / "tip-over.md").read_text(encoding="utf-8") == "older"
+
+
+@pytest.mark.skipif(os.name != "posix" or shutil.which("ffmpeg") is None, reason="ffmpeg writes MP4 films")
+def test_a_film_that_ffmpeg_cannot_write_whole_is_refused(tmp_path: Path) -> None:
+    program = [sys.executable, "-m", "stayput", "simulate", "--animate", "film.mp4"]
+    # no file may grow beyond 64 KiB, as if the disk were full by then
+    limited = ["bash", "-c", 'trap "" XFSZ; ulimit -f 64; exec "$@"', "bash", *program]
+    done = subprocess.run(limited, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 2, done.stderr
+    assert "ffmpeg could not write .mp4: " in done.stderr
+    assert not list(tmp_path.iterdir())
