@@ -62,14 +62,14 @@ from .scenario import read_room as read_room
 from .scenario import read_scenario as read_scenario
 from .simulation.boundary import overturning_map as overturning_map
 from .simulation.boundary import trace_boundary as trace_boundary
+from .simulation.case import Case as Case
+from .simulation.case import simulate as simulate
 from .simulation.many import simulate_many as simulate_many
 from .simulation.outcome import Event as Event
 from .simulation.outcome import EventKind as EventKind
 from .simulation.outcome import Mode as Mode
 from .simulation.outcome import Outcome as Outcome
-from .simulation.run import Case as Case
 from .simulation.run import Run as Run
-from .simulation.run import simulate as simulate
 from .simulation.space_run import Hit as Hit
 from .simulation.space_run import SpaceRun as SpaceRun
 from .simulation.standing import Assembly as Assembly

@@ -25,6 +25,7 @@ from uuid import uuid4
 import stayput
 from stayput.catalogue import say
 from stayput.errors import InputError, whole_within
+from stayput.progress import language_of_bars
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Iterator
@@ -387,7 +388,7 @@ class DaskExecutor(Executor):
         elif self._alone_since is None:
             self._alone_since = now
         elif self._notify is not None and now - self._alone_since > PATIENCE:
-            self._notify(say("common.no_worker"))
+            self._notify(say("common.no_worker", language_of_bars()))
             self._alone_since = float("inf")
 
     @contextmanager

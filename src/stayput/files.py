@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
 import secrets
 import shutil
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager, suppress
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -97,16 +98,37 @@ def draft(target: Path) -> Generator[Path]:
 
 
 @contextmanager
-def drafts(targets: Sequence[Path]) -> Generator[list[Path]]:
-    """Give a temporary path beside each of several files; all take their places at the end, or none does.
+def folder_draft(folder: Path) -> Generator[Path]:
+    """Give a temporary folder within ``folder``; at the end all files in it take their places.
+
+    When the writing fails or is interrupted no file takes its place, and folders that were made are removed.
 
     Raises
     ------
     InputError
-        The folder does not let a file be written.
+        The folder cannot be made, or does not let its files be written.
     """
-    with ExitStack() as stack:
-        yield [stack.enter_context(draft(target)) for target in targets]
+    fresh = [path for path in (folder, *folder.parents) if not path.exists()]
+    path = folder / f".draft-{secrets.token_hex(4)}"
+    try:
+        path.mkdir(parents=True)
+        yield path
+        for file in sorted(path.rglob("*")):
+            target = folder / file.relative_to(path)
+            if file.is_dir():
+                target.mkdir(exist_ok=True)
+            else:
+                file.replace(target)
+    except OSError as error:
+        reason = reason_of(error)
+        raise InputError("model.folder_not_written", folder=repr(str(folder)), reason=reason) from error
+    except InputError as error:
+        raise error.renamed(f"{path}{os.sep}", f"{folder}{os.sep}") from None
+    finally:
+        shutil.rmtree(path, ignore_errors=True)
+        with suppress(OSError):  # the first that is not empty
+            for made in fresh:
+                made.rmdir()
 
 
 _LONGEST = 100

@@ -22,6 +22,19 @@ _language: ContextVar[Language] = ContextVar("_language", default="en")
 _drawn: list[Progress] = []
 """What is drawn at present, of one item at most: a terminal has room for no second one."""
 
+_quiet: list[bool] = []
+"""What was asked of this process, of one item at most: whether it keeps quiet."""
+
+
+def keep_quiet(wanted: bool) -> None:
+    """Draw no bar where nobody says so, and print no note beside the results; or do so again."""
+    _quiet[:] = [wanted]
+
+
+def is_quiet() -> bool:
+    """Whether nothing but results and refusals is wanted."""
+    return any(_quiet)
+
 
 @contextmanager
 def told_in(language: Language) -> Generator[None]:
@@ -72,6 +85,8 @@ def bar(
 
 def is_drawn() -> bool:
     """Whether bars are drawn where nobody says so."""
+    if is_quiet():
+        return False
     from rich.console import Console
 
     return Console(stderr=True).is_terminal and multiprocessing.parent_process() is None
@@ -87,11 +102,19 @@ def _progress() -> Generator[Progress]:
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, ProgressColumn, TimeRemainingColumn
     from rich.text import Text
 
+    language = _language.get()  # which the thread that draws does not know
+
     class Rate(ProgressColumn):
         def render(self, task: Task) -> Text:
             return Text("" if task.speed is None else f"{task.speed:,.0f} {task.fields['unit']}/s")
 
-    columns = "{task.description}", BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn()
+    class Remaining(TimeRemainingColumn):
+        def render(self, task: Task) -> Text:
+            time = super().render(task)
+            known = task.time_remaining is not None
+            return Text(say("progress.left", language, time=time.plain), time.style) if known else time
+
+    columns = "{task.description}", BarColumn(), MofNCompleteColumn(), Rate(), Remaining()
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
         _drawn.append(progress)
         try:

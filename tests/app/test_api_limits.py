@@ -92,6 +92,8 @@ def test_a_scene_names_no_file_of_the_server(client: httpx.Client) -> None:
         ("record", "/etc/passwd"),
         ("record", "../x"),
         ("record", "0" * 32),
+        ("across", "/etc/passwd"),
+        ("vertical", "/etc/passwd"),
         ("suite", "/etc"),
     ):
         told = refused(simulate(client, {**SCENE, "shaking": {key: value}}), 422, f"scene.shaking.{key}")

@@ -462,3 +462,16 @@ def test_a_step_that_helps_only_with_others_says_with_which(plan: sp.ActionPlan)
     told = list(what_it_brings(2, pair))
     assert told[0] == phrase("action_plan.only_together", steps="1")
     assert len(told) == 2
+
+
+def test_a_plan_of_a_room_without_places_and_doors_tells_of_falls_alone(tmp_path):
+    room, out = tmp_path / "room.toml", tmp_path / "plan.html"
+    room.write_text(
+        '[plan]\nwidth = 3.6\nlength = 2.7\n[[furniture]]\nname = "bookcase"\npreset = "bookcase"\n'
+        'against = "left_wall"\nalong = 1.35\n[shaking]\nbuiltin = "near-fault"\n'
+        "[uncertainty]\nsamples = 2\n",
+        encoding="utf-8",
+    )
+    done = CliRunner().invoke(app, ["verify", str(room), "--plan", str(out)])
+    assert done.exit_code == 0, done.output
+    assert "bookcase" in out.read_text(encoding="utf-8")

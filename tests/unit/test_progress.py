@@ -1,12 +1,13 @@
 """Progress bars: drawn on a terminal, all in one place, by the process that a person has started."""
 
 import multiprocessing
+import re
 import time
 
 import pytest
 
 import stayput.progress as progress
-from stayput.progress import bar
+from stayput.progress import bar, told_in
 
 
 @pytest.fixture
@@ -28,6 +29,16 @@ def test_a_bar_shows_rate_and_time_left_on_a_terminal_only(request, capsys):
     shown = capsys.readouterr().err
     assert "10/10" in shown
     assert "cases/s" in shown
+
+
+@pytest.mark.parametrize(("language", "told"), [("en", r"0:00:\d\d left"), ("ja", r"残り0:00:\d\d")])
+def test_the_time_left_is_told_in_the_language(terminal, capsys, language, told):
+    with told_in(language), bar(10, "progress.simulating") as tell:
+        tell(4)
+        time.sleep(0.1)
+        tell(3)
+        time.sleep(0.7)  # a column is drawn anew after half a second
+    assert re.search(told, capsys.readouterr().err)
 
 
 def test_a_bar_within_another_stands_below_it_and_goes_when_it_is_done(terminal, capsys):

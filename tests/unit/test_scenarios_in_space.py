@@ -13,7 +13,7 @@ from stayput.cli import app
 from stayput.report.verdict.html import write_report
 from stayput.report.verdict.pairs import floor_motion, replay_in_space
 from stayput.scenario import AssemblyScenario, Scenario
-from stayput.simulation.run import Case
+from stayput.simulation.case import Case
 
 BOOKCASE = {
     "furniture": {"preset": "bookcase"},

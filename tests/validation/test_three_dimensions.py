@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.simulation.run import simulate
+from stayput.simulation.case import simulate
 from stayput.studies.three_dimensions import PLANE, SPACE, STRONGER, differing, less_space, three_dimensions
 from stayput.studies.three_dimensions_runs import ENGINES, SETTINGS, Shaken, outcomes
 

@@ -23,6 +23,7 @@ from stayput.report.space.animation import animate_space_run
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.words import names_in
 from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario.shaking import RECORD_FILES
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -59,7 +60,7 @@ def scene_toml(scenario: Scenario | AssemblyScenario, motions: Motions) -> str:
         The uploaded motions, whose names replace their ids.
     """
     shaking = scenario.shaking
-    names = {key: value for key in ("record", "vertical") if isinstance(value := getattr(shaking, key), str)}
+    names = {key: value for key in RECORD_FILES if isinstance(value := getattr(shaking, key), str)}
     if not names:
         return scenario.to_toml()
     changed = shaking.model_copy(update={key: motions.label(value) for key, value in names.items()})

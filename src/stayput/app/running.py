@@ -21,7 +21,7 @@ from stayput.app.run_replies import (
 from stayput.errors import InputError
 from stayput.report.scene import TIME_DIGITS, frames, ground_displacement, rounded, scene_of
 from stayput.report.summary import piece_sentences
-from stayput.simulation.run import simulate
+from stayput.simulation.case import simulate
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:

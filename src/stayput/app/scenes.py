@@ -13,7 +13,7 @@ from stayput.model.parameters import parameter_of
 from stayput.motion import sine
 from stayput.scenario import AssemblyScenario, Scenario
 from stayput.scenario.room import RoomScenario
-from stayput.scenario.shaking import SuiteTable
+from stayput.scenario.shaking import RECORD_FILES, SuiteTable
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
@@ -147,7 +147,7 @@ def _several(
 def uploaded_motions(scenario: Scenario | AssemblyScenario) -> frozenset[str]:
     """Return the uploaded motions that a scene reads."""
     shaking = scenario.shaking
-    return frozenset(name for name in (shaking.record, shaking.vertical) if isinstance(name, str))
+    return frozenset(name for key in RECORD_FILES if isinstance(name := getattr(shaking, key), str))
 
 
 def refusal(error: InputError, own: bool = False) -> RefusedError:
@@ -178,7 +178,7 @@ def _refuse_half_characters(scene: dict[str, Any]) -> None:
 
 def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) -> None:
     """Refuse a shaking that names a file of the server or is too long, before any motion is made."""
-    for key in ("record", "vertical"):
+    for key in RECORD_FILES:
         name = shaking.get(key)
         if isinstance(name, str):
             if not ID.fullmatch(name) or not motions.knows(name):

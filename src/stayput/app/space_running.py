@@ -34,8 +34,8 @@ from stayput.report.summary import device_results, number, piece_name, place_cal
 from stayput.rooms.one_run import happens_in
 from stayput.rooms.words import names_in
 from stayput.scenario.room import RoomScenario
+from stayput.simulation.case import simulate
 from stayput.simulation.outcome import EventKind
-from stayput.simulation.run import simulate
 from stayput.simulation.space_fate import ROCKED, SLID
 
 if TYPE_CHECKING:

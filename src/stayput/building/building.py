@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from stayput.building.model import FloorPeaks, FloorResponse
+    from stayput.building.response import FloorPeaks, FloorResponse
     from stayput.motion import Motion
 
 

@@ -6,6 +6,26 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} is {value} beside {other} {other_value}; it must be one of the two.",
         "{flag} {value}と{other} {other_value}の両方が指定されています。一方だけにしてください。",
     ),
+    "no_vertical_file": (
+        "--z is {value} beside --no-vertical; it must be one of the two.",
+        "--z {value}と--no-verticalの両方が指定されています。一方だけにしてください。",
+    ),
+    "no_motion": (
+        "There is no motion; it must be given as {name} or with --x.",
+        "揺れが指定されていません。{name}か--xで指定してください。",
+    ),
+    "no_output": (
+        "OUT is missing; it must be the file to write.",
+        "OUTが指定されていません。書き出すファイルを指定してください。",
+    ),
+    "input_twice": (
+        "{flag} and {other} are both -, standard input; one of them must be a file.",
+        "{flag}と{other}がどちらも-（標準入力）になっています。一方にはファイルを指定してください。",
+    ),
+    "output_twice": (
+        "{flag} and {other} both go to standard output; one of them must go to a file, or be left out.",
+        "{flag}と{other}の両方が標準出力に書き出されます。一方はファイルに書き出すか、省いてください。",
+    ),
     "written_like": (
         "{flag} is {value}; it must be written like {example}.",
         "{flag}が{value}になっています。{example}のように書いてください。",

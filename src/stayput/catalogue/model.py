@@ -124,6 +124,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file to write is {file}; it could not be written: {reason}.",
         "ファイル{file}に書き込めませんでした（{reason}）。",
     ),
+    "folder_not_written": (
+        "The folder to write is {folder}; its files could not be written: {reason}.",
+        "フォルダー{folder}にファイルを書き込めませんでした（{reason}）。",
+    ),
     "no_ffmpeg": (
         (
             "The file to write is {file}; an MP4 needs the program ffmpeg, which is not installed, "

@@ -238,6 +238,23 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The channels are {channels}; exactly one must be vertical.",
         "ファイルのチャンネルは「{channels}」です。上下動の成分が1つだけ必要です。",
     ),
+    "drifts": (
+        (
+            "The displacement of {component} drifts with the record's baseline, which is not corrected: its peak is "
+            "{pgd:.4g} cm, and {corrected:.4g} cm once a line is taken off the acceleration."
+        ),
+        (
+            "{component}の変位は、補正していない記録の基線のずれで流れています。最大変位は{pgd:.4g} cmですが、"
+            "加速度から直線成分を除くと{corrected:.4g} cmになります。"
+        ),
+    ),
+    "vertical_by_name": (
+        (
+            "The name of the file ends in {ending!r}, as that of a vertical component does; it is taken as x, the "
+            "horizontal shaking."
+        ),
+        "ファイル名の末尾が上下動の成分を表す「{ending}」ですが、水平の揺れ（x）として使います。",
+    ),
     "vertical_alone": (
         (
             "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "

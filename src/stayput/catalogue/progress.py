@@ -3,6 +3,7 @@
 TEXTS: dict[str, tuple[str, str]] = {
     "compiling": ("Compiling the mechanics once", "計算プログラムの準備（初回のみ）"),
     "drawing": ("Drawing", "描画"),
+    "left": ("{time} left", "残り{time}"),
     "matching": ("Matching", "目標スペクトルに適合"),
     "planning": ("Planning", "対策計画の作成"),
     "reading": ("Reading", "読み込み"),
@@ -11,6 +12,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "verifying": ("Verifying", "検証"),
     "writing": ("Writing", "書き出し"),
     "cases": ("cases", "件"),
+    "frames": ("frames", "コマ"),
     "functions": ("functions", "関数"),
     "motions": ("motions", "波"),
     "parts": ("parts", "区分"),

@@ -387,6 +387,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "model_name": ("{masses}-mass shear model", "{masses}質点せん断モデル"),
     "floor_name": ("storey {storey}", "{storey}階"),
     "ground_name": ("ground", "地盤"),
+    "standard_input": ("standard input", "標準入力"),
     "suite_member": ("synthetic {family} {number}", "模擬地震動（{family}）{number}"),
     "building_text": (
         "{name}, floor of storey {storey}, as a shear model",

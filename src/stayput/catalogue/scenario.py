@@ -141,6 +141,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "shaking.vertical is {value} without shaking.record; it must be true or false there.",
         "shaking.recordがないのにshaking.verticalが{value}になっています。trueかfalseにしてください。",
     ),
+    "vertical_across": (
+        "{name} is {file}, a vertical record ({label!r}); it must be a horizontal one.",
+        "{name}の{file}は上下動の記録（「{label}」）です。水平の記録を指定してください。",
+    ),
     "scale_and_strength": (
         "shaking.scale is {value:g} beside {other}; it must be one of the two.",
         "shaking.scale（{value:g}）と{other}の両方があります。一方だけを指定してください。",

@@ -61,10 +61,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion {motion!r} is still along the shaking; it must shake.",
         "地震動{motion!r}は加振方向に動きがありません。揺れのある地震動を指定してください。",
     ),
-    "folder": (
-        "The folder is {folder!r}; it cannot be made: {reason}.",
-        "フォルダー{folder!r}を作成できません：{reason}",
-    ),
     "name": ("Study", "スタディの名前"),
     "no_motion": (
         "Study {name!r} takes no motion; --motion is for {names}.",

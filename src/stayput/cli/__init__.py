@@ -9,12 +9,13 @@ import typer
 import stayput
 from stayput.cli import app as page
 from stayput.cli import assess, building, fragility, motion, simulate, study, verify
+from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.messages import CommandGroup
 
 app = typer.Typer(
     cls=CommandGroup,
     no_args_is_help=True,
-    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
@@ -37,8 +38,10 @@ def _print_version(wanted: bool) -> None:
 @app.callback()
 def _options(  # pyright: ignore[reportUnusedFunction] - Typer calls it
     version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")
+        bool,
+        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="Print the version."),
     ] = False,
+    quiet: QuietOption = False,
 ) -> None:
     """Verify earthquake-proof measures for furniture."""
 

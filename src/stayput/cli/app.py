@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.language import OF_LOCALE, LanguageOption
 
 PORT = 8000
@@ -18,6 +19,7 @@ def app(
     port: Annotated[int, typer.Option(min=0, max=65535, help="Port; 0 takes a free one.")] = PORT,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page.")] = True,
     lang: LanguageOption = OF_LOCALE,
+    quiet: QuietOption = False,
 ) -> None:
     """Serve the app: set a scene, see it shaken, see what holds it."""
     from stayput.extras import absent

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import ThreadsOption  # noqa: TC001 - Typer reads the annotations
-from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
-from stayput.cli.messages import print_json
+from stayput.cli.flags import QuietOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.messages import note, print_json, tell_written
+from stayput.cli.streams import file_of
 
 if TYPE_CHECKING:
     from stayput.inventory import Assessment
@@ -19,7 +20,10 @@ if TYPE_CHECKING:
 def assess(
     inventory: Annotated[
         Path,
-        typer.Argument(metavar="TABLE", help="The inventory, a row a piece: .csv, .tsv, .xlsx or .parquet."),
+        typer.Argument(
+            metavar="TABLE",
+            help="The inventory, a row a piece: .csv, .tsv, .xlsx or .parquet; - is a CSV on standard input.",
+        ),
     ],
     scenario: Annotated[
         Path,
@@ -62,6 +66,7 @@ def assess(
     memory: Annotated[str, typer.Option(help="Memory to stay below.")] = "2GB",
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    quiet: QuietOption = False,
 ) -> None:
     """Assess every piece of an inventory: how likely it overturns, and which measure helps most.
 
@@ -70,10 +75,10 @@ def assess(
     from stayput.inventory import assess as run
 
     assessment = run(
-        inventory,
+        file_of(str(inventory), "TABLE", ".csv"),
         scenario,
         out,
-        shakemap=shakemap,
+        shakemap=None if shakemap is None else file_of(str(shakemap), "--shakemap", ".csv"),
         field=field,
         uncertainty=uncertainty,
         columns=columns,
@@ -82,7 +87,7 @@ def assess(
         threads=threads,
         scheduler=scheduler,
         memory=memory,
-        say=lambda text: typer.echo(text, err=True),
+        say=note,
     )
     if json:
         print_json(_record(assessment))
@@ -141,4 +146,4 @@ def _print(assessment: Assessment, lang: str) -> None:
     for name, total in assessment.summary.events.items():
         for sentence in printed(total, name, lang):
             typer.echo(sentence)
-    wrote(lang, assessment.report("ja" if lang == "ja" else "en"))
+    tell_written(lang, assessment.report("ja" if lang == "ja" else "en"))

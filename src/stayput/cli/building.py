@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import ComponentOption, TimeStepOption, UnitOption, motion_of
-from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
-from stayput.cli.messages import folded, print_json
+from stayput.cli.completion import structures, words
+from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.messages import folded, print_json, tell_written
 from stayput.cli.shaking import (
     EarthquakeOption,
     IntensityOption,
@@ -18,16 +19,23 @@ from stayput.cli.shaking import (
     PgaOption,
     PgvOption,
     SpectralOption,
+    XOption,
+    YOption,
+    ZOption,
+    along,
     stated_strength,
 )
+from stayput.cli.streams import check_output, to_output, write_text
 
 if TYPE_CHECKING:
-    from stayput.building.model import FloorResponse
+    from stayput.building.response import FloorResponse
 
 
 def building(
     storeys: Annotated[int, typer.Option(help="Number of storeys.")] = 10,
-    structure: Annotated[str, typer.Option(help="RC, steel, wood or base-isolated.")] = "RC",
+    structure: Annotated[
+        str, typer.Option(help="RC, steel, wood or base-isolated.", autocompletion=words(structures))
+    ] = "RC",
     period: Annotated[
         float | None,
         typer.Option(
@@ -36,8 +44,15 @@ def building(
     ] = None,
     damping: Annotated[float | None, typer.Option(help="Damping ratio. Default: by structure.")] = None,
     motion: Annotated[
-        str, typer.Option(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
-    ] = "near-fault",
+        str | None,
+        typer.Option(
+            metavar="MOTION",
+            help="A record's file, - (standard input), near-fault, or sine:A,F[,T]. Default: near-fault.",
+        ),
+    ] = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
@@ -53,7 +68,8 @@ def building(
     ] = None,
     linear: Annotated[bool, typer.Option("--linear", help="Do not let the storeys yield.")] = False,
     out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the floor motion of --storey: .csv.")
+        Path | None,
+        typer.Option(metavar="FILE", help="Write the floor motion of --storey: .csv; - prints it."),
     ] = None,
     plot: Annotated[
         Path | None,
@@ -61,36 +77,40 @@ def building(
     ] = None,
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    quiet: QuietOption = False,
 ) -> None:
     """Floor motions of a building: the peaks of every storey, and the motion of one."""
     from stayput.building import Building
     from stayput.errors import InputError
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target
 
-    if out is not None:
-        check_target(out, (".csv",))
-        if storey is None or len(storey) != 1:
-            raise InputError("cli.out_needs_storey", "--out", out=repr(str(out)))
+    check_output(out, (".csv",))
+    if out is not None and (storey is None or len(storey) != 1):
+        raise InputError("cli.out_needs_storey", "--out", out=repr(str(out)))
+    instead = to_output({"--out": out}, json)
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
-    check_apart((out, plot), [Path(motion)])
+    check_apart((out, plot), [Path(file) for file in (motion, x, y, z) if file is not None])
     described = Building(storeys, structure, period, damping, nonlinear=not linear)
     for number in storey or ():
         described.model.place(number)
+    ground = along(motion, x) or "near-fault"
     strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
-    ground = motion_of(motion, component=component, unit=unit, dt=dt, **strength)
-    response = described.respond(ground)
+    response = described.respond(
+        motion_of(ground, "--motion", y=y, z=z, component=component, unit=unit, dt=dt, **strength)
+    )
+    if json:
+        print_json(_record(response))
+    elif not instead:
+        _print_table(response, lang)
     if out is not None and storey:
-        response.floor(storey[0]).write(out)
+        write_text(out, response.floor(storey[0]).text(".csv"))
     if plot is not None:
         from stayput.report.building import building_title, plot_building
 
         plot_building(response, plot, storey, title=building_title(response, lang), language=lang)
-    if json:
-        print_json(_record(response))
-    else:
-        _print_table(response, lang)
-        wrote(lang, *filter(None, (out, plot)))
+    if not json:
+        tell_written(lang, out, plot, aside=instead)
 
 
 def _record(response: FloorResponse) -> dict[str, Any]:

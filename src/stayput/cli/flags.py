@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast
 
 import typer
 
+from stayput.cli.streams import NAME, bytes_of_input, called, file_of, is_stream
 from stayput.errors import InputError, unknown
+from stayput.progress import keep_quiet
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from stayput.measures import Measure
     from stayput.motion import Motion
@@ -19,8 +21,19 @@ if TYPE_CHECKING:
 
     Given = TypeVar("Given", bound=Scenario | AssemblyScenario)
 
+
+def _quiet_if(wanted: bool) -> None:
+    if wanted:
+        keep_quiet(True)
+
+
 MotionArgument: TypeAlias = Annotated[
-    str, typer.Argument(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
+    str | None,
+    typer.Argument(
+        metavar="MOTION",
+        help="A record's file, - (standard input), near-fault, or sine:A,F[,T].",
+        show_default=False,
+    ),
 ]
 ComponentOption: TypeAlias = Annotated[
     str | None, typer.Option("--component", help="The record's horizontal channel along the shaking.")
@@ -33,6 +46,16 @@ TimeStepOption: TypeAlias = Annotated[
 ]
 ThreadsOption: TypeAlias = Annotated[
     int | None, typer.Option("--threads", help="Threads; as many as there are cores by default.")
+]
+QuietOption: TypeAlias = Annotated[
+    bool,
+    typer.Option(
+        "--quiet",
+        "-q",
+        callback=_quiet_if,
+        expose_value=False,
+        help="Print results and refusals only: no progress, note or warning.",
+    ),
 ]
 EveryRunOption: TypeAlias = Annotated[
     bool,
@@ -154,13 +177,21 @@ def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:
     A body of one's own does not stand before the example's wall.
     """
     if path is not None:
-        from stayput.scenario.toml import read_toml
+        from stayput.scenario.toml import read_toml, table_of_bytes
 
+        if is_stream(path):
+            return table_of_bytes(bytes_of_input("SCENARIO"), Path(NAME))
         return read_toml(path)
     return EXAMPLE if body is None else {"shaking": EXAMPLE["shaking"]}
 
 
-def parsed(kind: type[Given], data: dict[str, Any], path: Path | None, motion: str | None) -> Given:
+def parsed(
+    kind: type[Given],
+    data: dict[str, Any],
+    given: dict[str, Any],
+    path: Path | None,
+    motion: str | None,
+) -> Given:
     """Return the scenario of a file under the flags.
 
     What the file by itself gets wrong is refused with its name, and what the flags do without.
@@ -171,6 +202,8 @@ def parsed(kind: type[Given], data: dict[str, Any], path: Path | None, motion: s
         `Scenario`, `AssemblyScenario` or `RoomScenario`.
     data : dict
         The tables, under the flags.
+    given : dict
+        The tables of the file by itself.
     path : Path, optional
         The file.
     motion : str, optional
@@ -181,25 +214,25 @@ def parsed(kind: type[Given], data: dict[str, Any], path: Path | None, motion: s
     InputError
         A value that is not allowed.
     """
-    folder, name = (Path(), "") if path is None else (path.parent, path.name)
+    folder, name = (Path(), "") if path is None else (path.parent, called(path))
     try:
         return cast("Given", kind.parse(data, folder, name if motion is None else ""))
     except InputError as error:
-        if path is not None and _refused_alone(kind, path) == str(error):
-            raise error.at(path.name) from None
+        if path is not None and _refused_alone(kind, given) == str(error):
+            raise error.at(called(path)) from None
         raise
 
 
-def _refused_alone(kind: type[Given], path: Path) -> str | None:
+def _refused_alone(kind: type[Given], given: dict[str, Any]) -> str | None:
     """Return the sentence by which a file is refused without flags, or None where it is not."""
     try:
-        kind.parse(scenario_data(path, None))
+        kind.parse(given)
     except InputError as error:
         return str(error)
     return None
 
 
-def inputs_of(tables: Mapping[str, Any], path: Path | None, motion: str | None) -> list[Path]:
+def inputs_of(tables: Mapping[str, Any], path: Path | None, flags: Iterable[str | None]) -> list[Path]:
     """Return the files that a scenario is read from: its own, and those of its motion.
 
     Parameters
@@ -208,17 +241,58 @@ def inputs_of(tables: Mapping[str, Any], path: Path | None, motion: str | None) 
         The file's tables.
     path : Path, optional
         The file.
-    motion : str, optional
-        The flag in the place of the file's motion.
+    flags : iterable of str or None
+        The flags in the place of the file's motion.
     """
+    from stayput.scenario.shaking import RECORD_FILES
+
     shaking = table_of(tables, "shaking")
     folder = Path() if path is None else path.parent
-    records = [folder / value for key in ("record", "vertical") if isinstance(value := shaking.get(key), str)]
-    return [*([] if path is None else [path]), *records, *([] if motion is None else [Path(motion)])]
+    records = [folder / value for key in RECORD_FILES if isinstance(value := shaking.get(key), str)]
+    return [*([] if path is None else [path]), *records, *(Path(each) for each in flags if each is not None)]
 
 
-def motion_of(text: str, **fields: Any) -> Motion:
-    """Return the motion of a ``--motion`` text and of single keys of the shaking table.
+def beside(y: str | None, z: str | None) -> dict[str, str]:
+    """Return the keys of a shaking table for ``--y`` and ``--z``: files beside that of the record.
+
+    Raises
+    ------
+    InputError
+        Both are standard input.
+    """
+    files = {"across": (y, "--y"), "vertical": (z, "--z")}
+    return {key: file_of(file, flag) for key, (file, flag) in files.items() if file is not None}
+
+
+def motion_of(
+    text: str,
+    flag: str,
+    *,
+    y: str | None,
+    z: str | None,
+    component: str | None,
+    unit: str | None,
+    dt: float | None,
+    **strength: Any,
+) -> Motion:
+    """Return the motion of a text as of ``--motion``, and of what is said of its record and its strength.
+
+    Parameters
+    ----------
+    text : str
+        The text; ``-`` stands for standard input.
+    flag : str
+        The flag or argument that it is of.
+    y, z : str, optional
+        The files of the components across and up.
+    component : str, optional
+        The channel along the shaking.
+    unit : str, optional
+        The record's unit.
+    dt : float, optional
+        Its time step [s].
+    strength
+        Keys of a shaking table that say how strong it is; None where one is not given.
 
     Raises
     ------
@@ -227,7 +301,10 @@ def motion_of(text: str, **fields: Any) -> Motion:
     """
     from stayput.scenario import Scenario
 
+    fields = {"component": component, "unit": unit, "dt": dt, **strength}
     stated = {key: value for key, value in fields.items() if value is not None}
+    text = file_of(text, flag)
+    stated |= beside(y, z)
     scenario = Scenario.parse({**EXAMPLE, "shaking": {**shaking_table(text), **stated}})
     return scenario.shaking.motion(Path())
 

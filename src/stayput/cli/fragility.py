@@ -8,9 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import EveryRunOption, ThreadsOption, chosen_measures
-from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
-from stayput.cli.messages import compiling
+from stayput.cli.completion import intensity_measures, measures, words
+from stayput.cli.flags import (
+    EveryRunOption,
+    QuietOption,
+    ThreadsOption,
+    chosen_measures,
+    parsed,
+    scenario_data,
+)
+from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.messages import compiling, note, tell_written
 
 if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve
@@ -18,7 +26,9 @@ if TYPE_CHECKING:
 
 
 def fragility(
-    scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file.")],
+    scenario: Annotated[
+        Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file; - is standard input.")
+    ],
     out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the files; it is made.")],
     im: Annotated[
         str,
@@ -26,15 +36,21 @@ def fragility(
             metavar="JMA|MMI|PGA|PGV|SA(T)|PFA|PFV",
             help="Intensity measure of the curves; SA(0.3): spectral acceleration at 0.3 s; PFA, PFV: the "
             "floor's peaks.",
+            autocompletion=words(intensity_measures),
         ),
     ] = "JMA",
     measure: Annotated[
         list[str] | None,
-        typer.Option(metavar="TYPE|NAME", help="Only this measure beside none; may be repeated."),
+        typer.Option(
+            metavar="TYPE|NAME",
+            help="Only this measure beside none; may be repeated.",
+            autocompletion=words(measures),
+        ),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
     every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
+    quiet: QuietOption = False,
 ) -> None:
     """Write the probability of overturning over the strength of the shaking.
 
@@ -50,9 +66,10 @@ def fragility(
     if not out.parent.is_dir():
         raise InputError("cli.no_parent", "--out", folder=repr(str(out)))
 
-    from stayput.scenario import read_scenario
+    from stayput.scenario import Scenario
 
-    selected = _only(read_scenario(scenario), measure)
+    given = scenario_data(scenario, None)
+    selected = _only(parsed(Scenario, given, given, scenario, None), measure)
 
     from stayput.report.verdict.exports import write_curves
     from stayput.verification import verify
@@ -70,8 +87,8 @@ def fragility(
     if wanted == MMI:
         typer.echo(say("fragility.mmi_scatter", lang))
     for sentence in left_out:
-        typer.echo(sentence, err=True)
-    wrote(lang, *files)
+        note(sentence)
+    tell_written(lang, *files)
 
 
 def _only(scenario: Scenario, names: list[str] | None) -> Scenario:

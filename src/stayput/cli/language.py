@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Annotated, TypeAlias
 
 import typer
 
-from stayput.catalogue import say
-
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -51,9 +49,3 @@ LanguageOption: TypeAlias = Annotated[
         help="Language of what is printed, drawn and reported.",
     ),
 ]
-
-
-def wrote(language: str, *files: object) -> None:
-    """Print the files that have been written."""
-    for file in files:
-        typer.echo(say("cli.wrote", language, file=file))

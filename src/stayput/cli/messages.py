@@ -14,12 +14,14 @@ from typer.core import TyperGroup
 
 from stayput.catalogue import say
 from stayput.cli.language import of_arguments
+from stayput.cli.streams import is_stream, standard_input
 from stayput.cli.usage import USAGE, misused
 from stayput.errors import InputError, InputWarning, reason_of, warnings_to
-from stayput.progress import told_in
+from stayput.progress import is_quiet, keep_quiet, told_in
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
+    from pathlib import Path
 
     from stayput.catalogue import Language
 
@@ -46,6 +48,7 @@ class CommandGroup(TyperGroup):
                 with told_in(self._language):
                     return super().main(args, *rest, **kwargs)
             finally:
+                keep_quiet(False)
                 if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison] - where it is closed
                     sys.stdout.flush()
         except OSError as error:
@@ -75,10 +78,10 @@ class CommandGroup(TyperGroup):
             sentence = warning.told(self._language)
             if sentence not in printed:
                 printed.add(sentence)
-                typer.echo(say("cli.warning", self._language, sentence=sentence), err=True)
+                note(say("cli.warning", self._language, sentence=sentence))
 
         try:
-            with warnings_to(warn):
+            with warnings_to(warn), standard_input():
                 return super().invoke(ctx)
         except InputError as error:
             raise self._refused(error) from None
@@ -135,6 +138,37 @@ def folded(text: str, width: int) -> str:
     return "\n".join(lines)
 
 
+def note(text: str, *, aside: bool = True) -> None:
+    """Print a line beside the results, unless quiet is wanted.
+
+    Parameters
+    ----------
+    text : str
+        The line.
+    aside : bool
+        Whether it goes to standard error, and not to standard output with the results.
+    """
+    if not is_quiet():
+        typer.echo(text, err=aside)
+
+
+def tell_written(lang: str, *files: Path | None, aside: bool = False) -> None:
+    """Say which files were written, unless quiet is wanted.
+
+    Parameters
+    ----------
+    lang : str
+        "en" or "ja".
+    files : Path or None
+        The files; standard output, and None where one was not asked for, are passed over.
+    aside : bool
+        Whether standard output is for something else.
+    """
+    for file in files:
+        if file is not None and not is_stream(file):
+            note(say("cli.wrote", lang, file=file), aside=aside)
+
+
 def print_json(values: object) -> None:
     """Print values as one JSON object."""
     typer.echo(json.dumps(values, allow_nan=False))
@@ -148,7 +182,7 @@ def compiling() -> Generator[None]:
 
     def announce() -> None:
         if not is_drawn():
-            typer.echo(say("cli.compiling", language_of_bars()), err=True)
+            note(say("cli.compiling", language_of_bars()))
 
     with on_compilation(announce):
         yield

@@ -7,14 +7,19 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
 
+from stayput.cli.completion import intensity_classes, words
 from stayput.cli.flags import (
+    beside,
     building_table,
     earthquake_table,
     intensity_value,
+    one_of_two,
     shaking_table,
     spectral_table,
     table_of,
 )
+from stayput.cli.streams import file_of
+from stayput.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -23,16 +28,31 @@ MotionOption: TypeAlias = Annotated[
     str | None,
     typer.Option(
         "--motion",
-        metavar="FILE|near-fault|sine:A,F[,T]",
+        metavar="FILE|-|near-fault|sine:A,F[,T]",
         help="A record's file, the built-in motion, or a sine of A [m/s²], F [Hz] and T [s]; "
         "in the place of the file's whole [shaking].",
     ),
 ]
-ScaleOption: TypeAlias = Annotated[float | None, typer.Option("--scale", help="Factor on the motion.")]
+XOption: TypeAlias = Annotated[
+    str | None,
+    typer.Option("--x", metavar="FILE", help="As --motion: the record of the component along the shaking."),
+]
+YOption: TypeAlias = Annotated[
+    str | None, typer.Option("--y", metavar="FILE", help="The record of the component across it.")
+]
+ZOption: TypeAlias = Annotated[
+    str | None, typer.Option("--z", metavar="FILE", help="The record of the vertical component.")
+]
+ScaleOption: TypeAlias = Annotated[
+    float | None,
+    typer.Option("--scale", help="Factor on the motion; in the place of a strength that the file states."),
+]
 IntensityOption: TypeAlias = Annotated[
     str | None,
     typer.Option(
-        "--intensity", help="JMA intensity of the ground to scale to: a number, or a class such as 6-upper."
+        "--intensity",
+        help="JMA intensity of the ground to scale to: a number, or a class such as 6-upper.",
+        autocompletion=words(intensity_classes),
     ),
 ]
 PgaOption: TypeAlias = Annotated[
@@ -105,6 +125,9 @@ def shaken(
     path: Path | None,
     *,
     motion: str | None,
+    x: str | None,
+    y: str | None,
+    z: str | None,
     component: str | None,
     unit: str | None,
     dt: float | None,
@@ -127,18 +150,22 @@ def shaken(
         The tables.
     path : Path, optional
         The scenario's file.
-    motion, component, unit, dt, scale, intensity, pga, pgv, sa, mmi, earthquake, building, storey, vertical
-        The flags; None where one is not given. ``motion`` replaces the whole table, a strength those of the
-        file and its scale.
+    motion, x, y, z, component, unit, dt
+        The flags of the motion and its records; None where one is not given.
+    scale, intensity, pga, pgv, sa, mmi, earthquake, building, storey, vertical
+        The other flags; likewise. ``motion`` and ``x`` replace the whole table; ``scale`` and each strength
+        replace the scale and the strengths of the file.
 
     Raises
     ------
     InputError
-        A flag's text that cannot be read.
+        A flag's text that cannot be read, or two flags for one thing.
     """
-    from stayput.scenario.shaking import STRENGTHS
-
     strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
+    motion = along(motion, x)
+    if z is not None and vertical is False:
+        raise InputError("cli.no_vertical_file", "--z", value=repr(z))
+    files = beside(y, z)
     flags = {
         "component": component,
         "unit": unit,
@@ -150,16 +177,59 @@ def shaken(
         "vertical": vertical,
     }
     stated = {key: value for key, value in flags.items() if value is not None}
-    if motion is None and not stated:
+    if motion is None and not stated and not files:
         return dict(tables)
-    given = table_of(tables, "shaking") if motion is None else _from_here(shaking_table(motion), path)
-    if not stated.keys().isdisjoint(STRENGTHS):  # in the place of what the file says
-        given = {key: value for key, value in given.items() if key not in (*STRENGTHS, "scale")}
-    return {**tables, "shaking": {**given, **stated}}
+    given = table_of(tables, "shaking")
+    if motion is not None:
+        given = _from_here(shaking_table(file_of(motion, "--motion")), path)
+    given = _without_strengths(given, stated)
+    if vertical and isinstance(given.get("vertical"), str):  # the component of that file acts
+        del stated["vertical"]
+    return {**tables, "shaking": {**given, **stated, **_from_here(files, path)}}
+
+
+def along(motion: str | None, x: str | None, flag: str = "--motion") -> str | None:
+    """Return the motion of a flag or argument, or of ``--x``.
+
+    Raises
+    ------
+    InputError
+        Both are given.
+    """
+    if motion is not None and x is not None:
+        raise one_of_two("--x", repr(x), flag, repr(motion))
+    return motion if x is None else x
+
+
+def _without_strengths(given: dict[str, Any], stated: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a file's table without what it says of the strength of the shaking, where a flag says it.
+
+    Raises
+    ------
+    InputError
+        Two flags say it.
+    """
+    from stayput.scenario.shaking import SOURCES, STRENGTHS
+
+    strengths = (*STRENGTHS, "scale")
+    flags = [key for key in strengths if key in stated]
+    if len(flags) > 1:
+        first, second = (("--" + key, stated[key]) for key in flags[:2])
+        raise one_of_two(first[0], repr(first[1]), second[0], repr(second[1]))
+    if not flags:
+        return given
+    rest = {key: value for key, value in given.items() if key not in strengths}
+    if given.keys().isdisjoint(SOURCES) and not given.keys().isdisjoint(STRENGTHS):
+        rest["suite"] = {}  # which a strength without a motion stands for
+    return rest
 
 
 def _from_here(shaking: dict[str, Any], path: Path | None) -> dict[str, Any]:
-    """Return the table of a motion whose path begins in the working folder and not in the file's."""
-    if path is None or "record" not in shaking or path.parent.resolve() == Path().resolve():
+    """Return a table of which the records' paths begin in the working folder and not in the file's."""
+    from stayput.scenario.shaking import RECORD_FILES
+
+    if path is None or path.parent.resolve() == Path().resolve():
         return shaking
-    return {"record": str(Path(shaking["record"]).absolute())}
+    return {
+        key: str(Path(value).absolute()) if key in RECORD_FILES else value for key, value in shaking.items()
+    }

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
 from stayput.catalogue import LANGUAGES, say
+from stayput.cli.completion import measures, surfaces, words
 from stayput.cli.flags import (
     ComponentOption,
+    QuietOption,
     TimeStepOption,
     UnitOption,
     chosen_measures,
@@ -19,8 +21,8 @@ from stayput.cli.flags import (
     parsed,
     scenario_data,
 )
-from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
-from stayput.cli.messages import compiling, folded, print_json
+from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.messages import compiling, folded, print_json, tell_written
 from stayput.cli.shaking import (
     BuildingOption,
     EarthquakeOption,
@@ -33,12 +35,15 @@ from stayput.cli.shaking import (
     SpectralOption,
     StoreyOption,
     VerticalOption,
+    XOption,
+    YOption,
+    ZOption,
     shaken,
 )
 from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
+    from collections.abc import Callable, Generator
 
     from stayput.catalogue import Phrase
     from stayput.motion.ground_shaking import GroundStrength
@@ -52,7 +57,8 @@ def simulate(
         Path | None,
         typer.Argument(
             metavar="[SCENARIO.toml]",
-            help="A scenario file. Default: a bookcase before a wall and a synthetic near-fault motion.",
+            help="A scenario file; - is standard input. Default: a bookcase before a wall and a synthetic "
+            "near-fault motion.",
             show_default=False,
         ),
     ] = None,
@@ -61,6 +67,9 @@ def simulate(
         typer.Option(metavar="WxHxM", help="A body: width along the shaking [m] x height [m] x mass [kg]."),
     ] = None,
     motion: MotionOption = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
@@ -74,7 +83,10 @@ def simulate(
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,
-    floor: Annotated[str | None, typer.Option(metavar="SURFACE", help="A surface, such as 'carpet'.")] = None,
+    floor: Annotated[
+        str | None,
+        typer.Option(metavar="SURFACE", help="A surface, such as 'carpet'.", autocompletion=words(surfaces)),
+    ] = None,
     friction: Annotated[
         str | None, typer.Option(metavar="STATIC[,KINETIC]", help="Friction of the floor.")
     ] = None,
@@ -88,7 +100,14 @@ def simulate(
     far_side_wall: Annotated[
         float | None, typer.Option(help="Gap to a wall at the far side (+y) [m]; for --dimensions 3.")
     ] = None,
-    contact: Annotated[str | None, typer.Option(metavar="coulomb|paper", help="The contact law.")] = None,
+    contact: Annotated[
+        str | None,
+        typer.Option(
+            metavar="coulomb|paper",
+            help="The contact law.",
+            autocompletion=words(lambda: ("coulomb", "paper")),
+        ),
+    ] = None,
     length: Annotated[
         float | None, typer.Option(help="Length of the piece across the shaking [m]; for --dimensions 3.")
     ] = None,
@@ -103,6 +122,7 @@ def simulate(
         typer.Option(
             metavar="TYPE|NAME",
             help="A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
+            autocompletion=words(measures),
         ),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
@@ -115,6 +135,7 @@ def simulate(
     ] = None,
     speed: Annotated[float, typer.Option(help="Speed of the animation: 0.25 is slow motion.")] = 1.0,
     fps: Annotated[float, typer.Option(help="Frames a second of a .gif or .mp4.")] = 20.0,
+    quiet: QuietOption = False,
 ) -> None:
     """Simulate one body under one motion.
 
@@ -127,8 +148,8 @@ def simulate(
 
     _check_targets(plot, animate)
     given = scenario_data(scenario, body)
-    check_apart((plot, animate), inputs_of(given, scenario, motion))
-    several = scenario is not None and isinstance(scenario_data(scenario, None).get("furniture"), list)
+    check_apart((plot, animate), inputs_of(given, scenario, (motion, x, y, z)))
+    several = scenario is not None and isinstance(given.get("furniture"), list)
     of_one = {
         "--body": body,
         "--contact": contact,
@@ -157,6 +178,9 @@ def simulate(
         data,
         scenario,
         motion=motion,
+        x=x,
+        y=y,
+        z=z,
         component=component,
         unit=unit,
         dt=dt,
@@ -174,7 +198,9 @@ def simulate(
     if several:
         from stayput.scenario import AssemblyScenario, RoomScenario
 
-        pieces = parsed(RoomScenario if "plan" in given else AssemblyScenario, data, scenario, motion)
+        pieces = parsed(
+            RoomScenario if "plan" in given else AssemblyScenario, data, given, scenario, motion or x
+        )
         with compiling():
             found = pieces.run()
         from stayput.rooms.words import names_in
@@ -185,7 +211,7 @@ def simulate(
             _Wanted(("", ""), pieces.shaking.strength, pieces.title, plot, animate, speed, fps, lang, json),
         )
         return
-    checked = parsed(Scenario, data, scenario, motion)
+    checked = parsed(Scenario, data, given, scenario, motion or x)
     if length is not None and checked.dimensions == 2:
         warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
     with checked.naming_file(), compiling():
@@ -217,6 +243,11 @@ class _Wanted(NamedTuple):
         """What the piece is called in the language."""
         return self.name[LANGUAGES.index(self.lang)]
 
+    def tell_written(self) -> None:
+        """Say which files were written, beside results that are no JSON."""
+        if not self.json:
+            tell_written(self.lang, self.plot, self.animate)
+
 
 def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
     from stayput.report.summary import rows, sentences, summary
@@ -243,6 +274,7 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
         print_json(summary(run))
     else:
         _print_table(sentences(run, wanted.name), rows(run, wanted.lang), wanted)
+    wanted.tell_written()
 
 
 def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> None:
@@ -271,6 +303,7 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
         print_json(space_summary(run, names))
     else:
         _print_table(became(run, names), space_rows(run, names, wanted.lang), wanted)
+    wanted.tell_written()
 
 
 def _check_targets(plot: Path | None, animate: Path | None) -> None:
@@ -286,19 +319,21 @@ def _check_targets(plot: Path | None, animate: Path | None) -> None:
 
 @contextmanager
 def _progress() -> Generator[Progress | None]:
-    """Yield a function that advances a bar of frames on standard error, or None where it is no terminal."""
-    from rich.console import Console
-    from rich.progress import Progress as Bar
+    """Yield a function that advances a bar of frames, or None where none is drawn."""
+    from stayput.progress import bar, is_drawn
 
-    from stayput.progress import language_of_bars
-
-    console = Console(stderr=True)
-    if not console.is_terminal:
+    if not is_drawn():
         yield None
         return
-    with Bar(console=console, transient=True) as bar:
-        task = bar.add_task(say("progress.drawing", language_of_bars()))
-        yield lambda done, total: bar.update(task, completed=done, total=total)
+    with ExitStack() as stack:
+        advance: list[Callable[[int], None]] = []
+
+        def drawn(done: int, total: int) -> None:
+            if not advance:  # the first frame: only now it is known how many there are
+                advance.append(stack.enter_context(bar(total, "progress.drawing", unit="progress.frames")))
+            advance[0](1)
+
+        yield drawn
 
 
 def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> None:
@@ -316,4 +351,3 @@ def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> 
     if wanted.strength is not None:
         table.add_row(say("cli.strength", wanted.lang), say(wanted.strength.about, wanted.lang))
     console.print(table)
-    wrote(wanted.lang, *filter(None, (wanted.plot, wanted.animate)))

@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import ComponentOption, TimeStepOption, UnitOption, motion_of
-from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
+from stayput.cli.completion import words
+from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.messages import note, tell_written
+from stayput.cli.shaking import XOption, YOption, ZOption, along
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,24 +42,36 @@ OF_A_RECORD = ("wall-gap-record", "spectrum", "tokyo", "contents")
 
 
 def study(
-    name: Annotated[str, typer.Argument(help="; ".join(f"{k}: {v}" for k, v in STUDIES.items()) + ".")],
+    name: Annotated[
+        str,
+        typer.Argument(
+            help="; ".join(f"{k}: {v}" for k, v in STUDIES.items()) + ".",
+            autocompletion=words(lambda: STUDIES),
+        ),
+    ],
     out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for data, figures and text; it is made.")],
     motion: Annotated[
         str | None,
         typer.Option(
-            metavar="FILE", help=f"A record's file, for {', '.join(OF_A_RECORD)}. Default: near-fault."
+            metavar="FILE",
+            help=f"A record's file, or -, for {', '.join(OF_A_RECORD)}. Default: near-fault.",
         ),
     ] = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
     lang: LanguageOption = OF_LOCALE,
+    quiet: QuietOption = False,
 ) -> None:
     """Run a study and write its data (NetCDF, CSV), figures, key numbers and tables."""
     from stayput.errors import InputError, unknown
 
     if name not in STUDIES:
         raise unknown("studies.name", name, STUDIES, "name")
+    motion = along(motion, x)
     if motion is not None and name not in OF_A_RECORD:
         raise InputError("studies.no_motion", "motion", name=name, names=", ".join(OF_A_RECORD))
     if out.exists() and not out.is_dir():
@@ -65,10 +80,12 @@ def study(
     import stayput.studies as studies
 
     run: Callable[..., Study] = getattr(studies, name.replace("-", "_"))
-    motions = () if motion is None else (motion_of(motion, component=component, unit=unit, dt=dt),)
+    motions = ()
+    if any(value is not None for value in (motion, y, z, component, unit, dt)):
+        ground = motion or "near-fault"
+        motions = (motion_of(ground, "--motion", y=y, z=z, component=component, unit=unit, dt=dt),)
     result = run(*motions)
-    files = result.write(out)
     typer.echo(result.markdown())
     if lang == "ja":
-        typer.echo(say("cli.study_in_english", lang))
-    wrote(lang, *files)
+        note(say("cli.study_in_english", lang))
+    tell_written(lang, *result.write(out))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 import typer
@@ -39,7 +40,8 @@ def misused(error: Any) -> InputError:
         name, value = _called(error.param), quoted(str(wrong["input"]))
         allowed = _allowed(wrong["type"], error.param)
         return InputError("cli.wrong_value", name, name=name, value=value, allowed=allowed)
-    return InputError("cli.misused", said=str(error.message).rstrip("."), command=command)
+    said = re.sub(r"\. Did you mean (.+)\?$", r" (did you mean \1?)", str(error.message))
+    return InputError("cli.misused", said=said.rstrip("."), command=command)
 
 
 def _called(param: Any) -> str:

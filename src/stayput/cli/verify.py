@@ -12,6 +12,7 @@ import typer
 from stayput.cli.flags import (
     ComponentOption,
     EveryRunOption,
+    QuietOption,
     ThreadsOption,
     TimeStepOption,
     UnitOption,
@@ -19,8 +20,8 @@ from stayput.cli.flags import (
     parsed,
     scenario_data,
 )
-from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
-from stayput.cli.messages import compiling, folded
+from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.messages import compiling, folded, tell_written
 from stayput.cli.shaking import (
     BuildingOption,
     EarthquakeOption,
@@ -33,8 +34,12 @@ from stayput.cli.shaking import (
     SpectralOption,
     StoreyOption,
     VerticalOption,
+    XOption,
+    YOption,
+    ZOption,
     shaken,
 )
+from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
 from stayput.cli.verify_room import print_room
 from stayput.cli.verify_several import print_several
 
@@ -50,15 +55,21 @@ if TYPE_CHECKING:
 
 
 def verify(
-    scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file.")],
+    scenario: Annotated[
+        Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file; - is standard input.")
+    ],
     report: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Write a report that needs nothing else: .html."),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
-    markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md.")] = None,
-    csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv.")] = None,
+    markdown: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md; - prints it.")
+    ] = None,
+    csv: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv; - prints it.")
+    ] = None,
     plan: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Write what to buy and do in a room: .html, to print."),
@@ -74,6 +85,9 @@ def verify(
         bool, typer.Option("--dropped-ceiling", help="With --plan: the ceiling hangs on wires.")
     ] = False,
     motion: MotionOption = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
@@ -90,6 +104,7 @@ def verify(
     slide_limit: Annotated[float | None, typer.Option(help="Slide that counts as too far [m].")] = None,
     every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
+    quiet: QuietOption = False,
 ) -> None:
     """Compare what a scenario's measures do, over its motions and over what is not known.
 
@@ -101,9 +116,12 @@ def verify(
     from stayput.errors import InputError, within
     from stayput.files import check_apart, check_target
 
-    for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv"), (plan, ".html")):
-        if path is not None:
-            check_target(path, (suffix,))
+    for page in (report, plan):
+        if page is not None:
+            check_target(page, (".html",))
+    check_output(markdown, (".md",))
+    check_output(csv, (".csv",))
+    instead = to_output({"--markdown": markdown, "--csv": csv}, json)
     if report is not None and plan is not None and report.resolve() == plan.resolve():
         value = repr(str(plan))
         raise InputError("cli.same_file", "--plan", flag="--report", other="--plan", value=value)
@@ -113,13 +131,16 @@ def verify(
     if plan is None and any(home):
         raise InputError("cli.home_without_plan")
     given = scenario_data(scenario, None)
-    check_apart((report, markdown, csv, plan), inputs_of(given, scenario, motion))
+    check_apart((report, markdown, csv, plan), inputs_of(given, scenario, (motion, x, y, z)))
     if plan is not None and "plan" not in given:
-        raise InputError("cli.plan_of_a_room", "--plan").at(scenario.name)
+        raise InputError("cli.plan_of_a_room", "--plan").at(called(scenario))
     data = shaken(
         given,
         scenario,
         motion=motion,
+        x=x,
+        y=y,
+        z=z,
         component=component,
         unit=unit,
         dt=dt,
@@ -134,11 +155,15 @@ def verify(
         storey=storey,
         vertical=vertical,
     )
-    checked = parsed(_kind(data), data, scenario, motion)
+    checked = parsed(_kind(data), data, given, scenario, motion or x)
     verdict = _verified(checked, slide_limit, every_run, threads)
     from stayput.rooms.verdict import RoomVerdict
 
-    written = _write(verdict, report, markdown, csv, lang)
+    if json:
+        typer.echo(verdict.to_json(), nl=False)
+    elif not instead:
+        _tell(verdict, lang)
+    written = _write(verdict, report, markdown, csv, lang)  # what was found is told even if this fails
     if plan is not None and isinstance(verdict, RoomVerdict):
         from stayput.rooms.planning import action_plan
 
@@ -151,16 +176,8 @@ def verify(
             threads=threads,
         )
         written.append(made.report(plan, lang))
-    from stayput.verification import AssemblyVerdict
-
-    if json:
-        typer.echo(verdict.to_json(), nl=False)
-    elif isinstance(verdict, RoomVerdict):
-        print_room(verdict, lang, written)
-    elif isinstance(verdict, AssemblyVerdict):
-        print_several(verdict, lang, written)
-    else:
-        _print(verdict, lang, written)
+    if not json:
+        tell_written(lang, *written, aside=instead)
 
 
 def _kind(data: dict[str, Any]) -> type[Scenario | AssemblyScenario]:
@@ -197,20 +214,28 @@ def _write(
     csv: Path | None,
     lang: str,
 ) -> list[Path]:
-    from stayput.files import draft
-
     if report is not None:
         verdict.report(report, lang)
     if markdown is not None:
-        with draft(markdown) as unfinished:
-            unfinished.write_text(verdict.to_markdown(lang), encoding="utf-8")
+        write_text(markdown, verdict.to_markdown(lang))
     if csv is not None:
-        with draft(csv) as unfinished:
-            unfinished.write_text(verdict.to_csv(), encoding="utf-8")
-    return [path for path in (report, markdown, csv) if path is not None]
+        write_text(csv, verdict.to_csv())
+    return [path for path in (report, markdown, csv) if path is not None and not is_stream(path)]
 
 
-def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
+def _tell(verdict: Verdict | AssemblyVerdict | RoomVerdict, lang: str) -> None:
+    from stayput.rooms.verdict import RoomVerdict
+    from stayput.verification import AssemblyVerdict
+
+    if isinstance(verdict, RoomVerdict):
+        print_room(verdict, lang)
+    elif isinstance(verdict, AssemblyVerdict):
+        print_several(verdict, lang)
+    else:
+        _print(verdict, lang)
+
+
+def _print(verdict: Verdict, lang: str) -> None:
     from rich.console import Console
 
     from stayput.montecarlo.counting import OVERTURNED
@@ -271,7 +296,6 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     if not verdict.precise:
         paragraph(text("not_precise"))
     paragraph(simulations(verdict, lang))
-    wrote(lang, *written)
 
 
 def _fitting(

@@ -5,19 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from stayput.cli.language import wrote
 from stayput.cli.messages import folded
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
 
 _NEXT = 3
 """How many changes are listed after those that help."""
 
 
-def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
+def print_room(verdict: RoomVerdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes.
 
     Parameters
@@ -26,8 +23,6 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
         The verdict.
     lang : str
         "en" or "ja".
-    written : list of Path
-        Files that were written.
     """
     from rich.console import Console
     from rich.padding import Padding
@@ -74,7 +69,6 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
     if more := len(verdict.changes) - len(listed):
         paragraph(say("rooms.more_changes", lang, count=more))
     paragraph(simulations_of_room(verdict, lang))
-    wrote(lang, *written)
 
 
 def _listed(verdict: RoomVerdict) -> tuple[ChangeVerdict, ...]:

@@ -6,16 +6,13 @@ import math
 from functools import partial
 from typing import TYPE_CHECKING
 
-from stayput.cli.language import wrote
 from stayput.cli.messages import folded
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from stayput.verification import AssemblyVerdict
 
 
-def print_several(verdict: AssemblyVerdict, lang: str, written: list[Path]) -> None:
+def print_several(verdict: AssemblyVerdict, lang: str) -> None:
     """Print a verdict on several pieces: its sentence, a table of the options, and why each is where it is.
 
     Parameters
@@ -24,8 +21,6 @@ def print_several(verdict: AssemblyVerdict, lang: str, written: list[Path]) -> N
         The verdict.
     lang : str
         "en" or "ja".
-    written : list of Path
-        Files that were written.
     """
     from rich.console import Console
     from rich.table import Table
@@ -79,4 +74,3 @@ def print_several(verdict: AssemblyVerdict, lang: str, written: list[Path]) -> N
     if not verdict.precise:
         paragraph(text("not_precise"))
     paragraph(simulations_of_several(verdict, lang))
-    wrote(lang, *written)

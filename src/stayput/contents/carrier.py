@@ -29,7 +29,7 @@ import numpy as np
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import shaking
 from stayput.motion.processing import refine
-from stayput.simulation.run import trace_held
+from stayput.simulation.case import trace_held
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

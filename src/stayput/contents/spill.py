@@ -16,8 +16,9 @@ from stayput.errors import InputError, instance_of
 from stayput.measures import element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import run_cases, shaking, trace
+from stayput.simulation.case import Case
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.run import Case, Run
+from stayput.simulation.run import Run
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

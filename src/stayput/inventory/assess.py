@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import stayput
-from stayput.catalogue import phrase
+from stayput.catalogue import phrase, say
 from stayput.errors import InputError, instance_of, reason_of, within
 from stayput.execution import DaskExecutor, ThreadExecutor
 from stayput.extras import absent
@@ -33,7 +33,7 @@ from stayput.inventory.summary import COLUMNS, summarise
 from stayput.inventory.work import Work
 from stayput.inventory.workspace import read_json
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.progress import bar
+from stayput.progress import bar, language_of_bars
 from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
@@ -323,7 +323,7 @@ def _simulate(
 
 @contextmanager
 def _executor(
-    threads: int | None, scheduler: str | None, client: Any, say: Callable[[str], None] | None
+    threads: int | None, scheduler: str | None, client: Any, notify: Callable[[str], None] | None
 ) -> Generator[Executor]:
     if scheduler is None and client is None:
         with ThreadExecutor(threads) as executor:
@@ -342,9 +342,9 @@ def _executor(
                 "inventory.no_scheduler", "scheduler", scheduler=repr(scheduler), reason=str(error)
             ) from None
     try:
-        if say is not None:
-            say(f"Dashboard of the cluster: {client.dashboard_link}")
-        with DaskExecutor(client, notify=say, cluster_lost="inventory.cluster_lost") as executor:
+        if notify is not None:
+            notify(say("inventory_report.dashboard", language_of_bars(), link=client.dashboard_link))
+        with DaskExecutor(client, notify=notify, cluster_lost="inventory.cluster_lost") as executor:
             yield executor
     finally:
         if made is not None:

@@ -27,6 +27,37 @@ HOUSNER_PERIODS = np.linspace(0.1, 2.5, 121)
 """Periods over which a spectrum intensity is taken [s]; steps of 0.02 s."""
 
 
+DRIFTING = 0.8
+"""A displacement drifts where its peak is below this share once a line is taken off the acceleration."""
+
+
+@dataclass(frozen=True, slots=True)
+class DisplacementPeak:
+    """Peak displacement of one component, and how far it is one of the record's baseline.
+
+    Parameters
+    ----------
+    pgd : float
+        Largest magnitude of the displacement of the record as it is [m].
+    corrected : float
+        The same of the record less a line, as `Motion.baseline_corrected` takes it off [m].
+    """
+
+    pgd: float
+    corrected: float
+
+    @property
+    def drifts(self) -> bool:
+        """Whether the peak is mostly one of the baseline: of an offset, a tilt, a start that is cut off."""
+        return self.corrected < DRIFTING * self.pgd
+
+    @classmethod
+    def of(cls, motion: Motion, component: str = "x") -> DisplacementPeak:
+        """Return the peak of one component of a motion."""
+        alone = motion.component(component)
+        return cls(alone.pgd, alone.baseline_corrected().pgd)
+
+
 @dataclass(frozen=True, slots=True)
 class SpectralMeasures:
     """Measures of one component from the response of oscillators.

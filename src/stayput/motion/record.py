@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from stayput.errors import InputError, finite, instance_of, shown, visible, within
+from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.channels import (
@@ -132,13 +132,8 @@ class Motion:
                 object.__setattr__(self, name, checked_samples(name, values))
         for name, values in self.components.items():
             if len(values) != len(self.x):
-                raise InputError(
-                    "motion.components_differ",
-                    name,
-                    component=name,
-                    count=len(values),
-                    x_count=len(self.x),
-                )
+                about: dict[str, Any] = {"component": name, "count": len(values), "x_count": len(self.x)}
+                raise InputError("motion.components_differ", name, **about)
 
     def __repr__(self) -> str:
         peaks = ", ".join(f"{name} {np.abs(a).max():.4g}" for name, a in self.components.items())
@@ -167,17 +162,7 @@ class Motion:
         return hash((self.dt, self.name, len(self), self.x.tobytes()))
 
     def __reduce__(self) -> tuple[Any, ...]:  # so that a pickled motion comes back checked and read-only
-        return Motion, (
-            self.dt,
-            self.x,
-            self.y,
-            self.z,
-            self.name,
-            self.synthetic,
-            self.source,
-            self.floor,
-            self.listing,
-        )
+        return Motion, tuple(getattr(self, field.name) for field in fields(self))
 
     @classmethod
     def given(cls, value: object, name: str = "motion") -> Self:
@@ -272,9 +257,7 @@ class Motion:
         language: str = "en",
         **line: Any,
     ) -> Axes:
-        """Draw one history of one component on axes.
-
-        Velocity and displacement are integrals of the record as it is, without any correction.
+        """Draw one history of one component on axes, the integrals without any correction.
 
         Parameters
         ----------
@@ -327,11 +310,21 @@ class Motion:
             An unknown ending, a folder that does not exist, or several components for AT2.
         """
         target = check_target(path, tuple(FORMATS))
-        as_text = FORMATS[target.suffix.lower()]
-        text = as_text(self.dt, self.components, self.name, self.source, self.synthetic)
+        text = self.text(target.suffix.lower())
         with draft(target) as unfinished:
             unfinished.write_text(text, encoding="utf-8")
         return target
+
+    def text(self, ending: str = ".csv") -> str:
+        """Return the text of the file that `write` writes, in the format ".csv" or ".at2".
+
+        Raises
+        ------
+        InputError
+            Another ending, or several components for AT2.
+        """
+        as_text = FORMATS[word_of("ending", ending, FORMATS)]
+        return as_text(self.dt, self.components, self.name, self.source, self.synthetic)
 
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""

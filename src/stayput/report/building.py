@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from stayput.building.model import FloorDrawing
+from stayput.building.response import FloorDrawing
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.building.model import FloorResponse, ShearModel
+    from stayput.building.model import ShearModel
+    from stayput.building.response import FloorResponse
     from stayput.motion import Motion
 
 LINES = (

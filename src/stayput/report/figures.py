@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from io import BytesIO
 from typing import TYPE_CHECKING
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -51,8 +52,10 @@ def saved(figure: Figure, path: str | Path | None) -> Figure:
     with_fallback(figure)
     if path is not None:
         target = check_target(path, PLOT_SUFFIXES)
+        content = BytesIO()  # Matplotlib's PDF and SVG of a disk that gets full end in errors of their own
+        figure.savefig(content, format=target.suffix[1:].lower())
         with draft(target) as unfinished:
-            figure.savefig(unfinished)
+            unfinished.write_bytes(content.getbuffer())
     return figure
 
 

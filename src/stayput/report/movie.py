@@ -153,7 +153,8 @@ def _palette(painter: FramePainter, times: NDArray[np.float64]) -> Image.Image:
 
 def _write_mp4(painter: FramePainter, path: Path, times: NDArray[np.float64], settings: FilmSettings) -> None:
     size = "{}x{}".format(*settings.size)
-    command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size]
+    command = ["ffmpeg", "-y", "-loglevel", "error", "-xerror"]  # which a full disk fails, too
+    command += ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size]
     command += [
         "-r",
         f"{settings.fps:g}",

@@ -30,6 +30,7 @@ _MADE = (
     ("report.floor_name", re.compile(r"storey (?P<storey>\d+)")),
     ("motion.roof", re.compile(r"roof")),
     ("report.ground_name", re.compile(r"ground")),
+    ("report.standard_input", re.compile(r"standard input")),
 )
 """Names that stayput gives, with what varies in them, and the sentence of each."""
 

@@ -27,9 +27,9 @@ from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
 from stayput.montecarlo.several import drawn_assembly, drawn_room, leaning, turned
 from stayput.rooms.forces import PeakForces, peak_forces
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
+from stayput.simulation.case import trace_held
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
-from stayput.simulation.run import trace_held
 from stayput.simulation.space import trace_assembly
 from stayput.simulation.space_case import results_of
 from stayput.simulation.standing import Assembly, Piece

@@ -31,7 +31,7 @@ from stayput.scenario.pieces import (
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import RoomTable, floor_of
 from stayput.scenario.toml import read_toml
-from stayput.simulation.run import simulate
+from stayput.simulation.case import simulate
 from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ from stayput.scenario.scenario import Scenario
 from stayput.uncertainty import Uncertainty
 
 if TYPE_CHECKING:
-    from stayput.simulation.run import Case
+    from stayput.simulation.case import Case
 
 StatedShaking = Motion | Suite | Sequence[Motion] | str | float | Mapping[str, Any]
 """Motions; the JMA intensity of the ground, or its class; or the keys of ``[shaking]`` of a scenario file."""

@@ -25,7 +25,7 @@ from stayput.scenario.origin import FromFile
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import EverydayTable, FurnitureTable, InitialTable, RoomTable
 from stayput.scenario.toml import read_toml
-from stayput.simulation.run import Case
+from stayput.simulation.case import Case
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:

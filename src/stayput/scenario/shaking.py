@@ -126,6 +126,9 @@ SuiteOrFolder = Annotated[
     Annotated[SuiteTable, Tag(TABLE)] | Annotated[Text, Tag(NAME)], Discriminator(kind_of)
 ]
 SOURCES = ("record", "sine", "builtin", "suite")
+RECORD_FILES = ("record", "across", "vertical")
+"""Keys that may name a file of a record."""
+
 STRENGTHS = ("intensity", "pga", "pgv", "sa", "mmi", "earthquake")
 """Ways to say how strongly the ground shakes."""
 
@@ -134,6 +137,9 @@ class ShakingTable(Table):
     """How the floor is shaken: a record, a sine, a built-in motion or a suite, and the building between."""
 
     record: Text | None = Field(default=None, description="A record's file, relative to the scenario's file.")
+    across: Text | None = Field(
+        default=None, description="The file that holds the component across the shaking, for a record."
+    )
     component: Text | None = Field(
         default=None, description="Which of the record's horizontal channels is along the shaking."
     )
@@ -198,6 +204,8 @@ class ShakingTable(Table):
                 if getattr(self, key) is not None and not isinstance(self.suite, str):
                     name = f"shaking.{key}"
                     raise InputError("scenario.without_record", name, name=name)
+            if self.across is not None:
+                raise InputError("scenario.without_record", "shaking.across", name="shaking.across")
             if isinstance(self.vertical, str):
                 value = repr(self.vertical)
                 raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
@@ -357,8 +365,21 @@ class ShakingTable(Table):
 
     def _recorded(self, record: str, folder: Path) -> Motion:
         motion = read_shaking(folder / record, self.component, self.unit, dt=self.dt)
-        if not isinstance(self.vertical, str):
+        if self.across is None and not isinstance(self.vertical, str):
             return motion
-        up = read_vertical(folder / self.vertical, self.unit, dt=self.dt)
-        across = None if motion.y is None else motion.component("y")
-        return Motion.combine(motion, across, up, motion.name)
+        _refuse_vertical(motion, "record", record)
+        parts = {name: motion.component(name) for name in motion.components if name != "x"}
+        if self.across is not None:
+            parts["y"] = read_shaking(folder / self.across, unit=self.unit, dt=self.dt)
+            _refuse_vertical(parts["y"], "across", self.across)
+        if isinstance(self.vertical, str):
+            parts["z"] = read_vertical(folder / self.vertical, self.unit, dt=self.dt)
+        return Motion.combine(motion, parts.get("y"), parts.get("z"), motion.name)
+
+
+def _refuse_vertical(motion: Motion, key: str, file: str) -> None:
+    """Refuse a vertical record beside others: each of them says which component it is of."""
+    listing = motion.listing
+    if listing is not None and listing.vertical[listing.used]:
+        name, label = f"shaking.{key}", listing.names[listing.used]
+        raise InputError("scenario.vertical_across", name, name=name, file=repr(file), label=label)

@@ -56,14 +56,32 @@ def read_toml(file: Path) -> dict[str, object]:
     try:
         with file.open("rb") as opened:
             data = opened.read(LARGEST_FILE + 1)
-        if len(data) > LARGEST_FILE:
-            raise _refused(file, "too_long", most=LARGEST_FILE)
-        text = data.decode("utf-8-sig")
     except OSError as error:
         raise _refused(file, "not_read", reason=reason_of(error)) from None
+    return table_of_bytes(data, file)
+
+
+def table_of_bytes(data: bytes, file: Path) -> dict[str, Any]:
+    """Return the keys and values of a TOML file's bytes, UTF-8.
+
+    Parameters
+    ----------
+    data : bytes
+        The bytes; of a file beyond the bound its beginning is enough.
+    file : Path
+        What a refusal calls the file.
+
+    Raises
+    ------
+    InputError
+        As `read_toml`.
+    """
+    if len(data) > LARGEST_FILE:
+        raise _refused(file, "too_long", most=LARGEST_FILE)
+    try:
+        return table_of_toml(data.decode("utf-8-sig"), file)
     except UnicodeDecodeError:
         raise _refused(file, "not_utf8") from None
-    return table_of_toml(text, file)
 
 
 def table_of_toml(text: str, file: Path) -> dict[str, Any]:

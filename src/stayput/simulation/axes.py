@@ -13,6 +13,7 @@ from stayput.errors import InputError, instance_of, list_of, near_miss
 from stayput.model.body import Body
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.motion import Motion
+from stayput.simulation.case import Case, law_number
 from stayput.simulation.flat_fields import (
     WALLS_AND_CEILING,
     body_fields,
@@ -23,7 +24,6 @@ from stayput.simulation.flat_fields import (
     surface_fields,
 )
 from stayput.simulation.grid import LAW, MOTION, Axis, Columns, Grid
-from stayput.simulation.run import Case, law_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

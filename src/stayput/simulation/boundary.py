@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.simulation.axes import Axes
-    from stayput.simulation.run import Case
+    from stayput.simulation.case import Case
 
     RunPoints: TypeAlias = (
         "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"

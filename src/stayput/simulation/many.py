@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from stayput.mechanics.runner import Shaking
     from stayput.motion import Motion
+    from stayput.simulation.case import Case
     from stayput.simulation.grid import CaseBlock, Grid
-    from stayput.simulation.run import Case
     from stayput.simulation.space_case import SpaceShaking
 
 PreparedMotions: TypeAlias = "dict[int, Shaking | SpaceShaking]"

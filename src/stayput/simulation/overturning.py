@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.simulation.axes import Axes
-    from stayput.simulation.run import Case
+    from stayput.simulation.case import Case
 
 SCALE = "motion.scale"
 """The path of the amplitude: the factor on the motion's acceleration."""

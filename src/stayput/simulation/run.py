@@ -1,28 +1,19 @@
-"""One body, one motion: `simulate` and its result, `Run`."""
+"""`Run`: what one body did under one motion, in the plane."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, cast, overload
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 
-from stayput.errors import InputError, finite, instance_of, list_of, whole_within, word_of
-from stayput.measures.measure import Held, Measure, element_rows, hold
-from stayput.measures.results import DeviceResult, device_results
 from stayput.mechanics import columns as col
-from stayput.model.body import Body
-from stayput.model.room import Room
-from stayput.model.state import State, refuse_bad_start
-from stayput.motion.record import Motion
-from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
-from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
-from stayput.wording import brief, check_language
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
     from pathlib import Path
     from typing import Self
 
@@ -31,11 +22,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.mechanics.runner import Shaking, Traced
-    from stayput.model.solid import Solid
+    from stayput.measures.measure import Held, Measure
+    from stayput.measures.results import DeviceResult
+    from stayput.mechanics.runner import Traced
+    from stayput.model.body import Body
+    from stayput.model.room import Room
+    from stayput.model.state import State
+    from stayput.motion.record import Motion
     from stayput.report.embedding import Player
-    from stayput.simulation.space_run import SpaceRun
-    from stayput.simulation.standing import Assembly, Standing
+    from stayput.simulation.case import Case
 
 Contact = Literal["coulomb", "paper"]
 """The contact law: unilateral contact with Coulomb friction, or the rules of the paper as written.
@@ -258,282 +253,6 @@ class Run:
         from stayput.report.animation import animate_run, run_player
 
         return run_player(self, language) if path is None else animate_run(self, path, language=language)
-
-
-@dataclass(frozen=True, slots=True, repr=False)
-class Case:
-    """What `simulate` takes, as a value; `run` simulates it."""
-
-    body: Body
-    room: Room
-    motion: Motion
-    contact: Contact = "coulomb"
-    initial: State = field(default_factory=State)
-    gravity: float = STANDARD_GRAVITY
-    measures: tuple[Measure, ...] = ()
-    dimensions: Dimensions | None = None
-
-    def __repr__(self) -> str:
-        return brief(self)
-
-    def plot(self, ax: Axes | None = None, *, language: str = "en") -> Axes:
-        """Draw the body with its measures in the room, to scale and from the side.
-
-        Parameters
-        ----------
-        ax : Axes, optional
-            Where to draw; by default in a new figure of pyplot.
-        language : str
-            Language of the texts, "en" or "ja".
-        """
-        from stayput.report.figures import axes_of, drawn
-        from stayput.report.section import draw_section
-
-        axis = axes_of(ax)
-        draw_section(axis, hold(self.body, self.room, self.measures), check_language(language))
-        return drawn(axis)
-
-    def __post_init__(self) -> None:
-        instance_of("body", self.body, Body)
-        instance_of("room", self.room, Room)
-        Motion.given(self.motion)
-        instance_of("initial", self.initial, State)
-        object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
-        law_number(self.contact)
-        GRAVITY.check(self.gravity)
-        if self.dimensions is not None:
-            whole_within("model.dimensions", self.dimensions, 2, 3, "", "dimensions")
-        if not self.in_space:
-            self.room.refuse_side_walls()
-
-    @property
-    def in_space(self) -> bool:
-        """Whether it is simulated in space: as asked, else where body and motion have a third direction."""
-        if self.dimensions is not None:
-            return self.dimensions == 3
-        return self.body.length is not None and self.motion.y is not None and self.contact == "coulomb"
-
-    def run(self) -> Run | SpaceRun:
-        """Simulate the case."""
-        return simulate(
-            self.body,
-            self.room,
-            self.motion,
-            self.measures,
-            contact=self.contact,
-            initial=self.initial,
-            gravity=self.gravity,
-            dimensions=self.dimensions,
-        )
-
-
-@overload
-def simulate(
-    body: Body,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure] = ...,
-    *,
-    dimensions: Literal[2],
-    contact: Contact = ...,
-    initial: State | None = ...,
-    gravity: float = ...,
-    most_events: int | None = ...,
-) -> Run: ...
-
-
-@overload
-def simulate(
-    body: Body | Solid | Standing | Assembly,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure] = ...,
-    *,
-    dimensions: Literal[3],
-    initial: State | None = ...,
-    gravity: float = ...,
-    step: float | None = ...,
-) -> SpaceRun: ...
-
-
-@overload
-def simulate(
-    body: Solid | Standing | Assembly,
-    room: Room,
-    motion: Motion,
-    *,
-    gravity: float = ...,
-    step: float | None = ...,
-) -> SpaceRun: ...
-
-
-@overload
-def simulate(
-    body: Body,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure] = ...,
-    *,
-    dimensions: Dimensions | None = ...,
-    contact: Contact = ...,
-    initial: State | None = ...,
-    gravity: float = ...,
-    most_events: int | None = ...,
-    step: float | None = ...,
-) -> Run | SpaceRun: ...
-
-
-def simulate(
-    body: Body | Solid | Standing | Assembly,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure] = (),
-    *,
-    dimensions: Dimensions | None = None,
-    contact: Contact = "coulomb",
-    initial: State | None = None,
-    gravity: float = STANDARD_GRAVITY,
-    most_events: int | None = None,
-    step: float | None = None,
-) -> Run | SpaceRun:
-    """Simulate one body, or an assembly of several in space, in one room under one motion of the floor.
-
-    A `Body` is simulated in the plane, or where it has a length and the motion a component ``y``, in space;
-    ``dimensions`` chooses. A `Solid` or `Standing` by itself, and an `Assembly`, are simulated in space.
-
-    Parameters
-    ----------
-    body : Body, Solid, Standing or Assembly
-        What stands.
-    room : Room
-        Where it stands. The walls are at either end of x; in space there may be side walls at the ends of y.
-    motion : Motion
-        Acceleration of the floor: ``x`` along the shaking, ``z`` up, and in space ``y`` across.
-    measures : sequence of Measure
-        What holds a `Body`; see `stayput.measures`.
-    dimensions : int, optional
-        2 for the plane, 3 for space.
-    contact : {"coulomb", "paper"}
-        Contact law: unilateral contact with Coulomb friction, or the rules of *A fundamental study on
-        development of a verification system for earthquake-proof measures for furniture* (14WCEE, 2008)
-        as written, which know no vertical motion.
-    initial : State, optional
-        Initial state; default at rest.
-    gravity : float
-        Acceleration of gravity g [m/s²].
-    most_events : int, optional
-        Most events that are listed, at least 2; by default all are, of which a run can have 10⁶. In the
-        plane alone.
-    step : float, optional
-        Longest step of the engine in space [s], 1e-6 to 0.01; default
-        `stayput.simulation.space_engine.STEP`.
-
-    Returns
-    -------
-    Run or SpaceRun
-        Outcome, peaks, events and histories: a `Run` in the plane, a `SpaceRun` in space.
-
-    Raises
-    ------
-    InputError
-        Input that is refused, in one sentence.
-
-    Examples
-    --------
-    >>> from stayput import Body, Room, simulate, sine
-    >>> run = simulate(Body(0.4, 1.8, 100.0, length=0.9), Room(), sine(3.0, 1.0, 5.0), dimensions=3)
-    >>> run.outcome
-    <Outcome.OVERTURNED: 'overturned'>
-    """
-    from stayput.mechanics.runner import shaking
-
-    start = State() if initial is None else initial
-    if not isinstance(body, Body):
-        return _simulate_solids(body, room, motion, measures, dimensions, contact, start, gravity, step)
-    given = Case(
-        body, room, motion, contact, start, gravity, list_of("measures", measures, Measure), dimensions
-    )
-    if given.in_space:
-        from stayput.simulation.space import simulate_piece
-
-        if contact != "coulomb":
-            raise InputError("model.paper_in_space", "contact")
-        return simulate_piece(body, room, motion, given.measures, start, gravity, step)
-    if most_events is not None:
-        count = finite("most_events", most_events, "most_events")
-        if count < 2.0 or not count.is_integer():
-            raise InputError("model.most_events", "most_events", value=most_events)
-    refuse_bad_start(body, room, start)
-    held = hold(body, room, given.measures)
-    refuse_bad_start(held.body, held.room, start)
-    columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
-    shaken = shaking(motion.x, motion.z, motion.dt, law_number(contact))
-    traced, devices, forces = trace_held(columns[0], elements, shaken)
-    results = device_results(held, elements, devices, forces, held.body.mass)
-    case = Case(held.body, held.room, motion, contact, start, gravity)
-    return run_of(case, traced, held, results, most_events)
-
-
-def _simulate_solids(
-    what: object,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure],
-    dimensions: int | None,
-    contact: str,
-    initial: State,
-    gravity: float,
-    step: float | None,
-) -> SpaceRun:
-    """Simulate solids in space; raise `InputError` for what only a `Body` has."""
-    from stayput.model.solid import Solid
-    from stayput.simulation.space import simulate_assembly
-    from stayput.simulation.standing import Assembly, Standing
-
-    kinds = (Body, Solid, Standing, Assembly)  # a body has been taken already, and is named as allowed
-    given = cast("Solid | Standing | Assembly", instance_of("body", what, kinds))
-    instance_of("room", room, Room)
-    Motion.given(motion)
-    for name, value, usual in (
-        ("measures", tuple(measures), ()),
-        ("initial", initial, State()),
-        ("contact", contact, "coulomb"),
-    ):
-        if value != usual:
-            raise InputError("model.of_a_body", name, name=name, kind=type(given).__name__)
-    if dimensions == 2:
-        raise InputError("model.solid_in_the_plane", "dimensions", kind=type(given).__name__)
-    if not isinstance(given, Assembly):
-        given = Assembly([Standing(given) if isinstance(given, Solid) else given])
-    return simulate_assembly(given, room, motion, gravity, step)
-
-
-def trace_held(
-    case: np.void, elements: NDArray[np.void], motion: Shaking
-) -> tuple[Traced, NDArray[np.void], NDArray[np.float64]]:
-    """Run a case with its elements, shape [n], of which there may be none.
-
-    Returns
-    -------
-    tuple
-        The run, DEVICE of shape [n], and forces at the samples [N/kg], shape [samples, n, 2].
-    """
-    from stayput.mechanics.devices.columns import DEVICE, FORCES
-
-    if len(elements) == 0:
-        from stayput.mechanics.runner import trace
-
-        traced = trace(case, motion)
-        return traced, np.zeros(0, DEVICE), np.zeros((len(traced.history), 0, FORCES))
-    from stayput.mechanics.devices.runner import trace_with_devices
-
-    traced = trace_with_devices(case, elements, motion)
-    return traced.run, traced.devices, traced.forces
-
-
-def law_number(contact: str) -> int:
-    """Return the number of a contact law in the mechanics."""
-    return LAWS.index(word_of("model.contact", contact, LAWS, "contact"))
 
 
 def run_of(

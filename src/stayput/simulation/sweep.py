@@ -12,10 +12,10 @@ from stayput.execution import Call, ThreadExecutor
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import Shaking
 from stayput.simulation.axes import make_grid
+from stayput.simulation.case import trace_held
 from stayput.simulation.flat_fields import unit_of
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
 from stayput.simulation.results import HISTORIES, OUTCOMES, QUANTITIES
-from stayput.simulation.run import trace_held
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.simulation.axes import Axes
+    from stayput.simulation.case import Case
     from stayput.simulation.grid import Grid
-    from stayput.simulation.run import Case
 
 HISTORY_COLUMNS = {
     "slide": col.H_SLIDE,

@@ -20,7 +20,7 @@ from stayput.motion.units import STANDARD_GRAVITY
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
-from stayput.simulation.run import Case
+from stayput.simulation.case import Case
 from stayput.studies.study import PARTLY, YES, Claim, Quantity, Study, claims_table, increasing, outcome_of
 
 if TYPE_CHECKING:

@@ -19,8 +19,9 @@ from stayput.model.body import Body
 from stayput.model.room import Floor, Room
 from stayput.motion import sine
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.simulation.case import Case
 from stayput.simulation.many import simulate_many
-from stayput.simulation.run import LAWS, Case, Contact
+from stayput.simulation.run import LAWS, Contact
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping

@@ -11,7 +11,7 @@ import xarray as xr
 from stayput.model.body import Body
 from stayput.model.room import Floor, Room
 from stayput.motion import sine
-from stayput.simulation.run import Case, Contact
+from stayput.simulation.case import Case
 from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.motion import Motion
+    from stayput.simulation.run import Contact
 
 PAPER_BODY = Body(0.5, 1.0, 100.0)
 """The paper's Table 4.1."""

@@ -17,7 +17,7 @@ from stayput.model.room import Floor, Room
 from stayput.motion import sine
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.boundary import trace_boundary
-from stayput.simulation.run import Case
+from stayput.simulation.case import Case
 from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ import numpy as np
 import pandas as pd
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, reason_of, within
-from stayput.files import draft
+from stayput.errors import InputError, within
+from stayput.files import folder_draft
 from stayput.report.figures import saved
 
 if TYPE_CHECKING:
@@ -171,6 +171,8 @@ class Study:
     def write(self, folder: str | Path) -> list[Path]:
         """Write NetCDF, CSV, figures (PNG) and `markdown` into a folder, which is made; return the files.
 
+        All are written, or none.
+
         Quantities that do not lie over the dimensions of the main ones have a CSV file of their own.
 
         Raises
@@ -178,26 +180,18 @@ class Study:
         InputError
             A folder that cannot be written to.
         """
-        folder = Path(folder)
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            reason = reason_of(error)
-            raise InputError("studies.folder", "out", folder=str(folder), reason=reason) from error
-        netcdf, text = folder / f"{self.name}.nc", folder / f"{self.name}.md"
-        with draft(netcdf) as path:
-            self.data.to_netcdf(path, engine="scipy")
-        with draft(text) as path:
-            path.write_text(self.markdown(), encoding="utf-8")
-        files = [netcdf, text]
-        for place, frame in enumerate(in_frames(self.data)):
-            files.append(folder / f"{self.name}{f'_{frame[0]}' if place else ''}.csv")
-            with draft(files[-1]) as path:
-                self.data[frame].to_dataframe().reset_index().to_csv(path, index=False)
-        for name, figure in self.figures.items():
-            files.append(folder / f"{self.name}_{name}.png")
-            saved(figure, files[-1])
-        return files
+        names = [f"{self.name}.nc", f"{self.name}.md"]
+        with folder_draft(Path(folder)) as unfinished:
+            (unfinished / names[0]).write_bytes(self.data.to_netcdf(engine="scipy"))
+            (unfinished / names[1]).write_text(self.markdown(), encoding="utf-8")
+            for place, frame in enumerate(in_frames(self.data)):
+                names.append(f"{self.name}{f'_{frame[0]}' if place else ''}.csv")
+                table = self.data[frame].to_dataframe().reset_index()
+                (unfinished / names[-1]).write_text(table.to_csv(index=False), encoding="utf-8")
+            for name, figure in self.figures.items():
+                names.append(f"{self.name}_{name}.png")
+                saved(figure, unfinished / names[-1])
+        return [Path(folder) / name for name in names]
 
 
 def in_frames(data: xr.Dataset) -> list[list[str]]:

@@ -21,8 +21,8 @@ from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import Suite, synthetic_suite
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.simulation.case import simulate
 from stayput.simulation.outcome import Outcome
-from stayput.simulation.run import simulate
 from stayput.uncertainty import USUAL
 
 if TYPE_CHECKING:

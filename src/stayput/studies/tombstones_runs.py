@@ -22,8 +22,8 @@ from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.randomness import random_bits, uniforms
+from stayput.simulation.case import simulate
 from stayput.simulation.columns import run_columns
-from stayput.simulation.run import simulate
 from stayput.uncertainty import USUAL, Lognormal, Normal
 
 if TYPE_CHECKING:

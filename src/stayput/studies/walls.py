@@ -10,9 +10,10 @@ import numpy as np
 
 from stayput.model.body import Body
 from stayput.model.room import Floor, Room, Wall
+from stayput.simulation.case import Case
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.results import OUTCOMES
-from stayput.simulation.run import LAWS, Case
+from stayput.simulation.run import LAWS
 from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
 from stayput.scenario.in_python import scenario_of, scenario_of_case
-from stayput.simulation.run import Case
+from stayput.simulation.case import Case
 from stayput.verification.compare import compare
 from stayput.verification.several import verify_several
 

@@ -12,20 +12,24 @@ from stayput.catalogue import say
 from stayput.cli.flags import (
     ComponentOption,
     MotionArgument,
+    QuietOption,
     TimeStepOption,
     UnitOption,
     intensity_value,
     motion_of,
     one_of_two,
 )
-from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
-from stayput.cli.messages import folded, print_json
+from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.messages import folded, note, print_json, tell_written
+from stayput.cli.shaking import XOption, YOption, ZOption, along
+from stayput.cli.streams import check_output, is_stream, to_output, write_text
+from stayput.errors import InputError, InputWarning, unknown, warn
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from stayput.motion import Motion, Peaks
-    from stayput.motion.measures import Intensities, SpectralMeasures
+    from stayput.motion.measures import DisplacementPeak, Intensities, SpectralMeasures
     from stayput.motion.spectrum import ResponseSpectrum
 
 TABLE_PERIODS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)
@@ -33,17 +37,21 @@ TABLE_PERIODS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10
 
 
 def info(
-    motion: MotionArgument,
+    motion: MotionArgument = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    quiet: QuietOption = False,
 ) -> None:
     """Say how long and how strong a motion is: its intensities, and its peaks by component."""
     from stayput.motion.measures import Intensities, SpectralMeasures
 
-    record = motion_of(motion, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
     intensities = Intensities.of(record)
     rows = {name: (peaks, SpectralMeasures.of(record, name)) for name, peaks in record.peaks().items()}
     if json:
@@ -59,6 +67,7 @@ def _number(value: float) -> float | None:
 def _info_record(
     motion: Motion, intensities: Intensities, rows: dict[str, tuple[Peaks, SpectralMeasures]]
 ) -> dict[str, Any]:
+    moved = _displacements(motion)
     return {
         "name": motion.name,
         "source": motion.source,
@@ -76,6 +85,8 @@ def _info_record(
                 "pga_m_s2": peaks.pga,
                 "pgv_m_s": peaks.pgv,
                 "pgd_m": peaks.pgd,
+                "pgd_baseline_corrected_m": moved[name].corrected,
+                "displacement_drifts": moved[name].drifts,
                 "arias_m_s": peaks.arias,
                 "cav_m_s": peaks.cav,
                 "significant_duration_s": peaks.significant_duration,
@@ -115,6 +126,7 @@ def _print_info(
         mmi=intensities.mercalli,
     )
     console.print(folded(strong, console.width) if lang == "ja" else strong)
+    moved = _displacements(motion)
     names = {"x": "cli.along", "y": "cli.across", "z": "cli.up"}
     table = Table(box=None, padding=(0, 2, 0, 0))
     table.add_column("")
@@ -123,7 +135,7 @@ def _print_info(
     lines = (
         ("cli.pga", [peaks.pga for peaks, _ in rows.values()]),
         ("cli.pgv", [100.0 * peaks.pgv for peaks, _ in rows.values()]),
-        ("cli.pgd", [100.0 * peaks.pgd for peaks, _ in rows.values()]),
+        ("cli.pgd", [math.nan if one.drifts else 100.0 * one.pgd for one in moved.values()]),
         ("cli.arias", [peaks.arias for peaks, _ in rows.values()]),
         ("cli.cav", [peaks.cav for peaks, _ in rows.values()]),
         ("cli.d5_95", [peaks.significant_duration for peaks, _ in rows.values()]),
@@ -133,65 +145,94 @@ def _print_info(
         ("cli.mean_period", [spectral.mean_period for _, spectral in rows.values()]),
     )
     for label, values in lines:
-        table.add_row(say(label, lang), *(f"{value:.3g}" for value in values))
+        told = (f"{value:.3g}" if math.isfinite(value) else "–" for value in values)
+        table.add_row(say(label, lang), *told)
     console.print(table)
+    _warn_of_drift(motion)
+
+
+def _displacements(motion: Motion) -> dict[str, DisplacementPeak]:
+    from stayput.motion.measures import DisplacementPeak
+
+    return {name: DisplacementPeak.of(motion, name) for name in motion.components}
+
+
+def _warn_of_drift(motion: Motion) -> None:
+    """Warn of displacements that are those of the record's baseline and not of the ground."""
+    for name, peak in _displacements(motion).items():
+        if peak.drifts:
+            pgd, corrected = 100.0 * peak.pgd, 100.0 * peak.corrected
+            warn(InputWarning("motion.drifts", "motion", component=name, pgd=pgd, corrected=corrected))
 
 
 def plot(
-    motion: MotionArgument,
-    out: Annotated[Path, typer.Argument(metavar="OUT", help="Picture to write: .png, .svg or .pdf.")],
+    motion: MotionArgument = None,
+    out: Annotated[
+        Path | None, typer.Argument(metavar="OUT", help="Picture to write: .png, .svg or .pdf.")
+    ] = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
     lang: LanguageOption = OF_LOCALE,
+    quiet: QuietOption = False,
 ) -> None:
     """Plot acceleration, velocity and displacement of every component."""
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target
 
+    motion, out = _motion_and_output(motion, out, x)
     check_target(out, PLOT_SUFFIXES)
-    check_apart((out,), [Path(motion)])
-    record = motion_of(motion, component=component, unit=unit, dt=dt)
+    check_apart((out,), _inputs(motion, x, y, z))
+    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
 
     from stayput.report.names import motion_label
     from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
 
     plot_motion(record, out, title=motion_label(record, lang), language=lang)
-    wrote(lang, out)
+    _warn_of_drift(record)
+    tell_written(lang, out)
 
 
 def spectrum(
-    motion: MotionArgument,
+    motion: MotionArgument = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
     damping: Annotated[float, typer.Option(help="Damping ratio of the oscillators, 0 to 0.95.")] = 0.05,
     out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the spectra of all components: .csv.")
+        Path | None,
+        typer.Option(metavar="FILE", help="Write the spectra of all components: .csv; - prints it."),
     ] = None,
     plot: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Plot them, and the Fourier spectra: .png, .svg, .pdf."),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
+    quiet: QuietOption = False,
 ) -> None:
     """Print the response spectra of a motion: what it does to oscillators of every period."""
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target
     from stayput.motion.spectrum import PERIODS, response_spectrum
 
-    if out is not None:
-        check_target(out, (".csv",))
+    check_output(out, (".csv",))
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
-    check_apart((out, plot), [Path(motion)])
-    record = motion_of(motion, component=component, unit=unit, dt=dt)
+    check_apart((out, plot), _inputs(motion, x, y, z))
+    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    instead = to_output({"--out": out})
 
     def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
         return {name: response_spectrum(record, periods, damping, name) for name in record.components}
 
-    _print_spectra(record, spectra(TABLE_PERIODS), lang)
+    if not instead:
+        _print_spectra(record, spectra(TABLE_PERIODS), lang)
     if out is not None:
-        _write_spectra(out, spectra(PERIODS))
-        wrote(lang, out)
+        write_text(out, _spectra_csv(spectra(PERIODS)))
     if plot is not None:
         from stayput.catalogue import say
         from stayput.report.names import motion_label
@@ -199,12 +240,10 @@ def spectrum(
 
         title = say("plots.spectra", lang, name=motion_label(record, lang), damping=100.0 * damping)
         plot_spectra(record, plot, damping, title=title, language=lang)
-        wrote(lang, plot)
+    tell_written(lang, out, plot, aside=instead)
 
 
-def _write_spectra(out: Path, spectra: dict[str, ResponseSpectrum]) -> None:
-    from stayput.files import draft
-
+def _spectra_csv(spectra: dict[str, ResponseSpectrum]) -> str:
     columns = {"period_s": next(iter(spectra.values())).periods.tolist()}
     for name, spectrum in spectra.items():
         columns[f"sa_{name}_m_s2"] = spectrum.sa.tolist()
@@ -212,8 +251,7 @@ def _write_spectra(out: Path, spectra: dict[str, ResponseSpectrum]) -> None:
         columns[f"sva_{name}_m_s"] = spectrum.sva.tolist()
         columns[f"sd_{name}_m"] = spectrum.sd.tolist()
     rows = [",".join(map(repr, row)) for row in zip(*columns.values(), strict=True)]
-    with draft(out) as unfinished:
-        unfinished.write_text("\n".join([",".join(columns), *rows, ""]), encoding="utf-8")
+    return "\n".join([",".join(columns), *rows, ""])
 
 
 def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: str) -> None:
@@ -238,8 +276,14 @@ def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: s
 
 
 def convert(
-    motion: MotionArgument,
-    out: Annotated[Path, typer.Argument(metavar="OUT", help="File to write: .csv or .at2 (PEER).")],
+    motion: MotionArgument = None,
+    out: Annotated[
+        Path | None,
+        typer.Argument(metavar="OUT", help="File to write: .csv or .at2 (PEER); - prints .csv, or --format."),
+    ] = None,
+    x: XOption = None,
+    y: YOption = None,
+    z: ZOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
@@ -253,17 +297,23 @@ def convert(
     intensity: Annotated[
         str | None, typer.Option(help="JMA intensity to scale to: a number, or a class such as 6-upper.")
     ] = None,
+    form: Annotated[
+        str | None, typer.Option("--format", metavar="csv|at2", help="Format of what is printed.")
+    ] = None,
     lang: LanguageOption = OF_LOCALE,
+    quiet: QuietOption = False,
 ) -> None:
     """Write a motion in another format, or changed."""
-    from stayput.files import check_apart, check_target
+    from stayput.files import check_apart
     from stayput.motion.writers import FORMATS
 
-    check_target(out, tuple(FORMATS))
-    check_apart((out,), [Path(motion)])
+    motion, out = _motion_and_output(motion, out, x)
+    check_output(out, tuple(FORMATS))
+    check_apart((out,), _inputs(motion, x, y, z))
+    ending = _ending(out, form)
     if scale is not None and intensity is not None:
         raise one_of_two("--scale", f"{scale:g}", "--intensity", repr(intensity))
-    record = motion_of(motion, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
     if intensity is not None:
         record = record.to_intensity(intensity_value(intensity))
     if scale is not None:
@@ -272,6 +322,58 @@ def convert(
         record = record.resampled(step)
     if only is not None:
         record = record.component(only)
-    record.write(out)
-    parts = ", ".join(record.components)
-    typer.echo(say("cli.wrote_motion", lang, file=out, count=len(record), dt=record.dt, components=parts))
+    write_text(out, record.text(ending))
+    if not is_stream(out):
+        parts = ", ".join(record.components)
+        told = say("cli.wrote_motion", lang, file=out, count=len(record), dt=record.dt, components=parts)
+        note(told, aside=False)
+
+
+def _ending(out: Path, form: str | None) -> str:
+    """Return the ending that says the format: the file's own, or ``--format`` of what is printed."""
+    from stayput.motion.writers import FORMATS
+
+    known = [ending.removeprefix(".") for ending in FORMATS]
+    if form is not None and form not in known:
+        raise unknown("--format", form, known, "--format")
+    if is_stream(out):
+        return f".{form or known[0]}"
+    if form is not None and f".{form}" != out.suffix.lower():
+        raise one_of_two("--format", repr(form), "OUT", repr(str(out)))
+    return out.suffix.lower()
+
+
+def _motion_and_output(motion: str | None, out: Path | None, x: str | None) -> tuple[str | None, Path]:
+    """Return the two arguments: beside ``--x`` the only one is the file to write."""
+    if x is not None and out is None and motion is not None:
+        return None, Path(motion)
+    if out is None:
+        raise InputError("cli.no_output", "OUT")
+    return motion, out
+
+
+def _inputs(*files: str | None) -> list[Path]:
+    return [Path(file) for file in files if file is not None]
+
+
+def _read(
+    motion: str | None,
+    x: str | None,
+    *,
+    y: str | None,
+    z: str | None,
+    component: str | None,
+    unit: str | None,
+    dt: float | None,
+) -> Motion:
+    """Return the motion of the argument or of ``--x``; see `motion_of`.
+
+    Raises
+    ------
+    InputError
+        Neither is given, or both; a file that cannot be read.
+    """
+    given = along(motion, x, "MOTION")
+    if given is None:
+        raise InputError("cli.no_motion", "MOTION", name="MOTION")
+    return motion_of(given, "MOTION" if x is None else "--x", y=y, z=z, component=component, unit=unit, dt=dt)

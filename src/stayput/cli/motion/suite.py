@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.catalogue import say
+from stayput.cli.completion import families, intensity_classes, words
 from stayput.cli.flags import (
     ComponentOption,
+    QuietOption,
     TimeStepOption,
     UnitOption,
     band_of,
@@ -18,6 +20,7 @@ from stayput.cli.flags import (
     target_of,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.messages import note
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
@@ -45,7 +48,11 @@ def suite(
         Path, typer.Option(metavar="DIR", help="Folder for the motions, their table and figure; it is made.")
     ],
     family: Annotated[
-        str, typer.Option(help="mixed, near-fault, crustal, subduction or basin; made, so synthetic.")
+        str,
+        typer.Option(
+            help="mixed, near-fault, crustal, subduction or basin; made, so synthetic.",
+            autocompletion=words(families),
+        ),
     ] = "mixed",
     count: Annotated[int, typer.Option(help="How many motions to make.")] = 40,
     seed: Annotated[int, typer.Option(help="Seed: the same one gives the same motions.")] = 1,
@@ -68,16 +75,22 @@ def suite(
         str,
         typer.Option(
             help="How to meet the target: scale (one factor a motion), match (every spectrum) or together "
-            "(the median alone, the scatter stays)."
+            "(the median alone, the scatter stays).",
+            autocompletion=words(lambda: FITS),
         ),
     ] = "scale",
     select: Annotated[
         int | None, typer.Option(metavar="N", help="Keep the N whose spectra are most like the target.")
     ] = None,
     intensity: Annotated[
-        str | None, typer.Option(help="JMA intensity of every motion: a number, or a class such as 6-upper.")
+        str | None,
+        typer.Option(
+            help="JMA intensity of every motion: a number, or a class such as 6-upper.",
+            autocompletion=words(intensity_classes),
+        ),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
+    quiet: QuietOption = False,
 ) -> None:
     """Make or read a suite of motions, scale it, and write it with a table and a figure."""
     from stayput.errors import InputError, unknown
@@ -125,26 +138,29 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
     import csv
     import io
 
-    from stayput.files import draft, name_part
+    from stayput.files import folder_draft, name_part
     from stayput.progress import bar
     from stayput.report.suite import plot_suite, suite_title
     from stayput.spreadsheets import text_cell
 
-    folder = out / "motions"
-    folder.mkdir(parents=True, exist_ok=True)
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
     rows.writerow(COLUMNS)
-    with bar(len(motions), "progress.writing", unit="progress.motions") as advance:
+    with (
+        folder_draft(out) as unfinished,
+        bar(len(motions), "progress.writing", unit="progress.motions") as advance,
+    ):
+        folder = unfinished / "motions"
+        folder.mkdir()
         for i, motion in enumerate(motions, start=1):
             file = f"{i:0{len(str(len(motions)))}d}-{name_part(motion.name, 'motion')}.csv"
             motion.write(folder / file)
             names = file, text_cell(motion.name)
             rows.writerow([*names, motion.synthetic, *_numbers(motion), text_cell(motion.source)])
             advance(1)
-    with draft(out / "suite.csv") as unfinished:
-        unfinished.write_text(table.getvalue(), encoding="utf-8")
-    plot_suite(motions, out / "suite.png", target, title=suite_title(motions, lang), language=lang)
+        (unfinished / "suite.csv").write_text(table.getvalue(), encoding="utf-8")
+        title = suite_title(motions, lang)
+        plot_suite(motions, unfinished / "suite.png", target, title=title, language=lang)
 
 
 def _print_end(
@@ -170,4 +186,4 @@ def _print_end(
             at=off.worst_period,
         )
         typer.echo(said)
-    typer.echo(say("cli.wrote_suite", lang, folder=out))
+    note(say("cli.wrote_suite", lang, folder=out), aside=False)

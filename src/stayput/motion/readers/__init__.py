@@ -6,6 +6,7 @@ returns the file's channels in m/s². To add a format, write such a module and l
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
@@ -107,6 +108,7 @@ def read_motion(
 
     def asked(channels: Sequence[Channel]) -> str | None:
         warn_of_vertical(channels, component)
+        _warn_of_name(path, channels)
         return component
 
     return _read(path, asked, unit, dt)
@@ -134,6 +136,7 @@ def read_shaking(
 
     def asked(channels: Sequence[Channel]) -> str | None:
         refuse_vertical(channels, component)
+        _warn_of_name(path, channels)
         return component
 
     return _read(path, asked, unit, dt)
@@ -165,6 +168,13 @@ def _vertical_of(channels: Sequence[Channel]) -> str:
         labels = labels_phrase([channel.label for channel in channels])
         raise InputError("motion.not_one_vertical", "component", channels=labels)
     return f"channel {upright[0]}"
+
+
+def _warn_of_name(path: str | os.PathLike[str], channels: Sequence[Channel]) -> None:
+    """Warn of a file whose name alone says that its one channel is vertical."""
+    ending = re.search(r"(?<=[-_. ])[A-Za-z]{1,4}$", Path(path).stem)
+    if len(channels) == 1 and not channels[0].label and ending and is_vertical(ending[0]):
+        warn(InputWarning("motion.vertical_by_name", "component", ending=ending[0]))
 
 
 def _read(

@@ -23,7 +23,8 @@ _NAMED = re.compile(r"NPTS ?= ?([^ ,=]{1,40}) ?,? ?DT ?= ?(.+)", re.IGNORECASE)
 _BARE = re.compile(r"([^ ,=]{1,40}) ([^ ,=]{1,40}) NPTS ?, ?DT\b.*", re.IGNORECASE)
 _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _DIRECTION = re.compile(
-    r"(?:[0-9]{1,3}|[NSEW]|[NEUV][SWD]|UP|DOWN|DWN|DN|VERT?)(?= *(?:$|\())", re.IGNORECASE
+    r"(?:[0-9]{1,3}|[NSEWVZ]|[NEUV][SWD]|UP|DOWN|DWN|DN|VERT?|VERTICAL|[A-Z]{2}Z)(?= *(?:$|\())",
+    re.IGNORECASE,
 )
 _HEADER_LINES = 8
 _SECONDS = ("SEC", "S", "SECS", "SECOND", "SECONDS")

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.report.action_plan.paper import CardSizes
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
+    from stayput.rooms.verdict import RoomEffect
 
 PLAN_LETTERS = 17.0
 """Size of the names on the plan [px]; that in card.css."""
@@ -170,19 +171,23 @@ def _is_rough(step: PlanStep) -> bool:
     return step.grade == max(MEANINGS)
 
 
+def _told(plan: ActionPlan, together: RoomEffect) -> dict[str, tuple[Probability, float]]:
+    """Return the chances after all steps and before that are worth telling; none in a room without places."""
+    return {
+        key: (chance, was)
+        for key, (chance, was) in chances_after(together).items()
+        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
+    }
+
+
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
     strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
-    if together is None:
-        if falling is None and not plan.unsolved:
-            yield phrase("action_plan.nothing")
-    else:
-        told = {
-            key: (chance, was)
-            for key, (chance, was) in chances_after(together).items()
-            if (key == "hit" and verdict.places) or was != 0.0 or chance.estimate != 0.0
-        }
+    if together is None and falling is None and not plan.unsolved:
+        yield phrase("action_plan.nothing")
+    told = {} if together is None else _told(plan, together)
+    if told:
         now = joined(
             phrase(f"action_plan.chance_{key}", share=share_text(was)) for key, (_, was) in told.items()
         )

@@ -5,14 +5,13 @@ from __future__ import annotations
 import csv
 import io
 import re
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.catalogue import say
-from stayput.files import drafts
+from stayput.files import folder_draft
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.labels import identifiers
@@ -25,7 +24,7 @@ from stayput.spreadsheets import text_cell
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Sequence
+    from collections.abc import Sequence
     from pathlib import Path
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
@@ -91,14 +90,13 @@ def write_curves(
         )
     names = list(texts)
     names.insert(2, "fragility.svg")
-    files = [folder / name for name in names]
-    with _new_folder(folder), drafts(files) as unfinished:
-        for name, path in zip(names, unfinished, strict=True):
+    with folder_draft(folder) as unfinished:
+        for name in names:
             if name in texts:
-                path.write_text(texts[name], encoding="utf-8")
+                (unfinished / name).write_text(texts[name], encoding="utf-8")
             else:
-                _plot(verdict, measure, path, language)
-    return files, left_out
+                _plot(verdict, measure, unfinished / name, language)
+    return [folder / name for name in names], left_out
 
 
 def _called(option: Option, verdict: Verdict, language: str) -> str:
@@ -117,18 +115,6 @@ def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
     if curve.lognormal.fits:
         return ""
     return say("fragility.left_out_misfit", language, option=name, why=curve.lognormal.texts)
-
-
-@contextmanager
-def _new_folder(folder: Path) -> Generator[None]:
-    """Make a folder where there is none; remove it if it is left empty."""
-    fresh = not folder.exists()
-    folder.mkdir(exist_ok=True)
-    try:
-        yield
-    finally:
-        if fresh and not any(folder.iterdir()):
-            folder.rmdir()
 
 
 def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> str:

@@ -19,9 +19,10 @@ from stayput.report.summary import slides_off
 from stayput.report.verdict.numbers import peak_slide, peak_tilt
 from stayput.report.verdict.words import word
 from stayput.report.window import MOVED, window_of
+from stayput.simulation.case import Case, trace_held
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.outcome import Outcome
-from stayput.simulation.run import Case, run_of, trace_held
+from stayput.simulation.run import run_of
 from stayput.simulation.space import run_held
 from stayput.wording import FAR
 

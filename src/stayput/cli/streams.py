@@ -1,0 +1,177 @@
+"""``-`` where a file is meant: standard input for what is read, standard output for what is written."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from contextlib import ExitStack, contextmanager
+from contextvars import ContextVar
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+import typer
+
+from stayput.errors import InputError
+from stayput.files import check_target, draft
+from stayput.progress import language_of_bars
+
+if TYPE_CHECKING:
+    from collections.abc import Generator, Mapping, Sequence
+
+STREAM = "-"
+"""What is typed in the place of a file's name."""
+
+NAME = "standard input"
+"""What standard input is called, as files are by their names."""
+
+
+class _Taken:
+    """Who reads standard input, and the temporary file that holds it.
+
+    Attributes
+    ----------
+    by : str
+        The flag or argument; "" where it is not read.
+    folder : str
+        Where the file is; "" where there is none.
+    stack : ExitStack
+        Removes the folder.
+    """
+
+    def __init__(self, stack: ExitStack) -> None:
+        self.by, self.folder, self.stack = "", "", stack
+
+
+_taken: ContextVar[_Taken] = ContextVar("taken")
+
+
+@contextmanager
+def standard_input() -> Generator[None]:
+    """Let a command read standard input; what was kept of it is removed at the end, and in no refusal."""
+    with ExitStack() as stack:
+        taken = _Taken(stack)
+        before = _taken.set(taken)
+        try:
+            yield
+        except InputError as error:
+            if not taken.by:
+                raise
+            from stayput.report.names import given_name
+
+            plain = error.renamed(f"{taken.folder}{os.sep}", "") if taken.folder else error
+            raise plain.renamed(NAME, given_name(NAME, language_of_bars())) from None
+        finally:
+            _taken.reset(before)
+
+
+def is_stream(path: str | Path | None) -> bool:
+    """Return whether ``-`` stands for a file."""
+    return str(path) == STREAM
+
+
+def called(path: Path) -> str:
+    """Return what a file that is read is called in sentences."""
+    return NAME if is_stream(path) else path.name
+
+
+def bytes_of_input(flag: str) -> bytes:
+    """Return all that comes on standard input.
+
+    Parameters
+    ----------
+    flag : str
+        The flag or argument that is ``-``.
+
+    Raises
+    ------
+    InputError
+        Another one has read it.
+    """
+    _take(flag)
+    return sys.stdin.buffer.read()
+
+
+def file_of(text: str, flag: str, ending: str = "") -> str:
+    """Return the file that a flag names: of ``-`` one that holds what comes on standard input.
+
+    Parameters
+    ----------
+    text : str
+        The flag's text.
+    flag : str
+        The flag or argument.
+    ending : str
+        What the name of that file ends in.
+
+    Raises
+    ------
+    InputError
+        Another flag or argument has read standard input.
+    """
+    if not is_stream(text):
+        return text
+    taken = _take(flag)
+    taken.folder = taken.stack.enter_context(TemporaryDirectory(prefix="stayput-"))
+    file = Path(taken.folder) / f"{NAME}{ending}"
+    with file.open("wb") as kept:
+        shutil.copyfileobj(sys.stdin.buffer, kept)
+    return str(file)
+
+
+def _take(flag: str) -> _Taken:
+    taken = _taken.get()
+    if taken.by:
+        raise InputError("cli.input_twice", flag, flag=flag, other=taken.by)
+    taken.by = flag
+    return taken
+
+
+def check_output(path: Path | None, suffixes: Sequence[str]) -> None:
+    """Refuse a file that cannot be written before any work is done; ``-`` can.
+
+    Raises
+    ------
+    InputError
+        As `stayput.files.check_target`.
+    """
+    if path is not None and not is_stream(path):
+        check_target(path, suffixes)
+
+
+def to_output(outputs: Mapping[str, Path | None], json: bool = False) -> bool:
+    """Return whether one of several outputs goes to standard output, in the place of what is printed.
+
+    Parameters
+    ----------
+    outputs : mapping
+        What is written, by its flag.
+    json : bool
+        Whether ``--json`` is given, which goes there too.
+
+    Raises
+    ------
+    InputError
+        More than one of them goes there.
+    """
+    there = [flag for flag, path in outputs.items() if is_stream(path)]
+    there += ["--json"] if json and there else []
+    if len(there) > 1:
+        raise InputError("cli.output_twice", there[0], flag=there[0], other=there[1])
+    return bool(there)
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a text to a file, whole or not at all; or to standard output.
+
+    Raises
+    ------
+    InputError
+        The file cannot be written.
+    """
+    if is_stream(path):
+        typer.echo(text, nl=False)
+        return
+    with draft(path) as unfinished:
+        unfinished.write_text(text, encoding="utf-8")

@@ -1,0 +1,164 @@
+"""Three files, one component each; vertical records in a horizontal's place; displacements that drift."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.cli import app
+from stayput.motion.measures import DisplacementPeak
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+def cli(*arguments: object):
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+def at2(file: Path, direction: str, amplitude: float) -> Path:
+    """Write a PEER file of a sine whose title ends in a direction."""
+    motion = sp.sine(amplitude, 1.0, 10.0, phase=np.pi / 2)
+    lines = motion.text(".at2").splitlines()
+    lines[1] = f"Somewhere, 1/1/2020, Station, {direction}".removesuffix(", ")
+    file.write_text("\n".join([*lines, ""]), encoding="utf-8")
+    return file
+
+
+@pytest.fixture
+def records(tmp_path: Path) -> list[Path]:
+    named = (("a.at2", "090", 3.0), ("b.at2", "000", 2.0), ("c.at2", "UP", 1.0))
+    return [at2(tmp_path / name, direction, amplitude) for name, direction, amplitude in named]
+
+
+def peaks(*arguments: object) -> dict[str, float]:
+    done = cli("motion", "info", *arguments, "--json")
+    assert done.exit_code == 0, done.output
+    return {name: round(one["pga_m_s2"], 6) for name, one in json.loads(done.stdout)["components"].items()}
+
+
+def test_three_files_are_one_motion(records: list[Path]) -> None:
+    x, y, z = records
+    joined = {"x": 3.0, "y": 2.0, "z": 1.0}
+    assert peaks("--x", x, "--y", y, "--z", z) == joined
+    assert peaks(x, "--y", y, "--z", z) == joined
+    assert peaks(x, "--z", z) == {"x": 3.0, "z": 1.0}
+
+
+def test_a_file_to_write_stands_alone_beside_x(records: list[Path], tmp_path: Path) -> None:
+    x, y, z = records
+    out = tmp_path / "joined.csv"
+    done = cli("motion", "convert", "--x", x, "--y", y, "--z", z, out)
+    assert done.exit_code == 0, done.output
+    combined = sp.Motion.combine(*(sp.read_motion(file, component="channel 1") for file in records))
+    read = sp.read_motion(out)
+    assert all(np.array_equal(read.components[name], a) for name, a in combined.components.items())
+    assert cli("motion", "plot", "--x", x, tmp_path / "plot.svg").exit_code == 0
+
+
+@pytest.mark.parametrize("command", ["simulate", "verify"])
+def test_flags_and_the_scenario_file_say_the_same(records: list[Path], tmp_path: Path, command: str) -> None:
+    x, y, z = records
+    body = "[furniture]\nwidth = 0.3\nheight = 1.5\nmass = 60.0\n[uncertainty]\nsamples = 2\n"
+    stated, flagged = tmp_path / "stated.toml", tmp_path / "flagged.toml"
+    shaking = f'[shaking]\nrecord = "{x.name}"\nacross = "{y.name}"\nvertical = "{z.name}"\n'
+    stated.write_text(body + shaking, encoding="utf-8")
+    flagged.write_text(body, encoding="utf-8")
+    motion = sp.read_scenario(stated).motion()
+    assert [round(np.abs(a).max(), 6) for a in motion.components.values()] == [3.0, 2.0, 1.0]
+    results = [
+        cli(command, *arguments, "--json")
+        for arguments in ((stated,), (flagged, "--x", x, "--y", y, "--z", z))
+    ]
+    assert all(done.exit_code == 0 for done in results), [done.output for done in results]
+    first, second = (json.loads(done.stdout) for done in results)
+    for key in ("outcome", "peak_tilt_rad", "options"):
+        assert first.get(key) == second.get(key)
+
+
+def test_a_flag_replaces_one_file_of_the_scenarios(records: list[Path], tmp_path: Path) -> None:
+    x, y, z = records
+    file = tmp_path / "scenario.toml"
+    shaking = f'[shaking]\nrecord = "{x.name}"\nvertical = "{z.name}"\n'
+    file.write_text(f'[furniture]\npreset = "chest"\n{shaking}', encoding="utf-8")
+    other = at2(tmp_path / "other.at2", "UP", 4.0)
+    plain, replaced, kept = (
+        cli("simulate", file, "--json", *flags) for flags in ((), ("--z", other), ("--vertical",))
+    )
+    assert plain.stdout == kept.stdout
+    assert plain.stdout != replaced.stdout
+    assert y.exists()
+
+
+@pytest.mark.parametrize("flags", [("--y", "c.at2"), ("--y", "b.at2", "--z", "b.at2")])
+def test_a_record_in_the_wrong_place_is_refused(
+    records: list[Path], monkeypatch: pytest.MonkeyPatch, flags: tuple[str, ...]
+) -> None:
+    monkeypatch.chdir(records[0].parent)
+    done = cli("simulate", "--x", "a.at2", *flags)
+    assert done.exit_code == 2
+    assert "vertical" in done.stderr
+
+
+def test_a_vertical_record_along_the_shaking_is_refused_beside_others(records: list[Path]) -> None:
+    x, y, z = records
+    done = cli("simulate", "--x", z, "--y", y)
+    assert done.exit_code == 2
+    assert "a vertical record ('UP'); it must be a horizontal one." in done.stderr
+    assert x.exists()
+
+
+@pytest.mark.parametrize("flags", [("--z", "c.at2", "--no-vertical"), ("--motion", "near-fault")])
+def test_two_flags_for_one_thing(
+    records: list[Path], monkeypatch: pytest.MonkeyPatch, flags: tuple[str, ...]
+) -> None:
+    monkeypatch.chdir(records[0].parent)
+    done = cli("simulate", "--x", "a.at2", *flags)
+    assert done.exit_code == 2
+    assert "it must be one of the two." in done.stderr
+
+
+@pytest.mark.parametrize("direction", ["UP", "UD", "VER", "DWN", "V", "Z", "HNZ", "VERT"])
+@pytest.mark.parametrize("command", [("simulate", "--motion"), ("motion", "info")])
+def test_a_vertical_record_alone_is_warned_of(
+    tmp_path: Path, direction: str, command: tuple[str, ...]
+) -> None:
+    done = cli(*command, at2(tmp_path / "record.at2", direction, 1.0))
+    assert done.exit_code == 0
+    assert f"a vertical channel alone, '{direction}'" in done.stderr
+
+
+@pytest.mark.parametrize("name", ["KJM-UP.at2", "station_ud.at2", "x.DWN.at2"])
+def test_a_file_whose_name_alone_says_vertical_is_warned_of(tmp_path: Path, name: str) -> None:
+    file = at2(tmp_path / name, "", 1.0)
+    with pytest.warns(sp.InputWarning, match="The name of the file ends in"):
+        sp.read_motion(file)
+
+
+@pytest.mark.parametrize("name", ["backup.at2", "KJM-000.at2", "group.at2"])
+def test_other_names_are_not(tmp_path: Path, name: str, recwarn: pytest.WarningsRecorder) -> None:
+    sp.read_motion(at2(tmp_path / name, "", 1.0))
+    assert not recwarn.list
+
+
+def test_a_record_with_an_offset_drifts_and_says_so(tmp_path: Path) -> None:
+    still = sp.near_fault()
+    off = sp.Motion(still.dt, still.x + 0.02)
+    assert not DisplacementPeak.of(still).drifts
+    assert DisplacementPeak.of(off).drifts
+    file = off.write(tmp_path / "off.csv")
+    done = cli("motion", "info", file)
+    assert done.stderr.startswith("Warning: The displacement of x drifts with the record's baseline")
+    (line,) = (line for line in done.stdout.splitlines() if line.startswith("PGD"))
+    assert line.split()[-1] == "–"
+    said = json.loads(cli("motion", "info", file, "--json").stdout)["components"]["x"]
+    assert said["displacement_drifts"]
+    assert said["pgd_baseline_corrected_m"] < 0.8 * said["pgd_m"]
+    done = cli("motion", "plot", file, tmp_path / "plot.png")
+    assert "drifts" in done.stderr
+    assert cli("motion", "info", "near-fault").stderr == ""

@@ -1,0 +1,181 @@
+"""``-`` in the place of a file: what comes on standard input, and results that go to standard output."""
+
+from __future__ import annotations
+
+import csv
+import json
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.cli import app
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+SCENARIO = """
+[furniture]
+width = 0.3
+height = 1.5
+mass = 60.0
+[room]
+back_wall = { gap = 0.02 }
+[shaking]
+builtin = "near-fault"
+[uncertainty]
+samples = 4
+[[measures]]
+type = "belt"
+"""
+
+
+def cli(*arguments: object, given: str | None = None):
+    return CliRunner().invoke(app, [str(argument) for argument in arguments], input=given)
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "scenario.toml").write_text(SCENARIO, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    "command", [("simulate",), ("simulate", "--measure", "belt"), ("verify", "--csv", "-")]
+)
+def test_a_scenario_on_standard_input_is_as_good_as_a_file(here: Path, command: tuple[str, ...]) -> None:
+    name, *flags = command
+    from_file, from_stream = cli(name, "scenario.toml", *flags), cli(name, "-", *flags, given=SCENARIO)
+    assert from_stream.exit_code == 0, from_stream.output
+    assert from_stream.stdout == from_file.stdout
+
+
+def test_paths_of_a_scenario_on_standard_input_begin_in_the_working_folder(here: Path) -> None:
+    sp.sine(3.0, 1.0, 4.0).write(here / "record.csv")
+    scenario = SCENARIO.replace('builtin = "near-fault"', 'record = "record.csv"')
+    done = cli("simulate", "-", "--json", given=scenario)
+    assert done.exit_code == 0, done.output
+
+
+def test_a_refused_scenario_is_called_standard_input(here: Path) -> None:
+    done = cli("verify", "-", given=SCENARIO.replace("height = 1.5", "height = -1.5"))
+    assert done.exit_code == 2
+    assert done.stderr.startswith("standard input: furniture.height is -1.5")
+    done = cli("verify", "-", given="[furniture")
+    assert "'standard input'" in done.stderr
+
+
+def test_streams_are_told_in_japanese(here: Path) -> None:
+    wrong = SCENARIO.replace("height = 1.5", "height = -1.5")
+    assert "standard input" not in (told := cli("verify", "-", "--lang", "ja", given=wrong).stderr)
+    assert told.startswith("標準入力")
+    assert "標準入力" in cli("motion", "info", "-", "--lang", "ja", given="").stderr
+    done = cli("motion", "info", "-", "--lang", "ja", given=sp.sine(3.0, 1.0, 4.0).text())
+    assert done.stdout.startswith("標準入力")
+    done = cli("motion", "spectrum", "near-fault", "--out", "-", "--plot", "図.png", "--lang", "ja")
+    assert done.stdout.startswith("period_s,")
+    assert done.stderr == "図.pngを書き出しました\n"
+
+
+def test_curves_of_a_scenario_on_standard_input(here: Path) -> None:
+    done = cli("fragility", "-", "--out", "curves", given=SCENARIO)
+    assert done.exit_code == 0, done.output
+    assert (here / "curves" / "curves.csv").exists()
+
+
+def test_a_record_goes_through_two_commands_bit_by_bit(here: Path) -> None:
+    motion = sp.near_fault()
+    printed = cli("motion", "convert", "near-fault", "-")
+    assert printed.exit_code == 0
+    assert printed.stdout == motion.text(".csv")
+    assert printed.stderr == ""
+    again = cli("motion", "convert", "-", "again.csv", given=printed.stdout)
+    assert again.exit_code == 0, again.output
+    read = sp.read_motion(here / "again.csv")
+    for name, values in motion.components.items():
+        assert np.array_equal(read.components[name], values)
+
+
+def test_what_is_printed_of_a_record_has_the_format_that_is_asked_for(here: Path) -> None:
+    done = cli("motion", "convert", "near-fault", "-", "--only", "x", "--format", "at2")
+    assert done.stdout == sp.near_fault().component("x").text(".at2")
+    assert cli("motion", "convert", "near-fault", "-", "--format", "mp3").exit_code == 2
+    refused = cli("motion", "convert", "near-fault", "out.csv", "--format", "at2", "--only", "x")
+    assert refused.exit_code == 2
+    assert not (here / "out.csv").exists()
+
+
+@pytest.mark.parametrize(
+    "command",
+    [("motion", "info", "-"), ("simulate", "--motion", "-"), ("building", "--x", "-", "--pga", "3")],
+)
+def test_a_record_on_standard_input(command: tuple[str, ...]) -> None:
+    done = cli(*command, "--json", given=sp.sine(3.0, 1.0, 4.0).text())
+    assert done.exit_code == 0, done.output
+    json.loads(done.stdout)
+
+
+def test_a_refusal_of_a_record_on_standard_input_names_no_temporary_file() -> None:
+    done = cli("motion", "info", "-", given="")
+    assert done.exit_code == 2
+    assert done.stderr == "The motion file 'standard input' is empty; it must hold a record.\n"
+    done = cli("motion", "info", "-", given=sp.near_fault().component("x").text(".at2")[:2000])
+    assert done.stderr.startswith("standard input (PEER AT2): ")
+
+
+def test_spectra_and_floor_motions_are_printed_alone(here: Path) -> None:
+    done = cli("motion", "spectrum", "near-fault", "--out", "-")
+    first, *rows = csv.reader(done.stdout.splitlines())
+    assert first[0] == "period_s"
+    assert all(len(row) == len(first) for row in rows)
+    done = cli("building", "--storeys", "3", "--storey", "2", "--motion", "sine:2,1,2", "--out", "-")
+    assert done.stdout.startswith("# ")
+    assert done.stdout.splitlines()[2].startswith("t,x")
+
+
+def test_one_table_on_standard_output_and_another_in_a_file(here: Path) -> None:
+    done = cli("verify", "scenario.toml", "--csv", "-", "--markdown", "verdict.md")
+    assert done.stdout.startswith("rank,option,")
+    assert done.stderr == "Wrote verdict.md\n"
+    assert (here / "verdict.md").read_text(encoding="utf-8").startswith("#")
+    done = cli("verify", "scenario.toml", "--markdown", "-", "--quiet")
+    assert done.stdout.startswith("#")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("verify", "scenario.toml", "--csv", "-", "--json"), "--csv and --json both go to standard output"),
+        (("verify", "scenario.toml", "--csv", "-", "--markdown", "-"), "both go to standard output"),
+        (("motion", "info", "-", "--y", "-"), "are both -, standard input"),
+        (("simulate", "-", "--y", "-"), "are both -, standard input"),
+        (("verify", "scenario.toml", "--report", "-"), ".html"),
+        (("simulate", "--plot", "-"), ".png"),
+    ],
+)
+def test_a_stream_is_for_one_thing(here: Path, arguments: tuple[str, ...], told: str) -> None:
+    done = cli(*arguments, given=SCENARIO)
+    assert done.exit_code == 2
+    assert told in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert done.stdout == ""
+
+
+def test_an_inventory_on_standard_input_is_the_same_assessment_as_its_file(here: Path) -> None:
+    pytest.importorskip("pyarrow")
+    rows = "id,preset\na,bookcase\nb,chest\n"
+    (here / "inventory.csv").write_text(rows, encoding="utf-8")
+    flags = ("--scenario", "scenario.toml", "--out", "results", "--quiet")
+    piped = cli("assess", "-", *flags, given=rows)
+    assert piped.exit_code == 0, piped.output
+    assert piped.stderr == ""
+    assert "Wrote" not in piped.stdout
+    assert cli("assess", "inventory.csv", *flags).exit_code == 0  # of which the folder holds the results
+    refused = cli(
+        "assess", "-", "--scenario", "scenario.toml", "--out", "none", given="id,preset\na,bokcase\n"
+    )
+    assert refused.exit_code == 2
+    assert refused.stderr.startswith("No row of the inventory could be assessed")
