@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast, runtime_checkabl
 import numpy as np
 
 import stayput
-from stayput.errors import InputError, instance_of
+from stayput.errors import InputError, instance_of, reason_of
 from stayput.files import check_target, draft
 
 if TYPE_CHECKING:
@@ -80,9 +80,7 @@ def load_json(kind: type[T], path: str | Path) -> T:
     try:
         content = json.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
-        raise InputError(
-            "saved.unreadable", "path", file=str(file), reason=str(error.strerror).lower()
-        ) from None
+        raise InputError("saved.unreadable", "path", file=str(file), reason=reason_of(error)) from None
     except ValueError:
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
     return _read(kind, file, content, _of_numbers)
@@ -141,9 +139,7 @@ def load_netcdf(kind: type[T], path: str | Path) -> T:
             dataset = opened.load()
         content = json.loads(dataset.attrs[_PARTS])
     except OSError as error:
-        raise InputError(
-            "saved.unreadable", "path", file=str(file), reason=str(error.strerror).lower()
-        ) from None
+        raise InputError("saved.unreadable", "path", file=str(file), reason=reason_of(error)) from None
     except (ValueError, TypeError, KeyError):
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
 

@@ -299,11 +299,6 @@ class Motion:
         path : str or Path
             The file; its ending says the format.
 
-        Returns
-        -------
-        Path
-            The file.
-
         Raises
         ------
         InputError
