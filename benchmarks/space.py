@@ -25,8 +25,8 @@ from mujoco_block import middles
 from start import program_seconds
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.mechanics.devices.runner import no_elements
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.state import State
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of, trace_case
 

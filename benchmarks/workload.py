@@ -13,8 +13,8 @@ import numpy as np
 import stayput as sp
 from stayput.execution import cores as cores
 from stayput.mechanics.runner import run_cases, shaking
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.state import State
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:

@@ -23,8 +23,8 @@ import stayput.studies.tokyo_runs as tokyo_test
 import stayput.studies.walls as walls
 from stayput import studies
 from stayput.estimates import SCATTER
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Wall
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.run import LAWS
 from stayput.studies.capacity import inside, stated
 from stayput.studies.contents import LIP, RANGES, SEVEN, SIX_UPPER, SLOPE, WALL

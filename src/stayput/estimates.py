@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 from stayput.errors import InputError, finite, within
-from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
+from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
 
 LOSS_MODEL_RATIO = 0.79
 """Median velocities of unanchored furniture in FEMA P-58's fragility library over Kaneko and Hayashi's.

@@ -11,12 +11,12 @@ import numpy as np
 from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
 from stayput.fragility.fallen import estimate_from_counts
 from stayput.model.body import Body
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Room
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import Suite, synthetic_suite
-from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -9,6 +9,7 @@ import stayput as sp
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT, ROCKED
 from stayput.mechanics.devices.columns import DEVICE
 from stayput.mechanics.devices.runner import no_elements
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.state import State
 from stayput.montecarlo import levels as module
 from stayput.montecarlo.hazard import FloorMotions
@@ -22,7 +23,6 @@ from stayput.montecarlo.levels import (
     run_levels,
 )
 from stayput.montecarlo.sampling import Rows
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
 from stayput.simulation.flat_fields import case_columns

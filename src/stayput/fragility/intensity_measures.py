@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, numbers, unknown, within
-from stayput.motion.units import STANDARD_GRAVITY
+from stayput.model.gravity import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -11,9 +11,10 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, PGA, PGV, spectral_acceleration
 from stayput.fragility.intensity_measures import PERIODS
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.ground_shaking import MERCALLI_SCATTER
 from stayput.motion.intensity import mercalli_rise, pgv_of_mercalli
-from stayput.motion.units import STANDARD_GRAVITY, unit_factor
+from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

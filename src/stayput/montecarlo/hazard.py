@@ -17,9 +17,9 @@ import numpy as np
 
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
 from stayput.mechanics.runner import Shaking, shaking
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
-from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence

@@ -11,8 +11,9 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.processing import check_size
-from stayput.motion.units import STANDARD_GRAVITY, unit_factor
+from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping, Sequence

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, excerpt
-from stayput.model.gravity import GRAVITY as GRAVITY
 from stayput.model.gravity import STANDARD_GRAVITY
 
 if TYPE_CHECKING:

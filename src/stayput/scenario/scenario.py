@@ -15,8 +15,8 @@ from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 from stayput.catalogue import say
 from stayput.contents.weight import emptied
 from stayput.errors import InputError, instance_of
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.suites import Suite
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.contents import ContentsTable  # noqa: TC001 - pydantic reads the annotation
 from stayput.scenario.fields import Text, between
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type

@@ -11,10 +11,10 @@ from stayput.errors import InputError, finite, instance_of, list_of, whole_withi
 from stayput.measures.measure import Measure, element_rows, hold
 from stayput.measures.results import device_results
 from stayput.model.body import Body
+from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
 from stayput.model.room import Room
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
-from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.run import LAWS, Contact, Dimensions, Run, run_of
 from stayput.wording import brief, check_language

@@ -10,7 +10,7 @@ import numpy as np
 from stayput.errors import InputWarning, warn, within
 from stayput.measures.measure import element_rows, hold
 from stayput.measures.results import device_results
-from stayput.motion.units import GRAVITY
+from stayput.model.gravity import GRAVITY
 from stayput.simulation.flat_fields import case_columns, room_row
 from stayput.simulation.placing import placed, planes_around
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case

@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 
 from stayput.errors import instance_of, within, word_of
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.processing import whole
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import Draws
 from stayput.motion.suites.matching import matched
 from stayput.motion.suites.target import TargetSpectrum
-from stayput.motion.units import STANDARD_GRAVITY
 
 EDITIONS = ("7-16", "7-22")
 """Editions of ASCE 7 whose floor amplification the spectrum has."""

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import InputError, within
+from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import response_spectrum
-from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,10 +11,10 @@ from stayput.building import Building
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.model.state import State
 from stayput.motion.suites import asce7, synthetic_suite
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.columns import run_columns
 from stayput.simulation.flat_fields import case_columns
 from stayput.standards import ac156, ac156_motion, asce43_sliding

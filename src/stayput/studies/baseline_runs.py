@@ -12,6 +12,7 @@ import numpy as np
 from stayput.fragility import JMA_INTENSITY, PFV, Trials, fragility_curve
 from stayput.measures import Element, Held
 from stayput.measures.element import Line, damper
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.panel import panel_restitution
 from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
@@ -19,7 +20,6 @@ from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of, stated_rows
 from stayput.motion.suites import Suite
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.building import BuildingTable
 
 if TYPE_CHECKING:

@@ -14,10 +14,10 @@ from stayput.fragility import IntensityMeasure, Trials, fragility_curve
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
 from stayput.model.state import State
 from stayput.motion.suites import Suite, TargetSpectrum, synthetic_suite
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.columns import run_columns
 from stayput.simulation.flat_fields import case_columns
 

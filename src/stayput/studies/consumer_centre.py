@@ -21,12 +21,12 @@ from stayput.errors import whole_within
 from stayput.measures import TensionPole, WedgeStopper
 from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK

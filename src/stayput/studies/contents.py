@@ -14,9 +14,9 @@ from stayput.contents import CONTENTS, Contents
 from stayput.contents.spill import spill
 from stayput.measures import LBracket
 from stayput.model.body import Body
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
 from stayput.motion import near_fault, sine
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED

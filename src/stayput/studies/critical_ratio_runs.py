@@ -16,9 +16,9 @@ import numpy as np
 import pandas as pd
 
 from stayput.model.body import Body
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.motion import sine
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.case import Case
 from stayput.simulation.many import simulate_many
 from stayput.simulation.run import LAWS, Contact

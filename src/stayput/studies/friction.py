@@ -12,7 +12,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.ticker import MaxNLocator
 
-from stayput.motion.units import STANDARD_GRAVITY
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK, MUTED
 from stayput.studies.friction_runs import (

@@ -17,8 +17,8 @@ from matplotlib.collections import PolyCollection
 from matplotlib.ticker import NullFormatter
 
 from stayput.errors import InputError, within
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion import near_fault
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.report.figures import FONT, new_figure, plain_log, style
 from stayput.report.palette import ALARM, INK, MUTED
 from stayput.studies.spectrum_runs import (

@@ -13,9 +13,9 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.model.body import Body
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.motion import sine
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.boundary import trace_boundary
 from stayput.simulation.case import Case
 from stayput.simulation.sweep import sweep

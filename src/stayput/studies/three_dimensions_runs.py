@@ -14,13 +14,13 @@ import numpy as np
 
 from stayput.measures import GelMats, LBracket, TensionPole
 from stayput.model.body import Body
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.model.solid import Solid
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import Suite, synthetic_suite
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import Outcome
 from stayput.uncertainty import USUAL

@@ -21,11 +21,11 @@ import xarray as xr
 
 from stayput.measures import GelMats, TensionPole, WedgeStopper
 from stayput.model.body import Body
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.montecarlo.hazard import FloorMotions
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.verification import Option
 
 if TYPE_CHECKING:

@@ -15,12 +15,12 @@ import numpy as np
 from stayput.fragility import JMA_INTENSITY
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import Body
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.model.solid import Solid
 from stayput.montecarlo.hazard import factors_to_level_zero
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.randomness import random_bits, uniforms
 from stayput.simulation.case import simulate
 from stayput.simulation.columns import run_columns

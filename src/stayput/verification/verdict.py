@@ -11,8 +11,8 @@ import numpy as np
 from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceleration
 from stayput.execution import Call, ThreadExecutor
 from stayput.fragility import PFA, PFV
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.motion.units import STANDARD_GRAVITY
 from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
 from stayput.standards.asce43 import VERTICAL_SHARE
 from stayput.wording import check_language

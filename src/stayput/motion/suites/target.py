@@ -10,10 +10,11 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, list_of, numbers, within, word_of
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.readers.text import file_text
 from stayput.motion.response import DAMPING, PERIOD_RANGE, checked_periods
-from stayput.motion.units import STANDARD_GRAVITY, unit_factor
+from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import os
