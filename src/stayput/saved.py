@@ -10,6 +10,7 @@ import base64
 import dataclasses
 import json
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from enum import Enum
 from importlib import import_module
@@ -23,6 +24,8 @@ from stayput.errors import InputError, instance_of, reason_of
 from stayput.files import check_target, draft
 
 if TYPE_CHECKING:
+    from typing import Self
+
     import xarray as xr
     from numpy.typing import NDArray
 
@@ -50,6 +53,66 @@ class Kept(Protocol):
     def of_kept(cls, parts: Mapping[str, Any]) -> Any:
         """Make it again."""
         ...
+
+
+class InJson:
+    """What is saved as JSON and loaded again."""
+
+    __slots__ = ()
+
+    def save(self, path: str | Path) -> Path:
+        """Write it to a file (.json) that `load` reads again, to the bit and with its inputs.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        return save_json(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read what `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        return load_json(cls, path)
+
+
+class InNetcdf(ABC):
+    """What is saved as NetCDF and loaded again."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def to_dataset(self) -> xr.Dataset:
+        """Return the histories and results."""
+
+    def save(self, path: str | Path) -> Path:
+        """Write it to a file (.nc) that `load` reads again, to the bit and with its inputs.
+
+        Any program that knows NetCDF reads the histories in it.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        return save_netcdf(self, self.to_dataset(), path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read what `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        return load_netcdf(cls, path)
 
 
 def save_json(value: object, path: str | Path) -> Path:

@@ -137,7 +137,9 @@ def test_an_inventory_assesses_what_is_possible_and_names_what_is_not(tmp_path):
     assert one["not_possible"] == both["not_possible"]
     assert fits["not_possible"] == []
     page = (done.folder / "report.html").read_text(encoding="utf-8")
-    assert "tension_pole: not possible. Tension poles have 0.01 m below the ceiling" in page.replace("\xa0", " ")
+    assert "tension_pole: not possible. Tension poles have 0.01 m below the ceiling" in page.replace(
+        "\xa0", " "
+    )
 
 
 @pytest.mark.parametrize("number", ["50", b"50"])

@@ -15,11 +15,10 @@ from stayput.fragility.capacity import Capacity, capacity_of, unknown_capacity
 from stayput.fragility.isotonic import Isotonic
 from stayput.fragility.lognormal import LognormalFit, lognormal
 from stayput.fragility.trials import Level, Trials, observed_levels
+from stayput.saved import InJson
 from stayput.wording import check_language, counted
 
 if TYPE_CHECKING:
-    from pathlib import Path
-    from typing import Self
 
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
@@ -48,7 +47,7 @@ class CurveState(StrEnum):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class FragilityCurve:
+class FragilityCurve(InJson):
     """The probability of falling over an intensity, by isotonic regression; see `stayput.fragility.isotonic`.
 
     Parameters
@@ -92,31 +91,6 @@ class FragilityCurve:
         from stayput.report.notebook import curve_html
 
         return curve_html(self)
-
-    def save(self, path: str | Path) -> Path:
-        """Write the curve to a file (.json) that `load` reads again, to the bit and with its inputs.
-
-        Raises
-        ------
-        InputError
-            A path that cannot be written, or a class of one's own in it, such as a measure.
-        """
-        from stayput.saved import save_json
-
-        return save_json(self, path)
-
-    @classmethod
-    def load(cls, path: str | Path) -> Self:
-        """Read the curve that `save` wrote.
-
-        Raises
-        ------
-        InputError
-            No such file, or one of something else.
-        """
-        from stayput.saved import load_json
-
-        return load_json(cls, path)
 
     def plot(self, ax: Axes | None = None, *, language: str = "en", **line: Any) -> Axes:
         """Draw the curve with its 95 % band, and the observed shares with their 95 % intervals.

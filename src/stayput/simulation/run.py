@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Literal, overload
 import numpy as np
 
 from stayput.mechanics import columns as col
+from stayput.saved import InNetcdf
 from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
-    from typing import Self
 
     import xarray as xr
     from matplotlib.axes import Axes
@@ -53,7 +53,7 @@ _KINDS, _MODES = tuple(EventKind), tuple(Mode)
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class Run:
+class Run(InNetcdf):
     """Result of one body under one motion; made by `simulate`.
 
     Histories hold one value per sample of the record, shape [n], up to the end of the run: the record's
@@ -171,33 +171,6 @@ class Run:
         from stayput.report.dataset import run_to_dataset
 
         return run_to_dataset(self)
-
-    def save(self, path: str | Path) -> Path:
-        """Write the run to a file (.nc) that `load` reads again, to the bit and with its inputs.
-
-        Any program that knows NetCDF reads the histories in it.
-
-        Raises
-        ------
-        InputError
-            A path that cannot be written, or a class of one's own in it, such as a measure.
-        """
-        from stayput.saved import save_netcdf
-
-        return save_netcdf(self, self.to_dataset(), path)
-
-    @classmethod
-    def load(cls, path: str | Path) -> Self:
-        """Read the run that `save` wrote.
-
-        Raises
-        ------
-        InputError
-            No such file, or one of something else.
-        """
-        from stayput.saved import load_netcdf
-
-        return load_netcdf(cls, path)
 
     def plot(self, ax: Axes | None = None, *, what: RunHistory = "tilt", language: str = "en") -> Axes:
         """Draw one history on axes, with the modes as bands and the events marked.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 
+from stayput.saved import InNetcdf
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_kinematics import slides, tilts, upright_yaws
@@ -16,7 +17,6 @@ from stayput.simulation.space_records import matrices
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
-    from typing import Self
 
     import xarray as xr
     from matplotlib.axes import Axes
@@ -87,7 +87,7 @@ class Hit:
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class SpaceRun:
+class SpaceRun(InNetcdf):
     """What bodies in space did, in axes that move with the floor.
 
     Parameters
@@ -287,33 +287,6 @@ class SpaceRun:
                 "by": ["room", "bodies"],
             },
         )
-
-    def save(self, path: str | Path) -> Path:
-        """Write the run to a file (.nc) that `load` reads again, to the bit and with its inputs.
-
-        Any program that knows NetCDF reads the histories in it.
-
-        Raises
-        ------
-        InputError
-            A path that cannot be written, or a class of one's own in it, such as a measure.
-        """
-        from stayput.saved import save_netcdf
-
-        return save_netcdf(self, self.to_dataset(), path)
-
-    @classmethod
-    def load(cls, path: str | Path) -> Self:
-        """Read the run that `save` wrote.
-
-        Raises
-        ------
-        InputError
-            No such file, or one of something else.
-        """
-        from stayput.saved import load_netcdf
-
-        return load_netcdf(cls, path)
 
     def plot(
         self,

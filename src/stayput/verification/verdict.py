@@ -13,6 +13,7 @@ from stayput.execution import Call, ThreadExecutor
 from stayput.fragility import PFA, PFV
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.montecarlo.counting import OVERTURNED
+from stayput.saved import InJson
 from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
 from stayput.standards.asce43 import VERTICAL_SHARE
 from stayput.wording import check_language
@@ -253,7 +254,7 @@ class OptionVerdict:
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class Verdict:
+class Verdict(InJson):
     """The outcome of a verification.
 
     Parameters
@@ -374,31 +375,6 @@ class Verdict:
         from stayput.verification.notes import notes
 
         return tuple(say(note, language) for note in notes(self))
-
-    def save(self, path: str | Path) -> Path:
-        """Write the verdict to a file (.json) that `load` reads again, to the bit and with its inputs.
-
-        Raises
-        ------
-        InputError
-            A path that cannot be written, or a class of one's own in it, such as a measure.
-        """
-        from stayput.saved import save_json
-
-        return save_json(self, path)
-
-    @classmethod
-    def load(cls, path: str | Path) -> Self:
-        """Read the verdict that `save` wrote.
-
-        Raises
-        ------
-        InputError
-            No such file, or one of something else.
-        """
-        from stayput.saved import load_json
-
-        return load_json(cls, path)
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""
