@@ -173,7 +173,7 @@ def test_a_mapping_says_which_column_is_which(tmp_path, ending):
         columns = "name=名,width=a (mm),height=b[cm],mass=Gewicht,ignore=x"
     rows, _, (body,), facts = read(tmp_path, table, columns)
     assert sizes(body) == (0.45, 1.8, 60.0)
-    assert rows[0]["id"] == "row 2"  # nothing else calls it
+    assert rows[0]["id"] == "棚 #2"
     assert facts["columns not used"] == ["x"]
     assert "height = b [cm]" in facts["columns renamed"]
 

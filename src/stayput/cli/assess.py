@@ -14,6 +14,8 @@ from stayput.cli.messages import note, print_json, tell_written
 from stayput.cli.streams import file_of
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from stayput.inventory import Assessment
 
 
@@ -73,6 +75,7 @@ def assess(
     Interrupted, the same command goes on from what is complete.
     """
     from stayput.inventory import assess as run
+    from stayput.inventory.exports import formats_of
 
     assessment = run(
         file_of(str(inventory), "TABLE", ".csv"),
@@ -92,7 +95,7 @@ def assess(
     if json:
         print_json(_record(assessment))
     else:
-        _print(assessment, lang)
+        _print(assessment, formats_of(export), lang)
     if not assessment.facts["pieces"]:
         from stayput.errors import InputError
 
@@ -122,7 +125,7 @@ def _record(assessment: Assessment) -> dict[str, object]:
     }
 
 
-def _print(assessment: Assessment, lang: str) -> None:
+def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
     from stayput.inventory.words import counted_phrase, printed, read_as
 
     def line(key: str, **values: object) -> None:
@@ -146,4 +149,5 @@ def _print(assessment: Assessment, lang: str) -> None:
     for name, total in assessment.summary.events.items():
         for sentence in printed(total, name, lang):
             typer.echo(sentence)
-    tell_written(lang, assessment.report("ja" if lang == "ja" else "en"))
+    files = (assessment.folder / f"pieces.{name}" for name in exported)
+    tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)

@@ -19,7 +19,6 @@ from stayput.saved import InJson
 from stayput.wording import check_language, counted
 
 if TYPE_CHECKING:
-
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 

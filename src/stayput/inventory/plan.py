@@ -276,8 +276,9 @@ def _checked(
         if isinstance(cells, InputError):
             raise cells
         place = header.places.get("id")
-        if place is None:  # a piece of a table without names for each is called by its row
-            piece = reader.item(number, {**header.cells(cells), "id": f"row {number}"})
+        if place is None:
+            read = header.cells(cells)
+            piece = reader.item(number, {**read, "id": _numbered(read.get("name"), number)})
         else:
             name = cells[place] if place < len(cells) else None
             piece = reader.item(number, header.cells(cells))
@@ -288,6 +289,16 @@ def _checked(
         rejects.add(number, name, error)
         return None
     return piece
+
+
+_LONGEST_NAME = 100
+"""Letters of what a piece is called that are part of its id."""
+
+
+def _numbered(called: Cell, number: int) -> str:
+    """Return the id of a piece of a table that has none: what it is called, with its row."""
+    name = called.strip()[:_LONGEST_NAME].strip() if isinstance(called, str) else ""
+    return f"{name} #{number}" if name else f"row {number}"
 
 
 def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], scenarios: Scenarios) -> None:
