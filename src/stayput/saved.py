@@ -240,8 +240,8 @@ def _encoded(value: Any, keep: Keep) -> Any:
         return {"enum": _name(type(value)), "value": value.value}
     if value is None or isinstance(value, bool | int | str):
         return value
-    if isinstance(value, np.bool_ | np.integer):
-        return cast("np.generic", value).item()
+    if isinstance(value, np.generic):
+        return _encoded(cast("np.generic", value).item(), keep)
     if isinstance(value, float):
         return float(value) if math.isfinite(value) else {"float": repr(float(value))}
     if isinstance(value, np.ndarray):

@@ -1,6 +1,10 @@
 """Measures: why one cannot be put in place. What they are called stands beside their parameters."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    "own_class": (
+        "{name} has no kind or no label; a measure's kind must be a text, its label two: English and Japanese.",
+        "自作の対策{name}に、種類（kind）または名称（label）がありません。kindは文字列、labelは英語と日本語の2つの文字列にしてください。",
+    ),
     "parameter": ("“{measure}” {name}", "「{measure}」の{name}"),
     "wrong_word": (
         "{name} is {value}; it must be {words}.",

@@ -66,6 +66,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     # A motion and its spectra.
     "spectra": ("{name}: spectra, {damping:g} % damping", "{name}：スペクトル、減衰{damping:g}%"),
     "spectrum_sa": ("Acceleration Sa [m/s²]", "加速度応答 Sa [m/s²]"),
+    "not_axes": (
+        "ax is of type {kind}; it must be Matplotlib's Axes, one of those that subplots() returns.",
+        "axが{kind}型になっています。MatplotlibのAxes（subplots()が返すもののうちの1つ）を指定してください。",
+    ),
+    "drifts": ("drifts with the baseline", "基線のずれ"),
     "what": ("What is drawn", "描く量"),
     "across_room": ("Across the room [m]", "部屋の中の位置 [m]"),
     "above_floor": ("Height above the floor [m]", "床からの高さ [m]"),

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.catalogue import phrase
+from stayput.catalogue import is_phrase, phrase
 from stayput.errors import InputError, instance_of, list_of
 from stayput.measures.element import Element, rows_of
 from stayput.measures.parameters import check
@@ -121,7 +121,14 @@ class Measure(ABC):
     drilled: ClassVar[bool] = False
     """Whether it takes holes in a wall."""
 
+    def __init_subclass__(cls) -> None:
+        # beside an exception for users' own classes: what is missing would come up after all computing
+        if not is_phrase(getattr(cls, "label", ("", ""))) or not isinstance(getattr(cls, "kind", ""), str):
+            raise InputError("measures.own_class", "label", name=cls.__name__)
+
     def __post_init__(self) -> None:
+        if not hasattr(self, "kind") or not hasattr(self, "label"):
+            raise InputError("measures.own_class", "label", name=type(self).__name__)
         for about in parameters(self):
             check(about, getattr(self, about.name), self.label)
 
@@ -200,7 +207,7 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
     refuse_conflicts(asked)
     found: dict[int, tuple[Element, ...]] = {}
     for place in sorted(range(len(asked)), key=lambda n: _ORDER.index(asked[n].acts_on)):
-        held = asked[place].apply(body, room)
+        held = instance_of(f"apply() of {asked[place].kind}", asked[place].apply(body, room), Held)
         body, room, found[place] = held.body, held.room, held.elements
     elements = tuple(element for place in range(len(asked)) for element in found[place])
     if dimensions == 3:

@@ -219,3 +219,5 @@ def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> N
             continue
         if about.name not in but and not (number is None and about.default is None):
             about.check(number, field=place + about.name)
+            if number is not None and hasattr(number, "dtype"):  # out of an array: kept as Python's own
+                object.__setattr__(value, about.name, number.item())

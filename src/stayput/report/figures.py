@@ -6,10 +6,13 @@ import math
 from io import BytesIO
 from typing import TYPE_CHECKING
 
+import matplotlib as mpl
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
+from stayput.errors import InputError
 from stayput.files import PLOT_SUFFIXES, check_target, draft
 from stayput.motion.intensity import CLASSES
 from stayput.report.fonts import with_fallback
@@ -19,7 +22,15 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-    from matplotlib.axes import Axes
+
+LINE = "drawn"
+"""What marks the line of a value on axes, by which the lines there are counted."""
+
+_ZERO = "zero"
+"""What marks the line at zero."""
+
+LINE_COLOURS = ("#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#0072b2")
+"""Colours of further lines on the same axes, of Okabe and Ito."""
 
 FONT = 10.0
 """Size of the labels [points]."""
@@ -33,18 +44,37 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def axes_of(ax: Axes | None) -> Axes:
-    """Return the axes to draw on: those given, or those of a new figure of pyplot, which notebooks show."""
-    if ax is not None:
-        return ax
-    from matplotlib import pyplot  # which chooses how figures are shown, and is slow to load
+    """Return the axes to draw on: those given, or those of a new figure of pyplot, which notebooks show.
 
-    return pyplot.subplots(layout="constrained")[1]
+    Raises
+    ------
+    InputError
+        Something else than axes, such as the array of them that ``subplots`` returns.
+    """
+    if ax is None:
+        from matplotlib import pyplot  # which chooses how figures are shown, and is slow to load
+
+        return pyplot.subplots(layout="constrained")[1]
+    if not isinstance(ax, Axes):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise InputError("plots.not_axes", "ax", kind=type(ax).__name__)
+    return ax
 
 
 def drawn(ax: Axes) -> Axes:
-    """Return axes once they are drawn: with fonts that have the letters of their texts."""
-    with_fallback(ax)
+    """Return axes once they are drawn: with fonts that have the letters of their texts.
+
+    Texts that are written later, such as those of a legend that is made anew, find the same fonts.
+    """
+    for family in with_fallback(ax):
+        if family not in mpl.rcParams["font.family"]:
+            mpl.rcParams["font.family"] = [*mpl.rcParams["font.family"], family]
     return ax
+
+
+def colour_beside(axis: Axes, first: str) -> str:
+    """Return the colour of the next line of axes: the first one's own, then others in turn."""
+    lines = sum(line.get_gid() == LINE for line in axis.lines)
+    return LINE_COLOURS[(lines - 1) % len(LINE_COLOURS)] if lines else first
 
 
 def saved(figure: Figure, path: str | Path | None) -> Figure:
@@ -64,8 +94,8 @@ def style(axis: Axes, *, zero: bool = True) -> None:
     axis.tick_params(labelsize=FONT - 1.0, colors=INK)
     axis.grid(True, color=FAINT, linewidth=0.7)
     axis.set_axisbelow(True)
-    if zero:
-        axis.axhline(0.0, color=MUTED, linewidth=0.6)
+    if zero and not any(line.get_gid() == _ZERO for line in axis.lines):
+        axis.axhline(0.0, color=MUTED, linewidth=0.6, gid=_ZERO)
     for side in ("top", "right"):
         axis.spines[side].set_visible(False)
 

@@ -97,13 +97,23 @@ def wrapped(text: str, face: ImageFont.FreeTypeFont, room: float) -> str:
     return "\n".join(line.strip() for line in lines)
 
 
-def with_fallback(drawn: Artist) -> None:
-    """Give those texts of a figure or of axes a second font that have letters which the first one lacks."""
+def with_fallback(drawn: Artist) -> set[str]:
+    """Give those texts of a figure or of axes a second font that have letters which the first one lacks.
+
+    Returns
+    -------
+    set of str
+        The families that were added.
+    """
+    added: set[str] = set()
     for text in drawn.findobj(Text):
         missing = _missing(text.get_text())
         other = _other(missing) if missing else None
         if other is not None:
-            text.set_fontfamily([*mpl.rcParams["font.family"], _family(other)])
+            family = _family(other)
+            added.add(family)
+            text.set_fontfamily([*mpl.rcParams["font.family"], family])
+    return added
 
 
 def _missing(text: str) -> frozenset[str]:

@@ -15,13 +15,15 @@ from stayput.catalogue import say
 from stayput.catalogue.names import EVENTS, MODES
 from stayput.errors import word_of
 from stayput.model.state import State, standing_corners, wall_faces
+from stayput.motion.measures import DisplacementPeak
 from stayput.motion.record import MotionHistory
-from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.figures import FONT, LINE, colour_beside, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.history import history
 from stayput.report.names import motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
 from stayput.simulation.outcome import EventKind, Mode
+from stayput.simulation.run import RunHistory
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -31,7 +33,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from stayput.motion import Motion
-    from stayput.simulation.run import Run, RunHistory
+    from stayput.simulation.run import Run
 
 _AFTER = 1.2  # the time axis goes on after overturning by this factor
 BAND = 0.25
@@ -81,27 +83,64 @@ def plot_run(run: Run, path: str | Path | None = None, *, title: str = "", langu
     return saved(figure, path)
 
 
-def draw_run(axis: Axes, run: Run, what: RunHistory, language: str) -> None:
+def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any) -> None:
     """Draw one history of a run on axes, with the modes as bands behind a tilt or a slide.
+
+    On axes that have a run already only the line is drawn.
+
+    Parameters
+    ----------
+    axis : Axes
+        Where to draw.
+    run : Run
+        The run.
+    what : str
+        "tilt", "slide" or "acceleration".
+    language : str
+        "en" or "ja".
+    **line
+        How the line looks, as for ``Axes.plot``.
 
     Raises
     ------
     InputError
         Another history.
     """
-    draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}
-    draw[word_of("plots.what", what, draw, "what")](axis, run, language)
-    if what != "acceleration":
-        present = _draw_bands((axis,), run)
+    word_of("plots.what", what, get_args(RunHistory), "what")
+    shown = history(run)
+    further = any(one.get_gid() == LINE for one in axis.lines)
+    looks: dict[str, Any] = {"linewidth": 1.3, "gid": LINE, "color": colour_beside(axis, INK)} | line
+    match what:
+        case "acceleration":
+            time, values = run.motion.time, run.motion.x
+            looks = {"color": COMPONENT_COLOURS["x"], "linewidth": 0.9} | looks if further else looks
+        case "tilt":
+            time, values = shown.time, np.degrees(shown.tilt)
+        case "slide":
+            time, values = shown.time, 100.0 * shown.slide
+    handles = _handles(axis)
+    if further:
+        (drawn,) = axis.plot(time, values, **looks)
+        handles += [drawn] if "label" in line else []
+    else:
+        draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}[what]
+        draw(axis, run, language)
+        axis.lines[1].set(**looks)  # beside the one at zero
+        present = _draw_bands((axis,), run) if what != "acceleration" else ()
         handles, _ = axis.get_legend_handles_labels()
+        handles = [*handles, *_mode_handles(present, language, alpha=BAND)]
+    if handles:
+        # as small as it can be read, since it lies within the axes
         axis.legend(
-            handles=[*handles, *_mode_handles(present, language, alpha=BAND)],
-            loc="best",
-            fontsize=FONT - 1.5,
-            framealpha=0.85,
+            handles=handles, loc="best", fontsize=FONT - 2.5, framealpha=0.7, ncols=1 + len(handles) // 5
         )
-    axis.set_xlim(0.0, _last_time(run))
+    axis.set_xlim(0.0, max(_last_time(run), axis.get_xlim()[1] if further else 0.0))
     axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+
+
+def _handles(axis: Axes) -> list[Any]:
+    legend = axis.get_legend()
+    return [] if legend is None else list(legend.legend_handles)
 
 
 def plot_motion(
@@ -176,18 +215,22 @@ def draw_motion(
     word_of("plots.what", what, get_args(MotionHistory), "what")
     match what:
         case "acceleration":
-            values, unit = part.x, "m/s²"
+            values, peak, unit = part.x, part.pga, "m/s²"
         case "velocity":
-            values, unit = 100.0 * part.velocity, "cm/s"
+            values, peak, unit = 100.0 * part.velocity, 100.0 * part.pgv, "cm/s"
         case "displacement":
-            values, unit = 100.0 * part.displacement, "cm"
+            values, peak, unit = 100.0 * part.displacement, 100.0 * part.pgd, "cm"
     style(axis)
-    looks: dict[str, Any] = {"color": COMPONENT_COLOURS[component], "linewidth": 0.9} | line
+    looks: dict[str, Any] = {"linewidth": 0.9, "gid": LINE} | line
+    looks.setdefault("color", colour_beside(axis, COMPONENT_COLOURS[component]))
     axis.plot(part.time, values, **looks)
     if "label" not in line:
-        peak = int(np.argmax(np.abs(values)))
-        found = f"{values[peak]:.3g} {unit}"
-        axis.plot(part.time[peak], values[peak], "o", color=INK, markersize=4.0, label=found)
+        place = int(np.argmax(np.abs(values)))
+        if what == "displacement" and DisplacementPeak.of(part).drifts:
+            label = say("plots.drifts", language)
+        else:  # the peaks themselves lie between the samples
+            label = f"{math.copysign(peak, values[place]):.3g} {unit}"
+        axis.plot(part.time[place], values[place], "o", color=INK, markersize=4.0, label=label)
     axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85, handletextpad=0.2)
     axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
     axis.set_ylabel(say(f"plots.{what}", language), fontsize=FONT)

@@ -11,7 +11,7 @@ from stayput.errors import word_of
 from stayput.motion.frequency import fourier_amplitude, konno_ohmachi
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
-from stayput.report.figures import FONT, new_figure, plain_log, saved, style
+from stayput.report.figures import FONT, LINE, colour_beside, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 
@@ -53,7 +53,8 @@ def draw_spectrum(
     scale, label = RESPONSES[what]
     style(axis, zero=False)
     values = scale * getattr(spectrum, what)
-    looks: dict[str, Any] = {"linewidth": 1.4, "color": COMPONENT_COLOURS["x"]} | line
+    looks: dict[str, Any] = {"linewidth": 1.4, "gid": LINE} | line
+    looks.setdefault("color", colour_beside(axis, COMPONENT_COLOURS["x"]))
     axis.plot(spectrum.periods, values, **looks)
     plain_log(axis)
     axis.set_xlabel(say("plots.period", language), fontsize=FONT)

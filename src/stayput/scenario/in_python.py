@@ -115,6 +115,8 @@ def named_sets(measures: MeasureSets) -> list[NamedMeasures]:
 
 
 def _together(given: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
+    if isinstance(given, str):
+        raise InputError("scenario.measure_by_name", "measures", value=repr(given))
     if isinstance(given, tuple | list):
         together = list_of("measures", given, Measure)
     else:

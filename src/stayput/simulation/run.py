@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
@@ -172,8 +172,12 @@ class Run(InNetcdf):
 
         return run_to_dataset(self)
 
-    def plot(self, ax: Axes | None = None, *, what: RunHistory = "tilt", language: str = "en") -> Axes:
+    def plot(
+        self, ax: Axes | None = None, *, what: RunHistory = "tilt", language: str = "en", **line: Any
+    ) -> Axes:
         """Draw one history on axes, with the modes as bands and the events marked.
+
+        On axes that have a run already only the line is drawn, in another colour.
 
         Parameters
         ----------
@@ -183,6 +187,8 @@ class Run(InNetcdf):
             The tilt [°], the slide [cm], or the floor's acceleration [m/s²].
         language : str
             Language of the texts, "en" or "ja".
+        **line
+            How the line looks, as for ``Axes.plot``: ``label``, ``color``, ...
 
         Returns
         -------
@@ -198,7 +204,7 @@ class Run(InNetcdf):
         from stayput.report.plot import draw_run
 
         axis = axes_of(ax)
-        draw_run(axis, self, what, check_language(language))
+        draw_run(axis, self, what, check_language(language), **line)
         return drawn(axis)
 
     def figure(self, title: str = "", *, language: str = "en") -> Figure:

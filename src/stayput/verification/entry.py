@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from os import PathLike
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -184,6 +185,8 @@ def verify(
     settings = {"samples": samples, "seed": seed, "precision": precision}
     stated = {key: value for key, value in settings.items() if value is not None}
     in_python = {"room": room, "shaking": shaking, "measures": measures or None, "uncertainty": uncertainty}
+    if isinstance(what, str | PathLike):
+        raise InputError("scenario.only_a_path", "what", value=repr(str(what)))
     given = instance_of("what", what, (Scenario, AssemblyScenario, Case, Body))
     if isinstance(given, RoomScenario):
         raise InputError("rooms.use_verify_room", "what")
