@@ -170,6 +170,52 @@ def test_hostile_names_stay_text():
     assert "<script>" not in shown
 
 
+HOSTILE = r"C:\new $x\y$ station, 50$ % 60$"
+
+
+def test_dollars_in_names_are_no_mathematics():
+    motion = sp.Motion(0.01, MOTION.x, name=HOSTILE)
+    run = sp.simulate(BODY, ROOM, motion)
+    curve = sp.fragility_curve(CURVE.trials, HOSTILE)
+    shown = (run, motion, curve, sp.Suite((motion,), HOSTILE), falling())
+    assert all("data:image/png" in one._repr_html_() for one in shown)
+    for figure in (run.figure(HOSTILE), motion.figure(HOSTILE), falling().figure(HOSTILE, names=[HOSTILE])):
+        figure.draw_without_rendering()
+        assert figure.get_suptitle().replace(r"\$", "$").replace("\n", " ") == HOSTILE
+    axes = curve.plot(Figure().subplots())
+    axes.figure.draw_without_rendering()
+    assert axes.get_legend().get_texts()[0].get_text().startswith(HOSTILE.replace("$", r"\$"))
+
+
+def test_several_on_the_same_axes_differ_and_zero_is_drawn_once(ax: Axes):
+    for factor in (1.0, 0.7, 0.4):
+        MOTION.scaled(factor).plot(ax, label=f"{factor}")
+    colours = [line.get_color() for line in ax.lines if not str(line.get_label()).startswith("_")]
+    assert len(set(colours)) == 3
+    assert len(ax.lines) == 4
+    spectra = Figure().subplots()
+    for factor in (1.0, 0.7):
+        MOTION.scaled(factor).spectrum().plot(spectra)
+    assert len({line.get_color() for line in spectra.lines}) == 2
+    runs = Figure().subplots()
+    for factor in (1.0, 0.4):
+        sp.simulate(BODY, ROOM, MOTION.scaled(factor)).plot(runs, label=f"{factor}")
+    texts = [text.get_text() for text in runs.get_legend().get_texts()]
+    assert (texts.count("1.0"), texts.count("0.4"), texts.count("rocks")) == (1, 1, 1)
+
+
+def test_something_else_than_axes_is_refused():
+    for wrong in (Figure().subplots(2, 2), Figure(), "ax"):
+        with pytest.raises(sp.InputError, match="Axes"):
+            MOTION.plot(wrong)
+
+
+def test_a_displacement_that_drifts_has_no_peak(ax: Axes):
+    drifting = sp.Motion(0.01, np.sin(np.arange(2000) * 0.1) + 0.02)
+    drifting.plot(ax, what="displacement")
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["drifts with the baseline"]
+
+
 def test_animations_play_in_a_frame_of_their_own():
     for run in (report_runs.rocking(), falling()):
         shown = run.animate()._repr_html_()

@@ -14,7 +14,7 @@ from report_runs import falling, rocking
 import stayput
 from stayput.catalogue import TEXTS
 from stayput.model.room import Room
-from stayput.report.summary import rows, sentence, summary
+from stayput.report.summary import outcome_named, rows, sentence, summary
 from stayput.simulation.outcome import EventKind, Outcome
 
 
@@ -107,3 +107,9 @@ def test_every_text_that_the_reports_name_is_in_the_catalogue():
     assert len(named) > 150
     shared = {key.replace("common.", "report.") for key in TEXTS if key.startswith("common.")}
     assert named <= set(TEXTS) | shared
+
+
+@pytest.mark.parametrize("outcome", list(Outcome))
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_every_outcome_has_its_word(outcome: Outcome, language: str):
+    assert outcome_named(outcome, language)

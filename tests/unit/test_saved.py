@@ -121,6 +121,13 @@ def test_a_verdict_of_a_file_names_its_records_from_anywhere(tmp_path: Path, mon
     assert sp.Verdict.load("here/v.json").scenario.motion() == motion
 
 
+def test_numbers_out_of_arrays_are_kept_as_pythons_own(tmp_path: Path):
+    body = sp.Body(np.float32(0.5), np.int64(2), np.float64(80.0))
+    assert repr(body) == "Body(width=0.5, height=2, mass=80)"
+    run = sp.simulate(body, ROOM, MOTION, dimensions=2)
+    assert same(sp.Run.load(run.save(tmp_path / "run.nc")), run)
+
+
 def test_a_curve_comes_back_with_the_version_that_wrote_it(tmp_path: Path):
     file = CURVE.save(tmp_path / "curve.json")
     assert same(CURVE, sp.FragilityCurve.load(file))

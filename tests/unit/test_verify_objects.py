@@ -132,7 +132,7 @@ def test_what_is_not_in_the_uncertainty_is_as_stated():
         (lambda: sp.verify(scenario(), samples=5), "samples is given beside a Scenario"),
         (lambda: sp.verify(BODY, ROOM, shaking="6-middle"), "6-middle"),
         (lambda: sp.verify(BODY, ROOM, shaking=[1.0, 2.0]), "Motion"),
-        (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=["belt"]), "Measure"),
+        (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=["belt"]), r"MEASURES\['belt'\]"),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=[Belt(), Belt()]), "belt"),
         (
             lambda: sp.verify(
@@ -140,10 +140,34 @@ def test_what_is_not_in_the_uncertainty_is_as_stated():
             ),
             "friction",
         ),
-        (lambda: sp.verify("bookcase.toml"), "what"),
+        (lambda: sp.verify("bookcase.toml"), r"read_scenario\('bookcase.toml'\)"),
         (lambda: sp.verify(BODY, ROOM, shaking=np.zeros(99)), r"ndarray of length 99; .* Motion\(dt=0.01"),
     ],
 )
 def test_what_is_wrong_is_refused_in_a_sentence(call: Any, told: str):
     with pytest.raises(sp.InputError, match=told):
         call()
+
+
+def test_a_measure_of_ones_own_without_its_names_is_refused_at_once():
+    with pytest.raises(sp.InputError, match="Odd has no kind or no label"):
+
+        @dataclass(frozen=True, slots=True)
+        class Odd(LBracket):
+            label: ClassVar[Any] = "odd"
+
+    @dataclass(frozen=True, slots=True)
+    class Bare(sp.Measure):
+        def apply(self, body: sp.Body, room: sp.Room) -> Any:
+            return body
+
+    with pytest.raises(sp.InputError, match="Bare has no kind or no label"):
+        Bare()
+
+    @dataclass(frozen=True, slots=True)
+    class Wrong(Bare):
+        kind: ClassVar[str] = "wrong"
+        label: ClassVar[tuple[str, str]] = ("Wrong", "誤")
+
+    with pytest.raises(sp.InputError, match=r"apply\(\) of wrong is Body"):
+        sp.hold(BODY, ROOM, [Wrong()])

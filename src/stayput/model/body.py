@@ -246,7 +246,11 @@ class Body:
 
     @property
     def slenderness(self) -> tuple[float, float]:
-        """Angles α_A and α_B between the vertical and the lines from G to the corners A and B [rad]."""
+        """Angles α_A and α_B between the body's own axis and the lines from G to the corners A and B [rad].
+
+        Over a wedge the body rests at `resting_tilt`: the angles from the vertical are then α_A + that and
+        α_B − that.
+        """
         (u_a, v_a), (u_b, v_b), _, _ = self.corners
         return math.atan2(-u_a, -v_a), math.atan2(u_b, -v_b)
 

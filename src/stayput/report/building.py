@@ -178,7 +178,7 @@ def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], l
     for i, storey in enumerate(storeys):
         colour, line = LINES[i % len(LINES)]
         spectrum = response_spectrum(response.floor(storey))
-        label = given_name(response.model.place(storey), language)
+        label = drawable(given_name(response.model.place(storey), language))
         axis.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
     for i, period in enumerate(response.model.periods[:3]):
         if PERIODS[0] <= period <= PERIODS[-1]:

@@ -56,7 +56,14 @@ def font(size: float, file: Path = _FILE) -> ImageFont.FreeTypeFont:
 
 
 def drawable(text: str) -> str:
-    """Return a text with an ellipsis for what no font of this machine can draw, which is warned of once."""
+    """Return a text as Matplotlib draws it as it is: its dollars are no marks of mathematics.
+
+    What no font of this machine can draw becomes an ellipsis, and is warned of once.
+    """
+    return _with_letters(text).replace("$", r"\$")
+
+
+def _with_letters(text: str) -> str:
     text = re.sub(r"[^\S\n]", " ", text)  # no font has a tab
     missing = _missing(text)
     if not missing:
@@ -73,8 +80,8 @@ def with_face(text: str, size: float) -> tuple[str, ImageFont.FreeTypeFont]:
     missing = _missing(text)
     other = _other(missing) if missing else None
     if other is None:
-        return drawable(text), font(size)
-    return _without(text, {c for c in drawable(text) if not c.isspace()} - _characters(other)), font(
+        return _with_letters(text), font(size)
+    return _without(text, {c for c in _with_letters(text) if not c.isspace()} - _characters(other)), font(
         size, other
     )
 

@@ -190,7 +190,7 @@ def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, language:
     colour, dashes, marker = _LOOKS[place]
     looks: dict[str, Any] = {"color": colour, "linestyle": dashes, "marker": marker}
     looks |= {"linewidth": 2.0, "markersize": 5.0} | line
-    colour, label = looks["color"], drawable(looks.pop("label", _legend_label(curve, language)))
+    colour, label = looks["color"], looks.pop("label", None) or drawable(_legend_label(curve, language))
     measure = curve.measure
     middles = measure.value(measure.coordinate([level.im for level in curve.levels]) + shift) * measure.shown
     probabilities = [level.probability for level in curve.levels]

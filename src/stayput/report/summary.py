@@ -200,7 +200,7 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
 
 def outcome_named(outcome: Outcome, language: str) -> str:
     """Return an outcome in a word: in English by its own name, as `Run.outcome` has it."""
-    return outcome.value if language == "en" else say(f"runs.outcome_{outcome.value}", language)
+    return outcome.value if language == "en" else say(f"runs.outcome_{outcome.name.lower()}", language)
 
 
 def place_called(device: DeviceResult, members: Sequence[str], language: str = "en") -> str:

@@ -82,7 +82,8 @@ def plot_space_run(
     figure, several = new_figure(_WIDTH, 6.6), len(called) > 1
     if title:
         said, face = with_face(title, FONT + 2.0)
-        figure.suptitle(wrapped(said, face, 0.96 * 72.0 * _WIDTH), fontsize=FONT + 2.0, color=INK)
+        lines = wrapped(said, face, 0.96 * 72.0 * _WIDTH).replace("$", r"\$")
+        figure.suptitle(lines, fontsize=FONT + 2.0, color=INK)
     grid = figure.add_gridspec(3, 2, width_ratios=[1.35, 1.0], height_ratios=[1.0, 1.3, 1.0])
     acceleration = figure.add_subplot(grid[0, 0])
     tilt = figure.add_subplot(grid[1, 0], sharex=acceleration)
