@@ -14,6 +14,7 @@ from report_runs import falling, rocking
 import stayput
 from stayput.catalogue import TEXTS
 from stayput.model.room import Room
+from stayput.report.names import given_name
 from stayput.report.summary import outcome_named, rows, sentence, summary
 from stayput.simulation.outcome import EventKind, Outcome
 
@@ -113,3 +114,9 @@ def test_every_text_that_the_reports_name_is_in_the_catalogue():
 @pytest.mark.parametrize("language", ["en", "ja"])
 def test_every_outcome_has_its_word(outcome: Outcome, language: str):
     assert outcome_named(outcome, language)
+
+
+def test_the_motion_of_a_floor_is_named_in_japanese_and_names_of_ones_own_are_kept():
+    floor = "synthetic near-fault motion, storey 8 of 10-storey RC building"
+    assert given_name(floor, "ja") == "断層近傍の模擬地震動（10階建て（鉄筋コンクリート造）の8階）"
+    assert given_name("Kobe, NS of Kobe", "ja") == "Kobe, NS of Kobe"

@@ -385,6 +385,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "building_name": ("{storeys}-storey {structure} building", "{storeys}階建て（{structure}）"),
     "model_name": ("{masses}-mass shear model", "{masses}質点せん断モデル"),
+    "motion_on_floor": ("{motion}, {place} of {building}", "{motion}（{building}の{place}）"),
     "floor_name": ("storey {storey}", "{storey}階"),
     "ground_name": ("ground", "地盤"),
     "standard_input": ("standard input", "標準入力"),

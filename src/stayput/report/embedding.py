@@ -18,7 +18,7 @@ _IMPORT = re.compile(r"^import [^;]*/([\w.]+)\";\n", re.MULTILINE)
 _EXPORT = re.compile(r"^export ", re.MULTILINE)
 
 
-FRAME_HEIGHT = 640
+FRAME_HEIGHT = 760
 """Height of a player in a notebook [px]."""
 
 

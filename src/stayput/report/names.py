@@ -34,6 +34,9 @@ _MADE = (
 )
 """Names that stayput gives, with what varies in them, and the sentence of each."""
 
+_ON_A_FLOOR = re.compile(r"(?P<motion>.+), (?P<place>[^,]+) of (?P<building>.+)")
+"""How the motion of a building's floor is called after that of the ground."""
+
 
 def named(name: str, language: str) -> str:
     """Return a preset's name in a language; a name of the user's own stays as it is, as all do in English."""
@@ -62,6 +65,10 @@ def given_name(name: str, language: str) -> str:
             return say(
                 key, language, **{part: named(text, language) for part, text in made.groupdict().items()}
             )
+    if floor := _ON_A_FLOOR.fullmatch(name):
+        parts = {part: given_name(text, language) for part, text in floor.groupdict().items()}
+        if parts["place"] != floor["place"]:
+            return say("report.motion_on_floor", language, **parts)
     return named(name, language)
 
 
