@@ -125,8 +125,9 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
     else:
         draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}[what]
         draw(axis, run, language)
-        axis.lines[1].set(**looks)  # beside the one at zero
-        present = _draw_bands((axis,), run) if what != "acceleration" else ()
+        axis.lines[1].set(**({"gid": LINE} | line))  # the one before it is at zero
+        bands = _draw_bands((axis,), run) if what != "acceleration" else ()
+        present = [mode for mode in bands if mode not in (Mode.REST, Mode.OVERTURNED)]  # which have no band
         handles, _ = axis.get_legend_handles_labels()
         handles = [*handles, *_mode_handles(present, language, alpha=BAND)]
     if handles:
