@@ -133,6 +133,8 @@ UNCLEAR = {
     "sizes in one cell": ("品名,サイズ\n本棚,900x300x1800\n", "ignore=サイズ"),
     "sizes by their letters": ("品名,W×D×H\n本棚,900x300x1800\n", "ignore=W×D×H"),
     "storeys for a surface": ("id,preset,Floor\na,chest,3\nb,chest,2F\n", "storey=Floor"),
+    "Japanese sizes": ("品名,縦(mm),横(cm)\n本棚,300,90\n", "?=縦(mm),?=横(cm)"),
+    "a size by its unit": ("品名,胴まわり(mm)\n本棚,300\n", "?=胴まわり(mm)"),
     "another unit": ("id,preset,高さ(kg)\na,chest,3\n", "height=高さ(kg)[m]"),
 }
 
@@ -144,6 +146,31 @@ def test_what_is_unclear_is_refused_with_a_proposal(tmp_path, name):
         read(tmp_path, text)
     assert f'--columns "{proposal}"' in str(refused.value)
     assert proposal in refused.value.told("ja")
+
+
+COUNTS = (
+    "Num", "台", "在庫数", "設置数", "保有数", "脚数", "セット数", "Nos.", "EA", "Copies", "stock", "In stock",
+    "Anzahl", "配置 数", "引出し数", "Number of chairs",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("header", COUNTS)
+def test_what_may_count_is_never_dropped(tmp_path, header):
+    with pytest.raises(sp.InputError) as refused:
+        read(tmp_path, f"品名,{header}\n本棚,3\n")
+    assert f'--columns "count={header}"' in str(refused.value)
+    given = header_of(["品名", header], (), read_columns(f"count={header}"))
+    assert given.places["count"] == 1
+
+
+@pytest.mark.parametrize("header", ["数　量", "数 量", " 台　数 ", "個　 数", "Q'ty"])
+def test_a_name_with_blanks_between_its_letters_is_that_name(header):
+    assert header_of(["品　名", header]).places == {"name": 0, "count": 1}
+
+
+@pytest.mark.parametrize("header", ["耐用年数", "階数", "段数", "Stock location", "利用人数"])
+def test_what_counts_something_else_is_not_used(header):
+    assert header_of(["品名", header]).unused == (header,)
 
 
 GIVEN = [name for name, (_, proposal) in UNCLEAR.items() if "?" not in proposal and "by storey" not in name]

@@ -84,6 +84,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{header} seems to hold several sizes; each must have its own column",
         "{header}には複数の寸法が入っているようです。寸法ごとに列を分けてください",
     ),
+    "doubt_size": (
+        "{header} seems to be a size, and it is not certain which (width, height, or ignore)",
+        "{header}は寸法のようですが、どの寸法か分かりません（width、height、またはignore）",
+    ),
     "doubt_floor": (
         "{header} holds storeys, and stayput's floor is the surface",
         "{header}には階が入っています（stayputのfloorは床材です）",

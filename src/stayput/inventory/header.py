@@ -16,6 +16,7 @@ from stayput.inventory.columns import (
     COLUMNS,
     LISTS,
     LOOKS_LIKE_COUNT,
+    LOOKS_LIKE_SIZE,
     SIZES_TOGETHER,
     TOTALS,
     UNITS,
@@ -204,6 +205,9 @@ class _Reading:
             elif SIZES_TOGETHER.fullmatch(part.base) and not {"width", "height"} <= set(self.places):
                 self.doubt("doubt_sizes", f"{IGNORE}={self.names[place]}", header=header)
                 continue
+            elif _is_size(part) and not {"width", "height"} <= set(self.places):
+                self.doubt("doubt_size", f"?={self.names[place]}", header=header)
+                continue
             else:
                 _refuse_misspelt(self.names[place], part)
             self.unused.append(self.names[place][:200])
@@ -242,6 +246,11 @@ class _Reading:
             return f"{name}={self.names[place]}"
         unit = _likely_unit(name, self.numbers(place), japanese=not self.names[place].isascii())
         return f"{name}={self.names[place]}[{unit}]"
+
+
+def _is_size(part: HeaderName) -> bool:
+    """Return whether a column seems to be a size: by its name, or by its unit."""
+    return LOOKS_LIKE_SIZE.fullmatch(part.base) is not None or part.unit in UNITS["m"]
 
 
 def _likely_unit(name: str, numbers: Sequence[float], japanese: bool) -> str:
