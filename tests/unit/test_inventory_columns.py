@@ -18,6 +18,7 @@ from stayput.inventory.plan import make_plan
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.store import Store, piece_of
 from stayput.inventory.vocabulary import WORDS
+from stayput.inventory.words import narrow_told
 from stayput.inventory.workspace import Workspace
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
@@ -149,8 +150,8 @@ def test_what_is_unclear_is_refused_with_a_proposal(tmp_path, name):
 
 
 COUNTS = (
-    "Num", "台", "在庫数", "設置数", "保有数", "脚数", "セット数", "Nos.", "EA", "Copies", "stock", "In stock",
-    "Anzahl", "配置 数", "引出し数", "Number of chairs",
+    "Num", "台", "在庫数", "設置数", "保有数", "脚数", "セット数", "Nos.", "EA", "Copies", "stock",
+    "In stock", "Anzahl", "配置 数", "引出し数", "Number of chairs",
 )  # fmt: skip
 
 
@@ -182,6 +183,30 @@ def test_a_proposal_that_is_given_is_understood(tmp_path, name):
     if name == "another unit":
         text, proposal = text.replace("(kg)", ""), "height=高さ[m]"
     read(tmp_path, text, proposal)
+
+
+def test_pieces_narrower_than_deep_are_counted(tmp_path):
+    text = "品名,幅(cm),奥行(mm),高さ(mm),重量(kg)\n"
+    text += "棚,30,450,1800,60\n棚,45,450,1800,60\n棚,?,450,1800,60\n棚,90,450,1800,60\n"
+    *_, facts = read(tmp_path, text)
+    assert facts["narrower than deep"] == 1
+    assert narrow_told(facts, "en").startswith("Narrower than deep: 1 row. They may fall sideways")
+    assert "奥行方向（前後）の揺れだけ" in narrow_told(facts, "ja")
+    assert narrow_told({"narrower than deep": 0}, "en") == ""
+
+
+def test_a_preset_may_be_deeper_than_the_width(tmp_path):
+    *_, facts = read(tmp_path, "品名,幅,奥行[mm]\n本棚,100,\n本棚,900,\n", "ignore=幅")
+    assert facts["narrower than deep"] == 1
+
+
+def test_reasons_name_the_column_of_the_table(tmp_path):
+    text = "品名,奥行(mm),高さ(mm),重量(kg)\n棚,x,1800,60\n棚,450,1800,-1\n"
+    _, rejects, *_ = read(tmp_path, text)
+    first, second = (row["reason"] for row in rejects)
+    assert first.startswith("Column '奥行(mm)': width is 'x'")
+    assert second.startswith("Column '重量(kg)': ")
+    assert rejects[0]["reason_ja"].startswith("列'奥行(mm)'：")
 
 
 @pytest.mark.parametrize("ending", ["toml", "json", "text", "mapping"])

@@ -37,6 +37,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Of {pieces} nothing is known: all runs were given up.",
         "{pieces}はすべての計算を打ち切ったため、結果が分かりません。",
     ),
+    "narrow": (
+        (
+            "Narrower than deep: {rows}. They may fall sideways; only shaking along the depth, from front to "
+            "back, is assessed."
+        ),
+        "幅が奥行より小さい家具：{rows}。横に倒れることもありますが、奥行方向（前後）の揺れだけを評価しています。",
+    ),
     # Maps
     "map_without": (
         "Share that overturns, in per cent, without a measure",

@@ -133,6 +133,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "緯度・経度のある家具がないため、{formats}には書き出せません。csvには要りません。",
     ),
     # cells
+    "column": ("Column {header}", "列{header}"),
     "comma": (
         (
             "{name} is {value}, of which the mark may be that of decimals or of thousands; "

@@ -77,7 +77,10 @@ COLUMNS: dict[str, Column] = {
 LISTS = ("cg_offset", "load", "costs", "floor")
 """Columns whose cells hold numbers with semicolons between them."""
 
-ALONG_THE_WALL = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "length", "l", "長さ")
+WIDTHS = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法")
+"""What inventories call the size along the wall where nothing else can be meant."""
+
+ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
 """What inventories call the size along the wall, which is across the shaking."""
 
 SIZES_TOGETHER = re.compile(

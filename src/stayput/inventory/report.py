@@ -21,6 +21,7 @@ from stayput.inventory.words import (
     further,
     interval_told,
     measures_named,
+    narrow_told,
     pieces_counted,
     share_told,
 )
@@ -197,6 +198,7 @@ def report_html(
     page = {
         **head,
         "maps": maps,
+        "narrow": narrow_told(facts, language),
         "several": len(maps) > 1,
         "worst": [_piece(row, language) for row in summary.worst],
         "contents": contents,

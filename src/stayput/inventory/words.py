@@ -33,6 +33,14 @@ def pieces_counted(number: int) -> Phrase:
     return counted_phrase(number, "piece", "点")
 
 
+def narrow_told(facts: Mapping[str, Any], language: str) -> str:
+    """Return how many rows are narrower than deep; empty where none is."""
+    narrow = facts["narrower than deep"]
+    return (
+        say("inventory_report.narrow", language, rows=counted_phrase(narrow, "row", "行")) if narrow else ""
+    )
+
+
 def share_told(value: float | None, language: str) -> str:
     """Return a share in per cent; empty where there is none."""
     if value is None:
