@@ -11,6 +11,7 @@ from inventories import city
 import stayput as sp
 from stayput.catalogue import TEXTS
 from stayput.inventory import assess
+from stayput.inventory.cells import number_of
 from stayput.inventory.columns import COLUMNS, header_name, plain_name
 from stayput.inventory.header import header_of
 from stayput.inventory.mapping import read_columns
@@ -183,6 +184,48 @@ def test_a_proposal_that_is_given_is_understood(tmp_path, name):
     if name == "another unit":
         text, proposal = text.replace("(kg)", ""), "height=高さ[m]"
     read(tmp_path, text, proposal)
+
+
+@pytest.mark.parametrize(
+    ("cells", "size"),
+    [
+        ("４５０,１８００,８０．５", (0.45, 1.8, 80.5)),
+        ('450,"1,800",80', (0.45, 1.8, 80.0)),
+        ("450mm,180 cm,80kg", (0.45, 1.8, 80.0)),
+        ("45ｃｍ,1.8m,80000 g", (0.45, 1.8, 80.0)),
+        ('450㎜,"1,800mm",80㎏', (0.45, 1.8, 80.0)),
+    ],
+)
+def test_numbers_are_read_as_people_write_them(tmp_path, cells, size):
+    _, rejects, (body,), _ = read(tmp_path, f"品名,奥行(mm),高さ(mm),重量(kg)\n棚,{cells}\n")
+    assert not rejects
+    assert sizes(body) == pytest.approx(size, rel=1e-12)
+
+
+@pytest.mark.parametrize("cell", ['"1,200"', "80 斤", "8_0", "10⁵", "80mm", '"1,23,456"', "80kg?"])
+def test_numbers_that_are_not_certain_are_refused(tmp_path, cell):
+    _, rejects, bodies, _ = read(tmp_path, f"品名,奥行(mm),高さ(mm),重量(kg)\n棚,450,1800,{cell}\n")
+    assert not bodies
+    assert "mass is " in rejects[0]["reason"]
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [
+        ("1,234,567", "", 1234567.0),
+        ("1.234.567,5", "", 1234567.5),
+        ("1,234,567.5", "", 1234567.5),
+        ("１５", "", 15.0),
+    ],
+)
+def test_two_marks_of_thousands_are_certain(text, unit, value):
+    assert number_of("mass", text, unit) == value
+
+
+def test_a_cell_has_its_own_unit_between_semicolons(tmp_path):
+    _, rejects, (body,), _ = read(tmp_path, "品名;奥行(mm);高さ(mm);重量(kg)\n棚;45,5 cm;1.800;80,5 kg\n")
+    assert sizes(body) == pytest.approx((0.455, 1.8, 80.5))
+    assert not rejects
 
 
 def test_pieces_narrower_than_deep_are_counted(tmp_path):
