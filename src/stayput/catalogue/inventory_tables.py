@@ -114,6 +114,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The uncertainty is {path}; it must have the field {name}.",
         "不確かさのファイル{path}に{name}の項目がありません。",
     ),
+    "no_deviations": (
+        "The uncertainty is {path}; its field {name} must have a value somewhere.",
+        "不確かさのファイル{path}の{name}には、値が1つもありません。",
+    ),
+    "deviation_unit": (
+        "The unit of {name} of the uncertainty is {unit!r}; it must be {known}.",
+        "不確かさの{name}の単位が「{unit}」になっています。{known}にしてください。",
+    ),
     "other_grid": (
         "The uncertainty is {path}; its places must be those of the shake map.",
         "不確かさのファイル{path}の地点が、地震動マップの地点と異なります。",
