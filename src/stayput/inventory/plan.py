@@ -87,7 +87,7 @@ class Rejects:
         self.schema = pa.schema([("row", pa.int64()), *texts])
         self.file = (folder / REJECTS[0]).open("wb")
         self.parquet: Any = pq.ParquetWriter(self.file, self.schema, compression="zstd")
-        self.text = (folder / REJECTS[1]).open("w", encoding="utf-8", newline="")
+        self.text = (folder / REJECTS[1]).open("w", encoding="utf-8-sig", newline="")
         self.lines = csv.writer(self.text)
         self.lines.writerow(self.schema.names)
         self.buffered: list[tuple[int, str, str, str]] = []
