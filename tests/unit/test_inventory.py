@@ -25,6 +25,7 @@ from stayput.inventory.report import storey_map
 from stayput.inventory.results import choose
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.summary import Total
+from stayput.inventory.words import expected, further, printed
 from stayput.measures import MEASURES, element_rows, hold
 from stayput.model.state import State
 from stayput.montecarlo.counting import EVENTS
@@ -335,6 +336,40 @@ def test_where_no_measure_helps_results_summary_report_and_screen_say_so(tmp_pat
     page = (tmp_path / "out" / "report.html").read_text()
     assert "None of the compared measures helps any of them." in page
     assert len(re.findall(r"<td[^>]*>none helps</td><td></td>", page)) == 2
+
+
+def test_a_piece_that_never_overturns_needs_no_measure(tmp_path):
+    file = table(tmp_path, ["a,2,0.2,80,wedge"], "id,width,height,mass,measures")
+    quiet = city(tmp_path, CITY.replace("6.0", "3.0"))
+    done = assess(file, quiet, tmp_path / "out", progress=False)
+    total = done.summary.events["city"]
+    assert (total.safe, total.helped, total.pieces) == (1, 0, 1)
+    assert printed(total, "city", "en")[0].endswith("; none of them needs a measure.")
+    assert further(total, "en").startswith("No measure is needed for 1 piece")
+    assert '<td class="words">needs none</td>' in (tmp_path / "out" / "report.html").read_text()
+    assert "対策不要" in (tmp_path / "out" / "report.ja.html").read_text(encoding="utf-8")
+    for name in ("summary.csv", "rejects.csv"):  # by the mark a spreadsheet knows UTF-8
+        assert (tmp_path / "out" / name).read_bytes().startswith(b"\xef\xbb\xbf")
+
+
+@pytest.mark.parametrize(
+    ("total", "told"),
+    [
+        (Total(1, 4, 2.0, 2.0), "None of the compared measures helps any of them."),
+        (Total(2, 4, 2.0, 2.0, safe=1), "None of the compared measures helps any of the others."),
+        (Total(2, 4, 2.0, 1.0, helped=1, safe=1), "helps 1 of the others, and none helps the rest."),
+        (Total(2, 4, 2.0, 1.0, helped=3, safe=1), "hardly ever happen."),
+    ],
+)
+def test_what_helps_the_others_is_said(total, told):
+    assert further(total, "en").endswith(told)
+
+
+def test_the_report_rounds_as_the_terminal_does():
+    total = Total(rows=1, pieces=10, fallen=8.2, fallen_best=0.4, helped=10)
+    assert expected(total, "en").startswith("8.2 of 10 pieces are expected to overturn (82 %)")
+    assert "on each, 0.4 (" in expected(total, "en")
+    assert "8.2 of 10 pieces" in printed(total, "x", "en")[0]
 
 
 @pytest.mark.parametrize("start", ["=", "+", "-", "@"])

@@ -11,6 +11,7 @@ from inventories import city
 import stayput as sp
 from stayput.catalogue import TEXTS
 from stayput.inventory import assess
+from stayput.inventory.cells import number_of
 from stayput.inventory.columns import COLUMNS, header_name, plain_name
 from stayput.inventory.header import header_of
 from stayput.inventory.mapping import read_columns
@@ -18,6 +19,7 @@ from stayput.inventory.plan import make_plan
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.store import Store, piece_of
 from stayput.inventory.vocabulary import WORDS
+from stayput.inventory.words import narrow_told
 from stayput.inventory.workspace import Workspace
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
@@ -133,6 +135,8 @@ UNCLEAR = {
     "sizes in one cell": ("品名,サイズ\n本棚,900x300x1800\n", "ignore=サイズ"),
     "sizes by their letters": ("品名,W×D×H\n本棚,900x300x1800\n", "ignore=W×D×H"),
     "storeys for a surface": ("id,preset,Floor\na,chest,3\nb,chest,2F\n", "storey=Floor"),
+    "Japanese sizes": ("品名,縦(mm),横(cm)\n本棚,300,90\n", "?=縦(mm),?=横(cm)"),
+    "a size by its unit": ("品名,胴まわり(mm)\n本棚,300\n", "?=胴まわり(mm)"),
     "another unit": ("id,preset,高さ(kg)\na,chest,3\n", "height=高さ(kg)[m]"),
 }
 
@@ -146,6 +150,31 @@ def test_what_is_unclear_is_refused_with_a_proposal(tmp_path, name):
     assert proposal in refused.value.told("ja")
 
 
+COUNTS = (
+    "Num", "台", "在庫数", "設置数", "保有数", "脚数", "セット数", "Nos.", "EA", "Copies", "stock",
+    "In stock", "Anzahl", "配置 数", "引出し数", "Number of chairs",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("header", COUNTS)
+def test_what_may_count_is_never_dropped(tmp_path, header):
+    with pytest.raises(sp.InputError) as refused:
+        read(tmp_path, f"品名,{header}\n本棚,3\n")
+    assert f'--columns "count={header}"' in str(refused.value)
+    given = header_of(["品名", header], (), read_columns(f"count={header}"))
+    assert given.places["count"] == 1
+
+
+@pytest.mark.parametrize("header", ["数　量", "数 量", " 台　数 ", "個　 数", "Q'ty"])
+def test_a_name_with_blanks_between_its_letters_is_that_name(header):
+    assert header_of(["品　名", header]).places == {"name": 0, "count": 1}
+
+
+@pytest.mark.parametrize("header", ["耐用年数", "階数", "段数", "Stock location", "利用人数"])
+def test_what_counts_something_else_is_not_used(header):
+    assert header_of(["品名", header]).unused == (header,)
+
+
 GIVEN = [name for name, (_, proposal) in UNCLEAR.items() if "?" not in proposal and "by storey" not in name]
 
 
@@ -155,6 +184,72 @@ def test_a_proposal_that_is_given_is_understood(tmp_path, name):
     if name == "another unit":
         text, proposal = text.replace("(kg)", ""), "height=高さ[m]"
     read(tmp_path, text, proposal)
+
+
+@pytest.mark.parametrize(
+    ("cells", "size"),
+    [
+        ("４５０,１８００,８０．５", (0.45, 1.8, 80.5)),
+        ('450,"1,800",80', (0.45, 1.8, 80.0)),
+        ("450mm,180 cm,80kg", (0.45, 1.8, 80.0)),
+        ("45ｃｍ,1.8m,80000 g", (0.45, 1.8, 80.0)),
+        ('450㎜,"1,800mm",80㎏', (0.45, 1.8, 80.0)),
+    ],
+)
+def test_numbers_are_read_as_people_write_them(tmp_path, cells, size):
+    _, rejects, (body,), _ = read(tmp_path, f"品名,奥行(mm),高さ(mm),重量(kg)\n棚,{cells}\n")
+    assert not rejects
+    assert sizes(body) == pytest.approx(size, rel=1e-12)
+
+
+@pytest.mark.parametrize("cell", ['"1,200"', "80 斤", "8_0", "10⁵", "80mm", '"1,23,456"', "80kg?"])
+def test_numbers_that_are_not_certain_are_refused(tmp_path, cell):
+    _, rejects, bodies, _ = read(tmp_path, f"品名,奥行(mm),高さ(mm),重量(kg)\n棚,450,1800,{cell}\n")
+    assert not bodies
+    assert "mass is " in rejects[0]["reason"]
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [
+        ("1,234,567", "", 1234567.0),
+        ("1.234.567,5", "", 1234567.5),
+        ("1,234,567.5", "", 1234567.5),
+        ("１５", "", 15.0),
+    ],
+)
+def test_two_marks_of_thousands_are_certain(text, unit, value):
+    assert number_of("mass", text, unit) == value
+
+
+def test_a_cell_has_its_own_unit_between_semicolons(tmp_path):
+    _, rejects, (body,), _ = read(tmp_path, "品名;奥行(mm);高さ(mm);重量(kg)\n棚;45,5 cm;1.800;80,5 kg\n")
+    assert sizes(body) == pytest.approx((0.455, 1.8, 80.5))
+    assert not rejects
+
+
+def test_pieces_narrower_than_deep_are_counted(tmp_path):
+    text = "品名,幅(cm),奥行(mm),高さ(mm),重量(kg)\n"
+    text += "棚,30,450,1800,60\n棚,45,450,1800,60\n棚,?,450,1800,60\n棚,90,450,1800,60\n"
+    *_, facts = read(tmp_path, text)
+    assert facts["narrower than deep"] == 1
+    assert narrow_told(facts, "en").startswith("Narrower than deep: 1 row. They may fall sideways")
+    assert "奥行方向（前後）の揺れだけ" in narrow_told(facts, "ja")
+    assert narrow_told({"narrower than deep": 0}, "en") == ""
+
+
+def test_a_preset_may_be_deeper_than_the_width(tmp_path):
+    *_, facts = read(tmp_path, "品名,幅,奥行[mm]\n本棚,100,\n本棚,900,\n", "ignore=幅")
+    assert facts["narrower than deep"] == 1
+
+
+def test_reasons_name_the_column_of_the_table(tmp_path):
+    text = "品名,奥行(mm),高さ(mm),重量(kg)\n棚,x,1800,60\n棚,450,1800,-1\n"
+    _, rejects, *_ = read(tmp_path, text)
+    first, second = (row["reason"] for row in rejects)
+    assert first.startswith("Column '奥行(mm)': width is 'x'")
+    assert second.startswith("Column '重量(kg)': ")
+    assert rejects[0]["reason_ja"].startswith("列'奥行(mm)'：")
 
 
 @pytest.mark.parametrize("ending", ["toml", "json", "text", "mapping"])

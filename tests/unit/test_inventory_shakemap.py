@@ -11,7 +11,7 @@ from inventories import city, digests, rows_of_results, table
 import stayput as sp
 from stayput.fragility import PGA, PGV, spectral_acceleration
 from stayput.inventory import assess
-from stayput.inventory.places import GroundLevel
+from stayput.inventory.places import GroundLevel, unwrapped
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.shakemaps import read_shakemap
 from stayput.montecarlo.hazard import Ground
@@ -100,6 +100,53 @@ def test_a_place_without_a_value_is_refused(tmp_path):
         found.at(35.2, 135.8)
 
 
+@pytest.mark.parametrize(
+    ("west", "east"), [(179.5, -179.5), (179.5, 180.5), (-180.5, -179.5)], ids=["signs", "above 180", "below"]
+)
+@pytest.mark.parametrize("kind", ["grid", "csv", "places"])
+def test_a_map_across_the_antimeridian_is_narrow(tmp_path, west, east, kind):
+    rows = [(west if lon == 135 else east, *rest) for lon, *rest in ROWS]
+    if kind == "grid":
+        found = read_shakemap(grid(tmp_path, rows))
+    elif west < -180.0:
+        return  # the longitudes of a CSV begin at -180
+    else:
+        lines = [f"{lat},{lon},{pgv}" for lon, lat, _, pgv, *_ in rows[: 4 if kind == "csv" else 3]]
+        found = read_shakemap(table(tmp_path, lines, "lat,lon,pgv[cm/s]", "map.csv"))
+    assert 10.0 ** found.at(36.0, -179.5).level == pytest.approx(0.2, rel=0.03)
+    assert found.at(36.0, 180.5) == found.at(36.0, -179.5)
+    assert found.at(36.0, 179.6).level <= found.at(36.0, -179.6).level
+    with pytest.raises(sp.InputError, match="lon"):
+        found.at(36.0, 0.0)
+
+
+def test_a_map_around_the_earth_stays_as_it_is():
+    for lons in ([-180.0, -90.0, 0.0, 90.0, 180.0], [0.0, 120.0, 240.0], [135.0, 136.0]):
+        assert unwrapped(np.array(lons)).tolist() == lons
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "value", "reason"),
+    [
+        ("STDPGA", "ln(pctg)", "nan", "STDPGA must have a value"),
+        ("STDPGA", "pctg", 0.5, r"unit of STDPGA of the uncertainty is 'pctg'; it must be ln\(pctg\)"),
+        ("STDPGA", "log10(g)", 0.5, "unit of STDPGA"),
+        ("STDMMI", "ln(intensity)", 0.5, "unit of STDMMI of the uncertainty .* must be intensity"),
+    ],
+)
+def test_an_uncertainty_that_says_nothing_or_something_else_is_refused(tmp_path, name, unit, value, reason):
+    rows = [(lon, lat, value) for lon, lat, *_ in ROWS]
+    deviations = grid(tmp_path, rows, {"LON": "dd", "LAT": "dd", name: unit}, "uncertainty.xml")
+    with pytest.raises(sp.InputError, match=reason):
+        read_shakemap(grid(tmp_path, ROWS), name[3:], deviations)
+
+
+@pytest.mark.parametrize("row", ["35,135,4_0", "3_5,135,40"])
+def test_a_number_of_a_csv_has_no_underscore(tmp_path, row):
+    with pytest.raises(sp.InputError, match="row 2"):
+        read_shakemap(table(tmp_path, [row], "lat,lon,pgv[cm/s]", "map.csv"))
+
+
 BOMB = '<!DOCTYPE x [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>\n'
 OUTSIDE = '<!DOCTYPE x [<!ENTITY a SYSTEM "file:///etc/passwd">]>\n'
 
@@ -112,6 +159,7 @@ HOSTILE = {
     "too few numbers": ({"size": (3, 3)}, "it has 24 numbers; it must have 54"),
     "too many numbers": ({"rows": [*ROWS, ROWS[0]]}, "more numbers than places"),
     "words": ({"rows": [*ROWS[:3], (136, 35, "x", 1, 1, 1)]}, "could not convert"),
+    "an underscore": ({"rows": [*ROWS[:3], (136, 35, "8_0", 1, 1, 1)]}, "underscore"),
     "no places": ({"rows": [row[2:] for row in ROWS], "fields": dict.fromkeys(("PGA", "PGV", "MMI", "X"), "")}, "LON and LAT"),
     "no grid": ({"rows": [ROWS[0], ROWS[1], (135.5, 35, 1, 1, 1, 1), ROWS[3]]}, "no regular grid"),
     "a place twice": ({"rows": [ROWS[0], ROWS[1], ROWS[0], ROWS[1]]}, "no regular grid"),

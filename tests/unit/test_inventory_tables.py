@@ -39,7 +39,7 @@ def row(**cells):
 # ruff: noqa: E501 - a case a line
 REJECTED = {
     "no id": (row(preset="chest"), "id is missing"),
-    "unit in a cell": (row(id="x", width="40 cm", height="1", mass="1"), "width is '40 cm'; it must be a plain number in m, without its unit"),
+    "unit in a cell": (row(id="x", width="40 ken", height="1", mass="1"), "width is '40 ken'; it must be a plain number in m, without its unit"),
     "decimal comma": (row(id="x", width='"0,4"', height="1", mass="1"), "width is '0,4'; it must be a plain number"),
     "thousands": (row(id="x", preset="chest", value='"90,00"'), "value is '90,00'"),
     "negative size": (row(id="x", width="-0.4", height="1", mass="1"), "width is -0.4; it must be a number between 0.001 and 100 m"),
@@ -79,7 +79,6 @@ REJECTED = {
     "stray quote": ('x,"chest"z,,,,,,,,,,,', "cannot be read"),
     "invisible character": (row(id="x\u200b", preset="chest"), "an invisible one"),
     "turned letters": (row(id="x\u202ey", preset="chest"), "an invisible one"),
-    "full-width digits": (row(id="x", width="０．４", height="1", mass="1"), "width is '０．４'; it must be a plain number"),
     "not available": (row(id="x", width="#N/A", height="1", mass="1"), "width is '#N/A'; it must be a plain number"),
     "control character": (row(id="x\x07", preset="chest"), "control character"),
 }  # fmt: skip

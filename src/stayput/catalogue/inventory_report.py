@@ -25,6 +25,18 @@ TEXTS: dict[str, tuple[str, str]] = {
         "One of the compared measures helps {helped} of them, and none helps the others.",
         "このうち{helped}点には効果のある対策がありますが、残りにはありません。",
     ),
+    "needs_none_counted": (
+        "No measure is needed for {pieces}: without one, overturning and sliding too far hardly ever happen.",
+        "{pieces}は対策なしでも転倒も大きな移動もほとんどせず、対策不要です。",
+    ),
+    "none_helps_the_rest": (
+        "None of the compared measures helps any of the others.",
+        "残りには、比較した対策で効果のあるものはありません。",
+    ),
+    "some_helped_of_the_rest": (
+        "One of the compared measures helps {helped} of the others, and none helps the rest.",
+        "残りのうち{helped}点には効果のある対策がありますが、ほかにはありません。",
+    ),
     "expected_loss": (
         "Expected loss {loss}, with the best measures {best} (where values are given, in their currency).",
         "損失の見込みは{loss}、最も有効な対策をとると{best}です（損失額の入力があるものだけの合計）。",
@@ -36,6 +48,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "nothing_known": (
         "Of {pieces} nothing is known: all runs were given up.",
         "{pieces}はすべての計算を打ち切ったため、結果が分かりません。",
+    ),
+    "narrow": (
+        (
+            "Narrower than deep: {rows}. They may fall sideways; only shaking along the depth, from front to "
+            "back, is assessed."
+        ),
+        "幅が奥行より小さい家具：{rows}。横に倒れることもありますが、奥行方向（前後）の揺れだけを評価しています。",
     ),
     # Maps
     "map_without": (
@@ -75,6 +94,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "best_by_cost": ("Best for its cost", "費用に見合う対策"),
     "loss": ("Expected loss", "損失の見込み"),
     "no_help": ("none helps", "効果のある対策なし"),
+    "needs_none": ("needs none", "対策不要"),
     "not_worth": ("none is worth it", "費用に見合うものなし"),
     "not_possible": ("{name}: not possible. {reason}", "{name}：設置できません。{reason}"),
     # Rejects
@@ -180,6 +200,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "printed_none_helps": (
         "; none of the compared measures helps any of them",
         "、比較した対策で効果のあるものはなし",
+    ),
+    "printed_needs_none": ("; none of them needs a measure", "、いずれも対策不要"),
+    "printed_none_helps_the_rest": (
+        "; some need no measure, and none of the compared ones helps the others",
+        "、一部は対策不要、残りには比較した対策で効果のあるものなし",
     ),
     "printed_inside": (
         "{event}: of what is inside {pieces}, {share} is expected to come out, {best} with the best measures.",

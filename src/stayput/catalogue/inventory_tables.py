@@ -84,6 +84,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{header} seems to hold several sizes; each must have its own column",
         "{header}には複数の寸法が入っているようです。寸法ごとに列を分けてください",
     ),
+    "doubt_size": (
+        "{header} seems to be a size, and it is not certain which (width, height, or ignore)",
+        "{header}は寸法のようですが、どの寸法か分かりません（width、height、またはignore）",
+    ),
     "doubt_floor": (
         "{header} holds storeys, and stayput's floor is the surface",
         "{header}には階が入っています（stayputのfloorは床材です）",
@@ -110,6 +114,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The uncertainty is {path}; it must have the field {name}.",
         "不確かさのファイル{path}に{name}の項目がありません。",
     ),
+    "no_deviations": (
+        "The uncertainty is {path}; its field {name} must have a value somewhere.",
+        "不確かさのファイル{path}の{name}には、値が1つもありません。",
+    ),
+    "deviation_unit": (
+        "The unit of {name} of the uncertainty is {unit!r}; it must be {known}.",
+        "不確かさの{name}の単位が「{unit}」になっています。{known}にしてください。",
+    ),
     "other_grid": (
         "The uncertainty is {path}; its places must be those of the shake map.",
         "不確かさのファイル{path}の地点が、地震動マップの地点と異なります。",
@@ -129,6 +141,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "緯度・経度のある家具がないため、{formats}には書き出せません。csvには要りません。",
     ),
     # cells
+    "column": ("Column {header}", "列{header}"),
     "comma": (
         (
             "{name} is {value}, of which the mark may be that of decimals or of thousands; "

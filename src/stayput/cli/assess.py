@@ -126,7 +126,7 @@ def _record(assessment: Assessment) -> dict[str, object]:
 
 
 def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
-    from stayput.inventory.words import counted_phrase, printed, read_as
+    from stayput.inventory.words import counted_phrase, narrow_told, printed, read_as
 
     def line(key: str, **values: object) -> None:
         typer.echo(say(f"inventory_report.{key}", lang, **values))
@@ -149,5 +149,7 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
     for name, total in assessment.summary.events.items():
         for sentence in printed(total, name, lang):
             typer.echo(sentence)
+    if narrow := narrow_told(facts, lang):
+        typer.echo(narrow)
     files = (assessment.folder / f"pieces.{name}" for name in exported)
     tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)

@@ -450,7 +450,7 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
     with space.durable(folder / SUMMARY[0]) as file:
         pq.write_table(pa.table(dict(zip(COLUMNS, columns, strict=True)), schema=schema), file)
     with space.durable(folder / SUMMARY[1]) as file:
-        file.write(csv_text(list(COLUMNS), rows).encode())
+        file.write(csv_text(list(COLUMNS), rows).encode("utf-8-sig"))
     first: list[Any] = []
     for batch in pq.ParquetFile(folder / REJECTS[0]).iter_batches(20):
         first = batch.to_pylist()

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import re
+import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, has_control, within
+from stayput.inventory.columns import UNITS
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -25,6 +27,15 @@ SHOWN = 40
 """Characters of a cell that a sentence shows."""
 
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_WITH_REST = re.compile(r"([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*([^\d\s.,].*)?", re.ASCII)
+_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:(?:,\d{3}){2,}(?:\.\d*)?|(?:\.\d{3}){2,}(?:,\d*)?)", re.ASCII)
+"""A number with two marks of thousands or more, which can be no decimal ones."""
+
+_WHOLE_UNITS = ("mm", "g")
+"""Units so small that nobody writes thousandths of them: a comma before three digits is one of thousands."""
+
+_FULL_WIDTH = str.maketrans("０１２３４５６７８９＋，－．", "0123456789+,-.")
+"""Full-width digits, signs and marks by their usual ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,19 +117,58 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
     Raises
     ------
     InputError
-        Something else than a plain number: with its unit, with a decimal comma, not finite.
+        Something else than a number: with a unit that is unknown, with a decimal comma, not finite.
     """
     value = plain(name, cell)
     if value is None:
         return None
     if isinstance(value, str):
-        if _NUMBER.fullmatch(value) is None:
+        number = _in_unit(half_width(value), unit)
+        if number is None:
             has_unit = bool(unit) and re.match(r"[+-]?[\d.,]+\s*[^\d.,]+$", value) is not None
             raise _not_a_plain_number(name, shown(value), unit, has_unit)
-        value = float(value)
+        value = number
     if not math.isfinite(value):
         raise _not_a_plain_number(name, str(value), unit, False)
     return float(value)
+
+
+def half_width(text: str) -> str:
+    """Return a text whose full-width digits, signs and marks are the usual ones."""
+    return text if text.isascii() else text.translate(_FULL_WIDTH)
+
+
+def _in_unit(text: str, unit: str) -> float | None:
+    """Return the number of a text in a unit, converted from the one behind it; None where it is none."""
+    parted = _WITH_REST.fullmatch(text)
+    if parted is None:
+        return None
+    number, written = parted[1], unicodedata.normalize("NFKC", parted[2] or "").strip().lower()
+    factor = _factor(written, unit) if written else (1.0, 1.0)
+    number = without_thousands(number, written or unit)
+    if factor is None or _NUMBER.fullmatch(number) is None:
+        return None
+    times, over = factor
+    return float(number) * times / over
+
+
+def _factor(written: str, unit: str) -> tuple[float, float] | None:
+    """Return what a number in a unit is multiplied with and divided by to be in another of its kind."""
+    for units in UNITS.values():
+        own, wanted = units.get(written), units.get(unit)
+        if own is not None and wanted is not None:
+            return (1.0, 1.0) if own == wanted else (own.times * wanted.over, own.over * wanted.times)
+    return None
+
+
+def without_thousands(number: str, unit: str, marks: str = ",") -> str:
+    """Return a number without marks between its thousands where they can be nothing else; else as it is."""
+    if _GROUPS.fullmatch(number):
+        mark = next(letter for letter in number if letter in ".,")
+        return number.replace(mark, "").replace(",", ".")
+    if unit in _WHOLE_UNITS and _THOUSANDS.fullmatch(number) and any(mark in number for mark in marks):
+        return re.sub("[.,]", "", number)
+    return number
 
 
 def _not_a_plain_number(name: str, value: str, unit: str, has_unit: bool) -> InputError:
@@ -171,7 +221,7 @@ def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:
 def number_or_none(cell: Cell) -> float | None:
     """Return the number of a cell, with a point or a comma, or None where it is none."""
     if isinstance(cell, str):
-        text = cell.strip()
+        text = half_width(cell.strip())
         text = text.replace(",", ".") if _DECIMAL_COMMA.fullmatch(text) else text
         cell = float(text) if _NUMBER.fullmatch(text) else None
     return float(cell) if isinstance(cell, int | float) and math.isfinite(cell) else None
@@ -185,9 +235,13 @@ def with_point(name: str, text: str, kind: str) -> str:
     InputError
         The comma or the point may be one of thousands.
     """
-    if _THOUSANDS.fullmatch(text.strip()) and kind not in ("m", "°"):  # a piece of 1800 m is none
+    parted = _WITH_REST.fullmatch(text.strip())
+    if parted is None:
+        return text
+    number, rest = without_thousands(parted[1], parted[2] or kind, ".,"), parted[2] or ""
+    if _THOUSANDS.fullmatch(number) and (rest or kind) not in ("m", "°"):  # a piece of 1800 m is none
         raise InputError("inventory_tables.comma", name, name=name, value=shown(text))
-    return text.replace(",", ".") if _DECIMAL_COMMA.fullmatch(text.strip()) else text
+    return (number.replace(",", ".") if _DECIMAL_COMMA.fullmatch(number) else number) + rest
 
 
 def amount_of(text: str) -> str:
@@ -220,6 +274,7 @@ def converting_reader(
     written = kind if unit is None else unit.name
 
     def number(text: Cell) -> Cell:
+        text = half_width(text) if isinstance(text, str) else text
         if decimal_comma and isinstance(text, str):
             text = with_point(name, text, written)
         elif kind == "currency" and isinstance(text, str):

@@ -61,7 +61,7 @@ COLUMNS: dict[str, Column] = {
     "measures": Column(),
     "costs": Column("currency"),
     "count": Column("", (
-        "qty", "quantity", "pcs", "pieces", "units", "no of units", "no of pieces", "number of units",
+        "qty", "q'ty", "quantity", "pcs", "pieces", "units", "no of units", "no of pieces", "number of units",
         "number of pieces", "数量", "個数", "台数", "員数", "本数", "点数", "数",
     )),
     "value": Column("currency", (
@@ -77,7 +77,10 @@ COLUMNS: dict[str, Column] = {
 LISTS = ("cg_offset", "load", "costs", "floor")
 """Columns whose cells hold numbers with semicolons between them."""
 
-ALONG_THE_WALL = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "length", "l", "長さ")
+WIDTHS = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法")
+"""What inventories call the size along the wall where nothing else can be meant."""
+
+ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
 """What inventories call the size along the wall, which is across the shaking."""
 
 SIZES_TOGETHER = re.compile(
@@ -90,9 +93,16 @@ TOTALS = ("total price", "total value", "金額", "取得金額", "合計金額"
 
 LOOKS_LIKE_COUNT = re.compile(
     r"(?:.*\b)?(?:qty|quant\w*|counts?|pcs|units|number of \w+|no of \w+)\b.*|number|amount|(?:grand )?total"
-    r"|.*(?:数量|個数|台数|員数|本数|点数|総数).*|合計|計|小計|b?\d+[f階]|地下\d*階?"
+    r"|(?:.*\b)?(?:copies|ea|each|nos|q'?ty)|num(?: .*)?|(?:(?:in|current|total) )?stock(?: on hand)?"
+    r"|anzahl|menge|stück(?:zahl)?|stk|nombre|cantidad"
+    r"|.*(?:数量|個数|台数|員数|本数|点数|総数|在庫数|設置数|保有数|脚数).*"
+    r"|.*(?<![年月日階段人回係指])数|在庫|[台個脚本点基]|合計|計|小計|b?\d+[f階]|地下\d*階?"
 )
-"""Columns that seem to say how many pieces a row stands for."""
+"""Columns that seem to say how many pieces a row stands for; years of use (耐用年数), storeys (階数), shelves
+(段数) and people (人数) are none."""
+
+LOOKS_LIKE_SIZE = re.compile(r"縦|横|丈|長辺|短辺|厚[さみ]|直?径")
+"""Columns that seem to be a size, and do not say whether along the wall, from front to back or upwards."""
 
 _LENGTHS = {
     ("mm", "millimetre", "millimetres", "millimeters", "ミリ"): NumberUnit("mm", over=1000.0),
@@ -131,6 +141,10 @@ _ENDING = re.compile(r"(?:(?<=[^\x00-\x7f])|(?<=\))|[ ,/]+(?:in +)?)([a-z円]+|[
 _BRACKETS = re.compile(r"(.+?) *[(\[]([^()\[\]]*)[)\]]")
 
 
+_BETWEEN_LETTERS = re.compile(r"(?<=[々぀-ヿ㐀-鿿]) (?=[々぀-ヿ㐀-鿿])")
+"""A blank with which a Japanese word is spread, as in 数　量."""
+
+
 class HeaderName(NamedTuple):
     """The name of a table's column, taken apart.
 
@@ -157,7 +171,7 @@ class HeaderName(NamedTuple):
 def plain_name(text: str) -> str:
     """Return a name in one spelling: of width, case, blanks and marks between words."""
     plain = unicodedata.normalize("NFKC", text).lower().replace("№", "no").replace("#", " no ")
-    return re.sub(r"[\s_.・:*-]+", " ", plain).strip()
+    return _BETWEEN_LETTERS.sub("", re.sub(r"[\s_.・:*-]+", " ", plain).strip())
 
 
 def header_name(text: str) -> HeaderName:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import partial
 from statistics import median
@@ -10,15 +10,17 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.inventory.cells import converting_reader, number_or_none, shown
+from stayput.inventory.cells import converting_reader, number_of, number_or_none, shown
 from stayput.inventory.columns import (
     ALONG_THE_WALL,
     COLUMNS,
     LISTS,
     LOOKS_LIKE_COUNT,
+    LOOKS_LIKE_SIZE,
     SIZES_TOGETHER,
     TOTALS,
     UNITS,
+    WIDTHS,
     header_name,
     plain_name,
 )
@@ -45,6 +47,13 @@ DOUBTS_SHOWN = 3
 """Most doubts that a sentence tells."""
 
 
+class AlongTheWall(NamedTuple):
+    """A column of sizes along the wall, and how its cells are read."""
+
+    place: int
+    read: CellReader
+
+
 @dataclass(frozen=True, slots=True)
 class Header:
     """Positions of the columns in a row.
@@ -63,6 +72,10 @@ class Header:
         How the cells of a column are read that are in another unit or spelling than the column's own.
     renamed : tuple of str
         What was taken for what, as "width = 奥行 [mm]".
+    called : mapping of str to str
+        What the table calls the columns that it calls otherwise.
+    along_the_wall : AlongTheWall, optional
+        The size along the wall, which tells a piece that is narrower than deep.
     """
 
     places: Mapping[str, int]
@@ -71,6 +84,18 @@ class Header:
     unused: tuple[str, ...] = ()
     readers: Mapping[str, CellReader] | None = None
     renamed: tuple[str, ...] = ()
+    called: Mapping[str, str] = field(default_factory=dict[str, str])
+    along_the_wall: AlongTheWall | None = None
+
+    def width_of(self, row: Sequence[Cell]) -> float | None:
+        """Return the size of a row's piece along the wall [m], or None where the row does not say it."""
+        if self.along_the_wall is None:
+            return None
+        place, read = self.along_the_wall
+        try:
+            return number_of("width", read(row[place]), "m")
+        except InputError:  # the column is not used otherwise, so a row is not refused for it
+            return None
 
     def cells(self, row: Sequence[Cell]) -> dict[str, Cell]:
         """Return the known cells of a row by their columns.
@@ -204,6 +229,9 @@ class _Reading:
             elif SIZES_TOGETHER.fullmatch(part.base) and not {"width", "height"} <= set(self.places):
                 self.doubt("doubt_sizes", f"{IGNORE}={self.names[place]}", header=header)
                 continue
+            elif _is_size(part) and not {"width", "height"} <= set(self.places):
+                self.doubt("doubt_size", f"?={self.names[place]}", header=header)
+                continue
             else:
                 _refuse_misspelt(self.names[place], part)
             self.unused.append(self.names[place][:200])
@@ -229,6 +257,15 @@ class _Reading:
         if value is not None and by_alias and "count" in self.places:
             self.doubt("doubt_total", f"{IGNORE}={self.names[value]}", header=self._shown(value))
 
+    def along_the_wall(self) -> tuple[int, NumberUnit | None] | None:
+        """Return the place and the unit of the size along the wall; one without a unit has the depth's."""
+        depth = self.places.get("width")
+        for place, part in enumerate(self.parts):
+            if place not in self.places.values() and part.base in WIDTHS:
+                unit = UNITS["m"].get(part.unit)
+                return place, unit or (None if depth is None else self.units["width"])
+        return None
+
     def _is_stated(self, name: str, place: int) -> bool:
         return place in self.mapped or self.names[place].lower() == name
 
@@ -242,6 +279,11 @@ class _Reading:
             return f"{name}={self.names[place]}"
         unit = _likely_unit(name, self.numbers(place), japanese=not self.names[place].isascii())
         return f"{name}={self.names[place]}[{unit}]"
+
+
+def _is_size(part: HeaderName) -> bool:
+    """Return whether a column seems to be a size: by its name, or by its unit."""
+    return LOOKS_LIKE_SIZE.fullmatch(part.base) is not None or part.unit in UNITS["m"]
 
 
 def _likely_unit(name: str, numbers: Sequence[float], japanese: bool) -> str:
@@ -305,6 +347,7 @@ def header_of(
         for name in places
         if (reader := _reader(name, reading.units[name], decimal_comma)) is not None
     }
+    across = reading.along_the_wall()
     return Header(
         places,
         len(names),
@@ -316,6 +359,10 @@ def header_of(
             for name, place in places.items()
             if names[place].lower() != name or reading.units[name] is not None
         ),
+        {name: names[place] for name, place in places.items() if names[place].lower() != name},
+        None
+        if across is None
+        else AlongTheWall(across[0], converting_reader("width", across[1], "m", False, decimal_comma)),
     )
 
 

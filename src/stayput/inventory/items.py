@@ -112,6 +112,7 @@ class Item:
     value: float | None
     lat: float | None
     lon: float | None
+    depth: float
     exposures: tuple[Exposure, ...]
 
 
@@ -200,7 +201,7 @@ class RowReader:
             )
         for cost in costs:
             within("costs", cost, 0.0, 1e15)
-        return Item(row, piece, count or 1, value, lat, lon, tuple(exposures))
+        return Item(row, piece, count or 1, value, lat, lon, body.width, tuple(exposures))
 
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int

@@ -71,6 +71,20 @@ def distances(lat: float, lon: float, lats: ArrayLike, lons: ArrayLike) -> NDArr
     return 2.0 * np.arcsin(np.sqrt(np.clip(a, 0.0, 1.0)))
 
 
+def unwrapped(lons: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return longitudes in the turn in which their span is smallest: across the antimeridian, say [°]."""
+    each = np.unique(lons % 360.0)
+    if len(each) < len(np.unique(lons)):
+        return lons
+    gaps = np.diff(each, append=each[0] + 360.0)
+    widest = int(np.argmax(gaps))
+    if not 360.0 - gaps[widest] < np.ptp(lons) - 1e-9:
+        return lons
+    west = each[(widest + 1) % len(each)]
+    start = west - 360.0 if west >= 180.0 else west
+    return start + (lons - west) % 360.0
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class ShakeMap:
     """A shake map: levels of the ground's shaking at places.

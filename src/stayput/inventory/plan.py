@@ -8,9 +8,10 @@ from contextlib import closing
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, Self
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.inventory.arrow import arrow, parquet
-from stayput.inventory.cells import Unusable
+from stayput.inventory.cells import Unusable, shown
 from stayput.inventory.folder import digest_of
 from stayput.inventory.header import header_of
 from stayput.inventory.items import RowReader
@@ -86,7 +87,7 @@ class Rejects:
         self.schema = pa.schema([("row", pa.int64()), *texts])
         self.file = (folder / REJECTS[0]).open("wb")
         self.parquet: Any = pq.ParquetWriter(self.file, self.schema, compression="zstd")
-        self.text = (folder / REJECTS[1]).open("w", encoding="utf-8", newline="")
+        self.text = (folder / REJECTS[1]).open("w", encoding="utf-8-sig", newline="")
         self.lines = csv.writer(self.text)
         self.lines.writerow(self.schema.names)
         self.buffered: list[tuple[int, str, str, str]] = []
@@ -203,7 +204,7 @@ def _fill(
     columns: ColumnMapping | None,
 ) -> None:
     reader = RowReader(scenarios)
-    seen = empty = parts = pieces = choices = located = 0
+    seen = empty = parts = pieces = choices = located = narrow = 0
     buffered: list[tuple[Item, list[list[int]]]] = []
 
     def flush() -> None:
@@ -240,6 +241,7 @@ def _fill(
                     choices += sum(map(len, units))
                     pieces += 1
                     located += item.lat is not None
+                    narrow += not isinstance(cells, InputError) and _is_narrow(item, header, cells)
                     buffered.append((item, units))
                     if len(buffered) >= ROWS_PER_PART:
                         flush()
@@ -252,6 +254,7 @@ def _fill(
                 "empty rows": empty,
                 "pieces": pieces,
                 "with coordinates": located,
+                "narrower than deep": narrow,
                 "rejects": rejects.count,
                 "parts": parts,
                 "units": store.next_unit,
@@ -261,6 +264,12 @@ def _fill(
                 "columns renamed": list(header.renamed),
             }
         )
+
+
+def _is_narrow(item: Item, header: Header, cells: list[Cell]) -> bool:
+    """Return whether a piece is narrower along the wall than it is deep."""
+    width = header.width_of(cells)
+    return width is not None and 0.0 < width < item.depth
 
 
 def _checked(
@@ -286,7 +295,9 @@ def _checked(
         if first != number:
             raise InputError("inventory.id_twice", "id", id=repr(piece.id), row=first)
     except InputError as error:
-        rejects.add(number, name, error)
+        called = header.called.get(error.field or "")
+        told = error if called is None else error.at(phrase("inventory_tables.column", header=shown(called)))
+        rejects.add(number, name, told)
         return None
     return piece
 

@@ -12,6 +12,7 @@ from markupsafe import Markup
 from stayput.catalogue import say
 from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
+from stayput.inventory.summary import needs_none
 from stayput.inventory.words import (
     amount,
     building_named,
@@ -21,6 +22,7 @@ from stayput.inventory.words import (
     further,
     interval_told,
     measures_named,
+    narrow_told,
     pieces_counted,
     share_told,
 )
@@ -197,6 +199,7 @@ def report_html(
     page = {
         **head,
         "maps": maps,
+        "narrow": narrow_told(facts, language),
         "several": len(maps) > 1,
         "worst": [_piece(row, language) for row in summary.worst],
         "contents": contents,
@@ -232,6 +235,7 @@ def _map(event: str, summary: Summary, language: str) -> dict[str, Any]:
 def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
     """Return the cells of a piece at risk."""
     helped = row["best"] != NO_MEASURE
+    no_help = "needs_none" if needs_none(row) else "no_help"
     by_cost = row["best_by_cost"]
     return {
         **{key: row[key] for key in ("row", "id", "event", "count")},
@@ -239,7 +243,7 @@ def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
         "storey": row["storey"] or "",
         "overturned": interval_told(row, "", language),
         "out": share_told(row["contents_out_share"], language),
-        "best": measures_named(row["best"], language) if helped else _words("no_help", language),
+        "best": measures_named(row["best"], language) if helped else _words(no_help, language),
         "best_overturned": interval_told(row, "best_", language) if helped else "",
         "best_out": share_told(row["best_contents_out_share"], language) if helped else "",
         "best_by_cost": _words("not_worth", language)

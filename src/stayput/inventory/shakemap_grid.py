@@ -13,6 +13,7 @@ from xml.parsers import expat
 import numpy as np
 
 from stayput.errors import InputError
+from stayput.inventory.places import unwrapped
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -101,6 +102,8 @@ class _Reader:
             self._take(whole)
 
     def _take(self, text: str) -> None:
+        if "_" in text:  # which Python takes between digits
+            raise ValueError("it has a number with an underscore")
         numbers = np.array(list(map(float, text.split())))
         self.count += len(numbers)
         if self.count > self.size.get("nlon", 0) * self.size.get("nlat", 0) * len(self.fields):
@@ -119,14 +122,15 @@ class _Reader:
         fields = {name: values[:, :, n] for n, name in enumerate(names)}
         lat, lon = fields.pop("LAT"), fields.pop("LON")
         lats, lons = lat[:, 0], lon[0]
+        if not (np.abs(lats).max() <= 90.0 and np.abs(lons).max() <= 360.0):
+            raise ValueError("its places are no latitudes and longitudes")
         if not (np.all(lat == lats[:, None]) and np.all(lon == lons)):
             raise ValueError("its places are no regular grid")
+        lons = unwrapped(lons)
         down, left = (-1 if axis[-1] < axis[0] else 1 for axis in (lats, lons))
         lats, lons = lats[::down], lons[::left]
         if not (np.all(np.diff(lats) > 0.0) and np.all(np.diff(lons) > 0.0)):
             raise ValueError("its places are no regular grid")
-        if not (np.abs(lats).max() <= 90.0 and np.abs(lons).max() <= 360.0):
-            raise ValueError("its places are no latitudes and longitudes")
         units = {name.strip().upper(): unit for name, unit in self.fields.values()}
         turned = {name: np.ascontiguousarray(field[::down, ::left]) for name, field in fields.items()}
         return MapGrid(lats, lons, turned, units)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, reason_of, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.map_fields import field_of, field_of_grid
-from stayput.inventory.places import LIMITS, PLACE, ShakeMap
+from stayput.inventory.places import LIMITS, PLACE, ShakeMap, unwrapped
 from stayput.inventory.shakemap_grid import is_xml, read_grid
 
 if TYPE_CHECKING:
@@ -113,13 +114,30 @@ def _deviations(other: MapGrid, grid: MapGrid, field: MapField, path: Path) -> n
     same = all(np.array_equal(a, b) for a, b in ((other.lats, grid.lats), (other.lons, grid.lons)))
     if not same:
         raise InputError("inventory_tables.other_grid", "uncertainty", path=repr(str(path)))
+    if not _states_deviations(other.units[name], field):
+        known = "intensity" if field.mercalli else f"ln({field.unit})"
+        raise InputError(
+            "inventory_tables.deviation_unit", "uncertainty", name=name, unit=other.units[name], known=known
+        )
     values = other.values[name]
     finite = values[~np.isnan(values)]
+    if not finite.size:
+        raise InputError("inventory_tables.no_deviations", "uncertainty", path=repr(str(path)), name=name)
     if finite.size and not 0.0 <= finite.min() <= finite.max() <= LARGEST_SIGMA:
         wrong = float(finite.max() if finite.max() > LARGEST_SIGMA else finite.min())
         called = phrase("inventory_tables.in_the_map", name=name)
         within(called, wrong, 0.0, LARGEST_SIGMA, "", "uncertainty")
     return values
+
+
+def _states_deviations(unit: str, field: MapField) -> bool:
+    """Return whether a unit is that of deviations: of an intensity itself, else of the natural logarithm."""
+    plain = unit.strip().lower()
+    return (
+        plain in ("intensity", "mmi", "")
+        if field.mercalli
+        else re.fullmatch(r"ln *\(.*\)|ln", plain) is not None
+    )
 
 
 def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
@@ -156,6 +174,7 @@ def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
     _, values, sigmas = np.array(list(rows.values())).T
     levels, scatters = field.levels(values), field.scatters(values, sigmas if has_sigma else None)
     lat, lon = np.array(list(rows)).T
+    lon = unwrapped(lon)
     lats, lons = np.unique(lat), np.unique(lon)
     if min(len(lats), len(lons)) < 2 or len(lats) * len(lons) != len(rows):
         return ShakeMap(field.measure, lat, lon, levels, scatters)
@@ -192,5 +211,5 @@ def _checked(number: int, name: str, cell: str, limit: tuple[float, float, str])
     """Return the number in a cell within its limits; a text that is none is refused by them too."""
     value: Any = cell
     with suppress(ValueError):
-        value = float(cell)
+        value = cell if "_" in cell else float(cell)  # Python takes 5_0 for 50
     return within(phrase("inventory.in_row_of_the_map", name=name, row=number), value, *limit)

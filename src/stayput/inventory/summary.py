@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.inventory.arrow import parquet
 from stayput.inventory.items import NO_MEASURE
+from stayput.verification.words import SMALL
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
     from pathlib import Path
 
 WORST = 50
@@ -45,6 +46,7 @@ READ = (
     "overturned",
     "overturned_low",
     "overturned_high",
+    "slid",
     "best",
     "best_overturned",
     "best_overturned_low",
@@ -56,6 +58,11 @@ READ = (
     "best_contents_out_share",
     "not_possible",
 )
+
+
+def needs_none(row: Mapping[str, Any]) -> bool:
+    """Return whether a row's piece needs no measure: none helps, and it hardly ever overturns or slides."""
+    return row["best"] == NO_MEASURE and row["overturned"] < SMALL and not row["slid"] >= SMALL
 
 
 @dataclass(slots=True)
@@ -70,6 +77,7 @@ class Total:
     loss_best: float | None = None
     unknown: int = 0
     helped: int = 0
+    safe: int = 0
     filled: int = 0
     out: float = 0.0
     out_best: float = 0.0
@@ -82,6 +90,7 @@ class Total:
             self.unknown += row["count"]
             return
         self.helped += row["count"] * (row["best"] != NO_MEASURE)
+        self.safe += row["count"] * needs_none(row)
         self.fallen += row["count"] * row["overturned"]
         self.fallen_best += row["count"] * row["best_overturned"]
         if row["expected_loss"] is not None:

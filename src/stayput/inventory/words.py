@@ -33,6 +33,14 @@ def pieces_counted(number: int) -> Phrase:
     return counted_phrase(number, "piece", "点")
 
 
+def narrow_told(facts: Mapping[str, Any], language: str) -> str:
+    """Return how many rows are narrower than deep; empty where none is."""
+    narrow = facts["narrower than deep"]
+    return (
+        say("inventory_report.narrow", language, rows=counted_phrase(narrow, "row", "行")) if narrow else ""
+    )
+
+
 def share_told(value: float | None, language: str) -> str:
     """Return a share in per cent; empty where there is none."""
     if value is None:
@@ -92,11 +100,12 @@ def expected(total: Total, language: str) -> str:
     best = ""
     if total.fallen_best < total.fallen:
         shared = share_told(total.share_best, language)
-        best = say("inventory_report.expected_best", language, fallen=amount(total.fallen_best), share=shared)
+        fallen = f"{total.fallen_best:,.1f}"
+        best = say("inventory_report.expected_best", language, fallen=fallen, share=shared)
     return say(
         "inventory_report.expected",
         language,
-        fallen=amount(total.fallen),
+        fallen=f"{total.fallen:,.1f}",
         pieces=pieces_counted(total.pieces),
         verb=("is" if total.pieces == 1 else "are", ""),
         share=share_told(total.share, language),
@@ -110,10 +119,14 @@ def further(total: Total, language: str) -> str:
 
 
 def _further(total: Total, language: str) -> Iterator[str]:
-    if not total.helped:
-        yield say("inventory_report.none_helps", language)
-    elif total.helped < total.pieces:
-        yield say("inventory_report.some_helped", language, helped=f"{total.helped:,}")
+    if total.safe:
+        yield say("inventory_report.needs_none_counted", language, pieces=pieces_counted(total.safe))
+    rest = total.pieces - total.safe
+    if not total.helped and rest:
+        yield say(f"inventory_report.none_helps{'_the_rest' if total.safe else ''}", language)
+    elif total.helped < rest:
+        which = "_of_the_rest" if total.safe else ""
+        yield say(f"inventory_report.some_helped{which}", language, helped=f"{total.helped:,}")
     if total.loss is not None:
         loss, best = amount(total.loss), amount(total.loss_best)
         yield say("inventory_report.expected_loss", language, loss=loss, best=best)
@@ -182,13 +195,20 @@ def _scenario(scenario: Mapping[str, Any], language: str) -> str:
     )
 
 
+def _none(total: Total) -> str:
+    """Return the key of why no measure is best for any piece."""
+    if not total.safe:
+        return "none_helps"
+    return "needs_none" if total.safe == total.pieces else "none_helps_the_rest"
+
+
 def printed(total: Total, event: str, language: str) -> list[str]:
     """Return what an event came to, in the lines of a terminal."""
     best: Phrase | str = ""
     if total.fallen_best < total.fallen:
         best = phrase("inventory_report.printed_best", fallen=f"{total.fallen_best:,.1f}")
     elif not total.helped:
-        best = phrase("inventory_report.printed_none_helps")
+        best = phrase(f"inventory_report.printed_{_none(total)}")
     known = total.pieces > total.unknown
     lines = [
         say(
