@@ -138,6 +138,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "--plan is given for a file without [plan]; it must be the file of a room.",
         "--planが指定されていますが、[plan]がありません。部屋のファイルを指定してください。",
     ),
+    "long_name": (
+        "The name of the file or folder {file} is too long; it must be shorter.",
+        "ファイルまたはフォルダーの名前{file}が長すぎます。短くしてください。",
+    ),
     "length_in_the_plane": (
         "--length is {value:g} m, which changes nothing in the plane of the depth; with --dimensions 3 it does.",
         "--lengthが{value:g} mになっていますが、奥行き方向の平面の解析では結果に影響しません。--dimensions 3では影響します。",

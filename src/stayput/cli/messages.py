@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
@@ -16,7 +17,7 @@ from stayput.catalogue import say
 from stayput.cli.language import of_arguments
 from stayput.cli.streams import is_stream, standard_input
 from stayput.cli.usage import USAGE, misused
-from stayput.errors import InputError, InputWarning, reason_of, warnings_to
+from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
 from stayput.progress import is_quiet, keep_quiet, told_in
 
 if TYPE_CHECKING:
@@ -88,6 +89,9 @@ class CommandGroup(TyperGroup):
         except USAGE as error:
             raise self._refused(misused(error)) from None
         except OSError as error:
+            if error.errno == errno.ENAMETOOLONG:
+                file = quoted(str(error.filename))
+                raise self._refused(InputError("cli.long_name", file=file)) from None
             raise typer.Exit(_unwritten(error, self._language)) from None
         except KeyboardInterrupt:
             typer.echo(say("cli.interrupted", self._language), err=True)
