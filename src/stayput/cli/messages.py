@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import io
 import json
 import os
 import re
@@ -44,6 +45,9 @@ class CommandGroup(TyperGroup):
     def main(self, args: Sequence[str] | None = None, *rest: Any, **kwargs: Any) -> Any:
         """Run the command line, and flush standard output."""
         self._language = of_arguments(sys.argv[1:] if args is None else args)
+        if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
+            # letters that the terminal lacks are written out, as Python does on standard error
+            sys.stdout.reconfigure(errors="backslashreplace")
         try:
             try:
                 with told_in(self._language):
