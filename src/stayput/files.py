@@ -36,16 +36,19 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     Raises
     ------
     InputError
-        An unknown ending, a folder that does not exist, or a folder in the file's place.
+        An unknown ending, a folder that does not exist, a folder in the file's place, or too long a name.
     """
     instance_of("path", path, (str, PathLike))
     target = Path(path)
     if target.suffix.lower() not in suffixes:
         raise InputError("model.wrong_suffix", file=repr(str(target)), suffixes=", ".join(suffixes))
-    if not target.parent.is_dir():
-        raise InputError("model.no_folder", file=repr(str(target)))
-    if target.is_dir():
-        raise InputError("model.file_is_folder", file=repr(str(target)))
+    try:
+        if not target.parent.is_dir():
+            raise InputError("model.no_folder", file=repr(str(target)))
+        if target.is_dir():
+            raise InputError("model.file_is_folder", file=repr(str(target)))
+    except OSError as error:
+        raise _not_written(target, error) from None
     return target
 
 
@@ -86,15 +89,20 @@ def draft(target: Path) -> Generator[Path]:
     InputError
         The folder does not let a file be written.
     """
-    path = target.with_name(f".{target.stem}-{secrets.token_hex(4)}{target.suffix}")
+    # a part of the name alone: with all of it the draft's would be too long where the file's just is not
+    path = target.with_name(f".{target.stem[:_DRAFTED]}-{secrets.token_hex(4)}{target.suffix}")
     try:
         yield path
         path.replace(target)
     except OSError as error:
-        reason = reason_of(error)
-        raise InputError("model.not_written", file=repr(str(target)), reason=reason) from error
+        raise _not_written(target, error) from error
     finally:
-        path.unlink(missing_ok=True)
+        with suppress(OSError):  # a name that no file can have
+            path.unlink(missing_ok=True)
+
+
+def _not_written(target: Path, error: OSError) -> InputError:
+    return InputError("model.not_written", file=repr(str(target)), reason=reason_of(error))
 
 
 @contextmanager
@@ -108,9 +116,10 @@ def folder_draft(folder: Path) -> Generator[Path]:
     InputError
         The folder cannot be made, or does not let its files be written.
     """
-    fresh = [path for path in (folder, *folder.parents) if not path.exists()]
+    fresh: list[Path] = []
     path = folder / f".draft-{secrets.token_hex(4)}"
     try:
+        fresh += [path for path in (folder, *folder.parents) if not path.exists()]
         path.mkdir(parents=True)
         yield path
         for file in sorted(path.rglob("*")):
@@ -130,6 +139,9 @@ def folder_draft(folder: Path) -> Generator[Path]:
             for made in fresh:
                 made.rmdir()
 
+
+_DRAFTED = 40
+"""Most letters of a file's name in that of its draft."""
 
 _LONGEST = 100
 """Most bytes of a name that becomes part of a file's name: file systems allow 255, drafts and endings too."""

@@ -1,15 +1,18 @@
 """Values of the package in files, and back to the same bits: JSON, or NetCDF where there are histories.
 
 A file holds the values' own fields under the names of their classes, and the version that wrote it. Nothing
-in it is run: only classes of the package are made anew, through the checks of their own.
+in it is run: only classes of the package are made anew, through the checks of their own. Digests of its
+content tell a file that was changed afterwards.
 """
 
 from __future__ import annotations
 
 import base64
 import dataclasses
+import hashlib
 import json
 import math
+import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from enum import Enum
@@ -36,6 +39,12 @@ Keep = Callable[["NDArray[Any]"], Any]
 
 JSON, NETCDF = (".json",), (".nc",)
 """Endings of the files."""
+
+_FORMAT = 1
+"""The format that is written, and the newest that is read."""
+
+_KINDS = re.compile(r"[<>|=]?([fiub][1248]|f16|[US]\d{1,3})")
+"""The kinds of numbers and texts in arrays, as NumPy writes them."""
 
 _PARTS = "stayput_parts"
 """The attribute of a dataset that holds everything but the arrays."""
@@ -124,8 +133,7 @@ def save_json(value: object, path: str | Path) -> Path:
         A path that cannot be written, or something in it that is not of the package: a measure of one's own.
     """
     target = check_target(path, JSON)
-    content = {"stayput": stayput.__version__, "value": _encoded(value, _numbers)}
-    text = json.dumps(content, ensure_ascii=False, allow_nan=False)
+    text = json.dumps(_content(value, _numbers), ensure_ascii=False, allow_nan=False)
     with draft(target) as unfinished:
         unfinished.write_text(text, encoding="utf-8")
     return target
@@ -144,7 +152,7 @@ def load_json(kind: type[T], path: str | Path) -> T:
         content = json.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
         raise InputError("saved.unreadable", "path", file=str(file), reason=reason_of(error)) from None
-    except ValueError:
+    except (ValueError, RecursionError, MemoryError):
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
     return _read(kind, file, content, _of_numbers)
 
@@ -177,10 +185,10 @@ def save_netcdf(value: object, dataset: xr.Dataset, path: str | Path) -> Path:
                 return _numbers(array)
             name = own[id(array)] = f"stayput_{len(added)}"
             added[name] = (tuple(f"{name}_{axis}" for axis in range(array.ndim)), array)
-        return {"variable": own[id(array)], "dtype": array.dtype.str}
+        return {"variable": own[id(array)], "dtype": array.dtype.str, "sha256": _array_digest(array)}
 
-    content = {"stayput": stayput.__version__, "value": _encoded(value, keep)}
-    attributes = {"stayput_version": stayput.__version__, _PARTS: json.dumps(content, allow_nan=False)}
+    content = json.dumps(_content(value, keep), allow_nan=False)
+    attributes = {"stayput_version": stayput.__version__, _PARTS: content}
     with draft(target) as unfinished:
         dataset.assign(added).assign_attrs(attributes).to_netcdf(unfinished, engine="scipy")
     return target
@@ -203,14 +211,16 @@ def load_netcdf(kind: type[T], path: str | Path) -> T:
         content = json.loads(dataset.attrs[_PARTS])
     except OSError as error:
         raise InputError("saved.unreadable", "path", file=str(file), reason=reason_of(error)) from None
-    except (ValueError, TypeError, KeyError):
+    except Exception:  # SciPy and xarray fail at a file that is cut or of something else in many ways
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
 
     def array_of(data: Mapping[str, Any]) -> NDArray[Any]:
         if "variable" not in data:
             return _of_numbers(data)
-        values = cast("NDArray[Any]", dataset[data["variable"]].to_numpy())
-        return values.astype(data["dtype"])
+        values = cast("NDArray[Any]", dataset[data["variable"]].to_numpy()).astype(_kind(data["dtype"]))
+        if _array_digest(values) != data["sha256"]:
+            raise InputError("saved.changed", "path", file=str(file))
+        return values
 
     return _read(kind, file, content, array_of)
 
@@ -219,11 +229,15 @@ def _read(
     kind: type[T], file: Path, content: Any, array_of: Callable[[Mapping[str, Any]], NDArray[Any]]
 ) -> T:
     try:
-        version = str(content["stayput"])
+        version, written, digest = str(content["stayput"]), int(content["format"]), content["sha256"]
         data = content["value"]
-    except (KeyError, TypeError):
+    except (KeyError, TypeError, ValueError, OverflowError):
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
+    if written > _FORMAT:
+        raise InputError("saved.newer", "path", file=str(file), version=version)
     try:
+        if _digest(data) != digest:
+            raise InputError("saved.changed", "path", file=str(file))
         value = _decoded(data, array_of)
     except InputError:
         raise
@@ -232,6 +246,24 @@ def _read(
     if not isinstance(value, kind):
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__)
     return value
+
+
+def _content(value: object, keep: Keep) -> dict[str, Any]:
+    """Return what a file holds of a value."""
+    data = _encoded(value, keep)
+    return {"stayput": stayput.__version__, "format": _FORMAT, "sha256": _digest(data), "value": data}
+
+
+def _digest(data: Any) -> str:
+    """Return the digest of encoded data, however a file writes them."""
+    text = json.dumps(data, sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return hashlib.sha256(text.encode("ascii")).hexdigest()
+
+
+def _array_digest(array: NDArray[Any]) -> str:
+    """Return the digest of an array's shape and bytes; all that is not a number counts as the same."""
+    plain = np.where(np.isnan(array), np.nan, array) if array.dtype.kind == "f" else array
+    return hashlib.sha256(f"{array.shape}".encode() + plain.tobytes()).hexdigest()
 
 
 def _encoded(value: Any, keep: Keep) -> Any:
@@ -335,12 +367,28 @@ def _numbers(array: NDArray[Any]) -> Any:
         kinds = [list(column) for column in array.dtype.descr]
         return {"columns": kinds, "shape": shape, "bytes": base64.b64encode(array.tobytes()).decode("ascii")}
     values = [_encoded(value, _numbers) for value in array.ravel().tolist()]
-    return {"dtype": array.dtype.str, "shape": shape, "values": values}
+    return {"dtype": _kind(array.dtype.str).str, "shape": shape, "values": values}
 
 
 def _of_numbers(data: Mapping[str, Any]) -> NDArray[Any]:
+    shape = data["shape"]
     if "columns" in data:
-        kinds = np.dtype([(name, kind, *map(tuple, shape)) for name, kind, *shape in data["columns"]])
-        return np.frombuffer(base64.b64decode(data["bytes"]), kinds).reshape(data["shape"])
-    values = [_decoded(value, _of_numbers) for value in data["values"]]
-    return np.array(values, data["dtype"]).reshape(data["shape"])
+        kinds = np.dtype([(name, _kind(kind), *map(tuple, rest)) for name, kind, *rest in data["columns"]])
+        return np.frombuffer(base64.b64decode(data["bytes"]), kinds).reshape(shape)
+    kind, values = _kind(data["dtype"]), [_decoded(value, _of_numbers) for value in data["values"]]
+    if len(values) != math.prod(shape):
+        raise ValueError(f"{len(values)} values of shape {shape}")
+    return np.array(values, kind).reshape(shape)
+
+
+def _kind(text: str) -> np.dtype[Any]:
+    """Return the kind of an array's values.
+
+    Raises
+    ------
+    ValueError
+        None that is saved.
+    """
+    if _KINDS.fullmatch(text) is None:
+        raise ValueError(text)
+    return np.dtype(text)

@@ -162,3 +162,48 @@ def test_a_record_with_an_offset_drifts_and_says_so(tmp_path: Path) -> None:
     done = cli("motion", "plot", file, tmp_path / "plot.png")
     assert "drifts" in done.stderr
     assert cli("motion", "info", "near-fault").stderr == ""
+
+
+@pytest.fixture
+def plain_columns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Columns of numbers of which one lacks a unit and a time step, and one is vertical alone."""
+    monkeypatch.chdir(tmp_path)
+    values = [f"{0.5 * (-1) ** (i // 20):.2f}" for i in range(400)]
+    (tmp_path / "bare.txt").write_text("\n".join(values), encoding="utf-8")
+    rows = [f"{0.01 * i:.2f},{value}" for i, value in enumerate(values)]
+    (tmp_path / "up.csv").write_text("\n".join(["time,UD[gal]", *rows]), encoding="utf-8")
+    (tmp_path / "a.csv").write_text("\n".join(["time,acc[gal]", *rows]), encoding="utf-8")
+
+
+@pytest.mark.parametrize("lang", ["en", "ja"])
+@pytest.mark.parametrize("command", [("motion", "info"), ("simulate", "--motion")], ids=" ".join)
+@pytest.mark.usefixtures("plain_columns")
+def test_what_a_record_lacks_is_asked_for_by_its_flags(command: tuple[str, ...], lang: str) -> None:
+    def told(*arguments: str) -> str:
+        return CliRunner().invoke(app, [*command, *arguments, "--lang", lang]).stderr
+
+    both, step = told("bare.txt"), told("bare.txt", "--unit", "gal")
+    assert "--unit" in both
+    assert "--dt" in both
+    assert "--unit" not in step
+    assert "--dt" in step
+    assert "--component" in told("up.csv")
+    assert "--component" not in told("up.csv", "--component", "UD")
+
+
+@pytest.mark.parametrize("lang", ["en", "ja"])
+@pytest.mark.usefixtures("plain_columns")
+def test_a_record_across_says_what_it_counts_for(lang: str) -> None:
+    def told(*arguments: str) -> str:
+        return CliRunner().invoke(app, ["simulate", *arguments, "--lang", lang]).stderr
+
+    assert "--dimensions 3" in told("--x", "a.csv", "--y", "a.csv")
+    assert "--dimensions" not in told("--x", "a.csv", "--z", "a.csv")
+    assert "--dimensions" not in told("--x", "a.csv", "--y", "a.csv", "--dimensions", "3", "--length", "0.9")
+    for flag in ("--y", "--z"):
+        for motion in ((), ("--motion", "near-fault")):
+            refused = told(flag, "a.csv", *motion)
+            assert refused.startswith(flag)
+            assert "--x" in refused
+            assert "--motion" in refused
+            assert "shaking." not in refused

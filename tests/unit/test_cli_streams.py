@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import subprocess
+import sys
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -151,7 +154,7 @@ def test_one_table_on_standard_output_and_another_in_a_file(here: Path) -> None:
         (("verify", "scenario.toml", "--csv", "-", "--json"), "--csv and --json both go to standard output"),
         (("verify", "scenario.toml", "--csv", "-", "--markdown", "-"), "both go to standard output"),
         (("motion", "info", "-", "--y", "-"), "are both -, standard input"),
-        (("simulate", "-", "--y", "-"), "are both -, standard input"),
+        (("simulate", "-", "--x", "x.csv", "--y", "-"), "are both -, standard input"),
         (("verify", "scenario.toml", "--report", "-"), ".html"),
         (("simulate", "--plot", "-"), ".png"),
     ],
@@ -179,3 +182,12 @@ def test_an_inventory_on_standard_input_is_the_same_assessment_as_its_file(here:
     )
     assert refused.exit_code == 2
     assert refused.stderr.startswith("No row of the inventory could be assessed")
+
+
+def test_letters_that_the_terminal_lacks_are_written_out(here: Path) -> None:
+    command = [sys.executable, "-m", "stayput", "simulate", "scenario.toml", "--lang", "ja"]
+    surroundings = os.environ | {"PYTHONIOENCODING": "ascii"}
+    done = subprocess.run(command, env=surroundings, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    assert "\\u" in done.stdout

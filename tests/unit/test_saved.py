@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+import hashlib
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
@@ -145,31 +147,85 @@ def test_what_is_not_of_the_package_is_not_saved(tmp_path: Path):
     assert not list(tmp_path.iterdir())
 
 
+def signed(value: Any, /, **others: Any) -> dict[str, Any]:
+    """Return the content of a JSON file as `save` writes it, whatever its value."""
+    text = json.dumps(value, sort_keys=True, separators=(",", ":"))
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    return {"stayput": "9.0", "format": 1, "sha256": digest, "value": value} | others
+
+
+def of_array(**parts: Any) -> dict[str, Any]:
+    return signed({"array": {"dtype": "<f8", "shape": [1], "values": [1.0]} | parts})
+
+
 @pytest.mark.parametrize(
     ("content", "told"),
     [
         (b"", "holds no FragilityCurve"),
         (b"[1, 2]", "holds no FragilityCurve"),
-        (b'{"stayput": "9.0", "value": 3}', "holds no FragilityCurve"),
-        (
-            b'{"stayput": "9.0", "value": {"object": "stayput.fragility.curve.Gone", "fields": {}}}',
-            "stayput 9.0",
-        ),
-        (
-            b'{"stayput": "9.0", "value": {"object": "os.system", "fields": {"command": "true"}}}',
-            "stayput 9.0",
-        ),
-        (b'{"stayput": "9.0", "value": {"object": "stayput.cli.main", "fields": {}}}', "stayput 9.0"),
-        (b'{"stayput": "9.0", "value": {"enum": "stayput.errors.InputError", "value": 1}}', "stayput 9.0"),
-        (b'{"stayput": "9.0", "value": {"kept": "stayput.files.check_target", "parts": []}}', "stayput 9.0"),
         (b"\xff\xfe", "holds no FragilityCurve"),
+        (b"[" * 200_000, "holds no FragilityCurve"),
+        (b'{"a":' * 200_000, "holds no FragilityCurve"),
+        ({"stayput": "9.0", "value": 3}, "holds no FragilityCurve"),
+        (signed(3), "holds no FragilityCurve"),
+        (signed(3, format=2), "9.0, is in a newer format"),
+        (signed(3, format=1e999), "holds no FragilityCurve"),
+        (signed(3, value=4), "changed after it was saved"),
+        (signed(3, sha256=None), "changed after it was saved"),
+        (signed({"object": "stayput.fragility.curve.Gone", "fields": {}}), "stayput 9.0"),
+        (signed({"object": "os.system", "fields": {"command": "true"}}), "stayput 9.0"),
+        (signed({"object": "stayput.cli.main", "fields": {}}), "stayput 9.0"),
+        (signed({"enum": "stayput.errors.InputError", "value": 1}), "stayput 9.0"),
+        (signed({"kept": "stayput.files.check_target", "parts": []}), "stayput 9.0"),
+        (of_array(), "holds no FragilityCurve"),
+        (of_array(dtype="<U500000000"), "stayput 9.0"),
+        (of_array(dtype="O"), "stayput 9.0"),
+        (of_array(shape=[10**12]), "stayput 9.0"),
+        (of_array(shape=[-1]), "stayput 9.0"),
+        (
+            signed({"array": {"columns": [["a", "<f8", [10**9]]], "shape": [1], "bytes": ""}}),
+            "stayput 9.0",
+        ),
     ],
 )
-def test_other_files_are_refused_in_a_sentence(content: bytes, told: str, tmp_path: Path):
+def test_other_files_are_refused_in_a_sentence(content: Any, told: str, tmp_path: Path):
     file = tmp_path / "it.json"
-    file.write_bytes(content)
+    file.write_bytes(content if isinstance(content, bytes) else json.dumps(content).encode())
     with pytest.raises(sp.InputError, match=told):
         sp.FragilityCurve.load(file)
+
+
+def test_numbers_changed_by_hand_are_refused(tmp_path: Path):
+    file = CURVE.save(tmp_path / "curve.json")
+    text = file.read_text(encoding="utf-8")
+    file.write_text(json.dumps(json.loads(text), indent=1), encoding="utf-8")  # the same content
+    assert same(CURVE, sp.FragilityCurve.load(file))
+    changed = text.replace(" 36", " -36", 1)
+    assert changed != text
+    file.write_text(changed, encoding="utf-8")
+    with pytest.raises(sp.InputError, match="changed after it was saved"):
+        sp.FragilityCurve.load(file)
+
+
+def test_histories_changed_by_hand_are_refused(tmp_path: Path):
+    run, file = flat(), tmp_path / "run.nc"
+    run.save(file)
+    with xr.open_dataset(file, engine="scipy", decode_times=False, decode_timedelta=False) as opened:
+        data = opened.load()
+    data.tilt[3] += 1.0
+    data.to_netcdf(file, engine="scipy")
+    with pytest.raises(sp.InputError, match="changed after it was saved"):
+        sp.Run.load(file)
+    run.save(file)
+    whole = file.read_bytes()
+    for part in (0, 3, 40, 400, len(whole) // 2, len(whole) - 8):
+        file.write_bytes(whole[:part])
+        with pytest.raises(sp.InputError):
+            sp.Run.load(file)
+    for place in range(8, 400, 3):  # lengths of dimensions, names, types and offsets
+        file.write_bytes(whole[:place] + b"\x7f" + whole[place + 1 :])
+        with suppress(sp.InputError):
+            sp.Run.load(file)
 
 
 def test_files_of_another_kind_or_missing_are_refused(tmp_path: Path):

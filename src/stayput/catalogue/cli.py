@@ -138,6 +138,53 @@ TEXTS: dict[str, tuple[str, str]] = {
         "--plan is given for a file without [plan]; it must be the file of a room.",
         "--planが指定されていますが、[plan]がありません。部屋のファイルを指定してください。",
     ),
+    "no_unit": (
+        "The file states no unit; --unit must be given as one of {known}.",
+        "加速度の単位がファイルに書かれていません。--unitで次のいずれかを指定してください：{known}",
+    ),
+    "no_unit_but_mentioned": (
+        (
+            "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; --unit must be "
+            "given as one of {known}."
+        ),
+        (
+            "ヘッダーに「{mentioned}」とありますが、加速度の単位とは書かれていません。"
+            "--unitで次のいずれかを指定してください：{known}"
+        ),
+    ),
+    "no_unit_nor_step": (
+        "The file states no unit and no time step; --unit must be given as one of {known}, and --dt [s].",
+        "加速度の単位と時間刻みがファイルに書かれていません。時間刻み（秒）を--dtで、単位を--unitで次から指定してください：{known}",
+    ),
+    "no_time_step": (
+        "The file states no time step; --dt must be given [s].",
+        "時間刻みがファイルに書かれていません。--dtで秒単位で指定してください。",
+    ),
+    "vertical_alone": (
+        (
+            "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "
+            "--component must name it where that is meant."
+        ),
+        (
+            "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れとして使います。"
+            "それでよければ、この成分を--componentで指定してください。"
+        ),
+    ),
+    "beside_no_record": (
+        "{flag} is given without a record along the shaking; --x or --motion must name its file.",
+        "{flag}は揺れの方向の記録と一緒に指定します。そのファイルを--xまたは--motionで指定してください。",
+    ),
+    "y_in_the_plane": (
+        (
+            "The record of --y counts in the intensity alone: nothing across the depth acts in the plane; with "
+            "--dimensions 3 it does."
+        ),
+        "奥行き方向の平面の解析では、--yの記録は震度にしか影響しません。--dimensions 3では家具にも作用します。",
+    ),
+    "long_name": (
+        "The name of the file or folder {file} is too long; it must be shorter.",
+        "ファイルまたはフォルダーの名前{file}が長すぎます。短くしてください。",
+    ),
     "length_in_the_plane": (
         "--length is {value:g} m, which changes nothing in the plane of the depth; with --dimensions 3 it does.",
         "--lengthが{value:g} mになっていますが、奥行き方向の平面の解析では結果に影響しません。--dimensions 3では影響します。",

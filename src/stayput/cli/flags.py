@@ -252,15 +252,18 @@ def inputs_of(tables: Mapping[str, Any], path: Path | None, flags: Iterable[str 
     return [*([] if path is None else [path]), *records, *(Path(each) for each in flags if each is not None)]
 
 
-def beside(y: str | None, z: str | None) -> dict[str, str]:
-    """Return the keys of a shaking table for ``--y`` and ``--z``: files beside that of the record.
+def beside(y: str | None, z: str | None, shaking: Mapping[str, Any]) -> dict[str, str]:
+    """Return the keys of a shaking table for ``--y`` and ``--z``: files beside that of its record.
 
     Raises
     ------
     InputError
-        Both are standard input.
+        Both are standard input, or the table has no record.
     """
     files = {"across": (y, "--y"), "vertical": (z, "--z")}
+    for file, flag in files.values():
+        if file is not None and "record" not in shaking:
+            raise InputError("cli.beside_no_record", flag, flag=flag)
     return {key: file_of(file, flag) for key, (file, flag) in files.items() if file is not None}
 
 
@@ -304,8 +307,8 @@ def motion_of(
     fields = {"component": component, "unit": unit, "dt": dt, **strength}
     stated = {key: value for key, value in fields.items() if value is not None}
     text = file_of(text, flag)
-    stated |= beside(y, z)
-    scenario = Scenario.parse({**EXAMPLE, "shaking": {**shaking_table(text), **stated}})
+    table = shaking_table(text)
+    scenario = Scenario.parse({**EXAMPLE, "shaking": {**table, **stated, **beside(y, z, table)}})
     return scenario.shaking.motion(Path())
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import errno
+import io
 import json
 import os
 import re
 import sys
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import typer
 from typer.core import TyperGroup
@@ -16,7 +18,7 @@ from stayput.catalogue import say
 from stayput.cli.language import of_arguments
 from stayput.cli.streams import is_stream, standard_input
 from stayput.cli.usage import USAGE, misused
-from stayput.errors import InputError, InputWarning, reason_of, warnings_to
+from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
 from stayput.progress import is_quiet, keep_quiet, told_in
 
 if TYPE_CHECKING:
@@ -24,6 +26,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.catalogue import Language
+
+Told = TypeVar("Told", InputError, InputWarning)
 
 REFUSED = 2
 """Exit code for input that is refused."""
@@ -43,6 +47,9 @@ class CommandGroup(TyperGroup):
     def main(self, args: Sequence[str] | None = None, *rest: Any, **kwargs: Any) -> Any:
         """Run the command line, and flush standard output."""
         self._language = of_arguments(sys.argv[1:] if args is None else args)
+        if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
+            # letters that the terminal lacks are written out, as Python does on standard error
+            sys.stdout.reconfigure(errors="backslashreplace")
         try:
             try:
                 with told_in(self._language):
@@ -74,8 +81,12 @@ class CommandGroup(TyperGroup):
         """
         printed: set[str] = set()
 
+        def of_flags(told: Told) -> Told:
+            command = self.get_command(ctx, ctx.invoked_subcommand or "")
+            return _in_flags(told) if "--unit" in _flags_of(command) else told
+
         def warn(warning: InputWarning) -> None:
-            sentence = warning.told(self._language)
+            sentence = of_flags(warning).told(self._language)
             if sentence not in printed:
                 printed.add(sentence)
                 note(say("cli.warning", self._language, sentence=sentence))
@@ -84,10 +95,13 @@ class CommandGroup(TyperGroup):
             with warnings_to(warn), standard_input():
                 return super().invoke(ctx)
         except InputError as error:
-            raise self._refused(error) from None
+            raise self._refused(of_flags(error)) from None
         except USAGE as error:
             raise self._refused(misused(error)) from None
         except OSError as error:
+            if error.errno == errno.ENAMETOOLONG:
+                file = quoted(str(error.filename))
+                raise self._refused(InputError("cli.long_name", file=file)) from None
             raise typer.Exit(_unwritten(error, self._language)) from None
         except KeyboardInterrupt:
             typer.echo(say("cli.interrupted", self._language), err=True)
@@ -96,6 +110,28 @@ class CommandGroup(TyperGroup):
     def _refused(self, error: InputError) -> typer.Exit:
         typer.echo(error.told(self._language), err=True)
         return typer.Exit(REFUSED)
+
+
+_IN_FLAGS = {
+    "motion.no_unit": "cli.no_unit",
+    "motion.no_unit_but_mentioned": "cli.no_unit_but_mentioned",
+    "motion.no_unit_nor_step": "cli.no_unit_nor_step",
+    "motion.no_time_step": "cli.no_time_step",
+    "motion.vertical_alone": "cli.vertical_alone",
+}
+"""Sentences about records, and those that name the flags to give."""
+
+
+def _in_flags(told: Told) -> Told:
+    """Return a refusal or a warning so that it names the flags of the command line."""
+    code = _IN_FLAGS.get(told.code)
+    return told if code is None else type(told)(code, told.field, context=told.context, **told.values)
+
+
+def _flags_of(command: Any) -> set[str]:
+    """Return the flags of a command, or of all in a group; of none where there is no such command."""
+    flags = {flag for parameter in getattr(command, "params", ()) for flag in parameter.opts}
+    return flags.union(*map(_flags_of, getattr(command, "commands", {}).values()))
 
 
 def _unwritten(error: OSError, language: Language) -> int:

@@ -165,7 +165,6 @@ def shaken(
     motion = along(motion, x)
     if z is not None and vertical is False:
         raise InputError("cli.no_vertical_file", "--z", value=repr(z))
-    files = beside(y, z)
     flags = {
         "component": component,
         "unit": unit,
@@ -177,11 +176,12 @@ def shaken(
         "vertical": vertical,
     }
     stated = {key: value for key, value in flags.items() if value is not None}
-    if motion is None and not stated and not files:
+    if motion is None and not stated and y is None and z is None:
         return dict(tables)
     given = table_of(tables, "shaking")
     if motion is not None:
         given = _from_here(shaking_table(file_of(motion, "--motion")), path)
+    files = beside(y, z, given)
     given = _without_strengths(given, stated)
     if vertical and isinstance(given.get("vertical"), str):  # the component of that file acts
         del stated["vertical"]

@@ -214,6 +214,8 @@ def simulate(
     checked = parsed(Scenario, data, given, scenario, motion or x)
     if length is not None and checked.dimensions == 2:
         warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
+    if y is not None and checked.dimensions == 2:
+        warn(InputWarning("cli.y_in_the_plane", "--y"))
     with checked.naming_file(), compiling():
         run = checked.case(chosen_measures(checked, measure or [])).run()
     piece = checked.furniture
