@@ -175,7 +175,8 @@ def save_netcdf(value: object, dataset: xr.Dataset, path: str | Path) -> Path:
         A path that cannot be written, or something in it that is not of the package: a measure of one's own.
     """
     target = check_target(path, NETCDF)
-    own = {id(getattr(value, str(name), None)): str(name) for name in dataset.variables}
+    fields = [one.name for one in dataclasses.fields(cast("Any", value))]  # which live as long as the value
+    own = {id(getattr(value, name)): name for name in map(str, dataset.variables) if name in fields}
     added: dict[str, Any] = {}
 
     def keep(array: NDArray[Any]) -> Any:
