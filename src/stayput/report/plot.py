@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from numpy.typing import NDArray
 
     from stayput.motion import Motion
     from stayput.simulation.run import Run
@@ -107,21 +108,11 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
         Another history.
     """
     word_of("plots.what", what, get_args(RunHistory), "what")
-    shown = history(run)
     further = any(one.get_gid() == LINE for one in axis.lines)
-    looks: dict[str, Any] = {"linewidth": 1.3, "gid": LINE, "color": colour_beside(axis, INK)} | line
-    match what:
-        case "acceleration":
-            time, values = run.motion.time, run.motion.x
-            looks = {"color": COMPONENT_COLOURS["x"], "linewidth": 0.9} | looks if further else looks
-        case "tilt":
-            time, values = shown.time, np.degrees(shown.tilt)
-        case "slide":
-            time, values = shown.time, 100.0 * shown.slide
-    handles = _handles(axis)
     if further:
-        (drawn,) = axis.plot(time, values, **looks)
-        handles += [drawn] if "label" in line else []
+        looks: dict[str, Any] = {"linewidth": 1.3, "gid": LINE, "color": colour_beside(axis, INK)} | line
+        (drawn,) = axis.plot(*_values(run, what), **looks)
+        handles = [*_handles(axis), *([drawn] if "label" in line else [])]
     else:
         draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}[what]
         draw(axis, run, language)
@@ -137,6 +128,14 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
         )
     axis.set_xlim(0.0, max(_last_time(run), axis.get_xlim()[1] if further else 0.0))
     axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+
+
+def _values(run: Run, what: RunHistory) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return times [s] and what is drawn over them: tilt [°], slide [cm] or the acceleration of x [m/s²]."""
+    if what == "acceleration":
+        return run.motion.time, run.motion.x
+    shown = history(run)
+    return shown.time, np.degrees(shown.tilt) if what == "tilt" else 100.0 * shown.slide
 
 
 def _handles(axis: Axes) -> list[Any]:
