@@ -15,6 +15,7 @@ import math
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
+from contextlib import contextmanager
 from enum import Enum
 from importlib import import_module
 from pathlib import Path
@@ -27,6 +28,7 @@ from stayput.errors import InputError, instance_of, reason_of
 from stayput.files import check_target, draft
 
 if TYPE_CHECKING:
+    from collections.abc import Generator
     from typing import Self
 
     import xarray as xr
@@ -148,12 +150,8 @@ def load_json(kind: type[T], path: str | Path) -> T:
         No such file, or none of a value of this kind.
     """
     file = Path(instance_of("path", path, (str, Path)))
-    try:
+    with _refusing(file, kind):
         content = json.loads(file.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError("saved.unreadable", "path", file=str(file), reason=reason_of(error)) from None
-    except (ValueError, RecursionError, MemoryError):
-        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
     return _read(kind, file, content, _of_numbers)
 
 
@@ -206,14 +204,10 @@ def load_netcdf(kind: type[T], path: str | Path) -> T:
     import xarray as xr
 
     file = Path(instance_of("path", path, (str, Path)))
-    try:
+    with _refusing(file, kind):
         with xr.open_dataset(file, engine="scipy", decode_times=False, decode_timedelta=False) as opened:
             dataset = opened.load()
         content = json.loads(dataset.attrs[_PARTS])
-    except OSError as error:
-        raise InputError("saved.unreadable", "path", file=str(file), reason=reason_of(error)) from None
-    except Exception:  # SciPy and xarray fail at a file that is cut or of something else in many ways
-        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
 
     def array_of(data: Mapping[str, Any]) -> NDArray[Any]:
         if "variable" not in data:
@@ -224,6 +218,17 @@ def load_netcdf(kind: type[T], path: str | Path) -> T:
         return values
 
     return _read(kind, file, content, array_of)
+
+
+@contextmanager
+def _refusing(file: Path, kind: type) -> Generator[None]:
+    """Refuse a file that cannot be read, or that is of something else."""
+    try:
+        yield
+    except OSError as error:
+        raise InputError("saved.unreadable", "path", file=str(file), reason=reason_of(error)) from None
+    except Exception:  # SciPy, xarray and json fail at a file that is cut or of something else in many ways
+        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
 
 
 def _read(
