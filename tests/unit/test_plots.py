@@ -113,7 +113,8 @@ def test_a_body_is_drawn_to_scale_with_its_measures(ax: Axes):
     bare = len(plotted(Figure().subplots(), BODY.plot).lines)
     assert len(plotted(ax, case.plot).lines) > bare
     assert ax.get_aspect() == 1.0
-    assert {text.get_text() for text in ax.get_legend().get_texts()} >= {"centre of gravity"}
+    (quantities,) = [text.get_text() for text in ax.texts if "R =" in text.get_text()]
+    assert quantities == "R = 0.818 / 0.810 m\nα = 12.0° / 9.2°"  # (h, b) = (0.8, 0.17) and (0.8, 0.13)
     plotted(Figure().subplots(), ROOM.plot)
 
 
@@ -202,6 +203,22 @@ def test_several_on_the_same_axes_differ_and_zero_is_drawn_once(ax: Axes):
         sp.simulate(BODY, ROOM, MOTION.scaled(factor)).plot(runs, label=f"{factor}")
     texts = [text.get_text() for text in runs.get_legend().get_texts()]
     assert (texts.count("1.0"), texts.count("0.4"), texts.count("rocks")) == (1, 1, 1)
+
+
+def test_suites_on_the_same_axes_are_told_apart(ax: Axes):
+    other = sp.synthetic_suite("near-fault", 3)
+    scatter = Figure().subplots()
+    for axis, what, spans in ((ax, "spectra", 3), (scatter, "scatter", 2)):
+        SUITE.plot(axis, what=what)
+        other.plot(axis, what=what)
+        SUITE.plot(axis, what=what, label="mine", color="black")
+        texts = [text.get_text() for text in axis.get_legend().get_texts()]
+        assert len(texts) == len(set(texts)) == spans + 2
+        assert {"synthetic near-fault suite, seed 1", "mine"} <= set(texts)
+        thick = [line for line in axis.lines if line.get_linewidth() >= 2.0]
+        assert len({line.get_color() for line in thick}) == 3
+        low, high = axis.get_ylim()
+        assert all(low <= min(line.get_ydata()) and max(line.get_ydata()) <= high for line in thick)
 
 
 def test_something_else_than_axes_is_refused():

@@ -74,11 +74,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "what": ("What is drawn", "描く量"),
     "across_room": ("Across the room [m]", "部屋の中の位置 [m]"),
     "above_floor": ("Height above the floor [m]", "床からの高さ [m]"),
-    "corner": (
-        "corner {corner}: R = {size:.3g} m, α = {slenderness:.1f}°",
-        "角{corner}：R = {size:.3g} m、α = {slenderness:.1f}°",
-    ),
-    "centre_of_gravity": ("centre of gravity", "重心"),
     "spectrum_sv": ("Relative velocity Sv [cm/s]", "相対速度応答 Sv [cm/s]"),
     "spectrum_sd": ("Relative displacement Sd [cm]", "相対変位応答 Sd [cm]"),
     "spectrum_psa": ("Pseudo-acceleration ω²·Sd [m/s²]", "擬似加速度応答 ω²·Sd [m/s²]"),

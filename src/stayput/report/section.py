@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from matplotlib.patches import Polygon, Rectangle
 
@@ -26,6 +26,9 @@ STAND_IN = Body(width=0.4, height=1.8)
 
 _WALL = 0.04
 """How thick floor, walls and ceiling are drawn, as a part of the piece's larger side."""
+
+_TEXT = 0.22
+"""Room above the drawing for two lines of text, as a part of the piece's larger side."""
 
 _NEAR = 1.2
 """A wall or ceiling is drawn where it is no farther than this part of the piece's larger side."""
@@ -59,9 +62,14 @@ def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False)
     else:
         axis.add_patch(Polygon(outline, facecolor=BODY_COLOURS[0], alpha=0.4))
         axis.add_patch(Polygon(outline, fill=False, edgecolor=INK, linewidth=1.4))
-        _draw_centre(axis, body, (a, b), language)
+        _draw_centre(axis, body, (a, b))
         _draw_measures(axis, held)
     left, right, top = _draw_room(axis, held.room, body, size)
+    if not dashed:
+        place: dict[str, Any] = {"transform": axis.transAxes, "ha": "center", "va": "top"}
+        axis.text(0.5, 0.99, _quantities(body), fontsize=FONT - 1.0, **place)
+        top += _TEXT * size
+    axis.locator_params(axis="x", nbins=3)
     axis.set_aspect("equal")
     axis.set_xlim(left, right)
     axis.set_ylim(-_WALL * size, top)
@@ -72,17 +80,29 @@ def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False)
         axis.spines[side].set_visible(False)
 
 
-def _draw_centre(
-    axis: Axes, body: Body, feet: tuple[tuple[float, float], tuple[float, float]], language: str
-) -> None:
-    """Draw the centre of gravity with R and α of both base corners."""
+def _draw_centre(axis: Axes, body: Body, feet: tuple[tuple[float, float], tuple[float, float]]) -> None:
+    """Draw the centre of gravity, and from it the distances R to the base corners A and B."""
     x, z = at_rest(body, body.centre_of_gravity)
-    for (u, v), R, alpha, name in zip(feet, body.size, body.slenderness, "AB", strict=True):
-        label = say("plots.corner", language, corner=name, size=R, slenderness=math.degrees(alpha))
-        dashes = "--" if name == "A" else ":"
-        axis.plot([x, u], [z, v], color=INK, linestyle=dashes, linewidth=1.0, label=label)
-    axis.plot(x, z, "o", color=INK, markersize=5.0, label=say("plots.centre_of_gravity", language))
-    axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=FONT - 1.5, frameon=False)
+    for (u, v), name, aside in zip(feet, "AB", (4.0, -4.0), strict=True):
+        axis.plot([x, u], [z, v], color=INK, linestyle="--", linewidth=1.0)
+        axis.annotate(
+            name,
+            (u, v),
+            (aside, 2.0),
+            textcoords="offset points",
+            ha="left" if aside > 0.0 else "right",
+            fontsize=FONT - 1.0,
+        )
+    axis.plot(x, z, "o", color=INK, markersize=5.0)
+
+
+def _quantities(body: Body) -> str:
+    """Return R and α about the base corners: of A, then of B where they differ."""
+    R = [f"{value:#.3g}" for value in body.size]
+    alpha = [f"{math.degrees(value):.1f}°" for value in body.slenderness]
+    if (R[0], alpha[0]) == (R[1], alpha[1]):
+        return f"R = {R[0]} m\nα = {alpha[0]}"
+    return f"R = {R[0]} / {R[1]} m\nα = {alpha[0]} / {alpha[1]}"
 
 
 def _draw_measures(axis: Axes, held: Held) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, get_args
+import math
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from matplotlib.ticker import LogLocator
@@ -13,7 +14,7 @@ from stayput.motion.spectrum import DAMPING, PERIODS
 from stayput.motion.suites.families import FAMILIES
 from stayput.motion.suites.suite import SuiteSpectra
 from stayput.motion.suites.synthesis import synthetic_motion
-from stayput.report.figures import FONT, new_figure, plain_log, saved, style
+from stayput.report.figures import FONT, LINE, colour_beside, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.names import given_name
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
@@ -102,8 +103,11 @@ def draw_suite(
     target: TargetSpectrum | None,
     component: str,
     language: str,
+    **line: Any,
 ) -> None:
     """Draw a suite's spectra, or the standard deviation of ln Sa, on axes.
+
+    A further suite on the same axes has a colour of its own, and is named in the legend.
 
     Raises
     ------
@@ -115,18 +119,35 @@ def draw_suite(
     sa = suite.spectra(PERIODS, damping, component)
     logs = np.log(np.maximum(sa, 1e-12))
     scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
+    first = COMPONENT_COLOURS[component]
+    looks: dict[str, Any] = {"color": colour_beside(axis, first), "gid": LINE} | line
+    if _holds_suite(axis):
+        looks.setdefault("label", given_name(suite.name, language))
     if what == "spectra":
-        _draw_spectra(axis, sa, np.exp(logs.mean(axis=0)), scatter, COMPONENT_COLOURS[component], language)
+        _draw_spectra(axis, sa, np.exp(logs.mean(axis=0)), scatter, looks, language)
         if target is not None:
             _draw_target(axis, target, language)
         axis.set_ylabel(
             say("plots.sa_of", language, component=component, damping=100.0 * damping), fontsize=FONT
         )
-        axis.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.9)
+        _name_once(axis, "lower left")
     else:
-        _draw_scatter(axis, scatter, COMPONENT_COLOURS[component], language)
+        _draw_scatter(axis, scatter, looks, language)
+        _name_once(axis, "best")
         plain_log(axis, y=False)
     axis.set_xlabel(say("plots.period", language), fontsize=FONT)
+
+
+def _holds_suite(axis: Axes) -> bool:
+    return any(line.get_gid() == LINE for line in axis.lines)
+
+
+def _name_once(axis: Axes, place: Literal["best", "lower left"]) -> None:
+    """Make the legend, in which what is drawn for every suite alike stands once."""
+    named: dict[str, Any] = {}
+    for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
+        named.setdefault(label, handle)
+    axis.legend(named.values(), named.keys(), loc=place, fontsize=FONT - 1.0, framealpha=0.9)
 
 
 def _draw_spectra(
@@ -134,21 +155,23 @@ def _draw_spectra(
     sa: NDArray[np.float64],
     median: NDArray[np.float64],
     scatter: NDArray[np.float64] | None,
-    colour: str,
+    looks: dict[str, Any],
     language: str,
 ) -> None:
     style(axis, zero=False)
+    low, high = axis.get_ylim() if _holds_suite(axis) else (math.inf, 0.0)
     for place, row in enumerate(sa):
         label = say("plots.each_motion", language) if place == 0 else None
         axis.plot(PERIODS, row, color=MUTED, linewidth=0.6, alpha=0.45, label=label)
-    axis.plot(PERIODS, median, color=colour, linewidth=2.4, label=say("plots.median", language))
+    looks = {"linewidth": 2.4, "label": say("plots.median", language)} | looks
+    axis.plot(PERIODS, median, **looks)
     if scatter is not None:
         for sign, label in ((1.0, say("plots.spread", language)), (-1.0, None)):
             edge = median * np.exp(sign * scatter)
-            axis.plot(PERIODS, edge, color=colour, linewidth=1.4, linestyle="--", label=label)
+            axis.plot(PERIODS, edge, color=looks["color"], linewidth=1.4, linestyle="--", label=label)
     plain_log(axis)
-    top = 1.4 * float(sa.max())
-    axis.set_ylim(max(0.7 * float(sa.min()), top * 10.0**-_DECADES), top)
+    top = max(high, 1.4 * float(sa.max()))
+    axis.set_ylim(max(min(low, 0.7 * float(sa.min())), top * 10.0**-_DECADES), top)
     axis.set_xlim(float(PERIODS[0]), float(PERIODS[-1]))
     axis.set_xticks((0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0))
     axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -167,24 +190,21 @@ def _draw_target(axis: Axes, target: TargetSpectrum, language: str) -> None:
     )
 
 
-def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str, language: str) -> None:
+def _draw_scatter(
+    axis: Axes, scatter: NDArray[np.float64] | None, looks: dict[str, Any], language: str
+) -> None:
     style(axis)
     low, high = USUAL_SCATTER
-    axis.axhspan(
-        low,
-        high,
-        color=MUTED,
-        alpha=0.22,
-        linewidth=0.0,
-        label=say("plots.usual_scatter", language, low=low, high=high),
-    )
-    top = 1.0
+    usual = say("plots.usual_scatter", language, low=low, high=high)
+    if usual not in axis.get_legend_handles_labels()[1]:
+        axis.axhspan(low, high, color=MUTED, alpha=0.22, linewidth=0.0, label=usual)
+    top = axis.get_ylim()[1] if _holds_suite(axis) else 1.0
     if scatter is not None:
-        axis.plot(PERIODS, scatter, color=colour, linewidth=2.0, label=say("plots.this_suite", language))
+        looks = {"linewidth": 2.0, "label": say("plots.this_suite", language)} | looks
+        axis.plot(PERIODS, scatter, **looks)
         top = max(top, 1.15 * float(scatter.max()))
     axis.set_ylim(0.0, top)
     axis.set_ylabel(say("plots.scatter", language), fontsize=FONT)
-    axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.9)
 
 
 def plot_families(path: str | Path | None = None) -> Figure:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, cast, overload
+from typing import TYPE_CHECKING, Any, Literal, cast, overload
 
 import numpy as np
 
@@ -250,6 +250,7 @@ class Suite(Sequence[Motion]):
         target: TargetSpectrum | None = None,
         component: str = "x",
         language: str = "en",
+        **line: Any,
     ) -> Axes:
         """Draw all spectra with their median and scatter, or the standard deviation of ln Sa, on axes.
 
@@ -265,6 +266,8 @@ class Suite(Sequence[Motion]):
             "x", "y" or "z".
         language : str
             Language of the texts, "en" or "ja".
+        **line
+            How the median, or the standard deviation, looks, as for ``Axes.plot``.
 
         Raises
         ------
@@ -275,7 +278,7 @@ class Suite(Sequence[Motion]):
         from stayput.report.suite import draw_suite
 
         axis = axes_of(ax)
-        draw_suite(axis, self, what, target, component, check_language(language))
+        draw_suite(axis, self, what, target, component, check_language(language), **line)
         return drawn(axis)
 
     def figure(
