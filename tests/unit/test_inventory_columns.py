@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pyarrow.parquet as pq
 import pytest
@@ -15,7 +16,7 @@ from stayput.inventory.cells import number_of
 from stayput.inventory.columns import COLUMNS, header_name, plain_name
 from stayput.inventory.header import header_of
 from stayput.inventory.mapping import read_columns
-from stayput.inventory.plan import make_plan
+from stayput.inventory.plan import ROWS_LOOKED_AT, make_plan
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.store import Store, piece_of
 from stayput.inventory.vocabulary import WORDS
@@ -226,6 +227,26 @@ def test_a_cell_has_its_own_unit_between_semicolons(tmp_path):
     _, rejects, (body,), _ = read(tmp_path, "品名;奥行(mm);高さ(mm);重量(kg)\n棚;45,5 cm;1.800;80,5 kg\n")
     assert sizes(body) == pytest.approx((0.455, 1.8, 80.5))
     assert not rejects
+
+
+def test_a_header_needs_no_unit_where_every_cell_has_one(tmp_path):
+    table = "品名,奥行,高さ,重量\n棚,450mm,180 cm,80kg\n机,不明,１８０ｃｍ,80kg\n書庫,18 in,6ft,120 lb\n"
+    _, (rejected,), (first, last), _ = read(tmp_path, table)
+    assert sizes(first) == pytest.approx((0.45, 1.8, 80.0))
+    assert sizes(last) == pytest.approx((0.4572, 1.8288, 54.4310844))
+    assert rejected["id"] == "机 #3"
+    assert rejected["reason"] == "Column '奥行': width is '不明'; it must be a plain number in m."
+
+
+def test_a_cell_without_a_unit_among_those_that_have_one_is_refused(tmp_path):
+    table = "品名,奥行,高さ,重量\n" + "棚,45cm,1.8m,80kg\n" * ROWS_LOOKED_AT
+    _, (rejected,), _, _ = read(tmp_path, table + "机,0.45,1.8m,80kg\n")
+    assert rejected["reason"] == (
+        "Column '奥行': width is '0.45'; it must have a unit, as the other cells of its column have."
+    )
+    sample = [["棚", "45cm", "1.8m", "80kg"], ["机", "45", "1.8m", "80kg"]]
+    with pytest.raises(sp.InputError, match=re.escape('"width=奥行[cm]"')):
+        header_of(["品名", "奥行", "高さ", "重量"], sample)
 
 
 def test_pieces_narrower_than_deep_are_counted(tmp_path):

@@ -259,11 +259,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "building_missing": (
         "building is missing; it must be given where a storey is.",
-        "buildingがありません。storeyを指定するときは必要です。",
+        "建物（building）がありません。階（storey）を指定するときは必要です。",
     ),
     "storey_missing": (
         "storey is missing; it must be given where a building is.",
-        "storeyがありません。buildingを指定するときは必要です。",
+        "階（storey）がありません。建物（building）を指定するときは必要です。",
     ),
     "storey_range": (
         "storey is {storey}; it must be between 1 and {highest}, the roof.",

@@ -111,6 +111,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{rows} below the header, read as {how}{empty}.",
         "見出しの下の{rows}を、{how}として読み込みました{empty}。",
     ),
+    "with_tabs": ("{encoding} with tabs", "{encoding}（タブ区切り）"),
+    "with_semicolons": ("{encoding} with semicolons", "{encoding}（セミコロン区切り）"),
     "sheet": ("sheet {name}", "シート{name}"),
     "sheet_of_several": (
         "sheet {name}; not {others}",

@@ -44,6 +44,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "more_doubts": ("and {count} more", "ほか{count}件"),
+    "cell_without_unit": (
+        "{name} is {value}; it must have a unit, as the other cells of its column have.",
+        "{name}が{value}になっています。同じ列のほかのセルと同じように、単位をつけてください。",
+    ),
     "doubt_no_unit": ("{header} has no unit", "{header}に単位がありません"),
     "doubt_unit": ("{header} is in a unit that is unknown for it", "{header}の単位が分かりません"),
     "doubt_large": (

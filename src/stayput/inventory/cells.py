@@ -143,13 +143,17 @@ def _in_unit(text: str, unit: str) -> float | None:
     parted = _WITH_REST.fullmatch(text)
     if parted is None:
         return None
-    number, written = parted[1], unicodedata.normalize("NFKC", parted[2] or "").strip().lower()
+    number, written = parted[1], _unit_behind(parted)
     factor = _factor(written, unit) if written else (1.0, 1.0)
     number = without_thousands(number, written or unit)
     if factor is None or _NUMBER.fullmatch(number) is None:
         return None
     times, over = factor
     return float(number) * times / over
+
+
+def _unit_behind(parted: re.Match[str]) -> str:
+    return unicodedata.normalize("NFKC", parted[2] or "").strip().lower()
 
 
 def _factor(written: str, unit: str) -> tuple[float, float] | None:
@@ -225,6 +229,25 @@ def number_or_none(cell: Cell) -> float | None:
         text = text.replace(",", ".") if _DECIMAL_COMMA.fullmatch(text) else text
         cell = float(text) if _NUMBER.fullmatch(text) else None
     return float(cell) if isinstance(cell, int | float) and math.isfinite(cell) else None
+
+
+def in_own_unit(cell: Cell, kind: str) -> bool:
+    """Return whether a cell is a number with a unit behind it, of the kind of a column's unit."""
+    parted = _WITH_REST.fullmatch(half_width(cell.strip())) if isinstance(cell, str) else None
+    return parted is not None and _unit_behind(parted) in UNITS[kind]
+
+
+def refuse_without_unit(name: str, cell: Cell) -> Cell:
+    """Return a cell of a column in which every number has a unit of its own.
+
+    Raises
+    ------
+    InputError
+        A number without a unit.
+    """
+    if number_or_none(cell) is not None:
+        raise InputError("inventory_tables.cell_without_unit", name, name=name, value=shown(cell))
+    return cell
 
 
 def with_point(name: str, text: str, kind: str) -> str:

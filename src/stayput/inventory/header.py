@@ -10,7 +10,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.inventory.cells import converting_reader, number_of, number_or_none, shown
+from stayput.inventory.cells import (
+    converting_reader,
+    in_own_unit,
+    number_of,
+    number_or_none,
+    refuse_without_unit,
+    shown,
+)
 from stayput.inventory.columns import (
     ALONG_THE_WALL,
     COLUMNS,
@@ -146,6 +153,7 @@ class _Reading:
         mapped, self.ignored = mapping.places(names)
         self.places = {name: place for name, (place, _) in mapped.items()}
         self.units: dict[str, NumberUnit | None] = {name: unit for name, (_, unit) in mapped.items()}
+        self.in_own_units: set[str] = set()
         self.stated = {name for name, (_, unit) in mapped.items() if unit is not None}
         self.doubts: list[_Doubt] = []
         self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
@@ -212,6 +220,10 @@ class _Reading:
         if part.unit and self.units[name] is None:
             self.doubt("doubt_unit", self._proposed(name, place), header=self._shown(place))
         elif COLUMNS[name].unit in ("m", "kg") and not part.unit:
+            cells = [row[place] for row in self.sample if place < len(row)]
+            if not self.numbers(place) and any(in_own_unit(cell, COLUMNS[name].unit) for cell in cells):
+                self.in_own_units.add(name)
+                return
             self.doubt("doubt_no_unit", self._proposed(name, place), header=self._shown(place))
 
     def take_rest(self) -> None:
@@ -347,6 +359,8 @@ def header_of(
         for name in places
         if (reader := _reader(name, reading.units[name], decimal_comma)) is not None
     }
+    for name in reading.in_own_units:
+        readers[name] = _each_in_own_unit(name, readers.get(name))
     across = reading.along_the_wall()
     return Header(
         places,
@@ -381,6 +395,12 @@ def _reader(name: str, unit: NumberUnit | None, decimal_comma: bool) -> CellRead
         return words
     numbers = converting_reader(name, unit, kind, name in LISTS, decimal_comma)
     return numbers if words is None else lambda cell: numbers(words(cell))
+
+
+def _each_in_own_unit(name: str, read: CellReader | None) -> CellReader:
+    """Return the reader of a column whose numbers have units of their own, each."""
+    refuse = partial(refuse_without_unit, name)
+    return refuse if read is None else lambda cell: read(refuse(cell))
 
 
 def _refuse_twice(names: Sequence[str]) -> None:

@@ -284,10 +284,10 @@ def _checked(
     try:
         if isinstance(cells, InputError):
             raise cells
-        place = header.places.get("id")
+        place, called = header.places.get("id"), header.places.get("name")
         if place is None:
-            read = header.cells(cells)
-            piece = reader.item(number, {**read, "id": _numbered(read.get("name"), number)})
+            name = _numbered(cells[called] if called is not None and called < len(cells) else None, number)
+            piece = reader.item(number, {**header.cells(cells), "id": name})
         else:
             name = cells[place] if place < len(cells) else None
             piece = reader.item(number, header.cells(cells))
@@ -295,8 +295,10 @@ def _checked(
         if first != number:
             raise InputError("inventory.id_twice", "id", id=repr(piece.id), row=first)
     except InputError as error:
-        called = header.called.get(error.field or "")
-        told = error if called is None else error.at(phrase("inventory_tables.column", header=shown(called)))
+        written = header.called.get(error.field or "")
+        told = (
+            error if written is None else error.at(phrase("inventory_tables.column", header=shown(written)))
+        )
         rejects.add(number, name, told)
         return None
     return piece

@@ -88,6 +88,9 @@ def measures_named(name: str, language: str) -> str:
 
 def read_as(how: str) -> Phrase:
     """Return how a table was read, in both languages."""
+    encoding, _, between = how.partition(" with ")
+    if between in ("tabs", "semicolons"):
+        return phrase(f"inventory_report.with_{between}", encoding=encoding)
     sheet = _SHEET.fullmatch(how)
     if sheet is None:
         return how, how
