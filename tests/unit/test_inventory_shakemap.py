@@ -100,6 +100,17 @@ def test_a_place_without_a_value_is_refused(tmp_path):
         found.at(35.2, 135.8)
 
 
+def test_a_place_without_a_deviation_is_refused_and_not_taken_as_certain(tmp_path):
+    rows = [
+        (lon, lat, *(("nan",) * 3 if (lon, lat) == (136, 35) else (0.5, 0.6, 0.7))) for lon, lat, *_ in ROWS
+    ]
+    deviations = grid(tmp_path, rows, DEVIATIONS, "uncertainty.xml")
+    found = read_shakemap(grid(tmp_path, ROWS), "PGV", deviations)
+    assert found.at(36.0, 135.0).scatter > 0.0
+    with pytest.raises(sp.InputError, match="shake map has no value"):
+        found.at(35.2, 135.8)
+
+
 @pytest.mark.parametrize(
     ("west", "east"), [(179.5, -179.5), (179.5, 180.5), (-180.5, -179.5)], ids=["signs", "above 180", "below"]
 )

@@ -99,7 +99,8 @@ class ShakeMap:
         Its levels (see `stayput.montecarlo.hazard`); shape (lats, lons) on a grid, else (places,). NaN where
         the map says nothing.
     scatters : ndarray, optional
-        Their standard deviations, of the same shape; none where the map says nothing of them.
+        Their standard deviations, of the same shape, NaN where the map says nothing; none where they are
+        not known.
     """
 
     measure: IntensityMeasure
@@ -128,13 +129,13 @@ class ShakeMap:
             called = phrase("inventory.on_the_map", name=name)
             within(called, value, float(values.min()), float(values.max()), "°", name)
         level = self._value(self.levels, lat, lon)
-        if math.isnan(level):
-            raise InputError("inventory_tables.map_is_silent", "lat", lat=lat, lon=lon)
         scatter = 0.0 if self.scatters is None else self._value(self.scatters, lat, lon)
+        if math.isnan(level) or math.isnan(scatter):
+            raise InputError("inventory_tables.map_is_silent", "lat", lat=lat, lon=lon)
         steps = steps_of(self.measure)
         return GroundLevel(
             round(level * steps) / steps,
-            0.0 if math.isnan(scatter) else round(scatter * SCATTER_STEPS) / SCATTER_STEPS,
+            round(scatter * SCATTER_STEPS) / SCATTER_STEPS,
         )
 
     def _value(self, values: NDArray[np.float64], lat: float, lon: float) -> float:
