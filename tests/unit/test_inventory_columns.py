@@ -154,6 +154,7 @@ def test_what_is_unclear_is_refused_with_a_proposal(tmp_path, name):
 COUNTS = (
     "Num", "台", "在庫数", "設置数", "保有数", "脚数", "セット数", "Nos.", "EA", "Copies", "stock",
     "In stock", "Anzahl", "配置 数", "引出し数", "Number of chairs",
+    "Qnty", "CNT", "On hand", "How many", "Pieces per room", "multiplier", "組", "セット", "員數",
 )  # fmt: skip
 
 
@@ -166,7 +167,7 @@ def test_what_may_count_is_never_dropped(tmp_path, header):
     assert given.places["count"] == 1
 
 
-@pytest.mark.parametrize("header", ["数　量", "数 量", " 台　数 ", "個　 数", "Q'ty"])
+@pytest.mark.parametrize("header", ["数　量", "数 量", " 台　数 ", "個　 数", "Q'ty", "Q’ty"])
 def test_a_name_with_blanks_between_its_letters_is_that_name(header):
     assert header_of(["品　名", header]).places == {"name": 0, "count": 1}
 
@@ -227,6 +228,44 @@ def test_a_cell_has_its_own_unit_between_semicolons(tmp_path):
     _, rejects, (body,), _ = read(tmp_path, "品名;奥行(mm);高さ(mm);重量(kg)\n棚;45,5 cm;1.800;80,5 kg\n")
     assert sizes(body) == pytest.approx((0.455, 1.8, 80.5))
     assert not rejects
+
+
+@pytest.mark.parametrize(
+    "cells",
+    ["棚,300,1.800,60,1,100", "棚,300,1800,60,2.000,100", "棚,300,1800,60,1,1.200", "棚,300,1.800mm,60,1,1"],
+)
+@pytest.mark.parametrize("mark", [",", "\t", ";"])
+def test_a_point_that_may_be_one_of_thousands_is_never_one_of_decimals(tmp_path, cells, mark):
+    table = f"品名,奥行(mm),高さ(mm),重量(kg),数量,単価\n{cells}\n".replace(",", mark)
+    _, rejects, bodies, _ = read(tmp_path, table)
+    if mark == ";" and "1.800" in cells:  # where commas are decimal, the point in mm is one of thousands
+        assert sizes(bodies[0])[1] == 1.8
+    else:
+        assert "may be that of decimals or of thousands" in rejects[0]["reason"]
+        assert not bodies
+
+
+def test_a_point_is_one_of_decimals_where_thousands_make_no_sense(tmp_path):
+    _, rejects, (body,), _ = read(tmp_path, "品名,奥行(mm),height,重量(kg)\n棚,0.450 m,1.800,60.000\n")
+    assert not rejects
+    assert sizes(body) == (0.45, 1.8, 60.0)
+
+
+@pytest.mark.parametrize("cells", ["3000,18000,60", "300,1.8,60", "300,1800,0.06", "300,1800,60 t"])
+def test_sizes_of_no_furniture_are_refused_row_by_row(tmp_path, cells):
+    table = f"品名,奥行(mm),高さ(mm),重量(kg)\n棚,300,1800,60\n机,{cells}\n"
+    _, (rejected,), _, _ = read(tmp_path, table)
+    assert rejected["id"] == "机 #3"
+    assert "it must be between" in rejected["reason"]
+
+
+@pytest.mark.parametrize("name", ["合計", "小計", "Total", "SUBTOTAL", "Grand total"])
+@pytest.mark.parametrize("header", ["品名", "管理番号"])
+def test_a_row_that_is_a_total_is_no_piece(tmp_path, name, header):
+    table = f"{header},奥行(mm),高さ(mm),重量(kg),数量\n棚,300,1800,60,2\n{name},300,1800,60,2\n"
+    rows, (rejected,), _, _ = read(tmp_path, table)
+    assert [row["count"] for row in rows] == [2]
+    assert "the row is a total" in rejected["reason"]
 
 
 def test_a_header_needs_no_unit_where_every_cell_has_one(tmp_path):

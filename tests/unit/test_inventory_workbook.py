@@ -69,6 +69,23 @@ def test_cells_are_those_that_openpyxl_reads(tmp_path):
                 assert type(found) is type(cell.value), cell
 
 
+@pytest.mark.parametrize(
+    ("area", "refused"),
+    [("C2:C3", True), ("A3:B4", True), ("A2:C2", False), ("E2:F3", False), ("A9:A12", False)],
+)
+def test_cells_merged_over_rows_of_the_table_are_refused(tmp_path, area, refused):
+    book = openpyxl.Workbook()
+    for cells in (["id", "preset", "count"], ["a", "chest", 20], ["b", "chest", None], ["c", "chest", 1]):
+        book.active.append(cells)
+    book.active.merge_cells(area)
+    book.save(tmp_path / "inventory.xlsx")
+    if refused:
+        with pytest.raises(sp.InputError, match=f"Cells {area} of the sheet are merged"):
+            read(tmp_path / "inventory.xlsx")
+    else:
+        assert read(tmp_path / "inventory.xlsx")[3] == ["c", "chest", 1]
+
+
 def test_texts_have_no_readings_and_rows_may_be_left_out(tmp_path):
     file = written(tmp_path, [["id", "preset"], ["本棚", "chest"]])
     texts = "<si><t>id</t></si><si><r><t>pre</t></r><r><t>set</t></r></si>"

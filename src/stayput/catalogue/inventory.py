@@ -200,6 +200,17 @@ TEXTS: dict[str, tuple[str, str]] = {
     "cell_date": ("a date", "日付"),
     "cell_other": ("neither text nor number", "文字列でも数値でもない値"),
     "cell_error": ("an error of the spreadsheet ({error})", "表計算ソフトのエラー値（{error}）"),
+    "merged_cells": (
+        (
+            "Cells {cells} of the sheet are merged over several rows, of which only the first has the value; "
+            "they must be split, each row with its own."
+        ),
+        "シートのセル{cells}が複数行にわたって結合されていて、値があるのは最初の行だけです。結合を解除して、各行に値を入れてください。",
+    ),
+    "total_row": (
+        "{name} is {value}: the row is a total, and no piece.",
+        "{name}が{value}です。合計の行で、家具ではありません。",
+    ),
     "cell_unit": ("a number that is shown in {unit}", "単位{unit}付きで表示される数値"),
     "too_long": (
         "{name} has {count} characters; it must have at most {most}.",

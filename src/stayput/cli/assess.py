@@ -95,7 +95,7 @@ def assess(
     if json:
         print_json(_record(assessment))
     else:
-        _print(assessment, formats_of(export), lang)
+        _print(assessment, formats_of(export) if assessment.facts["pieces"] else (), lang)
     if not assessment.facts["pieces"]:
         from stayput.errors import InputError
 

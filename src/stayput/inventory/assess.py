@@ -213,6 +213,8 @@ def assess(
         plan = digest_of_inputs(inputs)
         with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
             facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged, mapping)
+        if not facts["pieces"]:
+            formats = ()  # then the reasons why no row is assessed matter, and not where pieces stand
         refuse_nowhere(formats, facts["with coordinates"])
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
         store = Store(space.folder / "plan" / STORE, memory_bytes // 16)

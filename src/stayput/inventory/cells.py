@@ -34,6 +34,9 @@ _GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:(?:,\d{3}){2,}(?:\.\d*)?|(?:\.\d{3}){
 _WHOLE_UNITS = ("mm", "g")
 """Units so small that nobody writes thousandths of them: a comma before three digits is one of thousands."""
 
+WHOLE = ("count", "value", "costs")
+"""Columns of counts and of money, in which a point before three digits may be one of thousands."""
+
 _FULL_WIDTH = str.maketrans("０１２３４５６７８９＋，－．", "0123456789+,-.")
 """Full-width digits, signs and marks by their usual ones."""
 
@@ -52,6 +55,9 @@ class Unusable:
 
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+", re.ASCII)
+_POINT = re.compile(r"[+-]?[1-9]\d{0,2}\.\d{3}", re.ASCII)
+"""A number with a point before three digits: 1.800 is 1.8 in English, and 1800 in German."""
+
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}", re.ASCII)
 _AMOUNT = re.compile(r"[¥\\$€]?\s*(\d{1,3}(?:,\d{3})+(?:\.\d{1,2})?|\d+(?:\.\d*)?)\s*円?", re.ASCII)
 
@@ -123,7 +129,10 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
     if value is None:
         return None
     if isinstance(value, str):
-        number = _in_unit(half_width(value), unit)
+        text = half_width(value)
+        if _may_be_thousands(name, text, unit):
+            raise InputError("inventory_tables.comma", name, name=name, value=shown(value))
+        number = _in_unit(text, unit)
         if number is None:
             has_unit = bool(unit) and re.match(r"[+-]?[\d.,]+\s*[^\d.,]+$", value) is not None
             raise _not_a_plain_number(name, shown(value), unit, has_unit)
@@ -131,6 +140,14 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
     if not math.isfinite(value):
         raise _not_a_plain_number(name, str(value), unit, False)
     return float(value)
+
+
+def _may_be_thousands(name: str, text: str, unit: str) -> bool:
+    """Return whether a number has a point that would leave thousandths of what nobody divides so finely."""
+    parted = _WITH_REST.fullmatch(text)
+    if parted is None or _POINT.fullmatch(parted[1]) is None:
+        return False
+    return name in WHOLE or (_unit_behind(parted) or unit) in _WHOLE_UNITS
 
 
 def half_width(text: str) -> str:

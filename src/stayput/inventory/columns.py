@@ -92,14 +92,18 @@ TOTALS = ("total price", "total value", "金額", "取得金額", "合計金額"
 """Columns that may hold the value of all pieces of a row."""
 
 LOOKS_LIKE_COUNT = re.compile(
-    r"(?:.*\b)?(?:qty|quant\w*|counts?|pcs|units|number of \w+|no of \w+)\b.*|number|amount|(?:grand )?total"
+    r"(?:.*\b)?(?:qty|quant\w*|counts?|pcs|pieces|units|number of \w+|no of \w+|how many)\b.*"
+    r"|number|amount|(?:grand )?total|qn?t|qnty|cnt|amt|nb|items|sets|(?:.*\b)?on hand|multiplier|repli\w+"
     r"|(?:.*\b)?(?:copies|ea|each|nos|q'?ty)|num(?: .*)?|(?:(?:in|current|total) )?stock(?: on hand)?"
     r"|anzahl|menge|stück(?:zahl)?|stk|nombre|cantidad"
     r"|.*(?:数量|個数|台数|員数|本数|点数|総数|在庫数|設置数|保有数|脚数).*"
-    r"|.*(?<![年月日階段人回係指])数|在庫|[台個脚本点基]|合計|計|小計|b?\d+[f階]|地下\d*階?"
+    r"|.*(?<![年月日階段人回係指])[数數]|在庫|[台個脚本点基組架面]|セット|合計|計|小計|b?\d+[f階]|地下\d*階?"
 )
 """Columns that seem to say how many pieces a row stands for; years of use (耐用年数), storeys (階数), shelves
 (段数) and people (人数) are none."""
+
+TOTAL_ROW = re.compile(r"(?:grand |sub ?)?totals?|sum|gesamt|summe|[合小総]?計")
+"""What a row is called that is the sum of others."""
 
 LOOKS_LIKE_SIZE = re.compile(r"縦|横|丈|長辺|短辺|厚[さみ]|直?径")
 """Columns that seem to be a size, and do not say whether along the wall, from front to back or upwards."""
@@ -170,7 +174,9 @@ class HeaderName(NamedTuple):
 
 def plain_name(text: str) -> str:
     """Return a name in one spelling: of width, case, blanks and marks between words."""
-    plain = unicodedata.normalize("NFKC", text).lower().replace("№", "no").replace("#", " no ")
+    plain = (
+        unicodedata.normalize("NFKC", text).lower().replace("№", "no").replace("#", " no ").replace("’", "'")
+    )
     return _BETWEEN_LETTERS.sub("", re.sub(r"[\s_.・:*-]+", " ", plain).strip())
 
 

@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown, within
 from stayput.inventory.cells import number_of, numbers_of, plain, shown, text_of, whole_of
+from stayput.inventory.columns import TOTAL_ROW, plain_name
 from stayput.inventory.contents import OF_THE_CONTENTS, contents_of
 from stayput.inventory.scenarios import stated_building
 from stayput.inventory.store import ground_spec, measures_spec, piece_spec
@@ -43,7 +44,9 @@ MOST_OPTIONS = 20
 
 OF_THE_BODY = ("preset", "width", "height", "mass", "cg_offset", "load")
 OF_THE_ROOM = ("floor", "gap", "wall", "measures")
-UNITS = {"width": "m", "height": "m", "mass": "kg"}
+SIZES = {"width": (0.01, 10.0, "m"), "height": (0.01, 10.0, "m"), "mass": (0.1, 50_000.0, "kg")}
+"""What a piece of an inventory may have; beyond, its numbers are in another unit than is stated."""
+
 NO_MEASURE = "none"
 
 
@@ -162,6 +165,10 @@ class RowReader:
         piece = text_of("id", cells.get("id"))
         if piece is None:
             raise InputError("inventory.no_id_in_row", "id")
+        for name in ("id", "name"):
+            called = cells.get(name)
+            if isinstance(called, str) and TOTAL_ROW.fullmatch(plain_name(called)):
+                raise InputError("inventory.total_row", name, name=name, value=shown(called))
         count = whole_of("count", cells.get("count"), 1, 1_000_000)
         value = number_of("value", cells.get("value"))
         if value is not None:
@@ -270,12 +277,15 @@ def body_of(cells: Mapping[str, Cell]) -> Body:
         What is missing or cannot be.
     """
     table: dict[str, Any] = {"preset": text_of("preset", cells.get("preset"))}
-    table |= {name: number_of(name, cells.get(name), unit) for name, unit in UNITS.items()}
+    table |= {name: number_of(name, cells.get(name), unit) for name, (_, _, unit) in SIZES.items()}
     if offset := numbers_of("cg_offset", cells.get("cg_offset"), "m"):
         table["cg_offset"] = list(offset)
     if load := numbers_of("load", cells.get("load"), "kg"):
         table["shelves"] = list(load)
     stated = {name: value for name, value in table.items() if value is not None}
+    for name, (low, high, unit) in SIZES.items():
+        if name in stated:
+            within(name, stated[name], low, high, unit, name)
     try:
         return FurnitureTable.model_validate(stated).body()
     except ValidationError:

@@ -160,13 +160,21 @@ class Workbook:
         return texts
 
     def rows(self, name: str) -> Iterator[tuple[int, dict[int, SheetCell]]]:
-        """Give the rows of a sheet that are in the file: number, and cells by columns, both from 1."""
+        """Give the rows of a sheet that are in the file: number, and cells by columns, both from 1.
+
+        Raises
+        ------
+        InputError
+            After the last row, which is where a file says so: cells of several rows are merged.
+        """
         reader = _Rows(self._formats)
         part = self.names[name]
         for _ in self._parsed(part, reader.start, reader.end, reader.text.add):
             for number, cells in reader.done:
                 yield number, {column: self._resolved(cell) for column, cell in cells.items()}
             reader.done.clear()
+        if reader.merged is not None:
+            raise InputError("inventory.merged_cells", "inventory", cells=reader.merged)
 
     def _resolved(self, cell: SheetCell) -> SheetCell:
         if cell.kind != "s":
@@ -269,6 +277,9 @@ class _Rows:
     text: _Text = field(default_factory=_Text)
     row: int = 0
     column: int = 0
+    width: int = 0
+    filled: int = 0
+    merged: str | None = None
     inside: bool = False
     formula: bool = False
     attributes: dict[str, str] = field(default_factory=dict[str, str])
@@ -278,6 +289,8 @@ class _Rows:
         """Take in that an element starts."""
         if tag == "sheetData":
             self.inside = True
+        elif tag == "mergeCell":
+            self._merge(attributes.get("ref", ""))
         if not self.inside:
             return
         if tag == "row":
@@ -305,23 +318,36 @@ class _Rows:
                 shown = self.formats[style] if 0 <= style < len(self.formats) else ""
                 self.cells[self.column] = SheetCell(kind, value, self.formula, shown)
         elif tag == "row":
+            if self.cells:
+                self.filled, self.width = self.row, self.width or max(self.cells)
             self.done.append((self.row, self.cells))
             self.cells = {}
         elif tag == "sheetData":
             self.inside = False
 
+    def _merge(self, area: str) -> None:
+        """Keep the first merged cells that go over rows of the table: only the first row has the value."""
+        first, _, last = area.partition(":")
+        (top, left), (bottom, _) = _place(first), _place(last or first)
+        if self.merged is None and top < bottom and top <= self.filled and left <= self.width:
+            self.merged = area
+
     def _column(self, reference: str | None) -> int:
-        column = self.column + 1
-        if reference is not None:
-            match = _REFERENCE.fullmatch(reference)
-            if match is None:
-                raise ValueError(f"{reference[:20]!r} is no place of a cell")
-            column = 0
-            for letter in match[1]:
-                column = 26 * column + ord(letter) - ord("A") + 1
+        column = self.column + 1 if reference is None else _place(reference)[1]
         if not self.column < column <= COLUMNS:
             raise ValueError(f"column {column} does not follow column {self.column}, or is beyond {COLUMNS}")
         return column
+
+
+def _place(reference: str) -> tuple[int, int]:
+    """Return the row and the column of a place such as "B7", both from 1."""
+    match = _REFERENCE.fullmatch(reference)
+    if match is None:
+        raise ValueError(f"{reference[:20]!r} is no place of a cell")
+    column = 0
+    for letter in match[1]:
+        column = 26 * column + ord(letter) - ord("A") + 1
+    return int(match[2]), column
 
 
 @contextmanager
