@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from textwrap import wrap
 from typing import TYPE_CHECKING, Any, cast
 
 from typer.core import TyperCommand, TyperGroup
@@ -110,7 +109,7 @@ def japanese_help(command: Any, ctx: Any, width: int) -> str:
         for heading, each in rows.items()
         if each
     )
-    return "\n\n".join(("\n".join(wrap(usage, width, subsequent_indent="  ")), *about, *lists)) + "\n"
+    return "\n\n".join((folded(usage, width), *about, *lists)) + "\n"
 
 
 def _facts(param: Any) -> str:
@@ -118,9 +117,11 @@ def _facts(param: Any) -> str:
     shown = param.default if param.show_default is True else param.show_default
     if isinstance(shown, bool):  # a flag: the one of two that holds
         shown = max(param.opts, key=len) if shown else None
+    limits = getattr(param, "type", param)  # older releases of Typer have a type of numbers in a range
+    low, high = (getattr(limits, end, None) for end in ("min", "max"))
     facts = [
         None if shown in (None, "") else say("cli_help.default", "ja", value=shown),
-        None if param.min is None else say("cli_help.range", "ja", low=param.min, high=param.max),
+        None if low is None else say("cli_help.range", "ja", low=low, high=high),
         say("cli_help.required", "ja") if param.required else None,
     ]
     told = say("common.listed", "ja").join(fact for fact in facts if fact is not None)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.catalogue import say
-from stayput.catalogue.cli_help import STUDIES
+from stayput.catalogue.studies import STUDIES
 from stayput.cli.completion import words
 from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
 from stayput.cli.language import OF_LOCALE, LanguageOption
