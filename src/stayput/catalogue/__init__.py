@@ -30,6 +30,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "app",
         "building",
         "cli",
+        "cli_help",
         "common",
         "contents",
         "figures",

@@ -1,5 +1,65 @@
 """The studies."""
 
+STUDIES: dict[str, tuple[str, str]] = {
+    "friction": (
+        "peak slide over static and kinetic friction (§4.2 of the paper)",
+        "静摩擦係数と動摩擦係数に対する最大移動量（論文4.2節）",
+    ),
+    "critical-ratio": (
+        "critical amplitude of a sine over b/h and frequency (§4.3, Eq. 4.1)",
+        "幅高さ比と振動数に対する正弦波の転倒限界振幅（4.3節、式4.1）",
+    ),
+    "wall-gap": (
+        "overturning over width and distance to a wall, under a sine (§4.4)",
+        "正弦波での、幅と壁までの距離に対する転倒（4.4節）",
+    ),
+    "wall-gap-record": (
+        "the same under a record (§4.5, Table 4.3)",
+        "wall-gapと同じ内容を地震記録で（4.5節、表4.3）",
+    ),
+    "spectrum": (
+        "overturning and rocking spectra of pulses and of a record",
+        "パルスと地震記録の転倒スペクトルとロッキングスペクトル",
+    ),
+    "tokyo": (
+        "devices alone and together, as in Tokyo's product test of 2015",
+        "器具の単独使用と併用（東京都の2015年の商品テスト）",
+    ),
+    "baseline": (
+        "what the ideal block leaves out and is worth, and where bare furniture lies in the field",
+        "理想的な剛体モデルの妥当性と限界、対策なしの家具と既往の研究との比較",
+    ),
+    "tip-over": (
+        "what tips common pieces over without an earthquake",
+        "地震がなくても家具が倒れる条件",
+    ),
+    "tombstones": (
+        "gravestones that fall against intensity, beside surveys",
+        "震度に対する墓石の転倒と、現地調査との比較",
+    ),
+    "consumer-centre": (
+        "the Japanese consumer centre's shake table of 2018, as far as published",
+        "国民生活センターの2018年の振動台実験との比較（公表された範囲）",
+    ),
+    "ac156": (
+        "does a piece that passes AC156 survive the floors of buildings?",
+        "AC156に合格した家具は建物の床の揺れに耐えるか",
+    ),
+    "contents": (
+        "what comes out of shelves and cupboards, beside tests and reports",
+        "棚や食器棚からの収納物の飛び出しと、実験や報告との比較",
+    ),
+    "capacity": (
+        "median overturning capacity beside Kaneko and Hayashi's formula",
+        "転倒耐力の中央値と金子・林の式との比較",
+    ),
+    "three-dimensions": (
+        "how often, and for which shapes, the plane's verdict differs from that of space",
+        "平面と三次元の解析で判定が異なる割合と、その形状",
+    ),
+}
+"""Names of the studies, and what they are about."""
+
 TEXTS: dict[str, tuple[str, str]] = {
     # What values are called
     "amplitudes": ("amplitudes", "振幅"),

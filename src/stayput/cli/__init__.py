@@ -10,23 +10,28 @@ import stayput
 from stayput.cli import app as page
 from stayput.cli import assess, building, fragility, motion, simulate, study, verify
 from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
-from stayput.cli.messages import CommandGroup
+from stayput.cli.help import HelpfulCommand, RootGroup
+from stayput.cli.language import OF_LOCALE, LanguageOption
 
 app = typer.Typer(
-    cls=CommandGroup,
+    cls=RootGroup,
+    help="cli_help.stayput",
     no_args_is_help=True,
     context_settings={"help_option_names": ["-h", "--help"]},
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-app.command("simulate")(simulate.simulate)
-app.command("verify")(verify.verify)
-app.command("fragility")(fragility.fragility)
-app.command("study")(study.study)
-app.command("building")(building.building)
+for name, run in (
+    ("simulate", simulate.simulate),
+    ("verify", verify.verify),
+    ("fragility", fragility.fragility),
+    ("study", study.study),
+    ("building", building.building),
+    ("assess", assess.assess),
+    ("app", page.app),
+):
+    app.command(name, cls=HelpfulCommand, help=f"cli_help.{name}")(run)
 app.add_typer(motion.app, name="motion")
-app.command("assess")(assess.assess)
-app.command("app")(page.app)
 
 
 def _print_version(wanted: bool) -> None:
@@ -39,11 +44,12 @@ def _print_version(wanted: bool) -> None:
 def _options(  # pyright: ignore[reportUnusedFunction] - Typer calls it
     version: Annotated[
         bool,
-        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="Print the version."),
+        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="cli_help.version"),
     ] = False,
+    lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
-    """Verify earthquake-proof measures for furniture."""
+    """Take the flags that stand before a command."""
 
 
 def main() -> None:

@@ -13,15 +13,13 @@ PORT = 8000
 
 
 def app(
-    host: Annotated[
-        str, typer.Option(help="Address to bind to; others than loopback let other machines in.")
-    ] = "127.0.0.1",
-    port: Annotated[int, typer.Option(min=0, max=65535, help="Port; 0 takes a free one.")] = PORT,
-    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page.")] = True,
+    host: Annotated[str, typer.Option(help="cli_help.host")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="cli_help.port")] = PORT,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="cli_help.browser")] = True,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
-    """Serve the app: set a scene, see it shaken, see what holds it."""
+    """Run ``stayput app``."""
     from stayput.extras import absent
 
     try:

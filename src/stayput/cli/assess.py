@@ -24,56 +24,49 @@ def assess(
         Path,
         typer.Argument(
             metavar="TABLE",
-            help="The inventory, a row a piece: .csv, .tsv, .xlsx or .parquet; - is a CSV on standard input.",
+            help="cli_help.inventory",
         ),
     ],
     scenario: Annotated[
         Path,
-        typer.Option(metavar="FILE|DIR", help="A scenario, or a folder of them: events or stations."),
+        typer.Option(metavar="FILE|DIR", help="cli_help.events"),
     ],
-    out: Annotated[
-        Path, typer.Option(metavar="DIR", help="Folder of the results; the same command goes on in it.")
-    ],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.assessment_out")],
     shakemap: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE",
-            help="ShakeMap's grid.xml, or CSV of lat, lon and intensity, sa_0.3, pga[%g], pgv[cm/s] or mmi.",
+            help="cli_help.shakemap",
         ),
     ] = None,
-    field: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Field of the shake map that counts, such as PGV.")
-    ] = None,
+    field: Annotated[str | None, typer.Option(metavar="NAME", help="cli_help.field")] = None,
     uncertainty: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="ShakeMap's uncertainty.xml: scatter of the shaking."),
+        typer.Option(metavar="FILE", help="cli_help.uncertainty"),
     ] = None,
     columns: Annotated[
         str | None,
         typer.Option(
             metavar="NAME=COLUMN,…|FILE",
-            help="Which columns of the table are which: width=奥行[mm],ignore=備考; or a TOML or JSON file.",
+            help="cli_help.columns",
         ),
     ] = None,
     export: Annotated[
         str,
-        typer.Option(metavar="FORMATS", help="Results also as csv, geojson and gpkg (for QGIS): csv,gpkg."),
+        typer.Option(metavar="FORMATS", help="cli_help.export"),
     ] = "",
-    slide_limit: Annotated[float, typer.Option(help="Slide that counts as too far [m].")] = 0.10,
+    slide_limit: Annotated[float, typer.Option(help="cli_help.slide_limit")] = 0.10,
     threads: ThreadsOption = None,
     scheduler: Annotated[
         str | None,
-        typer.Option(metavar="ADDRESS", help="A Dask scheduler whose workers simulate: tcp://host:8786."),
+        typer.Option(metavar="ADDRESS", help="cli_help.scheduler"),
     ] = None,
-    memory: Annotated[str, typer.Option(help="Memory to stay below.")] = "2GB",
+    memory: Annotated[str, typer.Option(help="cli_help.memory")] = "2GB",
     lang: LanguageOption = OF_LOCALE,
-    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Assess every piece of an inventory: how likely it overturns, and which measure helps most.
-
-    Interrupted, the same command goes on from what is complete.
-    """
+    """Run ``stayput assess``."""
     from stayput.inventory import assess as run
     from stayput.inventory.exports import formats_of
 

@@ -32,22 +32,20 @@ if TYPE_CHECKING:
 
 
 def building(
-    storeys: Annotated[int, typer.Option(help="Number of storeys.")] = 10,
+    storeys: Annotated[int, typer.Option(help="cli_help.storeys")] = 10,
     structure: Annotated[
-        str, typer.Option(help="RC, steel, wood or base-isolated.", autocompletion=words(structures))
+        str, typer.Option(help="cli_help.structure", autocompletion=words(structures))
     ] = "RC",
     period: Annotated[
         float | None,
-        typer.Option(
-            help="First natural period [s] (of base-isolated: on fixed ground). Default: by height."
-        ),
+        typer.Option(help="cli_help.period"),
     ] = None,
-    damping: Annotated[float | None, typer.Option(help="Damping ratio. Default: by structure.")] = None,
+    damping: Annotated[float | None, typer.Option(help="cli_help.damping")] = None,
     motion: Annotated[
         str | None,
         typer.Option(
             metavar="MOTION",
-            help="A record's file, - (standard input), near-fault, or sine:A,F[,T]. Default: near-fault.",
+            help="cli_help.ground_motion",
         ),
     ] = None,
     x: XOption = None,
@@ -64,22 +62,22 @@ def building(
     earthquake: EarthquakeOption = None,
     storey: Annotated[
         list[int] | None,
-        typer.Option(help="Storey to write with --out, and to draw the spectrum of; may be repeated."),
+        typer.Option(help="cli_help.storey_out"),
     ] = None,
-    linear: Annotated[bool, typer.Option("--linear", help="Do not let the storeys yield.")] = False,
+    linear: Annotated[bool, typer.Option("--linear", help="cli_help.linear")] = False,
     out: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Write the floor motion of --storey: .csv; - prints it."),
+        typer.Option(metavar="FILE", help="cli_help.floor_out"),
     ] = None,
     plot: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Plot peaks over the storeys, and spectra: .png, .svg or .pdf."),
+        typer.Option(metavar="FILE", help="cli_help.plot_building"),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
-    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Floor motions of a building: the peaks of every storey, and the motion of one."""
+    """Run ``stayput building``."""
     from stayput.building import Building
     from stayput.errors import InputError
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target

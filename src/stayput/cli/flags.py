@@ -31,22 +31,14 @@ MotionArgument: TypeAlias = Annotated[
     str | None,
     typer.Argument(
         metavar="MOTION",
-        help="A record's file, - (standard input), near-fault, or sine:A,F[,T].",
+        help="cli_help.motion_argument",
         show_default=False,
     ),
 ]
-ComponentOption: TypeAlias = Annotated[
-    str | None, typer.Option("--component", help="The record's horizontal channel along the shaking.")
-]
-UnitOption: TypeAlias = Annotated[
-    str | None, typer.Option("--unit", help="The record's unit, where its file does not state it.")
-]
-TimeStepOption: TypeAlias = Annotated[
-    float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
-]
-ThreadsOption: TypeAlias = Annotated[
-    int | None, typer.Option("--threads", help="Threads; as many as there are cores by default.")
-]
+ComponentOption: TypeAlias = Annotated[str | None, typer.Option("--component", help="cli_help.component")]
+UnitOption: TypeAlias = Annotated[str | None, typer.Option("--unit", help="cli_help.unit")]
+TimeStepOption: TypeAlias = Annotated[float | None, typer.Option("--dt", help="cli_help.dt")]
+ThreadsOption: TypeAlias = Annotated[int | None, typer.Option("--threads", help="cli_help.threads")]
 QuietOption: TypeAlias = Annotated[
     bool,
     typer.Option(
@@ -54,14 +46,14 @@ QuietOption: TypeAlias = Annotated[
         "-q",
         callback=_quiet_if,
         expose_value=False,
-        help="Print results and refusals only: no progress, note or warning.",
+        help="cli_help.quiet",
     ),
 ]
 EveryRunOption: TypeAlias = Annotated[
     bool,
     typer.Option(
         "--every-run",
-        help="Make also the runs that are counted as standing, being calm under stronger shaking.",
+        help="cli_help.every_run",
     ),
 ]
 

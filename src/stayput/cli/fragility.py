@@ -26,16 +26,13 @@ if TYPE_CHECKING:
 
 
 def fragility(
-    scenario: Annotated[
-        Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file; - is standard input.")
-    ],
-    out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the files; it is made.")],
+    scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="cli_help.scenario")],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.curves_out")],
     im: Annotated[
         str,
         typer.Option(
             metavar="JMA|MMI|PGA|PGV|SA(T)|PFA|PFV",
-            help="Intensity measure of the curves; SA(0.3): spectral acceleration at 0.3 s; PFA, PFV: the "
-            "floor's peaks.",
+            help="cli_help.im",
             autocompletion=words(intensity_measures),
         ),
     ] = "JMA",
@@ -43,7 +40,7 @@ def fragility(
         list[str] | None,
         typer.Option(
             metavar="TYPE|NAME",
-            help="Only this measure beside none; may be repeated.",
+            help="cli_help.only_measure",
             autocompletion=words(measures),
         ),
     ] = None,
@@ -52,11 +49,7 @@ def fragility(
     threads: ThreadsOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Write the probability of overturning over the strength of the shaking.
-
-    The folder gets curves.csv and observed.csv, a figure, pelicun's file of those curves that a lognormal
-    fits and, where OpenQuake knows the measure, its NRML file. The curves are isotonic: no shape is assumed.
-    """
+    """Run ``stayput fragility``."""
     from stayput.errors import InputError
     from stayput.fragility import MMI, intensity_measure
 

@@ -33,10 +33,13 @@ def of_arguments(args: Sequence[str]) -> Language:
     return of_locale()
 
 
-def _chosen(value: str) -> str:
+def _chosen(ctx: typer.Context, value: str) -> str:
+    """Return the language of the flag, else that of the flag before the command, else the locale's."""
     from stayput.wording import check_language
 
-    return check_language(value) if value != OF_LOCALE else of_locale()
+    if value != OF_LOCALE:
+        return check_language(value)
+    return (ctx.parent and ctx.parent.params.get("lang")) or of_locale()
 
 
 LanguageOption: TypeAlias = Annotated[
@@ -45,7 +48,7 @@ LanguageOption: TypeAlias = Annotated[
         "--lang",
         metavar="en|ja",
         callback=_chosen,
-        show_default="the locale's",
-        help="Language of what is printed, drawn and reported.",
+        show_default="cli_help.of_locale",
+        help="cli_help.lang",
     ),
 ]

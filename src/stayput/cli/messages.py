@@ -71,6 +71,8 @@ class CommandGroup(TyperGroup):
         """Read what stands before the name of the command."""
         try:
             return super().make_context(*args, **kwargs)
+        except InputError as error:
+            raise self._refused(error) from None
         except USAGE as error:
             raise self._refused(misused(error)) from None
 
@@ -150,7 +152,9 @@ def _unwritten(error: OSError, language: Language) -> int:
     return UNREAD if isinstance(error, BrokenPipeError) else REFUSED
 
 
-_UNBROKEN = re.compile(r"[（「]*(?:[!-~]+ ?|\S| )[、。，：）」～％・]*")
+_UNBROKEN = re.compile(
+    r"[（「]*(?:[!-~²…]+ ?|\S| )[、。，：）」～％・ーぁぃぅぇぉっゃゅょァィゥェォッャュョ]*"
+)
 """What stays on one line of a Japanese text: a word in Latin letters or a character, with its marks."""
 
 
@@ -170,6 +174,7 @@ def folded(text: str, width: int) -> str:
     for part in _UNBROKEN.findall(text):
         if lines[-1] and cell_len(lines[-1] + part) > width:
             lines.append("")
+            part = part.lstrip()
         lines[-1] += part
     return "\n".join(lines)
 

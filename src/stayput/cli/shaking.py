@@ -29,68 +29,54 @@ MotionOption: TypeAlias = Annotated[
     typer.Option(
         "--motion",
         metavar="FILE|-|near-fault|sine:A,F[,T]",
-        help="A record's file, the built-in motion, or a sine of A [m/s²], F [Hz] and T [s]; "
-        "in the place of the file's whole [shaking].",
+        help="cli_help.motion_option",
     ),
 ]
 XOption: TypeAlias = Annotated[
     str | None,
-    typer.Option("--x", metavar="FILE", help="As --motion: the record of the component along the shaking."),
+    typer.Option("--x", metavar="FILE", help="cli_help.x"),
 ]
-YOption: TypeAlias = Annotated[
-    str | None, typer.Option("--y", metavar="FILE", help="The record of the component across it.")
-]
-ZOption: TypeAlias = Annotated[
-    str | None, typer.Option("--z", metavar="FILE", help="The record of the vertical component.")
-]
+YOption: TypeAlias = Annotated[str | None, typer.Option("--y", metavar="FILE", help="cli_help.y")]
+ZOption: TypeAlias = Annotated[str | None, typer.Option("--z", metavar="FILE", help="cli_help.z")]
 ScaleOption: TypeAlias = Annotated[
     float | None,
-    typer.Option("--scale", help="Factor on the motion; in the place of a strength that the file states."),
+    typer.Option("--scale", help="cli_help.scale"),
 ]
 IntensityOption: TypeAlias = Annotated[
     str | None,
     typer.Option(
         "--intensity",
-        help="JMA intensity of the ground to scale to: a number, or a class such as 6-upper.",
+        help="cli_help.intensity",
         autocompletion=words(intensity_classes),
     ),
 ]
-PgaOption: TypeAlias = Annotated[
-    float | None, typer.Option("--pga", help="Peak ground acceleration to scale to [m/s²].")
-]
-PgvOption: TypeAlias = Annotated[
-    float | None, typer.Option("--pgv", help="Peak ground velocity to scale to [m/s].")
-]
+PgaOption: TypeAlias = Annotated[float | None, typer.Option("--pga", help="cli_help.pga")]
+PgvOption: TypeAlias = Annotated[float | None, typer.Option("--pgv", help="cli_help.pgv")]
 SpectralOption: TypeAlias = Annotated[
     str | None,
     typer.Option(
         "--sa",
         metavar="T,VALUE",
-        help="Spectral acceleration to scale to, at 5 % damping: period [s] and value [m/s²], such as 0.3,8.",
+        help="cli_help.sa",
     ),
 ]
-MercalliOption: TypeAlias = Annotated[
-    float | None, typer.Option("--mmi", help="Modified Mercalli intensity to scale to.")
-]
+MercalliOption: TypeAlias = Annotated[float | None, typer.Option("--mmi", help="cli_help.mmi")]
 EarthquakeOption: TypeAlias = Annotated[
     str | None,
     typer.Option(
         "--earthquake",
         metavar="M,KM[,DEPTH[,VS30]][,KIND]",
-        help="An earthquake to scale to: magnitude, distance and depth [km], ground [m/s], and where it "
-        "breaks (crustal, interface, intraslab), such as 7,20 or 7,60,50,intraslab.",
+        help="cli_help.earthquake",
     ),
 ]
 BuildingOption: TypeAlias = Annotated[
     str | None,
-    typer.Option("--building", metavar="STOREYS[,STRUCTURE]", help="The building around it, such as 10,RC."),
+    typer.Option("--building", metavar="STOREYS[,STRUCTURE]", help="cli_help.building_option"),
 ]
-StoreyOption: TypeAlias = Annotated[
-    int | None, typer.Option("--storey", help="The storey it stands on; 1 is the ground floor.")
-]
+StoreyOption: TypeAlias = Annotated[int | None, typer.Option("--storey", help="cli_help.storey")]
 VerticalOption: TypeAlias = Annotated[
     bool | None,
-    typer.Option("--vertical/--no-vertical", help="Whether the vertical component acts."),
+    typer.Option("--vertical/--no-vertical", help="cli_help.vertical"),
 ]
 
 

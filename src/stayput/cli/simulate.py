@@ -57,14 +57,13 @@ def simulate(
         Path | None,
         typer.Argument(
             metavar="[SCENARIO.toml]",
-            help="A scenario file; - is standard input. Default: a bookcase before a wall and a synthetic "
-            "near-fault motion.",
+            help="cli_help.example_scenario",
             show_default=False,
         ),
     ] = None,
     body: Annotated[
         str | None,
-        typer.Option(metavar="WxHxM", help="A body: width along the shaking [m] x height [m] x mass [kg]."),
+        typer.Option(metavar="WxHxM", help="cli_help.body"),
     ] = None,
     motion: MotionOption = None,
     x: XOption = None,
@@ -85,62 +84,43 @@ def simulate(
     vertical: VerticalOption = None,
     floor: Annotated[
         str | None,
-        typer.Option(metavar="SURFACE", help="A surface, such as 'carpet'.", autocompletion=words(surfaces)),
+        typer.Option(metavar="SURFACE", help="cli_help.floor", autocompletion=words(surfaces)),
     ] = None,
     friction: Annotated[
-        str | None, typer.Option(metavar="STATIC[,KINETIC]", help="Friction of the floor.")
+        str | None, typer.Option(metavar="STATIC[,KINETIC]", help="cli_help.friction")
     ] = None,
-    wall: Annotated[
-        float | None, typer.Option("--wall", "--left-wall", help="Gap to the wall behind (left) [m].")
-    ] = None,
-    right_wall: Annotated[float | None, typer.Option(help="Gap to a wall in front (right) [m].")] = None,
-    near_side_wall: Annotated[
-        float | None, typer.Option(help="Gap to a wall at the near side (-y) [m]; for --dimensions 3.")
-    ] = None,
-    far_side_wall: Annotated[
-        float | None, typer.Option(help="Gap to a wall at the far side (+y) [m]; for --dimensions 3.")
-    ] = None,
+    wall: Annotated[float | None, typer.Option("--wall", "--left-wall", help="cli_help.wall")] = None,
+    right_wall: Annotated[float | None, typer.Option(help="cli_help.right_wall")] = None,
+    near_side_wall: Annotated[float | None, typer.Option(help="cli_help.near_side_wall")] = None,
+    far_side_wall: Annotated[float | None, typer.Option(help="cli_help.far_side_wall")] = None,
     contact: Annotated[
         str | None,
         typer.Option(
             metavar="coulomb|paper",
-            help="The contact law.",
+            help="cli_help.contact",
             autocompletion=words(lambda: ("coulomb", "paper")),
         ),
     ] = None,
-    length: Annotated[
-        float | None, typer.Option(help="Length of the piece across the shaking [m]; for --dimensions 3.")
-    ] = None,
-    heading: Annotated[
-        float | None, typer.Option(help="Direction in which it faces, from the motion's x towards y [rad].")
-    ] = None,
-    dimensions: Annotated[
-        int | None, typer.Option(metavar="2|3", help="In the plane of its depth (2), or in space (3).")
-    ] = None,
+    length: Annotated[float | None, typer.Option(help="cli_help.length")] = None,
+    heading: Annotated[float | None, typer.Option(help="cli_help.heading")] = None,
+    dimensions: Annotated[int | None, typer.Option(metavar="2|3", help="cli_help.dimensions")] = None,
     measure: Annotated[
         list[str] | None,
         typer.Option(
             metavar="TYPE|NAME",
-            help="A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
+            help="cli_help.measure_in_place",
             autocompletion=words(measures),
         ),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
-    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
-    plot: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Plot the histories: .png, .svg or .pdf.")
-    ] = None,
-    animate: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Animate the run: .html, .gif or .mp4.")
-    ] = None,
-    speed: Annotated[float, typer.Option(help="Speed of the animation: 0.25 is slow motion.")] = 1.0,
-    fps: Annotated[float, typer.Option(help="Frames a second of a .gif or .mp4.")] = 20.0,
+    json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_run")] = None,
+    animate: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.animate")] = None,
+    speed: Annotated[float, typer.Option(help="cli_help.speed")] = 1.0,
+    fps: Annotated[float, typer.Option(help="cli_help.fps")] = 20.0,
     quiet: QuietOption = False,
 ) -> None:
-    """Simulate one body under one motion.
-
-    Flags override what the scenario file says; --body without a file stands free of walls.
-    """
+    """Run ``stayput simulate``."""
     from stayput.files import check_apart
     from stayput.report.summary import piece_name
     from stayput.scenario import Scenario

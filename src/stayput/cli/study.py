@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.catalogue import say
+from stayput.catalogue.studies import STUDIES
 from stayput.cli.completion import words
 from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
 from stayput.cli.language import OF_LOCALE, LanguageOption
@@ -19,24 +20,6 @@ if TYPE_CHECKING:
 
     from stayput.studies import Study
 
-STUDIES = {
-    "friction": "peak slide over static and kinetic friction (§4.2 of the paper)",
-    "critical-ratio": "critical amplitude of a sine over b/h and frequency (§4.3, Eq. 4.1)",
-    "wall-gap": "overturning over width and distance to a wall, under a sine (§4.4)",
-    "wall-gap-record": "the same under a record (§4.5, Table 4.3)",
-    "spectrum": "overturning and rocking spectra of pulses and of a record",
-    "tokyo": "devices alone and together, as in Tokyo's product test of 2015",
-    "baseline": "what the ideal block leaves out and is worth, and where bare furniture lies in the field",
-    "tip-over": "what tips common pieces over without an earthquake",
-    "tombstones": "gravestones that fall against intensity, beside surveys",
-    "consumer-centre": "the Japanese consumer centre's shake table of 2018, as far as published",
-    "ac156": "does a piece that passes AC156 survive the floors of buildings?",
-    "contents": "what comes out of shelves and cupboards, beside tests and reports",
-    "capacity": "median overturning capacity beside Kaneko and Hayashi's formula",
-    "three-dimensions": "how often, and for which shapes, the plane's verdict differs from that of space",
-}
-"""Names of the studies, and what they are about."""
-
 OF_A_RECORD = ("wall-gap-record", "spectrum", "tokyo", "contents")
 """Studies that take a motion."""
 
@@ -45,16 +28,16 @@ def study(
     name: Annotated[
         str,
         typer.Argument(
-            help="; ".join(f"{k}: {v}" for k, v in STUDIES.items()) + ".",
+            help="cli_help.study_name",
             autocompletion=words(lambda: STUDIES),
         ),
     ],
-    out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for data, figures and text; it is made.")],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.study_out")],
     motion: Annotated[
         str | None,
         typer.Option(
             metavar="FILE",
-            help=f"A record's file, or -, for {', '.join(OF_A_RECORD)}. Default: near-fault.",
+            help="cli_help.study_motion",
         ),
     ] = None,
     x: XOption = None,
@@ -66,7 +49,7 @@ def study(
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
-    """Run a study and write its data (NetCDF, CSV), figures, key numbers and tables."""
+    """Run ``stayput study``."""
     from stayput.errors import InputError, unknown
 
     if name not in STUDIES:

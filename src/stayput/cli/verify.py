@@ -55,34 +55,24 @@ if TYPE_CHECKING:
 
 
 def verify(
-    scenario: Annotated[
-        Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file; - is standard input.")
-    ],
+    scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="cli_help.scenario")],
     report: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Write a report that needs nothing else: .html."),
+        typer.Option(metavar="FILE", help="cli_help.report"),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
-    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
-    markdown: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md; - prints it.")
-    ] = None,
-    csv: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv; - prints it.")
-    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
+    markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.markdown")] = None,
+    csv: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.csv")] = None,
     plan: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Write what to buy and do in a room: .html, to print."),
+        typer.Option(metavar="FILE", help="cli_help.plan"),
     ] = None,
-    no_drilling: Annotated[
-        bool, typer.Option("--no-drilling", help="With --plan: nothing may be screwed to a wall.")
-    ] = False,
-    tatami: Annotated[bool, typer.Option("--tatami", help="With --plan: the floor is tatami.")] = False,
-    plasterboard: Annotated[
-        bool, typer.Option("--plasterboard", help="With --plan: the walls have no studs to screw to.")
-    ] = False,
+    no_drilling: Annotated[bool, typer.Option("--no-drilling", help="cli_help.no_drilling")] = False,
+    tatami: Annotated[bool, typer.Option("--tatami", help="cli_help.tatami")] = False,
+    plasterboard: Annotated[bool, typer.Option("--plasterboard", help="cli_help.plasterboard")] = False,
     dropped_ceiling: Annotated[
-        bool, typer.Option("--dropped-ceiling", help="With --plan: the ceiling hangs on wires.")
+        bool, typer.Option("--dropped-ceiling", help="cli_help.dropped_ceiling")
     ] = False,
     motion: MotionOption = None,
     x: XOption = None,
@@ -101,18 +91,12 @@ def verify(
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,
-    slide_limit: Annotated[float | None, typer.Option(help="Slide that counts as too far [m].")] = None,
+    slide_limit: Annotated[float | None, typer.Option(help="cli_help.slide_limit")] = None,
     every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Compare what a scenario's measures do, over its motions and over what is not known.
-
-    Without measures in the file the usual ones are compared, those that can be applied there. Of several
-    pieces ([[furniture]]) joints and measures on each are compared. Of a room with a [plan] it is said who is
-    hit, which door stays shut, and which single change helps most; with --plan also what to move and to buy.
-    Flags that say how the floor is shaken override what the file says.
-    """
+    """Run ``stayput verify``."""
     from stayput.errors import InputError, within
     from stayput.files import check_apart, check_target
 

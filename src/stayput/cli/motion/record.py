@@ -45,10 +45,10 @@ def info(
     unit: UnitOption = None,
     dt: TimeStepOption = None,
     lang: LanguageOption = OF_LOCALE,
-    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
 ) -> None:
-    """Say how long and how strong a motion is: its intensities, and its peaks by component."""
+    """Run ``stayput motion info``."""
     from stayput.motion.measures import Intensities, SpectralMeasures
 
     record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
@@ -167,9 +167,7 @@ def _warn_of_drift(motion: Motion) -> None:
 
 def plot(
     motion: MotionArgument = None,
-    out: Annotated[
-        Path | None, typer.Argument(metavar="OUT", help="Picture to write: .png, .svg or .pdf.")
-    ] = None,
+    out: Annotated[Path | None, typer.Argument(metavar="OUT", help="cli_help.picture")] = None,
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
@@ -179,7 +177,7 @@ def plot(
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
-    """Plot acceleration, velocity and displacement of every component."""
+    """Run ``stayput motion plot``."""
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target
 
     motion, out = _motion_and_output(motion, out, x)
@@ -203,19 +201,19 @@ def spectrum(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
-    damping: Annotated[float, typer.Option(help="Damping ratio of the oscillators, 0 to 0.95.")] = 0.05,
+    damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
     out: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Write the spectra of all components: .csv; - prints it."),
+        typer.Option(metavar="FILE", help="cli_help.spectra_out"),
     ] = None,
     plot: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Plot them, and the Fourier spectra: .png, .svg, .pdf."),
+        typer.Option(metavar="FILE", help="cli_help.plot_spectra"),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
-    """Print the response spectra of a motion: what it does to oscillators of every period."""
+    """Run ``stayput motion spectrum``."""
     from stayput.files import PLOT_SUFFIXES, check_apart, check_target
     from stayput.motion.spectrum import PERIODS, response_spectrum
 
@@ -279,7 +277,7 @@ def convert(
     motion: MotionArgument = None,
     out: Annotated[
         Path | None,
-        typer.Argument(metavar="OUT", help="File to write: .csv or .at2 (PEER); - prints .csv, or --format."),
+        typer.Argument(metavar="OUT", help="cli_help.converted"),
     ] = None,
     x: XOption = None,
     y: YOption = None,
@@ -287,23 +285,15 @@ def convert(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
-    only: Annotated[
-        str | None, typer.Option(metavar="x|y|z", help="Keep this component alone, as x; for .at2.")
-    ] = None,
-    step: Annotated[
-        float | None, typer.Option(help="New time step [s], a whole part or multiple of the record's.")
-    ] = None,
-    scale: Annotated[float | None, typer.Option(help="Factor on the motion.")] = None,
-    intensity: Annotated[
-        str | None, typer.Option(help="JMA intensity to scale to: a number, or a class such as 6-upper.")
-    ] = None,
-    form: Annotated[
-        str | None, typer.Option("--format", metavar="csv|at2", help="Format of what is printed.")
-    ] = None,
+    only: Annotated[str | None, typer.Option(metavar="x|y|z", help="cli_help.only")] = None,
+    step: Annotated[float | None, typer.Option(help="cli_help.step")] = None,
+    scale: Annotated[float | None, typer.Option(help="cli_help.factor")] = None,
+    intensity: Annotated[str | None, typer.Option(help="cli_help.motion_intensity")] = None,
+    form: Annotated[str | None, typer.Option("--format", metavar="csv|at2", help="cli_help.format")] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
-    """Write a motion in another format, or changed."""
+    """Run ``stayput motion convert``."""
     from stayput.files import check_apart
     from stayput.motion.writers import FORMATS
 

@@ -44,55 +44,44 @@ COLUMNS = (
 
 
 def suite(
-    out: Annotated[
-        Path, typer.Option(metavar="DIR", help="Folder for the motions, their table and figure; it is made.")
-    ],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.suite_out")],
     family: Annotated[
         str,
         typer.Option(
-            help="mixed, near-fault, crustal, subduction or basin; made, so synthetic.",
+            help="cli_help.family",
             autocompletion=words(families),
         ),
     ] = "mixed",
-    count: Annotated[int, typer.Option(help="How many motions to make.")] = 40,
-    seed: Annotated[int, typer.Option(help="Seed: the same one gives the same motions.")] = 1,
-    records: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="A folder of records to read, in place of making any.")
-    ] = None,
+    count: Annotated[int, typer.Option(help="cli_help.count")] = 40,
+    seed: Annotated[int, typer.Option(help="cli_help.seed")] = 1,
+    records: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.records")] = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
     target: Annotated[
         str | None,
-        typer.Option(
-            help="Target spectrum: japan[:very-rare|rare[,SOIL]], asce7:SDS,SD1[,TL], or a table's file."
-        ),
+        typer.Option(help="cli_help.target"),
     ] = None,
-    band: Annotated[
-        str, typer.Option(metavar="T1,T2", help="Periods that the target holds for [s].")
-    ] = "0.1,5",
+    band: Annotated[str, typer.Option(metavar="T1,T2", help="cli_help.band")] = "0.1,5",
     fit: Annotated[
         str,
         typer.Option(
-            help="How to meet the target: scale (one factor a motion), match (every spectrum) or together "
-            "(the median alone, the scatter stays).",
+            help="cli_help.fit",
             autocompletion=words(lambda: FITS),
         ),
     ] = "scale",
-    select: Annotated[
-        int | None, typer.Option(metavar="N", help="Keep the N whose spectra are most like the target.")
-    ] = None,
+    select: Annotated[int | None, typer.Option(metavar="N", help="cli_help.select")] = None,
     intensity: Annotated[
         str | None,
         typer.Option(
-            help="JMA intensity of every motion: a number, or a class such as 6-upper.",
+            help="cli_help.suite_intensity",
             autocompletion=words(intensity_classes),
         ),
     ] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
-    """Make or read a suite of motions, scale it, and write it with a table and a figure."""
+    """Run ``stayput motion suite``."""
     from stayput.errors import InputError, unknown
 
     if out.exists() and not out.is_dir():

@@ -1,0 +1,456 @@
+"""What ``--help`` says of commands, arguments and flags. Flags, values and types stand as they are typed.
+
+The first paragraph of a command also stands in the list of commands, and beside its name in a shell.
+"""
+
+from __future__ import annotations
+
+from stayput.catalogue.studies import STUDIES
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # Headings, and what stands in brackets after a text; Typer has the English ones
+    "usage": ("Usage", "使い方"),
+    "arguments": ("Arguments", "引数"),
+    "options": ("Options", "オプション"),
+    "commands": ("Commands", "コマンド"),
+    "required": ("required", "必須"),
+    "default": ("default: {value}", "既定値：{value}"),
+    "range": ("{low}<=x<={high}", "{low}～{high}"),
+    # Commands
+    "stayput": (
+        "Verify earthquake-proof measures for furniture.",
+        "家具の地震対策の効果を検証する",
+    ),
+    "simulate": (
+        (
+            "Simulate one body under one motion.\n\n"
+            "Flags override what the scenario file says; --body without a file stands free of walls."
+        ),
+        (
+            "1つの家具に1つの揺れを与えて計算する\n\n"
+            "オプションの値はシナリオファイルの値に優先する。"
+            "ファイルなしで--bodyを指定した場合、壁はないものとする。"
+        ),
+    ),
+    "verify": (
+        (
+            "Compare what a scenario's measures do, over its motions and over what is not known.\n\n"
+            "Without measures in the file the usual ones are compared, those that can be applied there. "
+            "Of several pieces ([[furniture]]) joints and measures on each are compared. "
+            "Of a room with a [plan] it is said who is hit, which door stays shut, and which single change "
+            "helps most; with --plan also what to move and to buy. "
+            "Flags that say how the floor is shaken override what the file says."
+        ),
+        (
+            "シナリオの対策の効果を、地震動や不確かさを考慮して比較する\n\n"
+            "ファイルに対策がなければ、そこで使える一般的な対策を比較する。"
+            "家具が複数（[[furniture]]）の場合は、連結とそれぞれの対策を比較する。"
+            "[plan]のある部屋の場合は、誰に家具が当たるか、どの扉が開かなくなるか、どの変更が最も効くかを示し、"
+            "--planを指定すると移動や購入の計画も作る。"
+            "揺れを指定するオプションの値はファイルの値に優先する。"
+        ),
+    ),
+    "fragility": (
+        (
+            "Write the probability of overturning over the strength of the shaking.\n\n"
+            "The folder gets curves.csv and observed.csv, a figure, pelicun's file of those curves that a "
+            "lognormal fits and, where OpenQuake knows the measure, its NRML file. "
+            "The curves are isotonic: no shape is assumed."
+        ),
+        (
+            "揺れの強さに対する転倒確率（フラジリティ曲線）を書き出す\n\n"
+            "フォルダーには、curves.csvとobserved.csv、図、対数正規分布がよく合う曲線のpelicun用ファイル、"
+            "OpenQuakeが扱える強さの指標であればNRMLファイルができる。"
+            "曲線は単調回帰で求め、形は仮定しない。"
+        ),
+    ),
+    "study": (
+        "Run a study and write its data (NetCDF, CSV), figures, key numbers and tables.",
+        "スタディを実行し、データ（NetCDF、CSV）、図、数値、表を書き出す",
+    ),
+    "building": (
+        "Floor motions of a building: the peaks of every storey, and the motion of one.",
+        "建物の各階の床の最大応答と、指定した階の床の揺れを求める",
+    ),
+    "assess": (
+        (
+            "Assess every piece of an inventory: how likely it overturns, and which measure helps most.\n\n"
+            "Interrupted, the same command goes on from what is complete."
+        ),
+        (
+            "家具一覧のすべての家具の転倒確率と、最も効く対策を求める\n\n"
+            "中断しても、同じコマンドで続きから再開する。"
+        ),
+    ),
+    "app": (
+        "Serve the app: set a scene, see it shaken, see what holds it.",
+        "アプリを起動する（場面を設定し、揺れと対策の効果を画面で見る）",
+    ),
+    "motion": ("Look at a motion of the floor, or make one.", "揺れを調べる、変換する、作る"),
+    "info": (
+        "Say how long and how strong a motion is: its intensities, and its peaks by component.",
+        "揺れの長さと強さ（震度、成分ごとの最大値など）を表示する",
+    ),
+    "plot": (
+        "Plot acceleration, velocity and displacement of every component.",
+        "各成分の加速度、速度、変位の波形を描く",
+    ),
+    "spectrum": (
+        "Print the response spectra of a motion: what it does to oscillators of every period.",
+        "揺れの応答スペクトルを表示する",
+    ),
+    "convert": (
+        "Write a motion in another format, or changed.",
+        "揺れを別の形式で、または変更して書き出す",
+    ),
+    "suite": (
+        "Make or read a suite of motions, scale it, and write it with a table and a figure.",
+        "地震動群を作るか読み込み、大きさを調整して、表と図とともに書き出す",
+    ),
+    # Flags of every program
+    "version": ("Print the version.", "バージョンを表示する"),
+    "help": ("Show this message and exit.", "この説明を表示して終了する"),
+    "install_completion": (
+        "Install completion for the current shell.",
+        "使用中のシェルに補完を設定する",
+    ),
+    "show_completion": (
+        "Show completion for the current shell, to copy it or customize the installation.",
+        "シェルの補完スクリプトを表示する（コピーや変更用）",
+    ),
+    "quiet": (
+        "Print results and refusals only: no progress, note or warning.",
+        "結果とエラーだけを表示し、進捗や注意は表示しない",
+    ),
+    "lang": (
+        "Language of what is printed, drawn and reported.",
+        "表示、図、レポートの言語",
+    ),
+    "of_locale": ("the locale's", "ロケールの言語"),
+    "json": ("Print one JSON object.", "結果を1つのJSONオブジェクトとして表示する"),
+    "threads": (
+        "Threads; as many as there are cores by default.",
+        "スレッド数。指定しなければコアの数",
+    ),
+    # The shaking
+    "motion_argument": (
+        "A record's file, - (standard input), near-fault, or sine:A,F[,T].",
+        "記録のファイル、-（標準入力）、near-fault、sine:A,F[,T]のいずれか",
+    ),
+    "motion_option": (
+        (
+            "A record's file, the built-in motion, or a sine of A [m/s²], F [Hz] and T [s]; "
+            "in the place of the file's whole [shaking]."
+        ),
+        (
+            "記録のファイル、組み込みの地震動、または正弦波（振幅A [m/s²]、振動数F [Hz]、時間T [s]）。"
+            "ファイルの[shaking]全体に代わる"
+        ),
+    ),
+    "x": (
+        "As --motion: the record of the component along the shaking.",
+        "加振方向の成分の記録（--motionと同様）",
+    ),
+    "y": ("The record of the component across it.", "直交方向の成分の記録"),
+    "z": ("The record of the vertical component.", "上下方向の成分の記録"),
+    "component": (
+        "The record's horizontal channel along the shaking.",
+        "記録の水平成分のうち、加振方向とするもの",
+    ),
+    "unit": (
+        "The record's unit, where its file does not state it.",
+        "記録の単位（ファイルに書かれていない場合）",
+    ),
+    "dt": (
+        "The record's time step [s], where its file does not state it.",
+        "記録の時間刻み [s]（ファイルに書かれていない場合）",
+    ),
+    "scale": (
+        "Factor on the motion; in the place of a strength that the file states.",
+        "揺れに掛ける倍率。ファイルにある強さの指定に代わる",
+    ),
+    "intensity": (
+        "JMA intensity of the ground to scale to: a number, or a class such as 6-upper.",
+        "地面の揺れをこの震度に合わせる：計測震度の数値、または6-upperなどの震度階級",
+    ),
+    "pga": ("Peak ground acceleration to scale to [m/s²].", "地面の最大加速度をこの値に合わせる [m/s²]"),
+    "pgv": ("Peak ground velocity to scale to [m/s].", "地面の最大速度をこの値に合わせる [m/s]"),
+    "sa": (
+        "Spectral acceleration to scale to, at 5 % damping: period [s] and value [m/s²], such as 0.3,8.",
+        "減衰5%の加速度応答スペクトルをこの値に合わせる：周期 [s]と値 [m/s²]（例：0.3,8）",
+    ),
+    "mmi": (
+        "Modified Mercalli intensity to scale to.",
+        "地面の揺れをこの改正メルカリ震度に合わせる",
+    ),
+    "earthquake": (
+        (
+            "An earthquake to scale to: magnitude, distance and depth [km], ground [m/s], and where it "
+            "breaks (crustal, interface, intraslab), such as 7,20 or 7,60,50,intraslab."
+        ),
+        (
+            "この地震の揺れの強さに合わせる：マグニチュード、距離 [km]、深さ [km]、地盤のVS30 [m/s]、"
+            "地震の種類（crustal：地殻内、interface：プレート境界、intraslab：スラブ内）。"
+            "例：7,20、7,60,50,intraslab"
+        ),
+    ),
+    "building_option": ("The building around it, such as 10,RC.", "家具のある建物（例：10,RC）"),
+    "storey": ("The storey it stands on; 1 is the ground floor.", "家具のある階（1が地上階）"),
+    "vertical": ("Whether the vertical component acts.", "上下動を作用させるかどうか"),
+    # simulate
+    "example_scenario": (
+        (
+            "A scenario file; - is standard input. "
+            "Default: a bookcase before a wall and a synthetic near-fault motion."
+        ),
+        "シナリオファイル（-は標準入力）。指定しなければ、壁際の本棚と断層近傍の模擬地震動",
+    ),
+    "body": (
+        "A body: width along the shaking [m] x height [m] x mass [kg].",
+        "家具：揺れの方向の寸法 [m] x 高さ [m] x 質量 [kg]",
+    ),
+    "floor": ("A surface, such as 'carpet'.", "床の表面の種類（例：'carpet'）"),
+    "friction": ("Friction of the floor.", "床の摩擦係数（静摩擦、動摩擦）"),
+    "wall": ("Gap to the wall behind (left) [m].", "背後（左）の壁とのすき間 [m]"),
+    "right_wall": ("Gap to a wall in front (right) [m].", "前方（右）の壁とのすき間 [m]"),
+    "near_side_wall": (
+        "Gap to a wall at the near side (-y) [m]; for --dimensions 3.",
+        "手前側（-y）の側壁とのすき間 [m]（--dimensions 3の場合）",
+    ),
+    "far_side_wall": (
+        "Gap to a wall at the far side (+y) [m]; for --dimensions 3.",
+        "奥側（+y）の側壁とのすき間 [m]（--dimensions 3の場合）",
+    ),
+    "contact": ("The contact law.", "接触モデル"),
+    "length": (
+        "Length of the piece across the shaking [m]; for --dimensions 3.",
+        "揺れに直交する方向の家具の長さ [m]（--dimensions 3の場合）",
+    ),
+    "heading": (
+        "Direction in which it faces, from the motion's x towards y [rad].",
+        "家具の向き [rad]（揺れのxからyに向かう角度）",
+    ),
+    "dimensions": (
+        "In the plane of its depth (2), or in space (3).",
+        "奥行き方向の平面の解析（2）、または三次元の解析（3）",
+    ),
+    "measure_in_place": (
+        "A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
+        "取り付ける対策：tension_poleなどの種類、またはファイル内の名前。複数回指定できる",
+    ),
+    "plot_run": ("Plot the histories: .png, .svg or .pdf.", "時刻歴を描く：.png、.svg、.pdf"),
+    "animate": ("Animate the run: .html, .gif or .mp4.", "動きのアニメーションを作る：.html、.gif、.mp4"),
+    "speed": (
+        "Speed of the animation: 0.25 is slow motion.",
+        "アニメーションの再生速度（0.25で4倍のスローモーション）",
+    ),
+    "fps": ("Frames a second of a .gif or .mp4.", ".gifや.mp4の1秒当たりのフレーム数"),
+    # verify
+    "scenario": ("The scenario file; - is standard input.", "シナリオファイル（-は標準入力）"),
+    "report": (
+        "Write a report that needs nothing else: .html.",
+        "それだけで読めるレポートを書き出す：.html",
+    ),
+    "markdown": (
+        "Write the verdict as .md; - prints it.",
+        "判定を.mdに書き出す（-は標準出力）",
+    ),
+    "csv": ("Write the ranking as .csv; - prints it.", "順位を.csvに書き出す（-は標準出力）"),
+    "plan": (
+        "Write what to buy and do in a room: .html, to print.",
+        "部屋の対策計画（買うもの、すること）を印刷用に書き出す：.html",
+    ),
+    "no_drilling": (
+        "With --plan: nothing may be screwed to a wall.",
+        "--planの条件：壁にねじ留めできない",
+    ),
+    "tatami": ("With --plan: the floor is tatami.", "--planの条件：床が畳"),
+    "plasterboard": (
+        "With --plan: the walls have no studs to screw to.",
+        "--planの条件：壁にねじの効く下地（間柱）がない",
+    ),
+    "dropped_ceiling": ("With --plan: the ceiling hangs on wires.", "--planの条件：天井が吊り天井"),
+    "slide_limit": ("Slide that counts as too far [m].", "移動しすぎと見なす移動量 [m]"),
+    "every_run": (
+        "Make also the runs that are counted as standing, being calm under stronger shaking.",
+        "より強い揺れで動きが小さく、転倒なしと見なす計算も省かずに行う",
+    ),
+    # fragility
+    "curves_out": ("Folder for the files; it is made.", "書き出すフォルダー（なければ作る）"),
+    "im": (
+        (
+            "Intensity measure of the curves; SA(0.3): spectral acceleration at 0.3 s; "
+            "PFA, PFV: the floor's peaks."
+        ),
+        "曲線の横軸とする揺れの強さの指標。SA(0.3)は周期0.3 sの加速度応答スペクトル、PFAとPFVは床の最大加速度と最大速度",
+    ),
+    "only_measure": (
+        "Only this measure beside none; may be repeated.",
+        "対策なしと比べる対策をこれに限る。複数回指定できる",
+    ),
+    # study
+    "study_name": (
+        "; ".join(f"{name}: {about}" for name, (about, _) in STUDIES.items()) + ".",
+        "\n".join(f"{name}：{about}" for name, (_, about) in STUDIES.items()),
+    ),
+    "study_out": (
+        "Folder for data, figures and text; it is made.",
+        "データ、図、文章を書き出すフォルダー（なければ作る）",
+    ),
+    "study_motion": (
+        "A record's file, or -, for wall-gap-record, spectrum, tokyo, contents. Default: near-fault.",
+        (
+            "wall-gap-record、spectrum、tokyo、contentsに使う記録のファイル（-は標準入力）。"
+            "指定しなければnear-fault"
+        ),
+    ),
+    # building
+    "storeys": ("Number of storeys.", "階数"),
+    "structure": (
+        "RC, steel, wood or base-isolated.",
+        "構造：RC（鉄筋コンクリート造）、steel（鉄骨造）、wood（木造）、base-isolated（免震構造）",
+    ),
+    "period": (
+        "First natural period [s] (of base-isolated: on fixed ground). Default: by height.",
+        "1次固有周期 [s]（免震構造では基礎固定のときの値）。指定しなければ高さから求める",
+    ),
+    "damping": (
+        "Damping ratio. Default: by structure.",
+        "減衰定数。指定しなければ構造から決める",
+    ),
+    "ground_motion": (
+        "A record's file, - (standard input), near-fault, or sine:A,F[,T]. Default: near-fault.",
+        ("記録のファイル、-（標準入力）、near-fault、sine:A,F[,T]のいずれか。指定しなければnear-fault"),
+    ),
+    "storey_out": (
+        "Storey to write with --out, and to draw the spectrum of; may be repeated.",
+        "--outで書き出す階、スペクトルを描く階。複数回指定できる",
+    ),
+    "linear": ("Do not let the storeys yield.", "各階の降伏を考えない（線形の解析）"),
+    "floor_out": (
+        "Write the floor motion of --storey: .csv; - prints it.",
+        "--storeyの階の床の揺れを書き出す：.csv（-は標準出力）",
+    ),
+    "plot_building": (
+        "Plot peaks over the storeys, and spectra: .png, .svg or .pdf.",
+        "各階の最大値とスペクトルを描く：.png、.svg、.pdf",
+    ),
+    # motion
+    "picture": ("Picture to write: .png, .svg or .pdf.", "書き出す図：.png、.svg、.pdf"),
+    "oscillator_damping": (
+        "Damping ratio of the oscillators, 0 to 0.95.",
+        "応答スペクトルの減衰定数（0～0.95）",
+    ),
+    "spectra_out": (
+        "Write the spectra of all components: .csv; - prints it.",
+        "全成分のスペクトルを書き出す：.csv（-は標準出力）",
+    ),
+    "plot_spectra": (
+        "Plot them, and the Fourier spectra: .png, .svg, .pdf.",
+        "応答スペクトルとフーリエスペクトルを描く：.png、.svg、.pdf",
+    ),
+    "converted": (
+        "File to write: .csv or .at2 (PEER); - prints .csv, or --format.",
+        "書き出すファイル：.csvまたは.at2（PEER）。-は標準出力（.csvか--formatの形式）",
+    ),
+    "only": ("Keep this component alone, as x; for .at2.", "この成分だけをxとして残す（.at2用）"),
+    "step": (
+        "New time step [s], a whole part or multiple of the record's.",
+        "新しい時間刻み [s]。元の記録の整数分の1か整数倍",
+    ),
+    "factor": ("Factor on the motion.", "揺れに掛ける倍率"),
+    "motion_intensity": (
+        "JMA intensity to scale to: a number, or a class such as 6-upper.",
+        "この震度に合わせる：計測震度の数値、または6-upperなどの震度階級",
+    ),
+    "format": ("Format of what is printed.", "標準出力に書き出すときの形式"),
+    "suite_out": (
+        "Folder for the motions, their table and figure; it is made.",
+        "地震動と表、図を書き出すフォルダー（なければ作る）",
+    ),
+    "family": (
+        "mixed, near-fault, crustal, subduction or basin; made, so synthetic.",
+        (
+            "模擬地震動の種類：mixed（いろいろな地震）、near-fault（直下型）、crustal（内陸の地殻内）、"
+            "subduction（海溝型の巨大地震）、basin（平野の長周期地震動）"
+        ),
+    ),
+    "count": ("How many motions to make.", "作る地震動の数"),
+    "seed": (
+        "Seed: the same one gives the same motions.",
+        "乱数のシード（同じ値からは同じ地震動ができる）",
+    ),
+    "records": (
+        "A folder of records to read, in place of making any.",
+        "模擬地震動を作らず、このフォルダーの記録を読み込む",
+    ),
+    "target": (
+        "Target spectrum: japan[:very-rare|rare[,SOIL]], asce7:SDS,SD1[,TL], or a table's file.",
+        ("目標スペクトル：japan[:very-rare|rare[,SOIL]]、asce7:SDS,SD1[,TL]、または表のファイル"),
+    ),
+    "band": ("Periods that the target holds for [s].", "目標スペクトルに合わせる周期の範囲 [s]"),
+    "fit": (
+        (
+            "How to meet the target: scale (one factor a motion), match (every spectrum) or together "
+            "(the median alone, the scatter stays)."
+        ),
+        (
+            "目標への合わせ方：scale（地震動ごとに1つの倍率）、match（それぞれのスペクトルを適合）、"
+            "together（中央値だけを適合し、ばらつきを残す）"
+        ),
+    ),
+    "select": (
+        "Keep the N whose spectra are most like the target.",
+        "スペクトルが目標に最も近いN個を残す",
+    ),
+    "suite_intensity": (
+        "JMA intensity of every motion: a number, or a class such as 6-upper.",
+        "すべての地震動をこの震度に合わせる：計測震度の数値、または6-upperなどの震度階級",
+    ),
+    # assess
+    "inventory": (
+        "The inventory, a row a piece: .csv, .tsv, .xlsx or .parquet; - is a CSV on standard input.",
+        "1行に1点の家具一覧：.csv、.tsv、.xlsx、.parquet（-は標準入力のCSV）",
+    ),
+    "events": (
+        "A scenario, or a folder of them: events or stations.",
+        "シナリオ、またはシナリオのフォルダー（地震や観測点ごと）",
+    ),
+    "assessment_out": (
+        "Folder of the results; the same command goes on in it.",
+        "結果のフォルダー。同じコマンドで続きから再開する",
+    ),
+    "shakemap": (
+        "ShakeMap's grid.xml, or CSV of lat, lon and intensity, sa_0.3, pga[%g], pgv[cm/s] or mmi.",
+        "ShakeMapのgrid.xml、またはlatとlonのほかにintensity、sa_0.3、pga[%g]、pgv[cm/s]、mmiのいずれかの列を持つCSV",
+    ),
+    "field": (
+        "Field of the shake map that counts, such as PGV.",
+        "地震動マップのうち、使う項目（例：PGV）",
+    ),
+    "uncertainty": (
+        "ShakeMap's uncertainty.xml: scatter of the shaking.",
+        "ShakeMapのuncertainty.xml（揺れのばらつき）",
+    ),
+    "columns": (
+        "Which columns of the table are which: width=奥行[mm],ignore=備考; or a TOML or JSON file.",
+        "表の列の対応（例：width=奥行[mm],ignore=備考）、またはそれを書いたTOMLかJSONのファイル",
+    ),
+    "export": (
+        "Results also as csv, geojson and gpkg (for QGIS): csv,gpkg.",
+        "結果をcsv、geojson、gpkg（QGIS用）でも書き出す（例：csv,gpkg）",
+    ),
+    "scheduler": (
+        "A Dask scheduler whose workers simulate: tcp://host:8786.",
+        "計算に使うDaskのスケジューラー（例：tcp://host:8786）",
+    ),
+    "memory": ("Memory to stay below.", "使うメモリの上限"),
+    # app
+    "host": (
+        "Address to bind to; others than loopback let other machines in.",
+        "待ち受けるアドレス。ループバック以外では、ほかのマシンからも接続できる",
+    ),
+    "port": ("Port; 0 takes a free one.", "ポート番号（0なら空いているもの）"),
+    "browser": ("Open the page.", "ブラウザーでページを開くかどうか"),
+}
+"""Texts by their keys: English, Japanese."""
