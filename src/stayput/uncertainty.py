@@ -95,6 +95,14 @@ class Lognormal(Marginal):
         Coefficient of variation: standard deviation over mean, before it is cut.
     low, high : float
         Where it is cut.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stayput as sp
+    >>> friction = sp.Lognormal(median=0.4, cov=0.2, low=0.1)
+    >>> friction.quantile(np.array([0.05, 0.5, 0.95])).round(2).tolist()
+    [0.29, 0.4, 0.55]
     """
 
     median: float
@@ -171,6 +179,19 @@ class Uncertainty:
     marginals : mapping of str to Marginal
         Each quantity by its name. Their order matters: one that is added at the end leaves the draws of the
         others as they are.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stayput as sp
+    >>> unknown = {
+    ...     "room.floor.static_friction": sp.Uniform(0.3, 0.4),
+    ...     "room.floor.kinetic_friction": sp.Uniform(0.2, 0.3),
+    ... }
+    >>> case = sp.Case(sp.Body(width=0.9, height=1.0), sp.Room(), sp.near_fault())
+    >>> slides = sp.simulate_many(case, sp.Uncertainty(unknown).sample(64, seed=1))["peak_slide"]
+    >>> np.quantile(slides, [0.1, 0.5, 0.9]).round(2).tolist()  # m
+    [0.18, 0.21, 0.26]
     """
 
     marginals: Mapping[str, Marginal] = field(default_factory=dict[str, Marginal])

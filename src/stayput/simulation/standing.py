@@ -61,6 +61,21 @@ class Standing:
     ------
     InputError
         A number out of range.
+
+    Examples
+    --------
+    >>> from math import pi, sin
+    >>> import stayput as sp
+    >>> shelf = sp.Solid.box(width=0.4, length=0.9, height=1.8, mass=60.0)
+    >>> turned = sp.Standing(shelf, at=(1.0, 2.0, 0.0), heading=pi / 2)
+    >>> [round(end, 2) for end in turned.along((1.0, 0.0, 0.0))]  # from where to where it reaches along x [m]
+    [0.55, 1.45]
+    >>> still = sp.sine(amplitude=0.0, frequency=1.0, duration=3.0)
+    >>> for tilt in (0.19, 0.24):  # let go on its front edge; atan(0.4/1.8) is 0.219 rad
+    ...     tilted = sp.Standing(shelf, at=(0.0, 0.0, 0.2 * sin(tilt)), tilt=(0.0, tilt, 0.0))
+    ...     print(tilt, *sp.simulate(tilted, sp.Room(), still).outcomes)
+    0.19 rocked
+    0.24 overturned
     """
 
     solid: Solid
