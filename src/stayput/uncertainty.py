@@ -62,9 +62,13 @@ class Normal(Marginal):
 
     Examples
     --------
+    >>> import numpy as np
     >>> import stayput as sp
-    >>> sp.Normal(mean=0.5, deviation=0.1, low=0.0).mean
-    0.5
+    >>> for low in (-np.inf, 0.4):  # not cut, and cut, which moves its middle up
+    ...     filling = sp.Normal(mean=0.5, deviation=0.1, low=low)
+    ...     print(filling.quantile(np.array([0.05, 0.5, 0.95])).round(2))
+    [0.34 0.5  0.66]
+    [0.42 0.52 0.67]
     """
 
     mean: float
@@ -130,9 +134,11 @@ class Uniform(Marginal):
 
     Examples
     --------
+    >>> import numpy as np
     >>> import stayput as sp
-    >>> sp.Uniform(low=0.0, high=0.1, unit="m").high
-    0.1
+    >>> gap = sp.Uniform(low=0.0, high=0.1)  # m
+    >>> gap.quantile(np.array([0.25, 0.5])).tolist()
+    [0.025, 0.05]
     """
 
     low: float
