@@ -52,6 +52,16 @@ class Everyday:
     ------
     InputError
         A value out of range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> chest = sp.Body(width=0.45, height=1.2, mass=50.0)
+    >>> for carpet in (0.0, 0.011):  # by which the back stands higher [m]; below 1 the chest tips over
+    ...     habits = sp.Everyday(drawers=4, drawer_share=0.35, carpet=carpet)
+    ...     print(carpet, round(min(case.margin for case in sp.tip_over(chest, habits)), 2))
+    0.0 1.01
+    0.011 0.88
     """
 
     drawers: int = parameter(

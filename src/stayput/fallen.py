@@ -52,6 +52,17 @@ class Fallen:
     ------
     InputError
         Not a whole number, no pieces, or more that fell than there were.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> stones = sp.Fallen(sp.Body(0.24, 0.62, 95.0), fell=12, total=30, name="gravestones")
+    >>> lanterns = sp.Fallen(sp.Body(0.30, 1.50, 180.0), fell=8, total=9, name="lanterns")
+    >>> for kind in (stones, lanterns):  # the share that fell, and the acceleration that tips one [m/s²]
+    ...     tips, _ = kind.body.overturning_acceleration()
+    ...     print(f"{kind.name}: {kind.fell / kind.total:.0%}, {tips:.1f}")
+    gravestones: 40%, 3.8
+    lanterns: 89%, 2.0
     """
 
     body: Body

@@ -1,4 +1,4 @@
-"""Every public name has an example that runs; what examples import is on the API page."""
+"""Every public name shows an example that runs on its own page; what examples import is on the API page."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import ast
 import doctest
 import json
 import re
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,9 +21,33 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parents[2]
 API = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
-PLACES = {"stayput": stayput, "measures": measures, "studies": studies}
+PLACES = (stayput, measures, studies)
+FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE  # tables of pandas end in blanks
+DICTIONARIES = {"CONTENTS", "SURFACES", "MEASURES"}
+"""Public dictionaries: they have no page of their own; their content stands in tables of other pages."""
+
+
+def on_pages() -> set[tuple[str, str]]:
+    """Return the module and the name of each page that the API page asks for."""
+    found, module = set[tuple[str, str]](), ""
+    for line in API.splitlines():
+        if line.startswith(".. currentmodule:: "):
+            module = line.rpartition(" ")[2]
+        elif re.fullmatch(r"   \w+", line):
+            found.add((module, line.strip()))
+    return found
+
+
+PAGES = on_pages()
 PUBLIC = {
-    f"{place}.{name}": getattr(module, name) for place, module in PLACES.items() for name in module.__all__
+    name: thing
+    for thing, name in {  # each once, though some are in two modules
+        getattr(import_module(module), name): f"{module.removeprefix('stayput.')}.{name}"
+        for module, name in sorted(
+            PAGES | {(place.__name__, name) for place in PLACES for name in place.__all__}
+        )
+        if name not in DICTIONARIES
+    }.items()
 }
 
 
@@ -40,60 +65,53 @@ def shown() -> list[str]:
     return [*readme, *programs, *pages, *cells_of_the_tutorial()]
 
 
-def used_and_imported() -> tuple[set[str], set[tuple[str, str]]]:
-    """Return the names that are used as attributes or imported, and the imports from the package."""
-    used, imported = set[str](), set[tuple[str, str]]()
-    for source in shown():
-        for node in ast.walk(ast.parse(source)):
-            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-                if node.value.id in {"sp", "stayput", "studies"}:
-                    used.add(node.attr)
-            elif isinstance(node, ast.ImportFrom) and (node.module or "").partition(".")[0] == "stayput":
-                imported |= {(node.module or "", alias.name) for alias in node.names}
-    return used, imported
-
-
-USED, IMPORTED = used_and_imported()
+def imports() -> set[tuple[str, str]]:
+    """Return the modules and names that readers are shown to import from the package."""
+    return {
+        (node.module, alias.name)
+        for source in shown()
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.ImportFrom) and node.module and node.module.partition(".")[0] == "stayput"
+        for alias in node.names
+    }
 
 
 def examples_of(thing: Any, name: str) -> list[doctest.DocTest]:
-    """Return the doctests of an object and of its own methods."""
-    finder = doctest.DocTestFinder(exclude_empty=True)
-    if not callable(thing):
-        return []
-    return [test for test in finder.find(thing, name) if test.examples]
+    """Return the doctests of an object, its own first, and of its own methods."""
+    tests = doctest.DocTestFinder(exclude_empty=True).find(thing, name)
+    return sorted((test for test in tests if test.examples), key=lambda test: test.name != name)
 
 
 @pytest.mark.parametrize("name", sorted(PUBLIC))
-def test_a_public_name_has_an_example_that_runs(name: str, tmp_path: Path, monkeypatch: Any) -> None:
+def test_a_public_name_shows_an_example_that_runs(name: str, tmp_path: Path, monkeypatch: Any) -> None:
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     monkeypatch.chdir(tmp_path)
     found = examples_of(PUBLIC[name], name)
-    short = name.partition(".")[2]
-    if short in DICTIONARIES:  # what is in them stands in tables of the pages
-        return
-    assert found or short in USED | {imported for _, imported in IMPORTED}, f"{name} has no example"
+    assert found, f"{name} has no example"
+    assert found[0].name == name, f"{name} has examples of its methods only"
+    assert "\n    Examples\n    --------\n" in PUBLIC[name].__doc__
     for test in found:
         told: list[str] = []
-        failed, _ = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=told.append)
+        failed, _ = doctest.DocTestRunner(optionflags=FLAGS).run(test, out=told.append)
         assert not failed, "".join(told)
 
 
-DICTIONARIES = {"CONTENTS", "SURFACES", "MEASURES"}
+def test_no_two_names_show_the_same_example() -> None:
+    sources: dict[str, str] = {}
+    for name, thing in PUBLIC.items():
+        for test in examples_of(thing, name)[:1]:
+            source = "".join(example.source for example in test.examples)
+            assert source not in sources, f"{name} shows the example of {sources[source]}"
+            sources[source] = name
 
 
 def listed() -> set[str]:
     """Return the names of the API page, with their modules."""
-    found, module = set[str](), ""
-    for line in API.splitlines():
-        if line.startswith(".. currentmodule:: "):
-            module = line.rpartition(" ")[2]
-        elif re.fullmatch(r"   \w+", line):
-            found.add(f"{module}.{line.strip()}")
-    return found | {f"stayput.{name}" for name in re.findall(r"``(\w+)``", API)}
+    pages = {f"{module}.{name}" for module, name in PAGES}
+    return pages | {f"stayput.{name}" for name in re.findall(r"``(\w+)``", API)}
 
 
-@pytest.mark.parametrize(("module", "name"), sorted(IMPORTED))
+@pytest.mark.parametrize(("module", "name"), sorted(imports()))
 def test_what_examples_import_is_on_the_api_page(module: str, name: str) -> None:
     known = listed()
     assert (module, name) == ("stayput", "studies") or {f"{module}.{name}", f"stayput.{name}"} & known

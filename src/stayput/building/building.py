@@ -113,6 +113,15 @@ class Building:
     ------
     InputError
         An unknown structure, or a value out of range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> tower = sp.Building(storeys=10, structure="RC")
+    >>> round(tower.fixed_period, 2)  # s
+    0.6
+    >>> [round(tower.floor_motion(sp.near_fault(), storey).pga, 1) for storey in (1, 5, 10)]  # m/s²
+    [7.3, 7.5, 10.7]
     """
 
     storeys: int = parameter(

@@ -39,6 +39,15 @@ class IntensityMeasure:
         Period of a spectral acceleration [s]; none of another measure.
     source : Phrase
         By whom a measure is got from others.
+
+    Examples
+    --------
+    >>> from stayput.fragility import PGV, IntensityMeasure
+    >>> PGV.labels[0], PGV.text(0.413)  # values are SI
+    ('Peak ground velocity [cm/s]', '41.3 cm/s')
+    >>> rotation = IntensityMeasure("PGR", ("peak ground rotation", "地面の最大回転"), "mrad", 1000.0)
+    >>> rotation.text(0.0021)
+    '2.1 mrad'
     """
 
     key: str

@@ -54,6 +54,17 @@ class Difference:
         Pairs of which neither run was given up.
     missing : int
         Pairs of which a run was given up; they do not count.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from stayput.fragility import difference
+    >>> falls = np.arange(200).reshape(20, 10) % 4 == 0  # 20 motions, 10 samples each
+    >>> gain = difference(falls & (np.arange(10) < 5), falls)  # with a device, and without
+    >>> gain.fewer, gain.more, gain.clear
+    (20, 0, True)
+    >>> [round(end, 2) for end in (gain.low, gain.estimate, gain.high)]
+    [-0.15, -0.1, -0.07]
     """
 
     estimate: float

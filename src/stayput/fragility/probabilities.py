@@ -56,6 +56,17 @@ class Probability:
         Runs that were given up.
     design_effect : float
         Runs over independent runs that would tell as much.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from stayput.fragility import probability
+    >>> apart = probability(np.arange(40).reshape(4, 10) % 4 == 0)  # 10 of 40 fell, spread over 4 motions
+    >>> alike = probability(np.arange(40).reshape(4, 10) < 10)  # 10 of 40, all under one of them
+    >>> apart.text, alike.text
+    ('25 % (12 to 45 %)', '25 % (3 to 78 %)')
+    >>> alike.fell, alike.runs, round(alike.half_width / apart.half_width, 1)
+    (10, 40, 2.3)
     """
 
     estimate: float

@@ -35,6 +35,17 @@ class Trials:
         Motion of each cell, since the runs of a motion are alike; None where all runs are independent.
     missing : int
         Runs that were given up; they are in no cell.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stayput as sp
+    >>> from stayput.fragility import PGA
+    >>> fell = np.zeros((2, 3, 10), dtype=bool)  # at 2 levels, under 3 motions, 10 samples each
+    >>> fell[1, 0], fell[1, 1, :4] = True, True
+    >>> trials = sp.Trials.from_runs(PGA, [3.0, 6.0], fell)
+    >>> trials, trials.motions
+    (Trials(PGA, 6 cells, 14 of 60 fell), 3)
     """
 
     measure: IntensityMeasure

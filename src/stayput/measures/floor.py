@@ -91,11 +91,13 @@ class AntiSlipSheet(OtherFriction):
 
     Examples
     --------
-    >>> from stayput.measures import AntiSlipSheet, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [AntiSlipSheet()])
-    >>> held.room.floor.static_friction
-    0.8
+    >>> from stayput.measures import AntiSlipSheet
+    >>> for measures in ([], [AntiSlipSheet()]):  # it slides no more, and rocks the more
+    ...     run = sp.simulate(sp.Body(0.6, 1.8), sp.Room(), sp.near_fault(), measures)
+    ...     print(f"{100 * run.peak_slide:.0f} cm, {run.peak_tilt:.2f} rad")
+    17 cm, 0.13 rad
+    0 cm, 0.18 rad
     """
 
     kind: ClassVar[str] = "anti_slip_sheet"
@@ -131,11 +133,13 @@ class FeltGlides(Glides):
 
     Examples
     --------
-    >>> from stayput.measures import FeltGlides, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [FeltGlides()])
-    >>> held.room.floor.static_friction
-    0.2
+    >>> from stayput.measures import FeltGlides
+    >>> for width in (0.3, 0.4):  # m: it slides where width over height is above the friction
+    ...     run = sp.simulate(sp.Body(width, 1.8), sp.Room(), sp.near_fault(), [FeltGlides()])
+    ...     print(f"{width / 1.8:.2f} against {run.room.floor.static_friction}: {run.outcome}")
+    0.17 against 0.2: overturned
+    0.22 against 0.2: slid
     """
 
     kind: ClassVar[str] = "felt_glides"
@@ -158,11 +162,12 @@ class SlidingGlides(Glides):
 
     Examples
     --------
-    >>> from stayput.measures import SlidingGlides, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [SlidingGlides()])
-    >>> held.room.floor.static_friction
-    0.12
+    >>> from stayput.measures import SlidingGlides
+    >>> slender = sp.Body(width=0.3, height=1.8)
+    >>> run = sp.simulate(slender, sp.Room(), sp.near_fault(), [SlidingGlides()])
+    >>> print(f"{run.outcome}, {100 * run.peak_slide:.0f} cm: so much room it needs")
+    slid, 36 cm: so much room it needs
     """
 
     kind: ClassVar[str] = "sliding_glides"
@@ -188,11 +193,13 @@ class FreeCasters(OtherFriction):
 
     Examples
     --------
-    >>> from stayput.measures import FreeCasters, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [FreeCasters()])
-    >>> held.room.floor.static_friction
-    0.03
+    >>> from stayput.measures import FreeCasters
+    >>> room = sp.Room(left_wall=sp.Wall(0.1), right_wall=sp.Wall(0.3))
+    >>> run = sp.simulate(sp.Body(0.6, 1.2), room, sp.near_fault(), [FreeCasters()])
+    >>> hits = [event for event in run.events if event.kind is sp.EventKind.WALL_IMPACT]
+    >>> [(round(hit.time, 1), round(hit.slide, 1)) for hit in hits]  # it rolls from wall to wall [s, m]
+    [(7.0, -0.1), (7.4, 0.3), (7.8, -0.1)]
     """
 
     kind: ClassVar[str] = "free_casters"
@@ -215,11 +222,13 @@ class LockedCasters(OtherFriction):
 
     Examples
     --------
-    >>> from stayput.measures import LockedCasters, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LockedCasters()])
-    >>> held.room.floor.static_friction
-    0.4
+    >>> from stayput.measures import FreeCasters, LockedCasters
+    >>> for casters in (FreeCasters(), LockedCasters()):
+    ...     run = sp.simulate(sp.Body(0.7, 1.2), sp.Room(), sp.near_fault(), [casters])
+    ...     print(f"{casters.label[0]}: {run.outcome}, {100 * run.peak_slide:.0f} cm")
+    Casters, free: slid, 43 cm
+    Casters, locked: slid, 9 cm
     """
 
     kind: ClassVar[str] = "locked_casters"

@@ -31,6 +31,18 @@ class GelMats(Measure):
     Each edge is held by a spring that only pulls, and one that shears either way; both tear off for good
     where (pull/strength)² + (shear/strength)² = 1. The floor's friction stays what it is: the bond adds to
     it, and what is torn leaves it. Their area is what the label asks for the piece's mass, unless given.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import GelMats
+    >>> for mass in (60.0, 240.0):  # kg; each of four mats is as large as the label asks
+    ...     print(mass, f"{1e4 * GelMats().fitted_to(sp.Body(0.4, 1.8, mass)).area:.0f} cm²")
+    60.0 15 cm²
+    240.0 60 cm²
+    >>> run = sp.simulate(sp.Body(0.4, 1.8, 60.0), sp.Room(), sp.near_fault(), [GelMats()])
+    >>> [(device.place, device.cause, round(device.failure_time, 1)) for device in run.devices]  # s
+    [('back', 'pulled off', 6.6), ('front', 'pulled off', 6.7)]
     """
 
     kind: ClassVar[str] = "gel_mats"

@@ -41,11 +41,13 @@ class Held:
 
     Examples
     --------
-    >>> from stayput.measures import LBracket, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
-    >>> len(held.measures), len(held.elements)
-    (1, 1)
+    >>> from stayput.measures import LBracket, LowerShelves, hold
+    >>> held = hold(sp.Body(0.4, 1.8), sp.Room(left_wall=sp.Wall(0.05)), [LBracket(), LowerShelves()])
+    >>> [round(place, 2) for place in held.body.centre_of_gravity]  # [m], of 0.9 m without the latter
+    [0.0, 0.72]
+    >>> [element.kind for element in held.elements]
+    ['l_bracket']
     """
 
     body: Body
@@ -78,8 +80,9 @@ class BadlyInstalled:
     --------
     >>> import stayput as sp
     >>> from stayput.measures import Belt
-    >>> Belt().badly_installed(sp.Room(left_wall=sp.Wall(0.02))).share
-    0.23
+    >>> bad = Belt().badly_installed(sp.Room(left_wall=sp.Wall(0.02)))
+    >>> print(f"{bad.share:.0%}: {bad.how[0]}, by {100 * bad.measure.slack:.0f} cm")
+    23%: hangs loose, by 6 cm
     """
 
     measure: Measure
@@ -101,9 +104,10 @@ class Measure(ABC):
     Examples
     --------
     >>> import stayput as sp
-    >>> from stayput.measures import Belt
-    >>> isinstance(Belt(), sp.Measure), Belt().label
-    (True, ('Belts', 'ベルト式'))
+    >>> [kind for kind, measure in sp.MEASURES.items() if measure.acts_on == "the body"]
+    ['ballast', 'lower_shelves']
+    >>> sp.MEASURES["belt"].label
+    ('Belts', 'ベルト式')
     """
 
     kind: ClassVar[str]
@@ -196,10 +200,12 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
     Examples
     --------
     >>> import stayput as sp
-    >>> from stayput.measures import LBracket
-    >>> held = sp.hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
-    >>> [element.kind for element in held.elements]
-    ['l_bracket']
+    >>> from stayput.measures import AntiSlipSheet, GelMats
+    >>> try:
+    ...     sp.hold(sp.Body(0.4, 1.8), sp.Room(), [GelMats(), AntiSlipSheet()])
+    ... except sp.InputError as error:
+    ...     print(str(error).partition(";")[0])
+    Adhesive gel mats and Anti-slip sheet are given together, both under the base
     """
     instance_of("body", body, Body)
     instance_of("room", room, Room)
@@ -222,12 +228,13 @@ def element_rows(held: Held, strength: float | Sequence[float] = 1.0) -> NDArray
 
     Examples
     --------
-    >>> from stayput.measures import LBracket, hold
     >>> import stayput as sp
+    >>> from stayput.measures import LBracket, element_rows, hold
     >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
-    >>> from stayput.measures import element_rows
-    >>> len(element_rows(held)) == len(held.elements)
-    True
+    >>> for strength in (1.0, 0.5):  # most pull and shear over the mass of the body [m/s²]
+    ...     print(element_rows(held, strength)["limit_plus"].round(1))
+    [[32.6 44.1]]
+    [[16.3 22. ]]
     """
     return rows_of(held.body, held.elements, strength)
 

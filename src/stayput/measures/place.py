@@ -41,11 +41,13 @@ class AgainstWall(OtherGap):
 
     Examples
     --------
-    >>> from stayput.measures import AgainstWall, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [AgainstWall()])
-    >>> held.room.left_wall.gap
-    0.0
+    >>> from stayput.measures import AgainstWall
+    >>> body, room = sp.Body(0.4, 1.8, 60.0), sp.Room(left_wall=sp.Wall(0.2))
+    >>> for measures in ([], [AgainstWall()]):  # it has no room to fall back, nor to swing
+    ...     print(sp.simulate(body, room, sp.near_fault(), measures).outcome)
+    overturned
+    rocked
     """
 
     kind: ClassVar[str] = "against_wall"
@@ -67,11 +69,14 @@ class AwayFromWall(OtherGap):
 
     Examples
     --------
-    >>> from stayput.measures import AwayFromWall, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [AwayFromWall()])
-    >>> held.room.left_wall.gap
-    0.3
+    >>> from stayput.measures import AwayFromWall
+    >>> chest, room = sp.Body(0.6, 1.2, 60.0), sp.Room(left_wall=sp.Wall(0.02))
+    >>> for measures in ([], [AwayFromWall()]):
+    ...     run = sp.simulate(chest, room, sp.near_fault(), measures)
+    ...     print(f"{run.room.left_wall.gap} m: {run.outcome}, {run.wall_impacts} hits on the wall")
+    0.02 m: slid, 4 hits on the wall
+    0.3 m: slid, 0 hits on the wall
     """
 
     kind: ClassVar[str] = "away_from_wall"

@@ -42,6 +42,17 @@ class TensionPole(Measure):
     out for good once they push no more. Sideways a strut of length L on flat pads of width w bears no more
     than its push times w/L before it leans, or than friction, if that is less; it falls once its head has
     walked by w.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import TensionPole, hold
+    >>> for construction in ("joist", "plasterboard"):  # two poles bear what the ceiling does
+    ...     room = sp.Room(ceiling=sp.Ceiling(2.4, construction=construction))
+    ...     push = hold(sp.Body(0.4, 1.8, 60.0), room, [TensionPole()]).elements[0].normal
+    ...     print(f"{push.limit_minus:.0f} N, then {push.weakest[0]}")
+    1000 N, then the ceiling's joists lift
+    554 N, then the pole goes through the ceiling's plasterboard
     """
 
     kind: ClassVar[str] = "tension_pole"

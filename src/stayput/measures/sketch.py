@@ -47,12 +47,14 @@ class Shape:
 
     Examples
     --------
-    >>> from stayput.measures import LBracket, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
-    >>> from stayput.measures import sketch
-    >>> sketch(held)[0].kind
-    'line'
+    >>> from stayput.measures import Chain, hold, sketch
+    >>> held = hold(sp.Body(0.4, 1.8), sp.Room(left_wall=sp.Wall(0.05)), [Chain()])
+    >>> for shape in sketch(held):
+    ...     print(shape.kind, shape.role, shape.when)
+    line tie whole
+    line tie broken
+    line tie broken
     """
 
     kind: Literal["line", "polygon"]
@@ -208,12 +210,13 @@ def sketch(held: Held) -> list[Shape]:
 
     Examples
     --------
-    >>> from stayput.measures import LBracket, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
-    >>> from stayput.measures import sketch
-    >>> len(sketch(held)) > 0
-    True
+    >>> from stayput.measures import WedgeStopper, hold, sketch
+    >>> wedge, = sketch(hold(sp.Body(0.4, 1.8), sp.Room(), [WedgeStopper()]))
+    >>> wedge.kind, wedge.role
+    ('polygon', 'rubber')
+    >>> [(frame, round(x, 2), round(z, 3)) for frame, x, z in wedge.points[:3]]  # m
+    [('body', 0.05, -0.004), ('body', 0.23, -0.007), ('body', 0.23, 0.018)]
     """
     drawn = [shape for measure in held.measures for shape in _of_measure(measure, held.body)]
     for n, element in enumerate(held.elements):
@@ -243,12 +246,15 @@ def shapes(held: Held, x: float, z: float, tilt: float, broken: Iterable[int] = 
 
     Examples
     --------
-    >>> from stayput.measures import LBracket, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket()])
-    >>> from stayput.measures import shapes
-    >>> sorted(shapes(held, x=0.0, z=0.9, tilt=0.0)[0])
-    ['broken', 'kind', 'points', 'role']
+    >>> from stayput.measures import Ballast, hold, shapes
+    >>> held = hold(sp.Body(0.4, 1.8, 60.0), sp.Room(), [Ballast()])
+    >>> x, z = held.body.centre_of_gravity
+    >>> for tilt in (0.0, 0.1):  # the lower left and right corner of the ballast, as the body turns [m]
+    ...     points = shapes(held, x, z, tilt)[0]["points"]
+    ...     print([(round(right, 2), round(up, 2)) for right, up in points[:2]])
+    [(-0.18, 0.06), (0.18, 0.06)]
+    [(-0.24, 0.08), (0.12, 0.05)]
     """
     gone = set(broken)
     x_g, z_g = held.body.centre_of_gravity

@@ -90,7 +90,19 @@ def _left(body: Body) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Belt(Tie):
-    """Belts from the top of the piece to the wall."""
+    """Belts from the top of the piece to the wall.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import Belt
+    >>> bookcase, room = sp.Body(0.4, 1.8, 60.0), sp.Room(left_wall=sp.Wall(0.05))
+    >>> for slack in (0.0, 0.03):  # m; the looser, the harder the jerk
+    ...     device = sp.simulate(bookcase, room, sp.near_fault(), [Belt(slack=slack)]).devices[0]
+    ...     print(f"{slack}: {device.peak_pull:.0f} N, {device.utilisation:.0%} of its strength")
+    0.0: 1077 N, 54% of its strength
+    0.03: 1235 N, 62% of its strength
+    """
 
     kind: ClassVar[str] = "belt"
     label: ClassVar[tuple[str, str]] = ("Belts", "ベルト式")
@@ -116,11 +128,13 @@ class Chain(Tie):
 
     Examples
     --------
-    >>> from stayput.measures import Chain, hold
     >>> import stayput as sp
-    >>> held = hold(sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05)), [Chain()])
-    >>> [element.kind for element in held.elements]
-    ['chain']
+    >>> from stayput.measures import Belt, Chain, hold
+    >>> body, room = sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05))
+    >>> for tie in (Chain(), Belt()):  # how far it gives before it pulls: a chain hangs more loosely
+    ...     print(f"{tie.kind}: {1000 * hold(body, room, [tie]).elements[0].normal.slack_plus:.0f} mm")
+    chain: 20 mm
+    belt: 10 mm
     """
 
     kind: ClassVar[str] = "chain"

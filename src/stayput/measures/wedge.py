@@ -24,6 +24,18 @@ class WedgeStopper(Measure):
     The front corner of the base is lower by the thickness, so the body rests tilted back; that corner has the
     rubber's friction, and the other one the floor's. The base stays where it is: before a near wall the
     stopper goes in no farther than until the top touches the wall.
+
+    Examples
+    --------
+    >>> from math import degrees
+    >>> import stayput as sp
+    >>> from stayput.measures import WedgeStopper, hold
+    >>> body = sp.Body(0.4, 1.8, 60.0)
+    >>> leaning = hold(body, sp.Room(left_wall=sp.Wall(0.1)), [WedgeStopper()]).body
+    >>> round(degrees(leaning.resting_tilt), 1)  # back, to the wall
+    -1.0
+    >>> [round(one.overturning_acceleration()[1], 2) for one in (body, leaning)]  # to tip forward [m/s²]
+    [2.18, 2.34]
     """
 
     kind: ClassVar[str] = "wedge_stopper"

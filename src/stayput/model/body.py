@@ -99,6 +99,15 @@ class Body:
     ------
     InputError
         A size, mass, inertia or offset that is not finite or not possible.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> bookcase = sp.Body(width=0.3, height=1.8, mass=90.0, cg_offset=(0.03, -0.2))  # heavy in front
+    >>> bookcase.centre_of_gravity  # from the middle of the base [m]
+    (0.03, 0.7)
+    >>> [round(a, 2) for a in bookcase.overturning_acceleration()]  # that tips it back and forward [m/s²]
+    [2.52, 1.68]
     """
 
     width: float = field(

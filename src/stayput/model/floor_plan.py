@@ -101,8 +101,11 @@ class Door:
     Examples
     --------
     >>> import stayput as sp
-    >>> sp.Door("right_wall", start=0.2, width=0.8).way_out
-    True
+    >>> try:
+    ...     sp.FloorPlan(3.6, 2.7, [sp.Door("right_wall", start=2.2, width=0.8)])
+    ... except sp.InputError as error:
+    ...     print(error)
+    The opening ends at 3 m along its wall; it must be at most 2.7 m, where the wall ends.
     """
 
     wall: str
@@ -189,10 +192,13 @@ class PersonPlace:
 
     Examples
     --------
+    >>> from math import pi
     >>> import stayput as sp
-    >>> bed = sp.PersonPlace.of("bed", at=(0.6, 1.2))
-    >>> bed.low, bed.high
+    >>> bed = sp.PersonPlace.of("bed", at=(1.4, 1.9), heading=pi / 2)
+    >>> bed.low, bed.high  # between which heights somebody lies [m]
     (0.45, 0.75)
+    >>> bed.corners.round(2).tolist()  # m
+    [[2.4, 1.4], [2.4, 2.4], [0.4, 2.4], [0.4, 1.4]]
     """
 
     name: str
@@ -264,9 +270,11 @@ class FloorPlan:
 
     Examples
     --------
-    >>> plan = FloorPlan(3.6, 2.7, [Door("right_wall", 0.2, 0.8)], places=[PersonPlace.of("bed", (0.6, 1.2))])
-    >>> plan.places[0].high
-    0.75
+    >>> import stayput as sp
+    >>> plan = sp.FloorPlan(width=3.6, length=2.7, doors=[sp.Door("right_wall", 0.2, 0.8)])
+    >>> free = plan.distances([0.5, 0.5], [1.0, 1.5])  # of a piece from (0.5, 0.5) to (1.0, 1.5) [m]
+    >>> {wall: round(distance, 2) for wall, distance in free.items()}
+    {'left_wall': 0.5, 'right_wall': 2.6, 'near_side_wall': 0.5, 'far_side_wall': 1.2}
     """
 
     width: float = field(metadata=quantity("m", *ROOM_SIZE, ("room width", "部屋の幅（x方向）")))

@@ -79,6 +79,17 @@ class Floor:
     ------
     InputError
         A coefficient out of its range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> box, shaking = sp.Body(width=0.5, height=1.0), sp.near_fault().scaled(0.6)
+    >>> for floor in (sp.Floor.of("PTFE glide"), sp.Floor.of("vinyl"), sp.Floor(0.5, 0.4)):
+    ...     slide = sp.simulate(box, sp.Room(floor), shaking).peak_slide
+    ...     print(f"friction {floor.static_friction}, {floor.kinetic_friction}: {100 * slide:.0f} cm")
+    friction 0.12, 0.1: 18 cm
+    friction 0.35, 0.28: 3 cm
+    friction 0.5, 0.4: 0 cm
     """
 
     static_friction: float = _friction(0.4, "", "static")
@@ -228,6 +239,15 @@ class Wall:
         Coefficient of friction of a corner on the wall, static and kinetic alike.
     construction : str
         What devices are fixed to, of `WALLS`; it changes nothing else.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> body, shaking = sp.Body(width=0.4, height=1.8), sp.near_fault()
+    >>> for gap in (0.05, 0.2):  # m: near enough to stop it on its way, or too far
+    ...     print(gap, sp.simulate(body, sp.Room(left_wall=sp.Wall(gap)), shaking).outcome)
+    0.05 rocked
+    0.2 overturned
     """
 
     gap: float = field(
@@ -262,6 +282,16 @@ class Ceiling:
         As for `Wall`.
     construction : str
         What poles push against, of `CEILINGS`; it changes nothing else.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> wardrobe = sp.Body(width=0.6, height=2.35)  # 2.43 m across: it jams below the ceiling
+    >>> strong = sp.near_fault().component("x").scaled(2.2)
+    >>> for ceiling in (None, sp.Ceiling(height=2.4)):
+    ...     print(sp.simulate(wardrobe, sp.Room(sp.Floor(1.0, 1.0), ceiling=ceiling), strong).outcome)
+    overturned
+    rocked
     """
 
     height: float = field(
@@ -293,6 +323,17 @@ class Room:
     A body hits ``right_wall`` when it tilts or slides to +x; its back faces ``left_wall``. Beside it, at
     either end of its length, are ``near_side_wall`` at −y and ``far_side_wall`` at +y: with x to the right
     and z up, one looks at it from the near side. Only in space can a room have side walls.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> body, shaking = sp.Body(width=0.4, height=2.3), sp.near_fault().component("x")
+    >>> for clear in (0.2, 0.8, 3.0):  # from the piece, its back to a wall, to the wall opposite [m]
+    ...     room = sp.Room(left_wall=sp.Wall(gap=0.0), right_wall=sp.Wall(gap=clear))
+    ...     print(clear, sp.simulate(body, room, shaking).outcome)
+    0.2 rocked
+    0.8 leaning
+    3.0 overturned
     """
 
     floor: Floor = Floor()

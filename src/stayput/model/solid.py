@@ -117,6 +117,14 @@ class Solid:
     InputError
         Numbers that are not finite or not sane, points in a plane, too many corners, G outside, or a tensor
         that no body has.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> base = [(x, y, 0.0) for x in (-0.2, 0.2) for y in (-0.3, 0.3)]
+    >>> wedge = sp.Solid([*base, (-0.2, -0.3, 1.2), (-0.2, 0.3, 1.2)], mass=30.0)  # m, kg
+    >>> [round(place, 3) + 0.0 for place in wedge.centre_of_gravity.tolist()]  # m
+    [-0.067, 0.0, 0.4]
     """
 
     vertices: NDArray[np.float64]

@@ -32,6 +32,15 @@ class State:
     ------
     InputError
         A value that is not finite, or a tilt of 90° and more.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> still = sp.sine(amplitude=0.0, frequency=1.0, duration=6.0)
+    >>> room = sp.Room(sp.Floor(2.0, 2.0))
+    >>> run = sp.simulate(sp.Body(0.6, 1.8), room, still, initial=sp.State(tilt=0.2))  # let go
+    >>> [round(event.time, 2) for event in run.events[:5]]  # it lands ever sooner [s]
+    [0.59, 1.35, 1.94, 2.41, 2.79]
     """
 
     tilt: float = parameter(0.0, "rad", -1.57, 1.57, ("Initial tilt", "初期の傾き"), "Tilt, + right.")

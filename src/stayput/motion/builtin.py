@@ -83,6 +83,18 @@ def near_fault() -> Motion:
     -------
     Motion
         30 s at 0.01 s; velocity and displacement end at zero.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> motion = sp.near_fault()
+    >>> for name, peaks in motion.peaks().items():
+    ...     print(f"{name}: {peaks.pga:.1f} m/s², {100 * peaks.pgv:.0f} cm/s, {100 * peaks.pgd:.0f} cm")
+    x: 7.3 m/s², 89 cm/s, 15 cm
+    y: 5.5 m/s², 63 cm/s, 15 cm
+    z: 3.8 m/s², 26 cm/s, 5 cm
+    >>> round(motion.intensity, 1)  # JMA's
+    6.3
     """
     t = _DT * np.arange(_SAMPLES, dtype=np.float64)
     draw = random.Random(_SEED)

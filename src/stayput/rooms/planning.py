@@ -110,6 +110,21 @@ def action_plan(
     InputError
         A decided change of something that is not in the room, or is moved twice; a move to where it cannot
         stand; a measure that cannot be put in place.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> scenario = sp.RoomScenario.parse({
+    ...     "plan": {"width": 2.4, "length": 2.0},
+    ...     "furniture": [{"name": "shelf", "preset": "bookcase", "against": "left_wall", "along": 1.0}],
+    ...     "places": [{"kind": "desk", "at": [1.3, 1.0]}],
+    ...     "shaking": {"intensity": "6-lower", "suite": {"family": "near-fault", "count": 3}},
+    ...     "uncertainty": {"samples": 3},
+    ... })
+    >>> verdict = sp.verify_room(scenario, changes=False, progress=False)
+    >>> plan = sp.action_plan(verdict, progress=False)
+    >>> [(step.what, step.fix.kinds) for step in plan.steps]
+    [('shelf', ('l_bracket',))]
     """
     began = time.perf_counter()
     asked = instance_of("verdict", verdict, RoomVerdict)

@@ -83,6 +83,20 @@ def verify_room(
     ------
     InputError
         A piece that stands in a wall, in another or where a person is; a record that cannot be read.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> scenario = sp.RoomScenario.parse({
+    ...     "plan": {"width": 3.0, "length": 2.5},
+    ...     "furniture": [{"name": "shelf", "preset": "bookcase", "against": "left_wall", "along": 1.2}],
+    ...     "places": [{"kind": "bed", "at": [1.4, 1.2], "heading": 1.5708}],
+    ...     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 8}},
+    ...     "uncertainty": {"samples": 8},
+    ... })
+    >>> verdict = sp.verify_room(scenario, changes=False, progress=False)
+    >>> verdict.hit.text, verdict.hit.runs
+    ('63 % (27 to 88 %)', 8)
     """
     began = time.perf_counter()
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")

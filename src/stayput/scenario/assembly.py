@@ -57,8 +57,8 @@ class AssemblyScenario(FromFile):
     --------
     >>> import stayput as sp
     >>> scenario = sp.read_assembly("examples/television.toml")
-    >>> isinstance(scenario, sp.AssemblyScenario), scenario.title
-    (True, 'Television on a stand')
+    >>> print(scenario.title, *zip(scenario.names, map(str, scenario.run().outcomes)))
+    Television on a stand ('stand', 'rocked') ('television', 'fell off')
     """
 
     title: Text | None = Field(default=None, description="What the scenario is about.")

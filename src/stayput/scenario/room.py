@@ -238,6 +238,16 @@ def read_room(path: str | PathLike[str]) -> RoomScenario:
     ------
     InputError
         The file cannot be read, is not TOML, or says something that is not allowed.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> scenario = sp.read_room("examples/bedroom.toml")
+    >>> plan = scenario.floor_plan()
+    >>> plan.width, plan.length, [place.name for place in plan.places]  # m
+    (3.6, 2.7, ['bed'])
+    >>> {piece.name: piece.against for piece in scenario.furniture}
+    {'bookcase': 'left_wall', 'wardrobe': 'far_side_wall', 'chest': 'near_side_wall'}
     """
     file = Path(path)
     try:

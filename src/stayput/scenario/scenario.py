@@ -46,6 +46,16 @@ class Scenario(FromFile):
     """What stands where, and how it is shaken: the content of a scenario file.
 
     Make one with `read_scenario` or `Scenario.parse`; both refuse what is wrong with one sentence.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> tables = {"furniture": {"preset": "bookcase"}, "room": {"back_wall": {"gap": 0.02}}}
+    >>> for scale in (0.2, 1.0):
+    ...     shaking = {"builtin": "near-fault", "scale": scale}
+    ...     print(scale, sp.Scenario.parse({**tables, "shaking": shaking}).case().run().outcome)
+    0.2 rested
+    1.0 overturned
     """
 
     title: Text | None = Field(default=None, description="What the scenario is about.")
@@ -299,6 +309,18 @@ def read_scenario(path: str | Path) -> Scenario:
     ------
     InputError
         The file cannot be read, is not TOML, or says something that is not allowed.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> scenario = sp.read_scenario("examples/verify.toml")
+    >>> for option in scenario.measures:
+    ...     run = scenario.case(option.measures).run()
+    ...     print(f"{option.name}: {run.outcome}")
+    felt_glides: overturned
+    belt: rocked
+    l_bracket: rocked
+    stopper and poles: rocked
     """
     instance_of("path", path, (str, PathLike))
     file = Path(path)

@@ -94,6 +94,16 @@ def trace_boundary(
     ------
     InputError
         As for `overturning_map`, or an unknown edge or a tolerance outside 1e-12 to 0.1.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> wave = sp.sine(amplitude=1.0, frequency=1.0, duration=1.0, quiet=8.0)  # one cycle, then rest
+    >>> case = sp.Case(sp.Body(0.4, 1.2), sp.Room(sp.Floor(3.0, 3.0)), wave)
+    >>> sizes = {("body.width", "body.height"): ([0.2, 0.4, 0.8], [0.6, 1.2, 2.4])}
+    >>> edges = sp.trace_boundary(case, [2.0, 3.0, 4.0, 5.0], sizes, edge="first")
+    >>> edges.amplitude.round(2).values.tolist()  # of three bodies of one shape, the small one first [m/s²]
+    [3.78, 3.96, 4.36]
     """
     if edge not in get_args(Edge):
         raise InputError("simulation.unknown_edge", "edge", edge=repr(edge), known=", ".join(get_args(Edge)))

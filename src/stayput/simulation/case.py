@@ -33,7 +33,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Case:
-    """What `simulate` takes, as a value; `run` simulates it."""
+    """What `simulate` takes, as a value; `run` simulates it.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> import stayput as sp
+    >>> bare = sp.Case(sp.Body(0.3, 1.8, 90.0), sp.Room(left_wall=sp.Wall(0.02)), sp.near_fault())
+    >>> held = replace(bare, measures=[sp.MEASURES["l_bracket"]()])
+    >>> print(f"{bare.run().outcome}; with brackets: {held.run().outcome}")
+    overturned; with brackets: rocked
+    """
 
     body: Body
     room: Room

@@ -69,6 +69,19 @@ def simulate_many(
     ------
     InputError
         An unknown path, columns of different lengths, a case that is not possible, or a cluster that is lost.
+
+    Examples
+    --------
+    >>> import pandas as pd
+    >>> import stayput as sp
+    >>> pieces = pd.DataFrame({"body.width": [0.5, 0.4, 0.3], "body.height": [0.7, 1.2, 1.8]})
+    >>> case = sp.Case(sp.Body(0.4, 1.8), sp.Room(), sp.near_fault())
+    >>> results = pd.DataFrame(sp.simulate_many(case, pieces))  # a row for each piece
+    >>> results[["overturned", "peak_slide", "floor_impacts"]].round(2)
+       overturned  peak_slide  floor_impacts
+    0       False        0.17              0
+    1       False        0.14             41
+    2        True        0.03              1
     """
     if not hasattr(columns, "keys"):  # which a table of pandas has, too
         instance_of("columns", columns, Mapping)

@@ -21,6 +21,17 @@ class Outcome(StrEnum):
         The run was given up, which never counts as standing.
     FELL_OFF
         It came off the body that it stood on, for the floor or something lower; of several bodies alone.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> body = sp.Body(width=0.4, height=1.8)
+    >>> for friction in (0.2, 0.5):  # each under a fifth, two fifths and the whole of a motion
+    ...     room = sp.Room(sp.Floor(friction, friction))
+    ...     runs = [sp.simulate(body, room, sp.near_fault().scaled(factor)) for factor in (0.2, 0.4, 1.0)]
+    ...     print(friction, *(run.outcome for run in runs))
+    0.2 rested slid slid
+    0.5 rested rocked overturned
     """
 
     RESTED = "rested"
@@ -38,10 +49,11 @@ class Mode(StrEnum):
     Examples
     --------
     >>> import stayput as sp
-    >>> body = sp.Body(width=0.4, height=1.8, mass=80.0)
-    >>> run = sp.simulate(body, sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
-    >>> sorted({str(event.mode) for event in run.events})
-    ['rock']
+    >>> run = sp.simulate(sp.Body(width=0.4, height=1.8), sp.Room(), sp.sine(4.0, 1.0, 2.0))
+    >>> for mode in (sp.Mode.REST, sp.Mode.ROCK):
+    ...     print(f"{mode}: {(run.mode == mode).mean():.0%} of the time")
+    rest: 5% of the time
+    rock: 95% of the time
     """
 
     REST = "rest"
@@ -54,7 +66,17 @@ class Mode(StrEnum):
 
 
 class EventKind(StrEnum):
-    """Kind of an event."""
+    """Kind of an event.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> run = sp.simulate(sp.Body(0.4, 1.8), sp.Room(left_wall=sp.Wall(0.02)), sp.near_fault())
+    >>> [str(event.kind) for event in run.events[:4]]
+    ['uplift', 'floor impact', 'wall impact', 'floor impact']
+    >>> next(round(event.time, 1) for event in run.events if event.kind is sp.EventKind.WALL_IMPACT)  # s
+    6.7
+    """
 
     SLIP = "slip"
     STICK = "stick"

@@ -93,6 +93,15 @@ class Run(InNetcdf):
         The measures in place; `body` and `room` are what they made of those that were given.
     devices : tuple of DeviceResult
         What became of each device.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> run = sp.simulate(sp.Body(width=0.6, height=1.8, mass=120.0), sp.Room(), sp.near_fault())
+    >>> run.outcome, round(run.peak_slide, 2), round(run.peak_tilt, 2)  # m, rad
+    (<Outcome.ROCKED: 'rocked'>, 0.17, 0.13)
+    >>> round(float(run.time[abs(run.tilt).argmax()]), 2)  # when it tilts most [s]
+    7.49
     """
 
     body: Body

@@ -61,6 +61,21 @@ class Standing:
     ------
     InputError
         A number out of range.
+
+    Examples
+    --------
+    >>> from math import pi, sin
+    >>> import stayput as sp
+    >>> shelf = sp.Solid.box(width=0.4, length=0.9, height=1.8, mass=60.0)
+    >>> turned = sp.Standing(shelf, at=(1.0, 2.0, 0.0), heading=pi / 2)
+    >>> [round(end, 2) for end in turned.along((1.0, 0.0, 0.0))]  # from where to where it reaches along x [m]
+    [0.55, 1.45]
+    >>> still = sp.sine(amplitude=0.0, frequency=1.0, duration=3.0)
+    >>> for tilt in (0.19, 0.24):  # let go on its front edge; atan(0.4/1.8) is 0.219 rad
+    ...     tilted = sp.Standing(shelf, at=(0.0, 0.0, 0.2 * sin(tilt)), tilt=(0.0, tilt, 0.0))
+    ...     print(tilt, *sp.simulate(tilted, sp.Room(), still).outcomes)
+    0.19 rocked
+    0.24 overturned
     """
 
     solid: Solid
@@ -138,10 +153,12 @@ class Piece:
     --------
     >>> import stayput as sp
     >>> from stayput.measures import LBracket
-    >>> body = sp.Body(width=0.4, height=1.8, mass=80.0, length=0.9)
-    >>> piece = sp.Piece(body, at=(0.0, 0.0, 0.0), measures=[LBracket()])
-    >>> piece.body.length
-    0.9
+    >>> body, room = sp.Body(width=0.3, height=1.8, mass=80.0, length=0.9), sp.Room(left_wall=sp.Wall(0.02))
+    >>> for measures in ([], [LBracket()]):
+    ...     piece = sp.Piece(body, measures=measures)
+    ...     print(sp.simulate(sp.Assembly([piece]), room, sp.near_fault()).outcomes[0])
+    overturned
+    rocked
     """
 
     body: Body
@@ -224,11 +241,14 @@ class Joint:
     Examples
     --------
     >>> import stayput as sp
-    >>> low = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=40.0))
-    >>> high = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=30.0), at=(0.0, 0.0, 0.9))
-    >>> joints = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=500.0) for x in (-0.15, 0.15)]
-    >>> len(sp.Assembly([low, high], joints=joints).joints)
-    2
+    >>> lower = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=40.0))
+    >>> upper = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=30.0), at=(0.0, 0.0, 0.9))
+    >>> screws = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=500.0) for x in (-0.15, 0.15)]  # N
+    >>> for joints in ([], screws):  # the upper one falls off, or takes all with it
+    ...     both = sp.Assembly([lower, upper], joints=joints)
+    ...     print(*sp.simulate(both, sp.Room(), sp.near_fault()).outcomes)
+    rocked fell off
+    overturned overturned
     """
 
     first: int
@@ -284,11 +304,12 @@ class Assembly:
 
     Examples
     --------
-    >>> from stayput import Solid, Standing
-    >>> lower, upper = Solid.box(0.45, 0.9, 1.0, 60.0), Solid.box(0.35, 0.9, 0.9, 30.0)
-    >>> dresser = Assembly([Standing(lower), Standing(upper, at=(-0.05, 0.0, 1.0))])
-    >>> len(dresser.members)
-    2
+    >>> import stayput as sp
+    >>> lower, upper = sp.Solid.box(0.45, 0.9, 1.0, 60.0), sp.Solid.box(0.35, 0.9, 0.9, 30.0)
+    >>> dresser = sp.Assembly([sp.Standing(lower), sp.Standing(upper, at=(-0.05, 0.0, 1.0))])
+    >>> run = sp.simulate(dresser, sp.Room(), sp.near_fault().scaled(0.5))
+    >>> run.peak_slide.round(2).tolist()  # of either [m]
+    [0.01, 0.08]
     """
 
     members: tuple[Standing | Piece, ...]

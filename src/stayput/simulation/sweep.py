@@ -76,6 +76,18 @@ def sweep(
     ------
     InputError
         As for `simulate_many`, or an unknown history.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> case = sp.Case(sp.Body(0.4, 1.8), sp.Room(), sp.near_fault().component("x"))
+    >>> data = sp.sweep(case, {"body.width": [0.3, 0.4, 0.5], "motion.scale": [0.4, 0.6, 1.2]})
+    >>> data.overturned.to_pandas()
+    motion.scale    0.4    0.6   1.2
+    body.width
+    0.3            True   True  True
+    0.4           False   True  True
+    0.5           False  False  True
     """
     grid = make_grid(case, axes)
     wanted = list_of("histories", histories, str)

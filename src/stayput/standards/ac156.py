@@ -192,6 +192,15 @@ def ac156_motion(
     ------
     InputError
         A number, a seed or a frequency out of range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> required = sp.ac156(1.0, 0.5)
+    >>> motion, periods = sp.ac156_motion(required), [0.05, 0.1, 0.3, 0.7]  # s
+    >>> spectrum = sp.response_spectrum(motion, periods)
+    >>> (spectrum.sa / required.horizontal(periods)).round(1).tolist()  # how near it comes
+    [1.0, 1.0, 1.0, 0.9]
     """
     instance_of("required", required, RequiredSpectrum)
     cut = within(

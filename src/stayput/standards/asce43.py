@@ -78,6 +78,16 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
     InputError
         A friction or a gravity out of range, or A_v of 2.5 g and more, which leaves no friction: beyond the
         method.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> estimate = sp.asce43_sliding(sp.near_fault(), friction=0.3)
+    >>> round(estimate.frequency, 2), round(estimate.distance, 2)  # Hz, m
+    (0.56, 0.4)
+    >>> run = sp.simulate(sp.Body(width=1.0, height=0.5), sp.Room(sp.Floor(0.3, 0.3)), sp.near_fault())
+    >>> round(run.peak_slide, 2)  # simulated [m]
+    0.17
     """
     Motion.given(motion)
     mu = within("standards.friction", friction, 0.001, 10.0, "", "friction")

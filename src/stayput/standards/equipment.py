@@ -232,6 +232,15 @@ def equipment_loads(
     ------
     InputError
         An unknown position, or Z out of range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> for load in sp.equipment_loads(sp.Body(0.8, 1.9, 300.0), "middle"):
+    ...     print(f"class {load.grade}: {load.coefficient} g, tie at the top {load.force:.0f} N")
+    class B: 0.6 g, tie at the top 263 N
+    class A: 1.0 g, tie at the top 852 N
+    class S: 1.5 g, tie at the top 1587 N
     """
     loads: list[EquipmentLoad] = []
     for grade in CLASSES:

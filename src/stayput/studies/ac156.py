@@ -85,6 +85,22 @@ def ac156(
     ------
     InputError
         A value out of range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput import studies
+    >>> quick = studies.ac156(sds=[1.0], tests=1, ground=sp.Suite((sp.near_fault(),), "near the fault"))
+    >>> wardrobe = quick.data.sel(sds=1.0, height=1.0, piece="wardrobe", floor="vinyl")  # on top floors
+    >>> bool(wardrobe.passes.sel(test="AC156, ASCE 7-22"))
+    True
+    >>> wardrobe.overturned.to_series()  # share of the earthquakes
+    building
+    3-storey RC                  0.0
+    10-storey RC                 0.0
+    20-storey steel              1.0
+    base-isolated 8-storey RC    0.0
+    Name: overturned, dtype: float64
     """
     sites = increasing("motion.name_sds", sds, 0.05, 5.0, "g")
     count = whole_within("studies.motions", tests, 1, 1000)

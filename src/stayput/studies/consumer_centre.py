@@ -132,8 +132,11 @@ def consumer_centre(motions: int = 24, *, samples: int = 8, seed: int = 1) -> St
     Examples
     --------
     >>> from stayput import studies
-    >>> sorted(studies.consumer_centre(motions=2, samples=1).figures)
-    ['outcomes']
+    >>> quick = studies.consumer_centre(motions=2, samples=1)
+    >>> print(quick.quantities["met"], "of", quick.quantities["met"].published)
+    1 of 5
+    >>> dict(quick.data.share.sizes)
+    {'test': 5, 'shaking': 4, 'gap': 4, 'outcome': 3}
     """
     count = whole_within("studies.motions", motions, 1, 1000)
     each = whole_within("studies.samples", samples, 1, 10_000)

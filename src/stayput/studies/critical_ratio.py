@@ -94,6 +94,21 @@ def critical_ratio(
     InputError
         Values that do not rise, fewer than two of them, a case that is not possible, or fewer than five
         bodies that turn over at all.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> quick = studies.critical_ratio(ratios=[0.3, 0.4, 0.5], frequencies=[0.8, 1.0], step=0.1)
+    >>> main = quick.data.to_dataframe().query("part == 'main'").set_index("ratio")
+    >>> main[["frequency", "critical", "eq_4_1"]].round(1)  # ours and the paper's amplitudes [m/s²]
+           frequency  critical  eq_4_1
+    ratio
+    0.3          0.8       4.6     5.1
+    0.4          0.8       6.5     6.9
+    0.5          0.8       8.8     8.8
+    0.3          1.0       7.1     6.3
+    0.4          1.0       9.1     8.6
+    0.5          1.0      11.9    11.0
     """
     b_h, f = rising("studies.ratios", ratios), rising("studies.frequencies", frequencies)
     base = Conditions(height=height, restitution=restitution, phase=phase, duration=duration)

@@ -85,6 +85,19 @@ def friction(
     ------
     InputError
         Values that do not rise, fewer than two of them, or a case that is not possible.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> sines = {"amplitudes": [8.0, 10.0], "frequencies": [1.5, 2.0], "duration": 5.0}
+    >>> quick = studies.friction(**sines, coefficients=[0.1, 0.3])
+    >>> quick.quantities["sine_held"].value
+    '6.19 m/s², 2.59 Hz, phase 90°'
+    >>> for name in ("slide_1_held", "slide_2_held"):  # cm
+    ...     quantity = quick.quantities[name]
+    ...     print(f"{quantity.label}: {quantity.value:.1f}; in the paper {quantity.published:.1f}")
+    Peak slide at (μ, μ') = (0.4, 0.1), only slides [cm]: 5.4; in the paper 5.4
+    Peak slide at (μ, μ') = (0.4, 0.3), only slides [cm]: 2.1; in the paper 3.1
     """
     A, f = rising("studies.amplitudes", amplitudes), rising("studies.frequencies", frequencies)
     mu = rising("studies.coefficients", coefficients)

@@ -91,6 +91,16 @@ def spectrum(
     ------
     InputError
         Values out of range or not increasing, a motion that is still, or bodies too small or too large.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> quick = studies.spectrum(slenderness=[0.2], periods=[1.0, 2.0], step=0.1)
+    >>> for name in ("edge_1", "edge_2", "edge_3"):  # amplitudes over αg
+    ...     print(f"{quick.quantities[name].value:.2f}, published {quick.quantities[name].published:.2f}")
+    3.03, published 3.03
+    6.74, published 6.74
+    7.49, published 7.49
     """
     record = near_fault().component("x") if motion is None else motion
     alpha = _increasing("studies.slenderness", slenderness, 0.01, 1.2, "rad")

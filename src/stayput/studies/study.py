@@ -42,8 +42,9 @@ class Quantity:
     Examples
     --------
     >>> from stayput.studies import Quantity
-    >>> Quantity("largest slide [cm]", value=12.3, published=11.8).value
-    12.3
+    >>> slide = Quantity("largest slide [cm]", value=12.345, published=11.8)
+    >>> f"{slide.label}: {slide}, published {slide.published}"
+    'largest slide [cm]: 12.3, published 11.8'
     """
 
     label: str
@@ -142,8 +143,14 @@ class Study:
     --------
     >>> from stayput import studies
     >>> study = studies.tip_over()
-    >>> study.name, sorted(study.figures)
-    ('tip-over', ['margins'])
+    >>> study.title, list(study.figures)
+    ('Tip-over without an earthquake', ['margins'])
+    >>> for quantity in study.quantities.values():
+    ...     print(f"{quantity.label}: {quantity}")
+    Pieces: 8
+    Pieces that some case tips over on a hard floor: 3
+    Pieces that some case tips over on carpet: 4
+    Smallest margin: 0.62
     """
 
     name: str

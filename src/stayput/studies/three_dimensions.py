@@ -78,8 +78,9 @@ def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS,
     Examples
     --------
     >>> from stayput import studies
-    >>> sorted(studies.three_dimensions(motions=2, headings=[0.0]).figures)
-    ['differences', 'shapes']
+    >>> quick = studies.three_dimensions(motions=2, headings=[0.0])
+    >>> print(f"{quick.quantities['plane_differs'].label}: {quick.quantities['plane_differs']}")
+    Verdicts that differ, component along the depth [%]: 12
     """
     count = whole_within("studies.motions", motions, 2, 1000)
     angles = increasing("simulation.heading", headings, -360.0, 360.0, "°")

@@ -60,6 +60,16 @@ def tip_over(everyday: Everyday | None = None) -> Study:
     Study
         Figure "margins". Data over ``piece``, ``floor`` and ``case``: ``margin``, NaN where a piece has no
         drawers; ``load`` [kg] that just tips.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> margin = studies.tip_over().data.margin.sel(piece="light chest of drawers")
+    >>> margin.to_pandas().round(2)
+    case                   pull  load  one_drawer  all_drawers
+    floor
+    hard floor             1.63   NaN        1.12         0.76
+    carpet under the back  1.53   NaN        0.95         0.67
     """
     given = everyday or Everyday()
     bodies = {"light chest of drawers": LIGHT_CHEST}

@@ -88,6 +88,15 @@ def tokyo(
     ------
     InputError
         A number of samples or a seed out of range.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> quick = studies.tokyo(samples=1, variations=False)
+    >>> for claim in (quick.claims[0], quick.claims[3]):
+    ...     print(f"{claim.published}: {claim.outcome}")
+    all 7 devices alone fail: six let the piece overturn, with one mat it moves 30 cm or more: partly
+    the cupboard with a stopper and a pole does not overturn, and moves 10 cm or less: yes
     """
     shaking = near_fault() if motion is None else motion
     count = whole_within("studies.samples", samples, 1, 10_000)

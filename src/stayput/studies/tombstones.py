@@ -79,8 +79,11 @@ def tombstones(
     Examples
     --------
     >>> from stayput import studies
-    >>> sorted(studies.tombstones(motions=2, stones=2).figures)
-    ['shares']
+    >>> quick = studies.tombstones(motions=2, stones=2)
+    >>> for name in ("share_5_upper", "share_7"):  # of the stones [%], ours and observed
+    ...     print(f"{quick.quantities[name]}, {quick.quantities[name].published}")
+    0, 0 to 23
+    100, 90 to 100
     """
     count = whole_within("studies.motions", motions, 2, 1000)
     of_a_place = whole_within("studies.stones", stones, 1, 10_000)

@@ -112,6 +112,19 @@ def wall_gap(
     ------
     InputError
         A value out of range, or widths or distances that do not increase.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> quick = studies.wall_gap(
+    ...     widths=[0.4, 0.8, 1.2], gaps=[0.0, 0.1, 0.2], amplitudes=[5.0], frequencies=[0.8], ratios=[0.36]
+    ... )
+    >>> quick.data.overturned.sel(contact="paper", wall="right").to_pandas()
+    gap           0.0    0.1    0.2
+    body.width
+    0.4         False   True   True
+    0.8         False  False   True
+    1.2         False  False  False
     """
     b = increasing("studies.width", np.linspace(0.4, 1.6, 49) if widths is None else widths, 0.01, 10.0, "m")
     l_w = increasing("studies.wall_gap", np.linspace(0.0, 0.8, 81) if gaps is None else gaps, 0.0, 100.0, "m")

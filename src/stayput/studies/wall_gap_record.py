@@ -90,6 +90,17 @@ def wall_gap_record(
     ------
     InputError
         Widths or distances out of range or not increasing.
+
+    Examples
+    --------
+    >>> from stayput import studies
+    >>> quick = studies.wall_gap_record(widths=[0.1, 0.2], gaps=[0.0, 0.2, 0.4])
+    >>> reversed_motion = {"contact": "paper", "motion.scale": -1.0, "wall": "both"}
+    >>> quick.data.overturned.sel(reversed_motion).to_pandas()
+    gap           0.0    0.2    0.4
+    body.width
+    0.1         False   True   True
+    0.2         False  False  False
     """
     shaking = (near_fault() if motion is None else motion).component("x")
     b = increasing("studies.width", tuple(TABLE_4_3) if widths is None else widths, 0.01, 10.0, "m")

@@ -73,10 +73,12 @@ class Suite(Sequence[Motion]):
 
     Examples
     --------
-    >>> from stayput.motion.suites import synthetic_suite
-    >>> suite = synthetic_suite("crustal", 3).to_intensity(6.0)
-    >>> len(suite), suite[0].name
-    (3, 'synthetic crustal 1')
+    >>> import stayput as sp
+    >>> suite = sp.synthetic_suite("crustal", 3)
+    >>> [round(float(value), 1) for value in suite.intensities]  # JMA's, as they are drawn
+    [4.1, 4.4, 4.6]
+    >>> [round(motion.pgv, 2) for motion in suite.to_intensity("6-upper")]  # m/s
+    [0.44, 0.67, 0.53]
     """
 
     motions: tuple[Motion, ...]

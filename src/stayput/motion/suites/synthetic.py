@@ -95,6 +95,16 @@ def synthetic_suite(
     ------
     InputError
         No such family; a count or a seed out of range; a band outside the target.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> for motion in sp.synthetic_suite("mixed", count=4).to_intensity(6.0):
+    ...     print(f"{motion.name}: {motion.pga:.1f} m/s², {100 * motion.pgv:.0f} cm/s")
+    synthetic crustal 1: 7.7 m/s², 33 cm/s
+    synthetic subduction 1: 7.4 m/s², 101 cm/s
+    synthetic near-fault 1: 6.2 m/s², 76 cm/s
+    synthetic long-period basin 1: 6.5 m/s², 73 cm/s
     """
     if family not in (MIXED, *FAMILIES):
         raise InputError(
