@@ -9,6 +9,7 @@ import typer
 import stayput
 from stayput.cli import app as page
 from stayput.cli import assess, building, fragility, motion, simulate, study, verify
+from stayput.cli.as_typed import FlagCommand
 from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.messages import CommandGroup
 
@@ -19,11 +20,11 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-app.command("simulate")(simulate.simulate)
-app.command("verify")(verify.verify)
+app.command("simulate", cls=FlagCommand)(simulate.simulate)
+app.command("verify", cls=FlagCommand)(verify.verify)
 app.command("fragility")(fragility.fragility)
-app.command("study")(study.study)
-app.command("building")(building.building)
+app.command("study", cls=FlagCommand)(study.study)
+app.command("building", cls=FlagCommand)(building.building)
 app.add_typer(motion.app, name="motion")
 app.command("assess")(assess.assess)
 app.command("app")(page.app)

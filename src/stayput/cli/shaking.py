@@ -9,6 +9,7 @@ import typer
 
 from stayput.cli.completion import intensity_classes, words
 from stayput.cli.flags import (
+    as_written,
     beside,
     building_table,
     earthquake_table,
@@ -175,7 +176,7 @@ def shaken(
         "storey": storey,
         "vertical": vertical,
     }
-    stated = {key: value for key, value in flags.items() if value is not None}
+    stated = {key: as_written(value) for key, value in flags.items() if value is not None}
     if motion is None and not stated and y is None and z is None:
         return dict(tables)
     given = table_of(tables, "shaking")

@@ -342,4 +342,5 @@ class Room:
         """Raise `InputError` where it has a side wall, which the plane has not."""
         for name in SIDE_WALLS:
             if getattr(self, name) is not None:
-                raise InputError("model.side_wall_in_the_plane", f"room.{name}", name=f"room.{name}")
+                wall, other = f"room.{name}", "dimensions"
+                raise InputError("model.side_wall_in_the_plane", wall, name=wall, other=other)

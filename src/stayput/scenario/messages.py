@@ -39,7 +39,7 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
     raised = error.get("ctx", {}).get("error")
     if isinstance(raised, InputError):  # by a table's own check, which does not know its place in a list
         return _in_its_list(raised, name)
-    allowed = _allowed(_node(place, schema), schema)
+    allowed = _allowed(_node(place, schema), schema, error["input"])
     if error["type"] == "missing":
         return InputError("scenario.missing", name, name=name, allowed=allowed)
     hint, value = _hint(error["input"], place, schema), shown(error["input"])
@@ -131,8 +131,11 @@ def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
     return node
 
 
-def _allowed(node: dict[str, Any], schema: dict[str, Any]) -> Phrase:
+def _allowed(node: dict[str, Any], schema: dict[str, Any], given: object = None) -> Phrase:
+    """Return what a node of the schema allows, in words; where a name was given, no table beside names."""
     allowed = kinds(node, schema)
+    if isinstance(given, str) and any("enum" in kind for kind in allowed):
+        allowed = [kind for kind in allowed if "properties" not in kind]
     if sum("properties" in kind for kind in allowed) > 1:
         return phrase("scenario.one_of_tables")
     several = [_in_words(kind, schema) for kind in allowed]
