@@ -76,6 +76,8 @@ def test_flags_and_the_scenario_file_say_the_same(records: list[Path], tmp_path:
         for arguments in ((stated,), (flagged, "--x", x, "--y", y, "--z", z))
     ]
     assert all(done.exit_code == 0 for done in results), [done.output for done in results]
+    told = "The record of --y counts in the intensity alone"
+    assert [done.stderr.count(told) for done in results] == [0, 1]
     first, second = (json.loads(done.stdout) for done in results)
     for key in ("outcome", "peak_tilt_rad", "options"):
         assert first.get(key) == second.get(key)

@@ -20,10 +20,12 @@ from stayput.cli.flags import (
     table_of,
 )
 from stayput.cli.streams import file_of
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+    from stayput.scenario import AssemblyScenario, Scenario
 
 MotionOption: TypeAlias = Annotated[
     str | None,
@@ -200,6 +202,15 @@ def along(motion: str | None, x: str | None, flag: str = "--motion") -> str | No
     if motion is not None and x is not None:
         raise one_of_two("--x", repr(x), flag, repr(motion))
     return motion if x is None else x
+
+
+def tell_of_y(y: str | None, scenario: Scenario | AssemblyScenario) -> None:
+    """Warn of ``--y`` where nothing across the depth acts: in the plane of a piece that faces the shaking."""
+    from stayput.scenario import Scenario
+
+    if y is not None and isinstance(scenario, Scenario):
+        if scenario.dimensions == 2 and scenario.furniture.heading == 0.0:
+            warn(InputWarning("cli.y_in_the_plane", "--y"))
 
 
 def _without_strengths(given: dict[str, Any], stated: Mapping[str, Any]) -> dict[str, Any]:

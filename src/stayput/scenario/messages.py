@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.errors import InputError, near_miss
+from stayput.vocabulary import also_called
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -64,7 +65,7 @@ def _unknown_key(name: str, place: Sequence[str | int], schema: dict[str, Any]) 
 
 def _hint(value: object, place: Sequence[str | int], schema: dict[str, Any]) -> str | Phrase:
     names = [name for kind in kinds(_node(place, schema), schema) for name in kind.get("enum", [])]
-    return near_miss(value, names) if isinstance(value, str) else ""
+    return near_miss(value, [*names, *also_called(names)]) if isinstance(value, str) else ""
 
 
 def _dotted(place: Sequence[str | int]) -> str:
