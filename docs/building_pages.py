@@ -27,7 +27,7 @@ def structures() -> str:
     rows = [
         [
             name,
-            ", ".join(also_called([name])[1:]),
+            ", ".join(also_called([name])),
             f"{s.period_per_height:g} H",
             f"{s.damping:g}",
             f"{s.yield_coefficient:g} Rt",
@@ -35,14 +35,8 @@ def structures() -> str:
         ]
         for name, s in STRUCTURES.items()
     ]
-    heads = [
-        "structure",
-        "or",
-        "first period [s], H in m",
-        "damping ratio",
-        "yield coefficient",
-        "after yielding",
-    ]
+    values = ["first period [s], H in m", "damping ratio", "yield coefficient", "after yielding"]
+    heads = ["structure", "also called", *values]
     return validation_run.markdown(heads, rows, "llrrrr")
 
 

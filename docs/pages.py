@@ -46,10 +46,12 @@ def formats() -> str:
 def surfaces() -> str:
     """Return the table of surface presets."""
     rows = [
-        [name, ", ".join(also_called([name])[1:]), f"{static:g}", f"{kinetic:g}", f"{1e3 * settlement:g}"]
+        [name, ", ".join(also_called([name])), f"{static:g}", f"{kinetic:g}", f"{1e3 * settlement:g}"]
         for name, (static, kinetic, settlement) in sp.SURFACES.items()
     ]
-    return validation_run.markdown(["surface", "or", "static", "kinetic", "sinks in [mm]"], rows, "llrrr")
+    return validation_run.markdown(
+        ["surface", "also called", "static", "kinetic", "sinks in [mm]"], rows, "llrrr"
+    )
 
 
 def furniture() -> str:

@@ -115,9 +115,14 @@ def meant(kind: str, given: Said) -> Said | str:
 
 
 def also_called(presets: Iterable[str]) -> list[str]:
-    """Return what people call presets, as a sentence may offer it."""
+    """Return what people call presets besides their names, as a sentence may offer it."""
     wanted = frozenset(presets)
-    return [word for words in _SPELLED.values() for word, key in words.items() if key in wanted]
+    return [
+        word
+        for words in _SPELLED.values()
+        for word, key in words.items()
+        if key in wanted and plain_word(word) != plain_word(key)
+    ]
 
 
 def preset_meant(

@@ -208,9 +208,10 @@ def tell_of_y(y: str | None, scenario: Scenario | AssemblyScenario) -> None:
     """Warn of ``--y`` where nothing across the depth acts: in the plane of a piece that faces the shaking."""
     from stayput.scenario import Scenario
 
-    if y is not None and isinstance(scenario, Scenario):
-        if scenario.dimensions == 2 and scenario.furniture.heading == 0.0:
-            warn(InputWarning("cli.y_in_the_plane", "--y"))
+    if y is None or not isinstance(scenario, Scenario):
+        return
+    if scenario.dimensions == 2 and scenario.furniture.heading == 0.0:
+        warn(InputWarning("cli.y_in_the_plane", "--y"))
 
 
 def _without_strengths(given: dict[str, Any], stated: Mapping[str, Any]) -> dict[str, Any]:
