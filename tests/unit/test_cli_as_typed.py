@@ -103,11 +103,15 @@ def refused(*words):
         yield done.stderr
 
 
-@pytest.mark.parametrize("command", ["example", "simulate", "verify"])
-@pytest.mark.parametrize(("words", "english", "japanese"), [*FLOOR_SHAKING, *STANDING])
+@pytest.mark.parametrize(
+    ("command", "words", "english", "japanese"),
+    [
+        *(("example", *each) for each in (*FLOOR_SHAKING, *STANDING)),
+        *(("simulate", *each) for each in (*FLOOR_SHAKING, *STANDING)),
+        *(("verify", *each) for each in FLOOR_SHAKING),
+    ],
+)
 def test_what_a_flag_gets_wrong_is_named_by_the_flag(tmp_path, command, words, english, japanese):
-    if command == "verify" and words[0] not in {flag for (flag, *_), _, _ in FLOOR_SHAKING}:
-        pytest.skip("not among its flags")
     file = tmp_path / "scene.toml"
     file.write_text(FILE, encoding="utf-8")
     beginning = ("simulate",) if command == "example" else (command, str(file))
