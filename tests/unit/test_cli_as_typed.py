@@ -7,7 +7,8 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 from stayput.cli import app
-from stayput.cli.as_typed import SET_BY
+from stayput.cli.as_typed import SET_BY, as_typed
+from stayput.errors import InputError
 
 KEY = re.compile(r"\b(?:furniture|room|shaking)(?:\.|\])|(?<!-)\b(?:contact|dimensions)\b")
 FILE = """
@@ -182,3 +183,10 @@ def test_a_storey_of_the_file_is_named_by_its_key_beside_the_building_of_a_flag(
     file.write_text(FILE.replace("[shaking]", building), encoding="utf-8")
     english, _ = refused("simulate", str(file), "--building", "3")
     assert english == "shaking.storey is 9; it must be between 1 and 4, the roof.\n"
+
+
+def test_a_refusal_that_no_flag_stands_for_stays_as_it_is():
+    body = {"body": "--body"}
+    for field in ("furniture.shelves", "contents", None):
+        error = InputError("model.paper_in_space", field)
+        assert as_typed(error, body, body).told("en") == error.told("en")

@@ -119,7 +119,7 @@ def as_typed(
     flag = None if error.field is None else named(error.field)
     code = _WITHOUT_KEYS.get(error.code, error.code)
     typed = InputError(code, flag[0] if isinstance(flag, tuple) else flag, context=context, **values)
-    if flag is None or typed.told("en") != error.told("en"):
+    if not of_flag or flag is None or flag == error.field or typed.told("en") != error.told("en"):
         return typed
     if "name" in values:  # what a field is called, in words
         return InputError(code, typed.field, context=context, **values | {"name": flag})
