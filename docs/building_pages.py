@@ -12,6 +12,7 @@ import workload
 from stayput.building import STRUCTURES, Building
 from stayput.motion.spectrum import PERIODS, response_spectrum
 from stayput.report.building import plot_building, plot_recorded_floor
+from stayput.vocabulary import also_called
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,6 +27,7 @@ def structures() -> str:
     rows = [
         [
             name,
+            ", ".join(also_called([name])),
             f"{s.period_per_height:g} H",
             f"{s.damping:g}",
             f"{s.yield_coefficient:g} Rt",
@@ -33,8 +35,9 @@ def structures() -> str:
         ]
         for name, s in STRUCTURES.items()
     ]
-    heads = ["structure", "first period [s], H in m", "damping ratio", "yield coefficient", "after yielding"]
-    return validation_run.markdown(heads, rows, "lrrrr")
+    values = ["first period [s], H in m", "damping ratio", "yield coefficient", "after yielding"]
+    heads = ["structure", "also called", *values]
+    return validation_run.markdown(heads, rows, "llrrrr")
 
 
 def _image(folder: Path, name: str, about: str) -> str:

@@ -25,6 +25,7 @@ from stayput.model.parameters import parameters
 from stayput.motion.readers import READERS
 from stayput.scenario.messages import kinds
 from stayput.simulation.results import QUANTITIES
+from stayput.vocabulary import also_called
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
@@ -45,10 +46,12 @@ def formats() -> str:
 def surfaces() -> str:
     """Return the table of surface presets."""
     rows = [
-        [name, f"{static:g}", f"{kinetic:g}", f"{1e3 * settlement:g}"]
+        [name, ", ".join(also_called([name])), f"{static:g}", f"{kinetic:g}", f"{1e3 * settlement:g}"]
         for name, (static, kinetic, settlement) in sp.SURFACES.items()
     ]
-    return validation_run.markdown(["surface", "static", "kinetic", "sinks in [mm]"], rows, "lrrr")
+    return validation_run.markdown(
+        ["surface", "also called", "static", "kinetic", "sinks in [mm]"], rows, "llrrr"
+    )
 
 
 def furniture() -> str:

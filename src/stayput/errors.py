@@ -256,10 +256,16 @@ def near_miss(value: str, known: Iterable[str]) -> str | Phrase:
     return phrase("common.did_you_mean", name=repr(near[0])) if near else ""
 
 
-def unknown(name: str | Phrase, value: object, known: Iterable[str], field: str | None = None) -> InputError:
-    """Return the refusal of a name that is none of those known; see `finite`."""
+def unknown(
+    name: str | Phrase,
+    value: object,
+    known: Iterable[str],
+    field: str | None = None,
+    also: Iterable[str] = (),
+) -> InputError:
+    """Return the refusal of a name that is none of those known, nor of ``also``, which is not listed."""
     names = list(known)
-    hint = near_miss(value, names) if isinstance(value, str) else ""
+    hint = near_miss(value, [*names, *also]) if isinstance(value, str) else ""
     return InputError(
         "common.not_one_of",
         field,

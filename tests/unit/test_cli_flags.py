@@ -127,10 +127,10 @@ def test_an_earthquake_may_have_a_kind_wherever_its_numbers_end():
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("7,20,nan", "shaking.earthquake.depth is NaN; it must be"),
-        ("7,nan,20", "shaking.earthquake.distance is NaN; it must be"),
-        ("inf,20", "shaking.earthquake.magnitude is Infinity; it must be"),
-        ("7,inf", "shaking.earthquake.distance is Infinity; it must be"),
+        ("7,20,nan", "--earthquake: the depth is NaN; it must be"),
+        ("7,nan,20", "--earthquake: the distance is NaN; it must be"),
+        ("inf,20", "--earthquake: the magnitude is Infinity; it must be"),
+        ("7,inf", "--earthquake: the distance is Infinity; it must be"),
     ],
 )
 def test_a_number_of_an_earthquake_that_is_not_finite_is_refused_by_its_name(words, said):

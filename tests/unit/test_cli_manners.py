@@ -128,7 +128,7 @@ def test_a_flag_replaces_what_the_file_says_of_the_strength(
 def test_two_strengths_on_the_command_line_are_refused_by_their_flags() -> None:
     done = cli("simulate", "--scale", "2", "--pga", "3")
     assert done.exit_code == 2
-    assert done.stderr == "--pga is 3.0 beside --scale 2.0; it must be one of the two.\n"
+    assert done.stderr == "--pga is 3 beside --scale 2; it must be one of the two.\n"
 
 
 def test_a_command_that_is_nearly_one_is_named_in_a_sentence() -> None:

@@ -76,6 +76,8 @@ def test_flags_and_the_scenario_file_say_the_same(records: list[Path], tmp_path:
         for arguments in ((stated,), (flagged, "--x", x, "--y", y, "--z", z))
     ]
     assert all(done.exit_code == 0 for done in results), [done.output for done in results]
+    told = "The record of --y counts in the intensity alone"
+    assert [done.stderr.count(told) for done in results] == [0, 1]
     first, second = (json.loads(done.stdout) for done in results)
     for key in ("outcome", "peak_tilt_rad", "options"):
         assert first.get(key) == second.get(key)
@@ -109,8 +111,21 @@ def test_a_vertical_record_along_the_shaking_is_refused_beside_others(records: l
     x, y, z = records
     done = cli("simulate", "--x", z, "--y", y)
     assert done.exit_code == 2
-    assert "a vertical record ('UP'); it must be a horizontal one." in done.stderr
+    assert done.stderr.endswith(f"\n--x is '{z}', a vertical record ('UP'); it must be a horizontal one.\n")
     assert x.exists()
+
+
+def test_a_vertical_record_is_named_by_its_flag_beside_the_record_of_a_file(
+    tmp_path: Path, records: list[Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    x, _, z = records
+    file = x.parent / "scenario.toml"
+    file.write_text(f'[furniture]\npreset = "chest"\n[shaking]\nrecord = "{x.name}"\n', encoding="utf-8")
+    monkeypatch.chdir(x.parent)
+    done = cli("simulate", file, "--y", z.name)
+    assert done.exit_code == 2
+    refusal = f"--y is '{z.name}', a vertical record ('UP'); it must be a horizontal one."
+    assert done.stderr.splitlines()[-1] == refusal
 
 
 @pytest.mark.parametrize("flags", [("--z", "c.at2", "--no-vertical"), ("--motion", "near-fault")])

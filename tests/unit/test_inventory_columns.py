@@ -19,11 +19,11 @@ from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import ROWS_LOOKED_AT, make_plan
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.store import Store, piece_of
-from stayput.inventory.vocabulary import WORDS
 from stayput.inventory.words import narrow_told
 from stayput.inventory.workspace import Workspace
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
+from stayput.vocabulary import WORDS
 
 
 def read(folder, text, columns=None, encoding="utf-8", name="inventory.csv"):

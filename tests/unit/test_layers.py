@@ -21,6 +21,7 @@ LAYERS = (
         "wording",
         "randomness",
         "spreadsheets",
+        "vocabulary",
         "intermediate_code",
         "machine_code",
     },

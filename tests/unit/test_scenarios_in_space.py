@@ -106,7 +106,7 @@ def test_side_walls_of_scenarios_and_of_the_command_line() -> None:
     assert {"near_side_wall", "far_side_wall"} <= {hit["on"] for hit in printed["hits"]}
     found = CliRunner().invoke(app, ["simulate", "--near-side-wall", "0.1"])
     assert found.exit_code == 2
-    assert "room.near_side_wall" in found.output
+    assert "--near-side-wall is a wall at the side" in found.output
 
 
 def test_side_walls_are_refused_in_the_plane() -> None:

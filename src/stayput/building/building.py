@@ -13,9 +13,10 @@ from stayput.building.isolation import Isolation
 from stayput.building.model import AMPLIFICATION_RANGE, MOST_STOREYS, ShearModel
 from stayput.building.modes import natural_modes, strain_energy_damping
 from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
-from stayput.errors import InputError, instance_of, word_of
+from stayput.errors import InputError, instance_of
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.vocabulary import preset_meant
 from stayput.wording import brief
 
 if TYPE_CHECKING:
@@ -88,7 +89,7 @@ class Building:
     storeys : int
         Number of storeys.
     structure : str
-        "RC", "steel", "wood" or "base-isolated".
+        "RC", "steel", "wood" or "base-isolated", or what people call them: "S造", "木造".
     period : float, optional
         First natural period [s]; of a base-isolated building, that of the building on fixed ground.
         Default: by height, 0.02 s/m (RC) or 0.03 s/m (steel, wood).
@@ -165,7 +166,8 @@ class Building:
         return brief(self)
 
     def __post_init__(self) -> None:
-        word_of("building.structure", self.structure, STRUCTURES, "structure")
+        structure = preset_meant("structure", "building.structure", self.structure, STRUCTURES, "structure")
+        object.__setattr__(self, "structure", structure)
         if not isinstance(self.storeys, Real) or self.storeys not in range(1, MOST_STOREYS):
             most = MOST_STOREYS - 1
             raise InputError("building.storeys", "storeys", storeys=repr(self.storeys), most=most)

@@ -114,6 +114,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "number": ("a number", "数値"),
     "whole_number": ("a whole number", "整数"),
     "whole_number_within": ("a whole number from {low} to {high}", "{low}から{high}までの整数"),
+    "part_of_flag": ("{flag}: the {part}", "{flag}の{part}"),
     "no_such_flag": (
         "There is no flag {flag}; `{command} --help` lists those that there are.",
         "{flag}というオプションはありません。{command} --helpで一覧を確認してください。",
@@ -171,8 +172,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "beside_no_record": (
-        "{flag} is given without a record along the shaking; --x or --motion must name its file.",
-        "{flag}は揺れの方向の記録と一緒に指定します。そのファイルを--xまたは--motionで指定してください。",
+        "{name} is given without a record along the shaking; --x or --motion must name its file.",
+        "{name}は揺れの方向の記録と一緒に指定します。そのファイルを--xまたは--motionで指定してください。",
     ),
     "y_in_the_plane": (
         (

@@ -70,9 +70,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "right_wall": ("the wall in front", "前方の壁"),
     "left_wall": ("the wall behind", "背後の壁"),
     "ceiling": ("the ceiling", "天井"),
+    "part_of_room": (
+        "{name} is {value}; it must be of type {wanted}, such as {example}.",
+        "{name}が{value}になっています。{example}のような{wanted}型の値を指定してください。",
+    ),
     "side_wall_in_the_plane": (
-        "{name} is a wall at the side of the piece, which the plane does not have; dimensions must be 3.",
-        "{name}は家具の側面の壁で、平面の計算にはありません。dimensionsを3にしてください。",
+        "{name} is a wall at the side of the piece, which the plane does not have; {other} must be 3.",
+        "{name}は家具の側面の壁で、平面の計算にはありません。{other}を3にしてください。",
     ),
     "most_events": (
         "most_events is {value}; it must be a whole number of at least 2, for the first and the last.",

@@ -98,8 +98,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "複数の家具にuncertainty.installationが指定されています。'well'にするか、省いてください。",
     ),
     "no_length": (
-        "furniture.length is missing; with dimensions = 3 the piece needs its length across the depth [m].",
-        "furniture.lengthがありません。dimensions = 3では、奥行きと直角な方向の幅 [m] が必要です。",
+        "{name} is missing; where {other} is 3 the piece needs its length across the depth [m].",
+        "{name}がありません。{other}が3の場合は、奥行きと直角な方向の幅 [m] が必要です。",
     ),
     "flag_of_one": (
         "{flag} is of one piece, and must not be given with a file of several.",
@@ -162,8 +162,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "shaking.memberは地震動が1つの場合は指定できません。suiteとともに使ってください。",
     ),
     "storey": (
-        "shaking.storey is {value}; it must be between 1 and {roof}, the roof.",
-        "shaking.storeyが{value}になっています。1～{roof}（屋上）にしてください。",
+        "{name} is {value}; it must be between 1 and {roof}, the roof.",
+        "{name}が{value}になっています。1～{roof}（屋上）にしてください。",
     ),
     "member": (
         "shaking.member is {value}; it must be between 1 and {most}.",

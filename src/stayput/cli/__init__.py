@@ -9,6 +9,7 @@ import typer
 import stayput
 from stayput.cli import app as page
 from stayput.cli import assess, building, fragility, motion, simulate, study, verify
+from stayput.cli.as_typed import FlagCommand
 from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.help import HelpfulCommand, RootGroup
 from stayput.cli.language import OF_LOCALE, LanguageOption
@@ -21,16 +22,16 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for name, run in (
-    ("simulate", simulate.simulate),
-    ("verify", verify.verify),
-    ("fragility", fragility.fragility),
-    ("study", study.study),
-    ("building", building.building),
-    ("assess", assess.assess),
-    ("app", page.app),
+for name, run, kind in (
+    ("simulate", simulate.simulate, FlagCommand),
+    ("verify", verify.verify, FlagCommand),
+    ("fragility", fragility.fragility, HelpfulCommand),
+    ("study", study.study, FlagCommand),
+    ("building", building.building, FlagCommand),
+    ("assess", assess.assess, HelpfulCommand),
+    ("app", page.app, HelpfulCommand),
 ):
-    app.command(name, cls=HelpfulCommand, help=f"cli_help.{name}")(run)
+    app.command(name, cls=kind, help=f"cli_help.{name}")(run)
 app.add_typer(motion.app, name="motion")
 
 

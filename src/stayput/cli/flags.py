@@ -57,6 +57,9 @@ EveryRunOption: TypeAlias = Annotated[
     ),
 ]
 
+_MOST_DIGITS = 1e15
+"""Numbers from this on are written with a point."""
+
 EXAMPLE: dict[str, Any] = {
     "furniture": {"preset": "bookcase"},
     "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
@@ -84,8 +87,7 @@ def shaking_table(text: str) -> dict[str, Any]:
 def building_table(text: str) -> dict[str, Any]:
     """Return the building table of ``STOREYS[,STRUCTURE]``."""
     storeys, _, structure = text.partition(",")
-    number = _numbers("--building", text, [storeys], (1,), "10,RC")[0]
-    table = {"storeys": int(number) if number.is_integer() else number}
+    table = {"storeys": _numbers("--building", text, [storeys], (1,), "10,RC")[0]}
     return {**table, "structure": structure.strip()} if structure else table
 
 
@@ -153,11 +155,11 @@ def overlaid(
         tables["room"] = {**table_of(tables, "room"), "floor": friction_table(friction)}
     for name, gap in walls.items():
         if gap is not None:
-            room = {**table_of(tables, "room"), name: {"gap": gap}}
+            room = {**table_of(tables, "room"), name: {"gap": as_written(gap)}}
             if name == "left_wall":
                 room.pop("back_wall", None)
             tables["room"] = room
-    if own := {key: value for key, value in piece.items() if value is not None}:
+    if own := {key: as_written(value) for key, value in piece.items() if value is not None}:
         tables["furniture"] = {**table_of(tables, "furniture"), **own}
     own_keys = {"contact": contact, "dimensions": dimensions}
     return tables | {key: value for key, value in own_keys.items() if value is not None}
@@ -255,7 +257,7 @@ def beside(y: str | None, z: str | None, shaking: Mapping[str, Any]) -> dict[str
     files = {"across": (y, "--y"), "vertical": (z, "--z")}
     for file, flag in files.values():
         if file is not None and "record" not in shaking:
-            raise InputError("cli.beside_no_record", flag, flag=flag)
+            raise InputError("cli.beside_no_record", flag, name=flag)
     return {key: file_of(file, flag) for key, (file, flag) in files.items() if file is not None}
 
 
@@ -297,7 +299,7 @@ def motion_of(
     from stayput.scenario import Scenario
 
     fields = {"component": component, "unit": unit, "dt": dt, **strength}
-    stated = {key: value for key, value in fields.items() if value is not None}
+    stated = {key: as_written(value) for key, value in fields.items() if value is not None}
     text = file_of(text, flag)
     table = shaking_table(text)
     scenario = Scenario.parse({**EXAMPLE, "shaking": {**table, **stated, **beside(y, z, table)}})
@@ -360,9 +362,16 @@ def one_of_two(flag: str, value: str, other: str, other_value: str) -> InputErro
 def intensity_value(text: str) -> float | str:
     """Return an ``--intensity`` text as a number where it is one, else as the name of a class."""
     try:
-        return float(text)
+        return as_written(float(text))
     except ValueError:
         return text
+
+
+def as_written(value: Any) -> Any:
+    """Return what a flag says as it is written in a refusal: a whole number without a point."""
+    if isinstance(value, float) and value.is_integer() and abs(value) < _MOST_DIGITS:
+        return int(value)
+    return value
 
 
 def table_of(tables: Mapping[str, Any], name: str) -> dict[str, Any]:
@@ -382,7 +391,7 @@ def _is_number(text: str) -> bool:
 def _numbers(flag: str, text: str, parts: list[str], counts: tuple[int, ...], example: str) -> list[float]:
     try:
         if len(parts) in counts:
-            return [float(part) for part in parts]
+            return [as_written(float(part)) for part in parts]
     except ValueError:
         pass
     raise InputError("cli.written_like", flag, flag=flag, value=repr(text), example=example)

@@ -9,6 +9,7 @@ import typer
 
 from stayput.cli.completion import intensity_classes, words
 from stayput.cli.flags import (
+    as_written,
     beside,
     building_table,
     earthquake_table,
@@ -19,10 +20,12 @@ from stayput.cli.flags import (
     table_of,
 )
 from stayput.cli.streams import file_of
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+    from stayput.scenario import AssemblyScenario, Scenario
 
 MotionOption: TypeAlias = Annotated[
     str | None,
@@ -161,7 +164,7 @@ def shaken(
         "storey": storey,
         "vertical": vertical,
     }
-    stated = {key: value for key, value in flags.items() if value is not None}
+    stated = {key: as_written(value) for key, value in flags.items() if value is not None}
     if motion is None and not stated and y is None and z is None:
         return dict(tables)
     given = table_of(tables, "shaking")
@@ -185,6 +188,16 @@ def along(motion: str | None, x: str | None, flag: str = "--motion") -> str | No
     if motion is not None and x is not None:
         raise one_of_two("--x", repr(x), flag, repr(motion))
     return motion if x is None else x
+
+
+def tell_of_y(y: str | None, scenario: Scenario | AssemblyScenario) -> None:
+    """Warn of ``--y`` where nothing across the depth acts: in the plane of a piece that faces the shaking."""
+    from stayput.scenario import Scenario
+
+    if y is None or not isinstance(scenario, Scenario):
+        return
+    if scenario.dimensions == 2 and scenario.furniture.heading == 0.0:
+        warn(InputWarning("cli.y_in_the_plane", "--y"))
 
 
 def _without_strengths(given: dict[str, Any], stated: Mapping[str, Any]) -> dict[str, Any]:

@@ -39,6 +39,7 @@ from stayput.cli.shaking import (
     YOption,
     ZOption,
     shaken,
+    tell_of_y,
 )
 from stayput.errors import InputError, InputWarning, warn
 
@@ -194,8 +195,7 @@ def simulate(
     checked = parsed(Scenario, data, given, scenario, motion or x)
     if length is not None and checked.dimensions == 2:
         warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
-    if y is not None and checked.dimensions == 2:
-        warn(InputWarning("cli.y_in_the_plane", "--y"))
+    tell_of_y(y, checked)
     with checked.naming_file(), compiling():
         run = checked.case(chosen_measures(checked, measure or [])).run()
     piece = checked.furniture

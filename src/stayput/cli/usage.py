@@ -33,21 +33,21 @@ def misused(error: Any) -> InputError:
         flag = str(error.option_name)
         return InputError("cli.no_such_flag", flag, flag=repr(flag), command=command)
     if kind == "MissingParameter":
-        name = _called(error.param)
+        name = as_on_the_line(error.param)
         return InputError("cli.missing", name, name=name, command=command)
     if kind == "BadParameter" and error.param is not None and hasattr(error.__cause__, "errors"):
         (wrong, *_) = error.__cause__.errors()  # of pydantic, by which Typer reads numbers
-        name, value = _called(error.param), quoted(str(wrong["input"]))
+        name, value = as_on_the_line(error.param), quoted(str(wrong["input"]))
         allowed = _allowed(wrong["type"], error.param)
         return InputError("cli.wrong_value", name, name=name, value=value, allowed=allowed)
     said = re.sub(r"\. Did you mean (.+)\?$", r" (did you mean \1?)", str(error.message))
     return InputError("cli.misused", said=said.rstrip("."), command=command)
 
 
-def _called(param: Any) -> str:
-    """Return a flag or an argument as it is typed."""
-    longest = max(param.opts, key=len)
-    return longest if longest.startswith("-") else str(param.metavar or longest).strip("[]")
+def as_on_the_line(param: Any) -> str:
+    """Return a flag as it is typed, or an argument as the help calls it."""
+    flag = next((name for name in param.opts if name.startswith("--")), None)
+    return flag or str(param.metavar or param.name).strip("[]")
 
 
 def _allowed(kind: str, param: Any) -> Phrase:

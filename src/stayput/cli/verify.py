@@ -38,6 +38,7 @@ from stayput.cli.shaking import (
     YOption,
     ZOption,
     shaken,
+    tell_of_y,
 )
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
 from stayput.cli.verify_room import print_room
@@ -140,6 +141,7 @@ def verify(
         vertical=vertical,
     )
     checked = parsed(_kind(data), data, given, scenario, motion or x)
+    tell_of_y(y, checked)
     verdict = _verified(checked, slide_limit, every_run, threads)
     from stayput.rooms.verdict import RoomVerdict
 

@@ -9,6 +9,7 @@ from stayput.contents.kinds import CONTENTS, ContentsKind
 from stayput.errors import InputError, instance_of, list_of, word_of
 from stayput.model.body import MASS_RANGE
 from stayput.model.parameters import check_fields, other_default, parameter, parameter_of
+from stayput.vocabulary import preset_meant
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
@@ -148,7 +149,8 @@ class Contents:
     )
 
     def __post_init__(self) -> None:
-        word_of("contents.kind", self.kind, CONTENTS, "kind")
+        kind = preset_meant("contents", "contents.kind", self.kind, CONTENTS, "kind")
+        object.__setattr__(self, "kind", kind)
         word_of("contents.doors", self.doors, DOORS, "doors")
         word_of("contents.drawers", self.drawers, DRAWERS, "drawers")
         instance_of("back", self.back, bool)

@@ -32,7 +32,8 @@ from stayput.inventory.columns import (
     plain_name,
 )
 from stayput.inventory.mapping import IGNORE, ColumnMapping
-from stayput.inventory.vocabulary import STOREY, WORDS, meant, preset_called, storey_meant
+from stayput.inventory.vocabulary import STOREY, preset_called, storey_meant
+from stayput.vocabulary import WORDS, meant
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+import unicodedata
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -12,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import ValidationError
 
+from stayput.building import STRUCTURES
 from stayput.errors import InputError, InputWarning, warn
 from stayput.fragility import JMA_INTENSITY
 from stayput.inventory.places import distances
@@ -20,6 +22,7 @@ from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.toml import read_toml
 from stayput.verification.options import require_coulomb
+from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -33,6 +36,11 @@ ANY_FURNITURE: dict[str, Any] = {"preset": "chest"}
 """Placeholder for the furniture of a scenario that leaves it to the inventory."""
 
 _STATED = re.compile(r"(\d{1,3})(?:\s*,\s*|\s+|\s*$)([A-Za-z-]*)", re.ASCII)
+_IN_WORDS = (
+    re.compile(r"(?P<storeys>\d{1,3})(?: ?階建て?[ ,、]*|[ ,、]+)(?P<structure>\D+)", re.ASCII),
+    re.compile(r"(?P<structure>\D+?)[ ,、]*(?P<storeys>\d{1,3}) ?階建て?", re.ASCII),
+)
+"""Storeys and structure as people write them in Japanese: 10階建て 鉄骨造, 木造2階建て."""
 
 
 class StationTable(Table):
@@ -282,8 +290,12 @@ def stated_building(text: str) -> BuildingTable | None:
     InputError
         Storeys or a structure that cannot be.
     """
-    match = _STATED.fullmatch(text)
-    if match is None:
-        return None
-    table: dict[str, Any] = {"storeys": int(match[1])}
-    return building_table("building", {**table, "structure": match[2]} if match[2] else table)
+    plain = unicodedata.normalize("NFKC", text).strip()
+    if match := _STATED.fullmatch(plain):
+        table: dict[str, Any] = {"storeys": int(match[1])}
+        return building_table("building", {**table, "structure": match[2]} if match[2] else table)
+    for written in _IN_WORDS:
+        if (match := written.fullmatch(plain)) and meant("structure", match["structure"]) in STRUCTURES:
+            table = {"storeys": int(match["storeys"]), "structure": match["structure"]}
+            return building_table("building", table)
+    return None

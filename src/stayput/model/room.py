@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, word_of
+from stayput.errors import InputError, shown, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.vocabulary import meant, preset_meant
 from stayput.wording import brief, check_language
 
 if TYPE_CHECKING:
@@ -159,8 +160,9 @@ class Floor:
 
     @classmethod
     def of(cls, surface: str, *, restitution: float = 1.0, normal_restitution: float = 0.0) -> Floor:
-        """Make a floor from a surface preset of `SURFACES`."""
-        known = SURFACES[word_of("model.surface", surface, SURFACES, "surface")]
+        """Make a floor from a surface preset of `SURFACES`, or from what people call it: "tatami", "畳"."""
+        surface = preset_meant("floor", "model.surface", surface, SURFACES, "surface")
+        known = SURFACES[surface]
         return cls(
             known.static_friction,
             known.kinetic_friction,
@@ -371,16 +373,36 @@ class Room:
         return drawn(axis)
 
     def __post_init__(self) -> None:
-        instance_of("floor", self.floor, Floor)
+        _refuse_other("floor", self.floor, Floor, _floor_made_of(self.floor))
         for name in WALLS_AROUND:
             wall = getattr(self, name)
             if wall is not None:
-                instance_of(name, wall, Wall)
+                _refuse_other(name, wall, Wall, f"Wall(gap={_number_or(wall, 0.02)!r})")
         if self.ceiling is not None:
-            instance_of("ceiling", self.ceiling, Ceiling)
+            example = f"Ceiling(height={_number_or(self.ceiling, 2.4)!r})"
+            _refuse_other("ceiling", self.ceiling, Ceiling, example)
 
     def refuse_side_walls(self) -> None:
         """Raise `InputError` where it has a side wall, which the plane has not."""
         for name in SIDE_WALLS:
             if getattr(self, name) is not None:
-                raise InputError("model.side_wall_in_the_plane", f"room.{name}", name=f"room.{name}")
+                wall, other = f"room.{name}", "dimensions"
+                raise InputError("model.side_wall_in_the_plane", wall, name=wall, other=other)
+
+
+def _refuse_other(name: str, value: object, kind: type, example: str) -> None:
+    """Raise `InputError` with an example where a part of a room is no value of its type."""
+    if not isinstance(value, kind):
+        wanted = kind.__name__
+        raise InputError(
+            "model.part_of_room", name, name=name, value=shown(value), wanted=wanted, example=example
+        )
+
+
+def _floor_made_of(value: object) -> str:
+    known = isinstance(value, str) and meant("floor", value) in SURFACES
+    return f"Floor.of({value if known else 'wood flooring'!r})"
+
+
+def _number_or(value: object, usual: float) -> float:
+    return value if isinstance(value, int | float) and not isinstance(value, bool) else usual

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.measures import MEASURES
 from stayput.verification.options import COMBINED
+from stayput.vocabulary import TATAMI
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -21,9 +22,6 @@ if TYPE_CHECKING:
     from stayput.rooms.verdict import RoomEffect, RoomVerdict
     from stayput.scenario.room import RoomScenario
     from stayput.verification.grades import Input
-
-TATAMI = "tatami, along the weave"
-"""The floor of a home with tatami: the lower of its two frictions."""
 
 SETS = (
     ("l_bracket",),

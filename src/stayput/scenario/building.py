@@ -14,7 +14,7 @@ from stayput.scenario.fields import Table, checked, each, named, of, one_of
 if TYPE_CHECKING:
     from stayput.motion import Motion
 
-StructureName = Annotated[str, one_of(STRUCTURES), named(STRUCTURES)]
+StructureName = Annotated[str, one_of(STRUCTURES, "structure"), named(STRUCTURES)]
 Masses = Annotated[
     list[Annotated[float, each(ShearModel, "masses")]], Field(min_length=1, max_length=MOST_STOREYS)
 ]

@@ -13,7 +13,7 @@ from stayput.scenario.fields import Table, checked, each, named, of, one_of
 if TYPE_CHECKING:
     from stayput.scenario.tables import FurnitureTable
 
-KindOfContents = Annotated[str, one_of(CONTENTS), named(CONTENTS)]
+KindOfContents = Annotated[str, one_of(CONTENTS, "contents"), named(CONTENTS)]
 KindOfDoors = Annotated[str, one_of(DOORS), named(DOORS)]
 KindOfDrawers = Annotated[str, one_of(DRAWERS), named(DRAWERS)]
 ShelfLoads = Annotated[list[Annotated[float, each(Contents, "loads")]], Field(min_length=1, max_length=100)]

@@ -15,6 +15,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, has_control
 from stayput.model.body import Body
 from stayput.model.parameters import parameter_of
+from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterator
@@ -75,13 +76,17 @@ def of(kind: Any, name: str, *, listed: bool = False, **changed: Any) -> Any:
     return Field(**own) if listed else between(about.low, about.high, about.unit, **own)
 
 
-def one_of(names: Collection[str]) -> Any:
-    """Return the check of a name out of several; the sentence for a wrong one comes from the schema."""
+def one_of(names: Collection[str], kind: str | None = None) -> Any:
+    """Return the check of a name out of several; the sentence for a wrong one comes from the schema.
+
+    With a kind of `stayput.vocabulary.WORDS` what people call one of them is taken for its name.
+    """
 
     def check(value: str) -> str:
-        if value not in names:
+        name = value if kind is None else meant(kind, value)
+        if name not in names:
             raise ValueError
-        return value
+        return name
 
     return AfterValidator(check)
 

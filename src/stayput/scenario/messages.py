@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.errors import InputError, near_miss
+from stayput.vocabulary import also_called
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,7 +40,7 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
     raised = error.get("ctx", {}).get("error")
     if isinstance(raised, InputError):  # by a table's own check, which does not know its place in a list
         return _in_its_list(raised, name)
-    allowed = _allowed(_node(place, schema), schema)
+    allowed = _allowed(_node(place, schema), schema, error["input"])
     if error["type"] == "missing":
         return InputError("scenario.missing", name, name=name, allowed=allowed)
     hint, value = _hint(error["input"], place, schema), shown(error["input"])
@@ -64,7 +65,7 @@ def _unknown_key(name: str, place: Sequence[str | int], schema: dict[str, Any]) 
 
 def _hint(value: object, place: Sequence[str | int], schema: dict[str, Any]) -> str | Phrase:
     names = [name for kind in kinds(_node(place, schema), schema) for name in kind.get("enum", [])]
-    return near_miss(value, names) if isinstance(value, str) else ""
+    return near_miss(value, [*names, *also_called(names)]) if isinstance(value, str) else ""
 
 
 def _dotted(place: Sequence[str | int]) -> str:
@@ -131,8 +132,11 @@ def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
     return node
 
 
-def _allowed(node: dict[str, Any], schema: dict[str, Any]) -> Phrase:
+def _allowed(node: dict[str, Any], schema: dict[str, Any], given: object = None) -> Phrase:
+    """Return what a node of the schema allows, in words; where a name was given, no table beside names."""
     allowed = kinds(node, schema)
+    if isinstance(given, str) and any("enum" in kind for kind in allowed):
+        allowed = [kind for kind in allowed if "properties" not in kind]
     if sum("properties" in kind for kind in allowed) > 1:
         return phrase("scenario.one_of_tables")
     several = [_in_words(kind, schema) for kind in allowed]

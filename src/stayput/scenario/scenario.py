@@ -105,7 +105,8 @@ class Scenario(FromFile):
             if self.contents_table is not None:
                 raise InputError("scenario.contents_in_space", "contents")
             if self.furniture.body().length is None:
-                raise InputError("scenario.no_length", "furniture.length")
+                name, other = "furniture.length", "dimensions"
+                raise InputError("scenario.no_length", name, name=name, other=other)
         return self
 
     @model_validator(mode="after")

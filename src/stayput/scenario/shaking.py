@@ -228,7 +228,9 @@ class ShakingTable(Table):
             raise InputError("scenario.needs_both", name, name=name, other=other)
         if self.building is not None and self.storey is not None and self.storey > self.building.highest():
             roof = self.building.highest()
-            raise InputError("scenario.storey", "shaking.storey", value=self.storey, roof=roof)
+            raise InputError(
+                "scenario.storey", "shaking.storey", name="shaking.storey", value=self.storey, roof=roof
+            )
 
     _in_python: Suite | None = PrivateAttr(default=None)
 

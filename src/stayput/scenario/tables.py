@@ -29,11 +29,11 @@ from stayput.scenario.fields import (
     one_of,
 )
 
-Surface = Annotated[str, one_of(SURFACES), named(SURFACES)]
+Surface = Annotated[str, one_of(SURFACES, "floor"), named(SURFACES)]
 WallConstruction = Annotated[str, one_of(WALLS), named(WALLS)]
 CeilingConstruction = Annotated[str, one_of(CEILINGS), named(CEILINGS)]
 Loads = Annotated[list[Annotated[float, each(Part, "mass")]], Field(min_length=1, max_length=100)]
-Kind = Annotated[str, one_of(FURNITURE), named(FURNITURE)]
+Kind = Annotated[str, one_of(FURNITURE, "preset"), named(FURNITURE)]
 
 
 class FurnitureTable(Table):

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import typer
 
+from stayput.cli.as_typed import FlagCommand
 from stayput.cli.help import HelpfulCommand, HelpfulGroup
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.motion import record, suite
 
 app = typer.Typer(cls=HelpfulGroup, help="cli_help.motion", no_args_is_help=True, rich_markup_mode=None)
-for name, run in (
-    ("info", record.info),
-    ("plot", record.plot),
-    ("spectrum", record.spectrum),
-    ("convert", record.convert),
-    ("suite", suite.suite),
+for name, run, kind in (
+    ("info", record.info, FlagCommand),
+    ("plot", record.plot, FlagCommand),
+    ("spectrum", record.spectrum, FlagCommand),
+    ("convert", record.convert, FlagCommand),
+    ("suite", suite.suite, HelpfulCommand),
 ):
-    app.command(name, cls=HelpfulCommand, help=f"cli_help.{name}")(run)
+    app.command(name, cls=kind, help=f"cli_help.{name}")(run)
 
 
 @app.callback()

@@ -1,0 +1,154 @@
+"""What people call furniture, floors, contents and buildings, in the languages of the users."""
+
+from __future__ import annotations
+
+import unicodedata
+from typing import TYPE_CHECKING, TypeVar
+
+from stayput.catalogue import names
+from stayput.errors import unknown
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterable, Mapping
+
+    from stayput.catalogue import Phrase
+
+Said = TypeVar("Said")
+
+LONGEST_WORD = 100
+"""Longest text that may be such a name [characters]."""
+
+TATAMI = "tatami, along the weave"
+"""The surface that tatami is taken for where nobody says how it lies: the lower of its two frictions."""
+
+OTHER_NAMES: dict[str, dict[str, str]] = {
+    "preset": {
+        "bookshelf": "bookcase",
+        "book shelf": "bookcase",
+        "書棚": "bookcase",
+        "書架": "bookcase",
+        "洋服タンス": "wardrobe",
+        "整理タンス": "chest",
+        "fridge": "refrigerator",
+        "tv": "television",
+        "自販機": "vending machine",
+        "サーバラック": "server rack",
+        "piano": "upright piano",
+        "ピアノ": "upright piano",
+    },
+    "floor": {
+        "wood": "wood flooring",
+        "wooden floor": "wood flooring",
+        "wood floor": "wood flooring",
+        "板張り": "wood flooring",
+        "板の間": "wood flooring",
+        "木の床": "wood flooring",
+        "vinyl floor": "vinyl",
+        "ビニール床": "vinyl",
+        "塩ビシート": "vinyl",
+        "長尺シート": "vinyl",
+        "tatami": TATAMI,
+        "畳": TATAMI,
+        "たたみ": TATAMI,
+        "carpet tiles": "carpet",
+        "タイルカーペット": "carpet",
+        "じゅうたん": "carpet",
+        "絨毯": "carpet",
+    },
+    "contents": {},
+    "structure": {
+        "RC造": "RC",
+        "鉄筋コンクリート": "RC",
+        "S": "steel",
+        "S造": "steel",
+        "鉄骨": "steel",
+        "W": "wood",
+        "W造": "wood",
+        "木": "wood",
+        "timber": "wood",
+        "免震": "base-isolated",
+        "免震建物": "base-isolated",
+    },
+}
+"""Further names, beside those that the catalogue tells."""
+
+
+def plain_word(text: str) -> str:
+    """Return a word in one spelling: of width, case and blanks."""
+    return " ".join(unicodedata.normalize("NFKC", text).lower().split())
+
+
+def _spelled(kind: str, *tables: Mapping[str, tuple[str, str]]) -> dict[str, str]:
+    """Return the keys of tables of names by their names, and by further ones; of two with one, the first."""
+    words: dict[str, str] = {}
+    for table in tables:
+        for key, labels in table.items():
+            for word in (key, *labels):
+                words.setdefault(word, key)
+    return words | OTHER_NAMES[kind]
+
+
+_SPELLED = {
+    "preset": _spelled("preset", names.FURNITURE, names.PIECES),
+    "floor": _spelled("floor", names.SURFACES),
+    "contents": _spelled("contents", names.CONTENTS),
+    "structure": _spelled("structure", names.STRUCTURES),
+}
+
+WORDS: dict[str, dict[str, str]] = {
+    kind: {plain_word(word): key for word, key in reversed(words.items())} for kind, words in _SPELLED.items()
+}
+"""What the words of a kind stand for, each as `plain_word` gives it."""
+
+
+def meant(kind: str, given: Said) -> Said | str:
+    """Return the name of a preset for what people call it; anything else as it is.
+
+    Examples
+    --------
+    >>> meant("floor", "フローリング"), meant("structure", "木造"), meant("preset", 3.0)
+    ('wood flooring', 'wood', 3.0)
+    """
+    if not isinstance(given, str) or not given or len(given) > LONGEST_WORD:
+        return given
+    return WORDS[kind].get(plain_word(given), given)
+
+
+def also_called(presets: Iterable[str]) -> list[str]:
+    """Return what people call presets besides their names, as a sentence may offer it."""
+    wanted = frozenset(presets)
+    return [
+        word
+        for words in _SPELLED.values()
+        for word, key in words.items()
+        if key in wanted and plain_word(word) != plain_word(key)
+    ]
+
+
+def preset_meant(
+    kind: str, name: str | Phrase, given: object, known: Collection[str], field: str | None = None
+) -> str:
+    """Return the name of a preset for what people call it.
+
+    Parameters
+    ----------
+    kind : str
+        Of `WORDS`.
+    name : str or Phrase
+        What a sentence calls it; see `stayput.errors.finite`.
+    given : object
+        The word.
+    known : collection of str
+        The presets.
+    field : str, optional
+        Dotted name of the input.
+
+    Raises
+    ------
+    InputError
+        No preset is called so.
+    """
+    word = meant(kind, given)
+    if not isinstance(word, str) or word not in known:
+        raise unknown(name, given, known, field, also_called(known))
+    return word
