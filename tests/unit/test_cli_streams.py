@@ -155,6 +155,8 @@ def test_one_table_on_standard_output_and_another_in_a_file(here: Path) -> None:
         (("verify", "scenario.toml", "--csv", "-", "--markdown", "-"), "both go to standard output"),
         (("motion", "info", "-", "--y", "-"), "are both -, standard input"),
         (("simulate", "-", "--x", "x.csv", "--y", "-"), "are both -, standard input"),
+        (("simulate", "--x", "-", "--y", "-"), "--y and --x are both -, standard input"),
+        (("building", "--x", "-", "--y", "-"), "--y and --x are both -, standard input"),
         (("verify", "scenario.toml", "--report", "-"), ".html"),
         (("simulate", "--plot", "-"), ".png"),
     ],

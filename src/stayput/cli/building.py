@@ -95,7 +95,16 @@ def building(
     ground = along(motion, x) or "near-fault"
     strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
     response = described.respond(
-        motion_of(ground, "--motion", y=y, z=z, component=component, unit=unit, dt=dt, **strength)
+        motion_of(
+            ground,
+            "--motion" if x is None else "--x",
+            y=y,
+            z=z,
+            component=component,
+            unit=unit,
+            dt=dt,
+            **strength,
+        )
     )
     if json:
         print_json(_record(response))

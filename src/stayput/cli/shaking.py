@@ -169,7 +169,8 @@ def shaken(
         return dict(tables)
     given = table_of(tables, "shaking")
     if motion is not None:
-        given = _from_here(shaking_table(file_of(motion, "--motion")), path)
+        named = "--motion" if x is None else "--x"
+        given = _from_here(shaking_table(file_of(motion, named)), path)
     files = beside(y, z, given)
     given = _without_strengths(given, stated)
     if vertical and isinstance(given.get("vertical"), str):  # the component of that file acts

@@ -66,7 +66,11 @@ def study(
     motions = ()
     if any(value is not None for value in (motion, y, z, component, unit, dt)):
         ground = motion or "near-fault"
-        motions = (motion_of(ground, "--motion", y=y, z=z, component=component, unit=unit, dt=dt),)
+        motions = (
+            motion_of(
+                ground, "--motion" if x is None else "--x", y=y, z=z, component=component, unit=unit, dt=dt
+            ),
+        )
     result = run(*motions)
     typer.echo(result.markdown())
     if lang == "ja":
