@@ -98,7 +98,7 @@ class Assessment:
 
     @property
     def rejects(self) -> Any:
-        """The rows that were not assessed, as a table of PyArrow: row, id, reason, and reason_ja."""
+        """The rows that were not assessed, as a table of PyArrow: row, id, name, reason, and reason_ja."""
         return parquet().read_table(self.folder / REJECTS[0])
 
 

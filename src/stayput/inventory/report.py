@@ -204,7 +204,7 @@ def report_html(
         "worst": [_piece(row, language) for row in summary.worst],
         "contents": contents,
         "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
-        "rejects": rejects[:REJECTS_SHOWN],
+        "rejects": [{**row, "piece": _called(row)} for row in rejects[:REJECTS_SHOWN]],
         "rejects_counted": _words("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
         "done": done(facts, manifest, contents, language),
         "ramp": [
@@ -238,7 +238,8 @@ def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
     no_help = "needs_none" if needs_none(row) else "no_help"
     by_cost = row["best_by_cost"]
     return {
-        **{key: row[key] for key in ("row", "id", "event", "count")},
+        **{key: row[key] for key in ("row", "event", "count")},
+        "piece": _called(row),
         "building": row["building"] or "",
         "storey": row["storey"] or "",
         "overturned": interval_told(row, "", language),
@@ -252,6 +253,12 @@ def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
         "loss": amount(row["expected_loss"]),
         "not_possible": [_reason(option, language) for option in row["not_possible"] or ()],
     }
+
+
+def _called(row: Mapping[str, Any]) -> str:
+    """Return a piece's id with its name, unless the id has been made of the name."""
+    piece, name = row["id"], row["name"]
+    return piece if not name or piece in (name, f"{name} #{row['row']}") else f"{piece} {name}".strip()
 
 
 def _reason(option: Mapping[str, str], language: str) -> dict[str, str]:
