@@ -26,6 +26,7 @@ from stayput.inventory.words import (
     pieces_counted,
     share_told,
 )
+from stayput.report.names import given_name
 from stayput.report.page import framed, rendered
 from stayput.report.palette import INK, PAPER, rgb
 from stayput.report.verdict.svg import element, label
@@ -43,7 +44,7 @@ REJECTS_SHOWN = 20
 CELL, ROW, LEFT, TOP, SLANT = 46.0, 24.0, 64.0, 10.0, 4.7
 """Sizes of a map [px]: of a cell, room for the storeys and above, height of a slanted letter."""
 
-LONGEST_NAME = 22
+LONGEST_NAME = 40
 """Cells of a building's name that a map shows; a Japanese letter has two."""
 
 RAMP = ("#f7fbff", "#fdd49e", "#fc8d59", "#d7301f", "#7f0000")
@@ -240,7 +241,7 @@ def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
     return {
         **{key: row[key] for key in ("row", "event", "count")},
         "piece": _called(row),
-        "building": row["building"] or "",
+        "building": given_name(row["building"] or "", language),
         "storey": row["storey"] or "",
         "overturned": interval_told(row, "", language),
         "out": share_told(row["contents_out_share"], language),
