@@ -179,6 +179,8 @@ def assess(
     if scheduler is not None and client is not None:
         raise InputError("inventory.scheduler_and_client", "scheduler")
     arrow()
+    if hasattr(inventory, "to_parquet") and hasattr(inventory, "to_csv"):
+        raise InputError("inventory.a_data_frame", "inventory", kind=type(inventory).__name__)
     for name, path in {"inventory": inventory, "scenario": scenario, "out": out}.items():
         instance_of(name, path, (str, PathLike))
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
