@@ -26,7 +26,7 @@ from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
-from stayput.inventory.scenarios import read_scenarios
+from stayput.inventory.scenarios import ScenarioFile, read_scenarios
 from stayput.inventory.shakemaps import read_shakemap
 from stayput.inventory.store import Store
 from stayput.inventory.summary import COLUMNS, summarise
@@ -104,7 +104,7 @@ class Assessment:
 
 def assess(
     inventory: str | Path,
-    scenario: str | Path,
+    scenario: str | Path | ScenarioFile,
     out: str | Path,
     *,
     shakemap: str | Path | None = None,
@@ -130,7 +130,7 @@ def assess(
     inventory : str or Path
         The table: .csv, .tsv or .txt (with commas, semicolons or tabs; UTF-8, cp932 or UTF-16), .parquet or
         .xlsx (its first sheet); a row a piece.
-    scenario : str or Path
+    scenario : str, Path or ScenarioFile
         A scenario file, or a folder of them: one event each or, with ``[station]``, stations.
     out : str or Path
         Folder of the results; new, empty, or of the same assessment.
@@ -181,8 +181,9 @@ def assess(
     arrow()
     if hasattr(inventory, "to_parquet") and hasattr(inventory, "to_csv"):
         raise InputError("inventory.a_data_frame", "inventory", kind=type(inventory).__name__)
-    for name, path in {"inventory": inventory, "scenario": scenario, "out": out}.items():
+    for name, path in {"inventory": inventory, "out": out}.items():
         instance_of(name, path, (str, PathLike))
+    instance_of("scenario", scenario, (str, PathLike, ScenarioFile))
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
     if not table.is_file():
         raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
