@@ -186,6 +186,23 @@ def test_an_inventory_on_standard_input_is_the_same_assessment_as_its_file(here:
     assert refused.stderr.startswith("No row of the inventory could be assessed")
 
 
+def test_a_scenario_on_standard_input_finds_its_records_in_the_working_folder(here: Path) -> None:
+    pytest.importorskip("pyarrow")
+    (here / "inventory.csv").write_text("id,preset\na,bookcase\n", encoding="utf-8")
+    sp.near_fault().write(here / "quake.csv")
+    text = SCENARIO.replace('builtin = "near-fault"', 'record = "quake.csv"')
+    flags = ("inventory.csv", "--scenario", "-", "--out", "results")
+    done = cli("assess", *flags, "--json", "--quiet", given=text)
+    assert done.exit_code == 0, done.output
+    assert list(json.loads(done.stdout)["events"]) == ["standard input"]
+    assert cli("assess", *flags, given=text).exit_code == 0  # the same assessment again
+    twice = cli("assess", "-", "--scenario", "-", "--out", "none", given=text)
+    assert twice.exit_code == 2
+    wrong = cli("assess", *flags, given=text.replace("samples", "sampels"))
+    assert wrong.exit_code == 2
+    assert wrong.stderr.startswith("standard input: ")
+
+
 def test_letters_that_the_terminal_lacks_are_written_out(here: Path) -> None:
     command = [sys.executable, "-m", "stayput", "simulate", "scenario.toml", "--lang", "ja"]
     surroundings = os.environ | {"PYTHONIOENCODING": "ascii"}

@@ -138,8 +138,21 @@ def test_the_report_stands_alone(small):
     assert "row 2" in page
 
 
+def test_the_scenarios_own_building_is_named_in_the_reports_language(tmp_path):
+    stated = 'building = { storeys = 8, structure = "steel" }\nstorey = 1'
+    own = CITY.replace("intensity = 6.0", f"intensity = 6.0\n{stated}")
+    file = table(tmp_path, ["a,bookcase,3,"], "id,preset,storey,building")
+    done = assess(file, city(tmp_path, own), tmp_path / "out", progress=False)
+    english, japanese = (done.report(language).read_text("utf-8") for language in ("en", "ja"))
+    assert ">8-storey steel building<" in english
+    assert "8-storey steel buildi…" not in english
+    assert done.summary.worst[0]["building"] == "8-storey steel building"
+    assert "storey" not in japanese.partition("<body>")[2]
+    assert japanese.count(">8階建て（鉄骨造）<") == 3  # in two maps and a table
+
+
 def test_a_map_shows_every_storey_and_whole_names():
-    long = "a & b <of a very long name>"
+    long = "a & b <of a very long name, that goes on>"
     total = Total(rows=1, pieces=4, fallen=1.0, fallen_best=0.5)
     places = {("10 RC", 7): total, ("2 wood", 2): total, (long, 1): total, ("", 0): total}
     page = ElementTree.fromstring(storey_map(places, False, "a map"))
@@ -147,7 +160,7 @@ def test_a_map_shows_every_storey_and_whole_names():
     storeys = [one.text for one in texts if one.get("text-anchor") == "end"]
     assert storeys == [*(f"{n}F" for n in range(7, 0, -1)), "ground"]
     names = ["".join(one.itertext()) for one in texts if one.get("text-anchor") == "start"]
-    assert names == ["no building", "2 wood", "10 RC", f"{long}{long[:21]}…"]
+    assert names == ["no building", "2 wood", "10 RC", f"{long}{long[:39]}…"]
     assert [one.text for one in page.iter("text") if one.get("class") == "share"] == ["25"] * 4
 
 

@@ -112,6 +112,27 @@ def test_semicolons_go_with_decimal_commas(tmp_path):
     }
 
 
+def test_an_amount_with_its_sign_goes_with_decimal_commas(tmp_path):
+    amounts = ["$1,200.50", "1.200,50", "€ 12,5", "45円", "$2,000", "￥2.000", "$12,5x"]
+    text = "id;preset;value\n" + "".join(f"{n};chest;{amount}\n" for n, amount in enumerate(amounts))
+    rows, rejects, *_ = read(tmp_path, text)
+    assert [row["value"] for row in rows] == [1200.5, 1200.5, 12.5, 45.0]
+    assert ["of which the mark may be" in row["reason"] for row in rejects] == [True, True, False]
+    assert "value is '$2,000'" in rejects[0]["reason"]
+
+
+def test_both_marks_tell_thousands_from_decimals():
+    assert number_of("mass", "1,200.50", "kg") == number_of("mass", "1.200,50", "kg") == 1200.5
+
+
+def test_a_storey_without_a_building_says_where_to_give_it(tmp_path):
+    _, (rejected,), *_ = read(tmp_path, "id,preset,storey\na,chest,3\n")
+    assert "a column building" in rejected["reason"]
+    assert "under [shaking] of the scenario" in rejected["reason"]
+    assert "列「建物」" in rejected["reason_ja"]
+    assert "シナリオの[shaking]" in rejected["reason_ja"]
+
+
 def test_a_comma_is_no_decimal_one_between_commas(tmp_path):
     _, rejects, bodies, _ = read(tmp_path, 'id,width,height,mass\na,"0,45",1.8,80\n')
     assert not bodies
@@ -403,3 +424,9 @@ def test_a_price_of_one_goes_before_a_total():
         header = header_of(names)
         assert header.places["value"] == names.index("単価")
         assert header.unused == ("金額",)
+
+
+def test_a_table_of_pandas_is_to_be_written_first(tmp_path):
+    frame = pytest.importorskip("pandas").DataFrame({"id": ["a"], "preset": ["chest"]})
+    with pytest.raises(sp.InputError, match=r"inventory is a DataFrame; .* with to_parquet or to_csv first"):
+        assess(frame, city(tmp_path), tmp_path / "out", progress=False)

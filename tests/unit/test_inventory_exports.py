@@ -135,3 +135,30 @@ def test_what_to_install_is_said(tmp_path, monkeypatch):
         assess(file, city(tmp_path), tmp_path / "out", export="gpkg", progress=False)
     done = assess(file, city(tmp_path), tmp_path / "out", export="geojson", progress=False)
     assert (done.folder / "pieces.geojson").exists()
+
+
+def test_a_piece_with_an_id_keeps_its_name(tmp_path):
+    rows = ["1,本棚 大,bookcase,,35.1,135.2", "2,,bookcase,,35.1,135.2", "3,=壊れた棚,bookcase,-1,35.1,135.2"]
+    file = table(tmp_path, rows, "No.,品名,preset,height,lat,lon")
+    done = assess(file, city(tmp_path), tmp_path / "out", export="gpkg,csv,geojson", progress=False)
+    assert [row["name"] for row in rows_of_results(done)] == ["本棚 大", None]
+    exported = list(csv.DictReader((done.folder / "pieces.csv").read_text("utf-8-sig").splitlines()))
+    assert [row["name"] for row in exported] == ["本棚 大", ""]
+    points = json.loads((done.folder / "pieces.geojson").read_text("utf-8"))["features"]
+    assert [point["properties"]["name"] for point in points] == ["本棚 大", None]
+    layer = pyogrio.raw.read_arrow(done.folder / "pieces.gpkg", layer="pieces")[1]
+    assert layer.column("name").to_pylist() == ["本棚 大", None]
+    (reject,) = done.rejects.to_pylist()
+    assert (reject["id"], reject["name"]) == ("3", "=壊れた棚")
+    assert "4,3,'=壊れた棚," in (done.folder / "rejects.csv").read_text("utf-8-sig")
+    for language in ("en", "ja"):
+        text = done.report(language).read_text("utf-8")
+        assert ">1 本棚 大<" in text
+        assert ">3 =壊れた棚<" in text
+
+
+def test_an_id_made_of_a_name_does_not_repeat_it(tmp_path):
+    file = table(tmp_path, ["本棚,bookcase"], "品名,preset")
+    done = assess(file, city(tmp_path), tmp_path / "out", progress=False)
+    assert [(row["id"], row["name"]) for row in rows_of_results(done)] == [("本棚 #2", "本棚")]
+    assert ">本棚 #2<" in done.report("ja").read_text("utf-8")

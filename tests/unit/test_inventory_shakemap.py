@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import bz2
+import gzip
+import lzma
 import math
 
 import numpy as np
@@ -186,6 +189,26 @@ def test_hostile_grids_are_refused(tmp_path, name):
     given, reason = HOSTILE[name]
     with pytest.raises(sp.InputError, match=reason):
         read_shakemap(grid(tmp_path, **{"rows": ROWS, **given}))
+
+
+@pytest.mark.parametrize("encoding", ["UTF-16LE", "UTF-16BE", "UTF-8"])
+def test_a_grid_after_a_byte_order_mark_is_read(tmp_path, encoding):
+    file = grid(tmp_path, ROWS)
+    plain = read_shakemap(file)
+    text = file.read_text("utf-8").replace("UTF-8", encoding[:6])
+    file.write_bytes(f"\ufeff{text}".encode(encoding))
+    assert read_shakemap(file).levels.tolist() == plain.levels.tolist()
+
+
+@pytest.mark.parametrize(
+    "pack", [gzip.compress, bz2.compress, lzma.compress, lambda text: b"PK\x03\x04" + text]
+)
+def test_a_map_that_is_compressed_is_refused(tmp_path, pack):
+    file, plain = tmp_path / "grid.xml.gz", grid(tmp_path, ROWS)
+    file.write_bytes(pack(plain.read_bytes()))
+    for given in ((file,), (plain, None, file)):
+        with pytest.raises(sp.InputError, match=r"grid\.xml\.gz' is compressed; unpack it first"):
+            read_shakemap(*given)
 
 
 @pytest.mark.parametrize("content", ["<", "<a/>", "<shakemap_grid></shakemap_grid>", "<shakemap_grid>" * 5])

@@ -23,6 +23,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The inventory is {path}; it must be a file.",
         "家具一覧が{path}になっています。ファイルを指定してください。",
     ),
+    "a_data_frame": (
+        "inventory is a {kind}; it must be a file: write it with to_parquet or to_csv first, and give that file.",
+        "inventoryが{kind}になっています。先にto_parquetまたはto_csvでファイルに書き、そのファイルを指定してください。",
+    ),
     "changed": (
         "The {file} {path} was changed while it was read; give the command again.",
         "{file}（{path}）が読み込み中に変更されました。コマンドをもう一度実行してください。",
@@ -269,8 +273,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "costsの数値は{costs}個、measuresは{measures}個です。同じ数にしてください。",
     ),
     "building_missing": (
-        "building is missing; it must be given where a storey is.",
-        "建物（building）がありません。階（storey）を指定するときは必要です。",
+        (
+            "building is missing; it must be given where a storey is: in a column building, or for all rows as "
+            "building and storey under [shaking] of the scenario."
+        ),
+        (
+            "建物（building）がありません。階（storey）を指定するときは必要です。"
+            "列「建物」（building）に書くか、すべての行に共通ならシナリオの[shaking]にbuildingとstoreyを書いてください。"
+        ),
     ),
     "storey_missing": (
         "storey is missing; it must be given where a building is.",

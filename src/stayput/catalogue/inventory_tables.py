@@ -101,6 +101,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The shake map's file is {path}; it must be a ShakeMap grid (XML): {reason}.",
         "地震動マップのファイル{path}は、ShakeMapのグリッド（XML）として読めません：{reason}。",
     ),
+    "compressed": (
+        "The shake map's file {path} is compressed; unpack it first and give what was in it, such as grid.xml.",
+        "地震動マップのファイル{path}は圧縮されています。先に展開して、中のファイル（grid.xmlなど）を指定してください。",
+    ),
     "map_unit": (
         "The shake map has {column}; its unit must be one of {known}, as in pga[%g].",
         "地震動マップの{column}の単位が分かりません。{known}のいずれかをpga[%g]のように書いてください。",

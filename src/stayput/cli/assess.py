@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -11,12 +11,13 @@ from stayput.catalogue import say
 from stayput.cli.flags import QuietOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note, print_json, tell_written
-from stayput.cli.streams import file_of
+from stayput.cli.streams import NAME, bytes_of_input, file_of, is_stream
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from stayput.inventory import Assessment
+    from stayput.inventory.scenarios import ScenarioFile
 
 
 def assess(
@@ -72,7 +73,7 @@ def assess(
 
     assessment = run(
         file_of(str(inventory), "TABLE", ".csv"),
-        scenario,
+        _scenario_of_input() if is_stream(scenario) else scenario,
         out,
         shakemap=None if shakemap is None else file_of(str(shakemap), "--shakemap", ".csv"),
         field=field,
@@ -93,6 +94,14 @@ def assess(
         from stayput.errors import InputError
 
         raise InputError("cli.no_row", rejects=assessment.folder / "rejects.csv")
+
+
+def _scenario_of_input() -> ScenarioFile:
+    """Return the scenario on standard input; its paths begin in the working folder."""
+    from stayput.inventory.scenarios import scenario_file_of
+    from stayput.scenario.toml import table_of_bytes
+
+    return scenario_file_of(table_of_bytes(bytes_of_input("--scenario"), Path(NAME)), Path(NAME))
 
 
 def _record(assessment: Assessment) -> dict[str, object]:

@@ -26,7 +26,7 @@ from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
-from stayput.inventory.scenarios import read_scenarios
+from stayput.inventory.scenarios import ScenarioFile, read_scenarios
 from stayput.inventory.shakemaps import read_shakemap
 from stayput.inventory.store import Store
 from stayput.inventory.summary import COLUMNS, summarise
@@ -98,13 +98,13 @@ class Assessment:
 
     @property
     def rejects(self) -> Any:
-        """The rows that were not assessed, as a table of PyArrow: row, id, reason, and reason_ja."""
+        """The rows that were not assessed, as a table of PyArrow: row, id, name, reason, and reason_ja."""
         return parquet().read_table(self.folder / REJECTS[0])
 
 
 def assess(
     inventory: str | Path,
-    scenario: str | Path,
+    scenario: str | Path | ScenarioFile,
     out: str | Path,
     *,
     shakemap: str | Path | None = None,
@@ -130,7 +130,7 @@ def assess(
     inventory : str or Path
         The table: .csv, .tsv or .txt (with commas, semicolons or tabs; UTF-8, cp932 or UTF-16), .parquet or
         .xlsx (its first sheet); a row a piece.
-    scenario : str or Path
+    scenario : str, Path or ScenarioFile
         A scenario file, or a folder of them: one event each or, with ``[station]``, stations.
     out : str or Path
         Folder of the results; new, empty, or of the same assessment.
@@ -179,8 +179,11 @@ def assess(
     if scheduler is not None and client is not None:
         raise InputError("inventory.scheduler_and_client", "scheduler")
     arrow()
-    for name, path in {"inventory": inventory, "scenario": scenario, "out": out}.items():
+    if hasattr(inventory, "to_parquet") and hasattr(inventory, "to_csv"):
+        raise InputError("inventory.a_data_frame", "inventory", kind=type(inventory).__name__)
+    for name, path in {"inventory": inventory, "out": out}.items():
         instance_of(name, path, (str, PathLike))
+    instance_of("scenario", scenario, (str, PathLike, ScenarioFile))
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
     if not table.is_file():
         raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))

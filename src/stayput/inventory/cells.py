@@ -28,8 +28,12 @@ SHOWN = 40
 
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _WITH_REST = re.compile(r"([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*([^\d\s.,].*)?", re.ASCII)
-_GROUPS = re.compile(r"[+-]?[1-9]\d{0,2}(?:(?:,\d{3}){2,}(?:\.\d*)?|(?:\.\d{3}){2,}(?:,\d*)?)", re.ASCII)
-"""A number with two marks of thousands or more, which can be no decimal ones."""
+_GROUPS = re.compile(
+    r"[+-]?[1-9]\d{0,2}"
+    r"(?:(?:,\d{3}){2,}(?:\.\d*)?|(?:\.\d{3}){2,}(?:,\d*)?|,\d{3}\.\d+|\.\d{3},\d+)",
+    re.ASCII,
+)
+"""A number with two marks of thousands or more, or one and another mark, which can be no decimal ones."""
 
 _WHOLE_UNITS = ("mm", "g")
 """Units so small that nobody writes thousandths of them: a comma before three digits is one of thousands."""
@@ -59,6 +63,7 @@ _POINT = re.compile(r"[+-]?[1-9]\d{0,2}\.\d{3}", re.ASCII)
 """A number with a point before three digits: 1.800 is 1.8 in English, and 1800 in German."""
 
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}", re.ASCII)
+_SIGN_OF_MONEY = re.compile(r"[¥￥\\$€]\s*(?=\d)|(?<=\d)\s*円")
 _AMOUNT = re.compile(r"[¥\\$€]?\s*(\d{1,3}(?:,\d{3})+(?:\.\d{1,2})?|\d+(?:\.\d*)?)\s*円?", re.ASCII)
 
 Cell: TypeAlias = "str | float | int | Unusable | None"
@@ -267,15 +272,17 @@ def refuse_without_unit(name: str, cell: Cell) -> Cell:
     return cell
 
 
-def with_point(name: str, text: str, kind: str) -> str:
+def with_point(name: str, text: str, kind: str, money: bool = False) -> str:
     """Return a number of a table in which commas may be decimal, with a point; any other text as it is.
+
+    An amount of money loses its sign.
 
     Raises
     ------
     InputError
         The comma or the point may be one of thousands.
     """
-    parted = _WITH_REST.fullmatch(text.strip())
+    parted = _WITH_REST.fullmatch(_SIGN_OF_MONEY.sub("", text.strip(), 1) if money else text.strip())
     if parted is None:
         return text
     number, rest = without_thousands(parted[1], parted[2] or kind, ".,"), parted[2] or ""
@@ -316,7 +323,7 @@ def converting_reader(
     def number(text: Cell) -> Cell:
         text = half_width(text) if isinstance(text, str) else text
         if decimal_comma and isinstance(text, str):
-            text = with_point(name, text, written)
+            text = with_point(name, text, written, kind == "currency")
         elif kind == "currency" and isinstance(text, str):
             text = amount_of(text)
         if unit is None or unit.times == unit.over:

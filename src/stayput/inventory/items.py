@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, unknown, within
-from stayput.inventory.cells import number_of, numbers_of, plain, shown, text_of, whole_of
+from stayput.errors import InputError, unknown, visible, within
+from stayput.inventory.cells import Unusable, number_of, numbers_of, plain, shown, text_of, whole_of
 from stayput.inventory.columns import TOTAL_ROW, plain_name
 from stayput.inventory.contents import OF_THE_CONTENTS, contents_of
 from stayput.inventory.scenarios import stated_building
@@ -48,6 +48,9 @@ SIZES = {"width": (0.01, 10.0, "m"), "height": (0.01, 10.0, "m"), "mass": (0.1, 
 """What a piece of an inventory may have; beyond, its numbers are in another unit than is stated."""
 
 NO_MEASURE = "none"
+
+LONGEST_NAME = 100
+"""Letters of what a piece is called that are kept."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -111,6 +114,7 @@ class Item:
 
     row: int
     id: str
+    name: str | None
     count: int
     value: float | None
     lat: float | None
@@ -208,7 +212,9 @@ class RowReader:
             )
         for cost in costs:
             within("costs", cost, 0.0, 1e15)
-        return Item(row, piece, count or 1, value, lat, lon, body.width, tuple(exposures))
+        return Item(
+            row, piece, name_of(cells.get("name")), count or 1, value, lat, lon, body.width, tuple(exposures)
+        )
 
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int
@@ -266,6 +272,14 @@ class RowReader:
 
 def _values(cells: Mapping[str, Cell], names: tuple[str, ...]) -> Hashable:
     return tuple(plain(name, cells.get(name)) for name in names)
+
+
+def name_of(cell: Cell) -> str | None:
+    """Return what a piece is called, in one line, or None where the cell says nothing of use."""
+    if cell is None or isinstance(cell, Unusable):
+        return None
+    whole = int(cell) if isinstance(cell, float) and cell.is_integer() else cell
+    return visible(" ".join(str(whole).split())[:LONGEST_NAME].strip()) or None
 
 
 def body_of(cells: Mapping[str, Cell]) -> Body:

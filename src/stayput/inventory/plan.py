@@ -14,7 +14,7 @@ from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.cells import Unusable, shown
 from stayput.inventory.folder import digest_of
 from stayput.inventory.header import header_of
-from stayput.inventory.items import RowReader
+from stayput.inventory.items import LONGEST_NAME, RowReader, name_of
 from stayput.inventory.store import Store
 from stayput.inventory.tables import open_table
 from stayput.inventory.workspace import read_json, remove, sync_folder
@@ -52,6 +52,7 @@ def schema() -> Any:
         [
             ("row", pa.int64()),
             ("id", pa.string()),
+            ("name", pa.string()),
             ("count", pa.int32()),
             ("value", pa.float64()),
             ("lat", pa.float64()),
@@ -83,20 +84,20 @@ class Rejects:
     def __init__(self, folder: Path) -> None:
         pa, pq = arrow(), parquet()
 
-        texts = [(name, pa.string()) for name in ("id", "reason", "reason_ja")]
+        texts = [(name, pa.string()) for name in ("id", "name", "reason", "reason_ja")]
         self.schema = pa.schema([("row", pa.int64()), *texts])
         self.file = (folder / REJECTS[0]).open("wb")
         self.parquet: Any = pq.ParquetWriter(self.file, self.schema, compression="zstd")
         self.text = (folder / REJECTS[1]).open("w", encoding="utf-8-sig", newline="")
         self.lines = csv.writer(self.text)
         self.lines.writerow(self.schema.names)
-        self.buffered: list[tuple[int, str, str, str]] = []
+        self.buffered: list[tuple[int, str, str | None, str, str]] = []
         self.count = 0
 
-    def add(self, row: int, name: object, error: InputError) -> None:
-        """Add a row that is refused."""
-        identifier = "" if name is None or isinstance(name, Unusable) else str(name)[:200]
-        self.buffered.append((row, identifier, error.told("en"), error.told("ja")))
+    def add(self, row: int, piece: Cell, called: Cell, error: InputError) -> None:
+        """Add a row that is refused, with its id and what its piece is called."""
+        identifier = "" if piece is None or isinstance(piece, Unusable) else str(piece)[:200]
+        self.buffered.append((row, identifier, name_of(called), error.told("en"), error.told("ja")))
         self.count += 1
         if len(self.buffered) >= ROWS_PER_PART:
             self.flush()
@@ -110,8 +111,8 @@ class Rejects:
         columns = dict(zip(self.schema.names, map(list, zip(*self.buffered, strict=True)), strict=True))
         self.parquet.write_table(pa.table(columns, schema=self.schema))
         self.lines.writerows(
-            (row, harmless(" ".join(name.split())), *map(harmless, reasons))
-            for row, name, *reasons in self.buffered
+            (row, harmless(" ".join(piece.split())), *map(harmless, texts))
+            for row, piece, *texts in self.buffered
         )
         self.buffered.clear()
 
@@ -281,15 +282,16 @@ def _checked(
     rejects: Rejects,
 ) -> Item | None:
     name: Cell = None
+    called: Cell = None
     try:
         if isinstance(cells, InputError):
             raise cells
-        place, called = header.places.get("id"), header.places.get("name")
+        place, called = header.places.get("id"), _cell_at(header.places.get("name"), cells)
         if place is None:
-            name = _numbered(cells[called] if called is not None and called < len(cells) else None, number)
+            name = _numbered(called, number)
             piece = reader.item(number, {**header.cells(cells), "id": name})
         else:
-            name = cells[place] if place < len(cells) else None
+            name = _cell_at(place, cells)
             piece = reader.item(number, header.cells(cells))
         first = store.row_of(piece.id, number)
         if first != number:
@@ -299,18 +301,18 @@ def _checked(
         told = (
             error if written is None else error.at(phrase("inventory_tables.column", header=shown(written)))
         )
-        rejects.add(number, name, told)
+        rejects.add(number, name, called, told)
         return None
     return piece
 
 
-_LONGEST_NAME = 100
-"""Letters of what a piece is called that are part of its id."""
+def _cell_at(place: int | None, cells: list[Cell]) -> Cell:
+    return None if place is None or place >= len(cells) else cells[place]
 
 
 def _numbered(called: Cell, number: int) -> str:
     """Return the id of a piece of a table that has none: what it is called, with its row."""
-    name = called.strip()[:_LONGEST_NAME].strip() if isinstance(called, str) else ""
+    name = called.strip()[:LONGEST_NAME].strip() if isinstance(called, str) else ""
     return f"{name} #{number}" if name else f"row {number}"
 
 
@@ -321,6 +323,7 @@ def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], scenarios:
         (
             piece.row,
             piece.id,
+            piece.name,
             piece.count,
             piece.value,
             piece.lat,

@@ -26,6 +26,7 @@ from stayput.inventory.words import (
     pieces_counted,
     share_told,
 )
+from stayput.report.names import given_name
 from stayput.report.page import framed, rendered
 from stayput.report.palette import INK, PAPER, rgb
 from stayput.report.verdict.svg import element, label
@@ -43,7 +44,7 @@ REJECTS_SHOWN = 20
 CELL, ROW, LEFT, TOP, SLANT = 46.0, 24.0, 64.0, 10.0, 4.7
 """Sizes of a map [px]: of a cell, room for the storeys and above, height of a slanted letter."""
 
-LONGEST_NAME = 22
+LONGEST_NAME = 40
 """Cells of a building's name that a map shows; a Japanese letter has two."""
 
 RAMP = ("#f7fbff", "#fdd49e", "#fc8d59", "#d7301f", "#7f0000")
@@ -204,7 +205,7 @@ def report_html(
         "worst": [_piece(row, language) for row in summary.worst],
         "contents": contents,
         "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
-        "rejects": rejects[:REJECTS_SHOWN],
+        "rejects": [{**row, "piece": _called(row)} for row in rejects[:REJECTS_SHOWN]],
         "rejects_counted": _words("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
         "done": done(facts, manifest, contents, language),
         "ramp": [
@@ -238,8 +239,9 @@ def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
     no_help = "needs_none" if needs_none(row) else "no_help"
     by_cost = row["best_by_cost"]
     return {
-        **{key: row[key] for key in ("row", "id", "event", "count")},
-        "building": row["building"] or "",
+        **{key: row[key] for key in ("row", "event", "count")},
+        "piece": _called(row),
+        "building": given_name(row["building"] or "", language),
         "storey": row["storey"] or "",
         "overturned": interval_told(row, "", language),
         "out": share_told(row["contents_out_share"], language),
@@ -252,6 +254,12 @@ def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
         "loss": amount(row["expected_loss"]),
         "not_possible": [_reason(option, language) for option in row["not_possible"] or ()],
     }
+
+
+def _called(row: Mapping[str, Any]) -> str:
+    """Return a piece's id with its name, unless the id has been made of the name."""
+    piece, name = row["id"], row["name"]
+    return piece if not name or piece in (name, f"{name} #{row['row']}") else f"{piece} {name}".strip()
 
 
 def _reason(option: Mapping[str, str], language: str) -> dict[str, str]:

@@ -72,6 +72,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
     fields = [
         number("row", "row of the inventory, the header being row 1", pa.int64()),
         number("id", "the piece", pa.string()),
+        number("name", "what the table calls the piece; null where it says nothing", pa.string()),
         number("event", "the earthquake", pa.string()),
         number("station", "the scenario that was taken", pa.string()),
         number(GROUND[0], "JMA intensity of the ground, median of the motions"),

@@ -168,8 +168,8 @@ class Scenarios:
         return here
 
 
-def read_scenarios(path: str | Path, shakemap: ShakeMap | None = None) -> Scenarios:
-    """Read a scenario file, or a folder of them.
+def read_scenarios(path: str | Path | ScenarioFile, shakemap: ShakeMap | None = None) -> Scenarios:
+    """Read a scenario file, or a folder of them; one that has been read is taken as it is.
 
     In a folder, scenarios with a ``[station]`` are grouped by its ``event`` and joined to pieces by the
     nearest station; without one, every file is an event for all pieces.
@@ -179,18 +179,23 @@ def read_scenarios(path: str | Path, shakemap: ShakeMap | None = None) -> Scenar
     InputError
         A scenario that is not possible; stations beside scenarios without one; a map beside stations.
     """
+    if isinstance(path, ScenarioFile):
+        return _joined((path,), path.name, shakemap)
     place = Path(path)
     paths = sorted(place.glob("*.toml")) if place.is_dir() else [place]
     if not paths:
         raise InputError("inventory.no_scenarios", "scenario", path=repr(str(place)))
-    scenarios = tuple(read_scenario_file(path) for path in paths)
+    return _joined(tuple(read_scenario_file(path) for path in paths), place.stem, shakemap)
+
+
+def _joined(scenarios: tuple[ScenarioFile, ...], folder: str, shakemap: ShakeMap | None) -> Scenarios:
     located = [file for file in scenarios if file.station is not None]
     if located and len(located) < len(scenarios):
         other = next(file.name for file in scenarios if file.station is None)
         raise InputError("inventory.station_missing", "station", name=other)
     if shakemap is not None:
         _check_map(scenarios)
-    return Scenarios(scenarios, _events(scenarios, place.stem), shakemap)
+    return Scenarios(scenarios, _events(scenarios, folder), shakemap)
 
 
 def _check_map(scenarios: Sequence[ScenarioFile]) -> None:
@@ -223,7 +228,18 @@ def read_scenario_file(file: Path) -> ScenarioFile:
     InputError
         What is wrong, after the file's name.
     """
-    data = dict(read_toml(file))
+    return scenario_file_of(read_toml(file), file)
+
+
+def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
+    """Return the scenario of the tables of a file, whose paths begin in the file's folder.
+
+    Raises
+    ------
+    InputError
+        What is wrong, after the file's name.
+    """
+    data = dict(data)
     try:
         buildings, station = data.pop("buildings", {}), data.pop("station", None)
         data.setdefault("furniture", ANY_FURNITURE)

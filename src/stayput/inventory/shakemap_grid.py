@@ -6,6 +6,7 @@ or lie in other files, is refused before anything of it is looked at.
 
 from __future__ import annotations
 
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
@@ -28,6 +29,9 @@ MOST_POINTS = 10_000_000
 
 MOST_FIELDS = 60
 """Most fields of a grid."""
+
+COMPRESSED = (b"\x1f\x8b", b"PK\x03\x04", b"BZh", b"\xfd7zXZ\x00")
+"""How files of gzip, ZIP, bzip2 and xz begin."""
 
 _CHUNK = 2**20
 
@@ -137,9 +141,19 @@ class _Reader:
 
 
 def is_xml(path: Path) -> bool:
-    """Return whether a file begins as XML does."""
+    """Return whether a file begins as XML does, in UTF-8 or, after a byte order mark, UTF-16."""
     with path.open("rb") as file:
-        return file.read(64).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<")
+        start = file.read(64)
+    encoding = "utf-16" if start.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8-sig"
+    return start.decode(encoding, "ignore").lstrip().startswith("<")
+
+
+def refuse_compressed(path: Path) -> None:
+    """Refuse a file that is compressed, such as grid.xml.gz."""
+    with path.open("rb") as file:
+        start = file.read(8)
+    if start.startswith(COMPRESSED):
+        raise InputError("inventory_tables.compressed", "shakemap", path=repr(str(path)))
 
 
 def read_grid(path: Path) -> MapGrid:

@@ -14,7 +14,7 @@ from stayput.errors import InputError, reason_of, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.map_fields import field_of, field_of_grid
 from stayput.inventory.places import LIMITS, PLACE, ShakeMap, unwrapped
-from stayput.inventory.shakemap_grid import is_xml, read_grid
+from stayput.inventory.shakemap_grid import is_xml, read_grid, refuse_compressed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -54,6 +54,8 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
         A file that cannot be read, other columns, a value out of range, a place twice, or no place.
     """
     try:
+        for file in filter(None, (path, uncertainty)):
+            refuse_compressed(file)
         if is_xml(path):
             return _of_grid(path, field, uncertainty)
         if uncertainty is not None:

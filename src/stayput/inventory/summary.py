@@ -39,6 +39,7 @@ Helped are those that one of their measures helps. Shares of contents are means 
 READ = (
     "row",
     "id",
+    "name",
     "event",
     "building",
     "storey",

@@ -73,8 +73,8 @@ def amount(value: float | None) -> str:
 
 
 def building_named(building: str, language: str) -> str:
-    """Return a building's name, or that there is none."""
-    return building or say("inventory_report.no_building", language)
+    """Return a building's name, in a language where stayput gave it, or that there is none."""
+    return given_name(building, language) if building else say("inventory_report.no_building", language)
 
 
 def measures_named(name: str, language: str) -> str:
