@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from codecs import BOM_UTF8
 from typing import TYPE_CHECKING
 
 import pytest
@@ -131,7 +132,9 @@ def test_fragility_with_names_that_loss_tools_do_not_take(scenario: Path, tmp_pa
     assert not english(said, *identifiers, "curves", "observed", "fragility")
     drawn = (out / "fragility.svg").read_text(encoding="utf-8")
     assert "転倒確率" in re.sub(r"<!-- (.*?) -->", r"\1", drawn)
-    rows = (out / "curves.csv").read_text(encoding="utf-8")
+    rows = (out / "curves.csv").read_bytes()
+    assert rows.startswith(BOM_UTF8)  # by which Excel tells its encoding
+    rows = rows.decode("utf-8")
     assert "ポール/とストッパー 😀" in rows
 
 

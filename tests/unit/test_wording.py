@@ -220,7 +220,7 @@ def test_an_own_name_stands_for_the_whole_set():
     mine = replace(verdict.best, option=Option("うちのマット", verdict.best.option.measures))
     named = replace(verdict, options=(mine, *verdict.options[1:]))
     assert title(mine.option, named, "ja") == "うちのマット（耐震ゲルマット（粘着マット式））"
-    assert title(mine.option, named, "en") == "うちのマット (adhesive gel mats)"
+    assert title(mine.option, named, "en") == "うちのマット (Adhesive gel mats)"
     assert "うちのマット（耐震ゲルマット（粘着マット式））" in headline(named, "ja")
     assert "うちのマット（耐震ゲルマット（粘着マット式））" in named.to_markdown("ja")
 

@@ -76,7 +76,7 @@ def falls_phrase(share: float) -> Phrase:
 
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
-    """Return an option's label, after its name where that is the user's own; see `named_title`."""
+    """Return an option's label, in brackets behind its name where that is the user's own."""
     return _titled(option.label(language), option, verdict, language)
 
 
@@ -90,13 +90,8 @@ def _titled(label: str, option: Option, verdict: Verdict, language: str) -> str:
     options = (result.option for result in (*verdict.options, *verdict.impossible))
     alone = sum(other.label(language) == option.label(language) for other in options) == 1
     if option.own_name:
-        return named_title(option.name, label, language)
+        return with_aside(option.name, label, language)
     return label if alone or not option.measures else with_aside(label, option.name, language)
-
-
-def named_title(name: str, label: str, language: str) -> str:
-    """Return the user's own name for a set of measures, with what is in it in brackets behind."""
-    return with_aside(name, inside(label) if language == "en" else label, language)
 
 
 def length(metres: float) -> str:
