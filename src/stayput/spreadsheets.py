@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+CSV_ENCODING = "utf-8-sig"
+"""Encoding of the CSV files that people open: by its byte order mark Excel tells that they are UTF-8."""
+
 FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
 """How a text begins that a spreadsheet takes for a formula; East Asian ones take the wide signs as well."""
 

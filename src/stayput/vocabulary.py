@@ -1,4 +1,4 @@
-"""What people call furniture, floors, contents and buildings, in the languages of the users."""
+"""What people call furniture, floors, contents, buildings and classes of shaking, in the users' languages."""
 
 from __future__ import annotations
 
@@ -69,6 +69,7 @@ OTHER_NAMES: dict[str, dict[str, str]] = {
         "免震": "base-isolated",
         "免震建物": "base-isolated",
     },
+    "intensity": {label.removeprefix("震度"): key for key, (_, label) in names.INTENSITIES.items()},
 }
 """Further names, beside those that the catalogue tells."""
 
@@ -93,6 +94,7 @@ _SPELLED = {
     "floor": _spelled("floor", names.SURFACES),
     "contents": _spelled("contents", names.CONTENTS),
     "structure": _spelled("structure", names.STRUCTURES),
+    "intensity": _spelled("intensity", names.INTENSITIES),
 }
 
 WORDS: dict[str, dict[str, str]] = {
@@ -108,6 +110,8 @@ def meant(kind: str, given: Said) -> Said | str:
     --------
     >>> meant("floor", "フローリング"), meant("structure", "木造"), meant("preset", 3.0)
     ('wood flooring', 'wood', 3.0)
+    >>> meant("intensity", "震度６強")
+    '6-upper'
     """
     if not isinstance(given, str) or not given or len(given) > LONGEST_WORD:
         return given

@@ -255,7 +255,7 @@ def test_a_verification_is_done_as_a_job(client: httpx.Client) -> None:
         low, share, high = (one["overturned"][key] for key in ("low", "estimate", "high"))
         assert low <= share <= high
     assert verdict["runs"] + verdict["settled_runs"] == job["done"] == job["total"]
-    text = client.get(f"/api/v1/jobs/{job['id']}/csv").text
+    text = client.get(f"/api/v1/jobs/{job['id']}/csv").content.decode("utf-8-sig")
     rows = list(csv.DictReader(io.StringIO(text)))
     assert [row["option"] for row in rows] == [one["name"] for one in verdict["options"]]
     forgotten = client.delete(f"/api/v1/jobs/{job['id']}")

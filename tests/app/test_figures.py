@@ -32,7 +32,7 @@ BRACKET = [{"type": "l_bracket"}]
 
 def numbers(content: bytes) -> tuple[list[str], list[dict[str, str]]]:
     """Return the lines about a table, without their mark, and its rows."""
-    lines = content.decode("utf-8").splitlines()
+    lines = content.decode("utf-8-sig").splitlines()
     about = [line.removeprefix("#").removeprefix(" ") for line in lines if line.startswith("#")]
     return about, list(csv.DictReader(line for line in lines if not line.startswith("#")))
 

@@ -60,7 +60,7 @@ def test_a_verdict_is_that_of_the_library(room_client: httpx.Client) -> None:
         assert report.status_code == 200
         assert data["verdict"][lang] in report.text.replace("\xa0", " ")
     table = room_client.get(f"/api/v1/jobs/{job['id']}/csv")
-    assert table.content.decode() == verdict.to_csv()
+    assert table.content.decode("utf-8-sig") == verdict.to_csv()
     everyday = room_client.put(f"/api/v1/jobs/{job['id']}/everyday", json={"scene": {}})
     assert everyday.status_code == 409
 

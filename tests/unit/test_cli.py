@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from threading import Thread
 
 import numpy as np
 import pytest
@@ -269,7 +270,7 @@ def test_a_study_s_folder_must_not_be_a_file(tmp_path):
 
 @pytest.fixture
 def compiling(monkeypatch, tmp_path):
-    """A case that compiles something."""
+    """A case that compiles something, in a thread of its own as the runs of `verify` do."""
     run = Case.run
 
     @entry
@@ -277,7 +278,9 @@ def compiling(monkeypatch, tmp_path):
         result[0] = 1.0
 
     def compiling(case):
-        never_compiled_before(np.zeros(1))
+        thread = Thread(target=never_compiled_before, args=(np.zeros(1),))
+        thread.start()
+        thread.join()
         return run(case)
 
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
@@ -288,6 +291,11 @@ def test_compiling_is_announced_on_standard_error(compiling):
     result = cli("simulate", "--motion", "sine:1,1,1", "--json")
     assert result.stderr.startswith("Compiling the mechanics once, which")
     json.loads(result.stdout)
+
+
+def test_compiling_is_announced_in_the_language_of_the_command(compiling):
+    result = cli("simulate", "--motion", "sine:1,1,1", "--json", "--lang", "ja")
+    assert result.stderr.startswith("計算プログラムを準備しています")
 
 
 def test_on_a_terminal_compiling_shows_a_bar_in_place_of_the_line(compiling, monkeypatch):
@@ -372,7 +380,7 @@ def test_motion_suite_made_and_read_again(tmp_path):
     suite = stayput.read_suite(tmp_path / "a" / "motions")
     assert suite.intensities == pytest.approx([5.25] * 3, abs=1e-9)
     assert suite.synthetic
-    table = (tmp_path / "a" / "suite.csv").read_text().splitlines()
+    table = (tmp_path / "a" / "suite.csv").read_text("utf-8-sig").splitlines()
     assert len(table) == 4
     assert table[0].startswith("file,name,synthetic")
     assert (tmp_path / "a" / "suite.png").read_bytes().startswith(b"\x89PNG")

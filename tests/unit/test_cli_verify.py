@@ -2,6 +2,7 @@
 
 import csv
 import json
+from codecs import BOM_UTF8
 
 import pytest
 from typer.testing import CliRunner
@@ -52,7 +53,8 @@ def done(file):
 
 def test_json_markdown_csv_and_report_say_the_same(done):
     data, html, markdown, table = done
-    rows = {row["option"]: row for row in csv.DictReader(table.open())}
+    assert table.read_bytes().startswith(BOM_UTF8)  # by which Excel tells its encoding
+    rows = {row["option"]: row for row in csv.DictReader(table.open(encoding="utf-8-sig"))}
     assert [one["name"] for one in data["options"]] == list(rows)
     assert set(rows) == {"none", "belt", "glides"}
     for one in data["options"]:
@@ -145,10 +147,10 @@ def curves(file):
 def test_fragility_writes_curves_counts_a_figure_and_the_forms_of_loss_tools(curves):
     result, out = curves
     assert {path.name for path in out.iterdir()} >= {"curves.csv", "observed.csv", "fragility.svg"}
-    observed = list(csv.DictReader((out / "observed.csv").open()))
+    observed = list(csv.DictReader((out / "observed.csv").open(encoding="utf-8-sig")))
     assert {row["option"] for row in observed} == {"none", "glides"}
     assert all(int(row["overturned"]) <= int(row["runs"]) == 6 for row in observed)
-    for row in csv.DictReader((out / "curves.csv").open()):
+    for row in csv.DictReader((out / "curves.csv").open(encoding="utf-8-sig")):
         assert float(row["pgv_m_s"]) > 0.0
         assert 0.0 <= float(row["probability"]) <= 1.0
         # of one motion there is no band
@@ -163,9 +165,10 @@ def test_fragility_writes_curves_counts_a_figure_and_the_forms_of_loss_tools(cur
     ("arguments", "said"),
     [
         (
-            ["--im", "SA"],
-            "--im is 'SA'; it must be one of 'JMA', 'PGA', 'PGV', 'PFA', 'PFV', 'MMI', 'SA(0.3)'.",
+            ["--im", "SA(0.5s)"],
+            "'PFA', 'PFV', 'MMI', or SA(T) with a period T in seconds: SA(0.5).",
         ),
+        (["--im", "PGAA"], "--im is 'PGAA' (did you mean 'PGA'?); it must be one of"),
         (["--measure", "belts"], "--measure is 'belts' (did you mean 'belt'?)"),
     ],
 )

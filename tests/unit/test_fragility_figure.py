@@ -35,6 +35,14 @@ def test_curves_and_what_has_none_are_drawn(tmp_path: Path) -> None:
     assert {"5-upper", "6-lower", "6-upper"} <= {text.get_text() for text in axis.texts}
 
 
+def test_the_classes_along_the_top_are_named_in_japanese() -> None:
+    figure = plot_fragility([_curve("bare", [2, 15, 33, 39])], language="ja")
+    (axis,) = figure.axes
+    named = {text.get_text() for text in axis.texts}
+    assert {"5強", "6弱", "6強"} <= named
+    assert not any("-upper" in name or "-lower" in name for name in named)
+
+
 def test_a_peak_has_its_unit_and_a_logarithmic_axis() -> None:
     figure = plot_fragility([_curve("bare", [2, 15, 33, 39], PGV, 0.2)])
     (axis,) = figure.axes

@@ -80,7 +80,7 @@ def test_curves_of_measures_with_any_names_are_written(tmp_path, names):
     assert [file.name for file in files] == [
         "curves.csv", "observed.csv", "fragility.svg", "pelicun.csv", "nrml.xml",
     ]  # fmt: skip
-    with files[0].open(encoding="utf-8", newline="") as text:
+    with files[0].open(encoding="utf-8-sig", newline="") as text:
         assert {row["option"] for row in csv.DictReader(text)} == {"none", *map(text_cell, names)}
     ids = [one.get("id") for one in ET.parse(files[4]).iter() if one.tag.endswith("fragilityFunction")]
     assert len(set(ids)) == len(names) + 1

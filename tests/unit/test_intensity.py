@@ -18,6 +18,7 @@ from stayput.motion.intensity import (
     published_intensity,
 )
 from stayput.motion.measures import Intensities, SpectralMeasures
+from stayput.scenario.shaking import ShakingTable
 
 
 @pytest.mark.parametrize(
@@ -48,6 +49,18 @@ def test_class_is_that_of_the_published_value():
 @pytest.mark.parametrize("name", [name for name, _ in CLASSES])
 def test_the_middle_of_a_class_belongs_to_it(name):
     assert intensity_class(intensity_of_class(name)) == name
+
+
+@pytest.mark.parametrize("name", ["6強", "震度6強", "６強", "震度６強", "6-UPPER"])
+def test_a_class_may_be_called_as_people_call_it(name):
+    assert intensity_of_class(name) == intensity_of_class("6-upper")
+    assert ShakingTable(intensity=name).intensity == "6-upper"
+
+
+@pytest.mark.parametrize("name", ["震度6", "6+", "強"])
+def test_a_class_that_could_be_another_is_refused(name):
+    with pytest.raises(InputError, match="must be a number or one of"):
+        intensity_of_class(name)
 
 
 def test_unknown_class():

@@ -299,8 +299,8 @@ def test_curves_are_written_for_loss_tools(tmp_path, key, heading, nrml):
     assert any(told.startswith("belt is not") for told in left_out)
     assert any("OpenQuake has no PFA" in told for told in left_out) != nrml
     curve = verdict.without.curves[measure]
-    for row in csv.DictReader(files[0].open()):
+    for row in csv.DictReader(files[0].open(encoding="utf-8-sig")):
         if row["option"] == "none":
             assert float(row["probability"]) == float(curve.probability(float(row[heading])))
-    rows = [row for row in csv.DictReader(files[1].open()) if row["option"] == "none"]
+    rows = [row for row in csv.DictReader(files[1].open(encoding="utf-8-sig")) if row["option"] == "none"]
     assert [int(row["overturned"]) for row in rows] == [level.probability.fell for level in curve.levels]

@@ -17,7 +17,7 @@ from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.report.verdict import svg
 from stayput.report.verdict.histories import _panel
-from stayput.report.verdict.html import report_html, write_report
+from stayput.report.verdict.html import _place_of_the_measure, report_html, write_report
 from stayput.report.verdict.numbers import interval, share
 from stayput.report.verdict.pairs import RATE, pairs_of, replay
 from stayput.report.verdict.tables import ranking
@@ -115,8 +115,21 @@ def test_a_typical_case_tells_how_often_the_measure_fails(page):
     chance = verdict.best.probabilities["overturned"]
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
     held = pairs_of(verdict, ground)[0].sides[1].run
-    key = "typical_also_falls" if held.overturned else "typical_is_held"
+    spared = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
+    key = "typical_also_falls" if held.overturned else spared
     assert word(key, language, share=share(chance.estimate, language)) in Page(text).words
+
+
+def test_a_measure_with_which_nothing_falls_is_not_contrasted_with_0_percent():
+    verdict = verdict_cases.made()
+    chance = replace(verdict.best.probabilities["overturned"], estimate=0.0)
+    best = replace(verdict.best, probabilities={**verdict.best.probabilities, "overturned": chance})
+    never = replace(verdict, options=(best, *verdict.options[1:]))
+    ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
+    pair = pairs_of(verdict, ground)[0]
+    assert not pair.sides[1].run.overturned
+    told = _place_of_the_measure(never, pair, "ja")
+    assert told == "この対策では、この計算を含むどの計算でも転倒しません。"
 
 
 def test_hostile_names_are_only_text():

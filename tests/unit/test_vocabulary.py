@@ -20,6 +20,7 @@ KINDS = {
     "floor": (SURFACES, names.SURFACES),
     "contents": (CONTENTS, names.CONTENTS),
     "structure": (STRUCTURES, names.STRUCTURES),
+    "intensity": (names.INTENSITIES, names.INTENSITIES),
 }
 
 

@@ -215,12 +215,14 @@ def test_the_note_on_grades_is_about_the_option_that_is_asked_for():
     assert "Belts" not in bare
 
 
-def test_an_addition_stands_in_the_brackets_that_a_japanese_name_ends_in():
+def test_an_own_name_stands_for_the_whole_set():
     verdict = held("gel_mats")
     mine = replace(verdict.best, option=Option("うちのマット", verdict.best.option.measures))
     named = replace(verdict, options=(mine, *verdict.options[1:]))
-    assert title(mine.option, named, "ja") == "耐震ゲルマット（粘着マット式、うちのマット）"
-    assert title(mine.option, named, "en") == "Adhesive gel mats (うちのマット)"
+    assert title(mine.option, named, "ja") == "うちのマット（耐震ゲルマット（粘着マット式））"
+    assert title(mine.option, named, "en") == "うちのマット (Adhesive gel mats)"
+    assert "うちのマット（耐震ゲルマット（粘着マット式））" in headline(named, "ja")
+    assert "うちのマット（耐震ゲルマット（粘着マット式））" in named.to_markdown("ja")
 
 
 def test_counts():

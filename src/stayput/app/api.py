@@ -51,6 +51,7 @@ from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annota
 from stayput.report.verdict.tables import verdict_csv
 from stayput.scenario import AssemblyScenario
 from stayput.scenario.toml import table_of_toml
+from stayput.spreadsheets import CSV_ENCODING
 from stayput.verification import Verdict, verify
 from stayput.verification.compare import curve_levels
 
@@ -354,7 +355,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
                 text, file = verdict_csv(verdict), "stayput_ranking.csv"
             else:
                 text, file = verdict.to_csv(), "stayput_room.csv"
-            return attachment(text, file, "text/csv; charset=utf-8")
+            return attachment(text.encode(CSV_ENCODING), file, "text/csv; charset=utf-8")
 
         return await service.workers.run(work)
 

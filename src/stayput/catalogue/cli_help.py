@@ -171,7 +171,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "intensity": (
         "JMA intensity of the ground to scale to: a number, or a class such as 6-upper.",
-        "地面の揺れをこの震度に合わせる：計測震度の数値、または6-upperなどの震度階級",
+        "地面の揺れをこの震度に合わせる：計測震度の数値、または6強（6-upper）などの震度階級",
     ),
     "pga": ("Peak ground acceleration to scale to [m/s²].", "地面の最大加速度をこの値に合わせる [m/s²]"),
     "pgv": ("Peak ground velocity to scale to [m/s].", "地面の最大速度をこの値に合わせる [m/s]"),
@@ -361,7 +361,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "factor": ("Factor on the motion.", "揺れに掛ける倍率"),
     "motion_intensity": (
         "JMA intensity to scale to: a number, or a class such as 6-upper.",
-        "この震度に合わせる：計測震度の数値、または6-upperなどの震度階級",
+        "この震度に合わせる：計測震度の数値、または6強（6-upper）などの震度階級",
     ),
     "format": ("Format of what is printed.", "標準出力に書き出すときの形式"),
     "suite_out": (
@@ -405,7 +405,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "suite_intensity": (
         "JMA intensity of every motion: a number, or a class such as 6-upper.",
-        "すべての地震動をこの震度に合わせる：計測震度の数値、または6-upperなどの震度階級",
+        "すべての地震動をこの震度に合わせる：計測震度の数値、または6強（6-upper）などの震度階級",
     ),
     # assess
     "inventory": (

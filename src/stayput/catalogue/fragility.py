@@ -63,6 +63,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "All runs were given up or there are none; a curve needs at least one run.",
         "有効な計算がありません。曲線には少なくとも1件の計算が必要です。",
     ),
+    "unknown_measure": (
+        "{name} is {value}{hint}; it must be one of {known}, or SA(T) with a period T in seconds: SA(0.5).",
+        "{name}が{value}になっています{hint}。{known}のいずれか、または周期T秒のSA(T)（例：SA(0.5)）にしてください。",
+    ),
     "bad_intensity": (
         "A value of {measure} is {value:g}; it must be {allowed}.",
         "{measure}の値が{value:g}になっています。{allowed}にしてください。",

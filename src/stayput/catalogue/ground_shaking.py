@@ -3,11 +3,17 @@
 TEXTS: dict[str, tuple[str, str]] = {
     "intensity": ("JMA intensity {value:.3g}", "計測震度{value:.3g}"),
     "value": ("{value:.3g}", "計測震度{value:.3g}"),
-    "pga": ("peak ground acceleration {value:.3g} m/s²", "地面の最大加速度{value:.3g} m/s²"),
-    "pgv": ("peak ground velocity {value:.3g} m/s", "地面の最大速度{value:.3g} m/s"),
+    "pga": (
+        "peak ground acceleration {gal:.4g} gal = {value:.4g} m/s²",
+        "地面の最大加速度{gal:.4g} gal = {value:.4g} m/s²",
+    ),
+    "pgv": (
+        "peak ground velocity {kine:.4g} cm/s = {value:.4g} m/s",
+        "地面の最大速度{kine:.4g} cm/s = {value:.4g} m/s",
+    ),
     "sa": (
-        "spectral acceleration {value:.3g} m/s² at {period:g} s",
-        "周期{period:g}秒の加速度応答{value:.3g} m/s²",
+        "spectral acceleration {gal:.4g} gal = {value:.4g} m/s² at {period:g} s",
+        "周期{period:g}秒の加速度応答{gal:.4g} gal = {value:.4g} m/s²",
     ),
     "magnitude": (
         "magnitude {magnitude:.3g} at {distance:.3g} km",

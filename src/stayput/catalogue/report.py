@@ -13,14 +13,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         (
             "{runs} runs in all; motions × Monte Carlo samples: {motions} × {samples} for each measure and level"
         ),
-        "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算",
+        "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算しました。",
     ),
     "settled_text": (
         (
             "; {settled} more at weaker shaking are counted as standing without a run, since the piece was far "
             "from falling under stronger shaking"
         ),
-        "。ほかに弱い揺れでの{settled}回は、より強い揺れでも転倒にほど遠いため、計算せずに倒れないものと数える",
+        "ほかに弱い揺れでの{settled}回は、より強い揺れでも転倒にほど遠いため、計算せずに倒れないものと数えています。",
     ),
     "motions": ("Motions", "地震動"),
     "not_precise": (
@@ -176,6 +176,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "typical_is_held": (
         "Of all runs with the measure {share} overturn; this one does not.",
         "この対策では全計算の{share}が転倒しますが、この計算では転倒しません。",
+    ),
+    "typical_never_falls": (
+        "None of the runs with the measure overturns, nor does this one.",
+        "この対策では、この計算を含むどの計算でも転倒しません。",
     ),
     "worst": ("The worst case", "最悪の場合"),
     "worst_text": (

@@ -221,9 +221,11 @@ def compiling() -> Generator[None]:
     from stayput.compiled import on_compilation
     from stayput.progress import is_drawn, language_of_bars
 
+    language = language_of_bars()  # which the threads that compile do not know
+
     def announce() -> None:
         if not is_drawn():
-            note(say("cli.compiling", language_of_bars()))
+            note(say("cli.compiling", language))
 
     with on_compilation(announce):
         yield

@@ -162,8 +162,8 @@ def to_output(outputs: Mapping[str, Path | None], json: bool = False) -> bool:
     return bool(there)
 
 
-def write_text(path: Path, text: str) -> None:
-    """Write a text to a file, whole or not at all; or to standard output.
+def write_text(path: Path, text: str, encoding: str = "utf-8") -> None:
+    """Write a text to a file in an encoding, whole or not at all; or to standard output as it is.
 
     Raises
     ------
@@ -174,4 +174,4 @@ def write_text(path: Path, text: str) -> None:
         typer.echo(text, nl=False)
         return
     with draft(path) as unfinished:
-        unfinished.write_text(text, encoding="utf-8")
+        unfinished.write_text(text, encoding=encoding)

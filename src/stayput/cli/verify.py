@@ -205,7 +205,9 @@ def _write(
     if markdown is not None:
         write_text(markdown, verdict.to_markdown(lang))
     if csv is not None:
-        write_text(csv, verdict.to_csv())
+        from stayput.spreadsheets import CSV_ENCODING
+
+        write_text(csv, verdict.to_csv(), CSV_ENCODING)
     return [path for path in (report, markdown, csv) if path is not None and not is_stream(path)]
 
 

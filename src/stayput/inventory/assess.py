@@ -34,7 +34,7 @@ from stayput.inventory.work import Work
 from stayput.inventory.workspace import read_json
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar, language_of_bars
-from stayput.spreadsheets import csv_text
+from stayput.spreadsheets import CSV_ENCODING, csv_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Mapping, Sequence
@@ -455,7 +455,7 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
     with space.durable(folder / SUMMARY[0]) as file:
         pq.write_table(pa.table(dict(zip(COLUMNS, columns, strict=True)), schema=schema), file)
     with space.durable(folder / SUMMARY[1]) as file:
-        file.write(csv_text(list(COLUMNS), rows).encode("utf-8-sig"))
+        file.write(csv_text(list(COLUMNS), rows).encode(CSV_ENCODING))
     first: list[Any] = []
     for batch in pq.ParquetFile(folder / REJECTS[0]).iter_batches(20):
         first = batch.to_pylist()

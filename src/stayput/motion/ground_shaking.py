@@ -277,7 +277,7 @@ def strength_of_intensity(intensity: float) -> GroundStrength:
 )
 def strength_of_pga(pga: float) -> GroundStrength:
     """Return the strength of a peak acceleration [m/s²]."""
-    brief = phrase("ground_shaking.pga", value=pga)
+    brief = phrase("ground_shaking.pga", value=pga, gal=100.0 * pga)
     return GroundStrength(
         "PGA", math.log10(pga), about=phrase("ground_shaking.scaled", stated=brief), brief=brief
     )
@@ -295,7 +295,7 @@ def strength_of_pga(pga: float) -> GroundStrength:
 )
 def strength_of_pgv(pgv: float) -> GroundStrength:
     """Return the strength of a peak velocity [m/s]."""
-    brief = phrase("ground_shaking.pgv", value=pgv)
+    brief = phrase("ground_shaking.pgv", value=pgv, kine=100.0 * pgv)
     return GroundStrength(
         "PGV", math.log10(pgv), about=phrase("ground_shaking.scaled", stated=brief), brief=brief
     )
@@ -320,7 +320,7 @@ def strength_of_pgv(pgv: float) -> GroundStrength:
 )
 def strength_of_sa(period: float, value: float) -> GroundStrength:
     """Return the strength of a spectral acceleration [m/s²] at a period [s]."""
-    brief = phrase("ground_shaking.sa", period=period, value=value)
+    brief = phrase("ground_shaking.sa", period=period, value=value, gal=100.0 * value)
     about = phrase("ground_shaking.scaled", stated=brief)
     return GroundStrength("SA", math.log10(value), about=about, brief=brief, period=period)
 

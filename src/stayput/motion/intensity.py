@@ -15,6 +15,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, finite
+from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -112,19 +113,22 @@ def intensity_class(intensity: float) -> str:
 def intensity_of_class(name: str) -> float:
     """Return the intensity in the middle of a class: 5.25 for "5-upper"; 0.25 and 6.75 for "0" and "7".
 
+    The name may be any that `stayput.vocabulary.WORDS` knows, as "5強".
+
     Raises
     ------
     InputError
         No such class.
     """
     names = [known for known, _ in CLASSES]
-    if name not in names:
+    called = meant("intensity", name)
+    if called not in names:
         raise InputError("motion.unknown_intensity", "intensity", intensity=name, known=", ".join(names))
-    i = names.index(name)
-    if name == "0":
+    i = names.index(called)
+    if called == "0":
         return 0.25
     start = CLASSES[i][1]
-    return start + 0.25 if name == "7" else 0.5 * (start + CLASSES[i + 1][1])
+    return start + 0.25 if called == "7" else 0.5 * (start + CLASSES[i + 1][1])
 
 
 def factor_to_intensity(intensity: float, wanted: float) -> float:

@@ -12,10 +12,12 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
+from stayput.catalogue import say
+from stayput.catalogue.names import INTENSITIES
 from stayput.errors import InputError
 from stayput.files import PLOT_SUFFIXES, check_target, draft
 from stayput.motion.intensity import CLASSES
-from stayput.report.fonts import with_fallback
+from stayput.report.fonts import drawable, with_fallback
 from stayput.report.palette import FAINT, INK, MUTED
 
 if TYPE_CHECKING:
@@ -116,7 +118,7 @@ def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
             line.set_minor_formatter(NullFormatter())
 
 
-def shaded_classes(axis: Axes, first: float, last: float) -> Iterator[tuple[float, str]]:
+def shaded_classes(axis: Axes, first: float, last: float, language: str) -> Iterator[tuple[float, str]]:
     """Shade every second class of JMA's intensity along x, and yield where the names of wide ones stand.
 
     Parameters
@@ -125,6 +127,8 @@ def shaded_classes(axis: Axes, first: float, last: float) -> Iterator[tuple[floa
         The axis, along whose x are intensities.
     first, last : float
         Its ends.
+    language : str
+        "en" or "ja", of the names.
 
     Yields
     ------
@@ -139,4 +143,4 @@ def shaded_classes(axis: Axes, first: float, last: float) -> Iterator[tuple[floa
         if place % 2:
             axis.axvspan(low, high, color=FAINT, alpha=0.35, linewidth=0.0, zorder=0)
         if high - low > 0.05 * (last - first):
-            yield 0.5 * (low + high), name
+            yield 0.5 * (low + high), drawable(say(INTENSITIES[name], language).removeprefix("震度"))

@@ -230,7 +230,7 @@ def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64], la
         axis.set_xticks(_round_numbers(first, last))
     axis.set_xlim(first, last)
     if measure == JMA_INTENSITY:
-        _mark_classes(axis, first, last)
+        _mark_classes(axis, first, last, language)
 
 
 def _round_numbers(first: float, last: float) -> list[float]:
@@ -238,7 +238,7 @@ def _round_numbers(first: float, last: float) -> list[float]:
     return [digit * 10.0**ten for ten in tens for digit in _DIGITS if first <= digit * 10.0**ten <= last]
 
 
-def _mark_classes(axis: Axes, first: float, last: float) -> None:
+def _mark_classes(axis: Axes, first: float, last: float, language: str) -> None:
     """Shade every second class of JMA's intensity and write their names along the top."""
-    for middle, name in shaded_classes(axis, first, last):
+    for middle, name in shaded_classes(axis, first, last, language):
         axis.text(middle, 1.06, name, ha="center", va="center", fontsize=FONT - 1.5, color=MUTED)

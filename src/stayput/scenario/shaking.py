@@ -76,7 +76,7 @@ Vertical = Annotated[
 CLASS_NAMES = tuple(name for name, _ in CLASSES)
 FAMILY_NAMES = (MIXED, *FAMILIES)
 
-ClassName = Annotated[str, one_of(CLASS_NAMES), named(CLASS_NAMES)]
+ClassName = Annotated[str, one_of(CLASS_NAMES, "intensity"), named(CLASS_NAMES)]
 FamilyName = Annotated[str, one_of(FAMILY_NAMES), named(FAMILY_NAMES)]
 
 

@@ -76,7 +76,7 @@ def falls_phrase(share: float) -> Phrase:
 
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
-    """Return an option's label; with its name where that is the user's own or two have the same label."""
+    """Return an option's label, in brackets behind its name where that is the user's own."""
     return _titled(option.label(language), option, verdict, language)
 
 
@@ -89,9 +89,9 @@ def _title_inside(option: Option, verdict: Verdict) -> Phrase:
 def _titled(label: str, option: Option, verdict: Verdict, language: str) -> str:
     options = (result.option for result in (*verdict.options, *verdict.impossible))
     alone = sum(other.label(language) == option.label(language) for other in options) == 1
-    if not option.measures or (alone and not option.own_name):
-        return label
-    return with_aside(label, option.name, language)
+    if option.own_name:
+        return with_aside(option.name, label, language)
+    return label if alone or not option.measures else with_aside(label, option.name, language)
 
 
 def length(metres: float) -> str:

@@ -130,7 +130,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
     from stayput.files import folder_draft, name_part
     from stayput.progress import bar
     from stayput.report.suite import plot_suite, suite_title
-    from stayput.spreadsheets import text_cell
+    from stayput.spreadsheets import CSV_ENCODING, text_cell
 
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
@@ -147,7 +147,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
             names = file, text_cell(motion.name)
             rows.writerow([*names, motion.synthetic, *_numbers(motion), text_cell(motion.source)])
             advance(1)
-        (unfinished / "suite.csv").write_text(table.getvalue(), encoding="utf-8")
+        (unfinished / "suite.csv").write_text(table.getvalue(), encoding=CSV_ENCODING)
         title = suite_title(motions, lang)
         plot_suite(motions, unfinished / "suite.png", target, title=title, language=lang)
 

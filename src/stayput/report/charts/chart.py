@@ -15,7 +15,7 @@ from stayput.catalogue import say
 from stayput.report.figures import FONT, new_figure, saved
 from stayput.report.fonts import drawable, with_face, wrapped
 from stayput.report.palette import INK, MUTED
-from stayput.spreadsheets import text_cell
+from stayput.spreadsheets import CSV_ENCODING, text_cell
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -86,7 +86,7 @@ class Chart:
 
     def file(self, kind: str) -> bytes:
         """Return it as a file of one of `KINDS`."""
-        return self._csv().encode("utf-8") if kind == "csv" else self._picture(kind)
+        return self._csv().encode(CSV_ENCODING) if kind == "csv" else self._picture(kind)
 
     def _csv(self) -> str:
         """Return its numbers as a table, after what it is of in lines that begin with "#"."""

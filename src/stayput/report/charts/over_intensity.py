@@ -15,7 +15,7 @@ from stayput.report.figures import FONT, shaded_classes, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MUTED
 from stayput.report.verdict import numbers
-from stayput.verification.words import class_label, title
+from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -120,9 +120,9 @@ def _draw_curve(
 
 def _finish(axis: Axes, first: float, last: float, language: str) -> None:
     """Shade every second class of JMA's intensity, and write their names along the top."""
-    for middle, name in shaded_classes(axis, first, last):
+    for middle, name in shaded_classes(axis, first, last, language):
         axis.annotate(
-            drawable(name if language == "en" else class_label(middle, language)),
+            name,
             (middle, 1.01),
             xycoords=("data", "axes fraction"),
             ha="center",

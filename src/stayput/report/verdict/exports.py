@@ -20,7 +20,7 @@ from stayput.fragility.pelicun import pelicun_csv
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
 from stayput.report.verdict.assumptions import assumptions
-from stayput.spreadsheets import text_cell
+from stayput.spreadsheets import CSV_ENCODING, text_cell
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 
 POINTS = 101
 """Points of a curve in the table."""
+
+FOR_PEOPLE = ("curves.csv", "observed.csv")
+"""Tables that people open in a spreadsheet; pelicun reads the other one, which is ASCII."""
 
 DRAWN = 8
 """Most curves in a figure: no measure, and the best ones."""
@@ -93,7 +96,8 @@ def write_curves(
     with folder_draft(folder) as unfinished:
         for name in names:
             if name in texts:
-                (unfinished / name).write_text(texts[name], encoding="utf-8")
+                encoding = CSV_ENCODING if name in FOR_PEOPLE else "utf-8"
+                (unfinished / name).write_text(texts[name], encoding=encoding)
             else:
                 _plot(verdict, measure, unfinished / name, language)
     return [folder / name for name in names], left_out

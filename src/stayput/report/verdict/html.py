@@ -174,7 +174,8 @@ def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str
     chance = verdict.best.probabilities[OVERTURNED]
     if pair.kind != "typical" or len(pair.sides) == 1 or chance.runs == 0:
         return ""
-    key = "typical_also_falls" if pair.sides[1].run.overturned else "typical_is_held"
+    held = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
+    key = "typical_also_falls" if pair.sides[1].run.overturned else held
     told = word(key, language, share=numbers.share(chance.estimate, language))
     return f" {told}" if language == "en" else told
 

@@ -108,7 +108,7 @@ def _cells(row: RankingRow, language: str) -> tuple[str, ...]:
     shares = tuple(
         NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares
     )
-    label = with_aside(row.label, row.name, language) if row.name else row.label
+    label = with_aside(row.name, row.label, language) if row.name else row.label
     capacities = (with_aside(middle, ends, language) if ends else middle for middle, ends in row.capacities)
     slide = word("listed", language).join(row.slide)
     contents = () if row.contents is None else (with_interval(row.contents, language),)
