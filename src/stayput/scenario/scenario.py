@@ -232,6 +232,11 @@ class Scenario(FromFile):
             return self._own_measures
         return tuple(NamedMeasures(one.title, one.measures()) for one in self.measure_tables or ())
 
+    @property
+    def without_measures(self) -> bool:
+        """Whether it was said in Python that no measures are compared, the usual ones neither."""
+        return self._own_measures == ()
+
     def case(self, measures: Sequence[Measure] = ()) -> Case:
         """Make the case: body, room, motion, contact law, initial state and gravity.
 
