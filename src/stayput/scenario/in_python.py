@@ -7,6 +7,8 @@ from dataclasses import asdict, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, cast
 
+import numpy as np
+
 from stayput.errors import InputError, instance_of, list_of, shown
 from stayput.measures import MEASURES, Measure
 from stayput.measures.measure import refuse_conflicts
@@ -61,6 +63,7 @@ def scenario_of(
     InputError
         Something of another kind, or what a scenario file may not say.
     """
+    shaking = _plain(shaking)
     motions = _motions(shaking)
     data: dict[str, Any] = {
         "furniture": _set_fields(instance_of("body", body, Body)),
@@ -75,7 +78,7 @@ def scenario_of(
         data["measures"] = [
             {"name": named.name, "combine": [table_of(one) for one in named.measures]} for named in sets
         ]
-    scenario = Scenario.parse(data | dict(tables))
+    scenario = Scenario.parse(data | _plain(dict(tables)))
     if not in_files or (measures is not None and not sets):
         scenario = scenario.with_measures(sets)
     changed: dict[str, Any] = {}
@@ -126,6 +129,14 @@ def _together(given: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
         together = (instance_of("measures", given, Measure),)
     refuse_conflicts(together)
     return together
+
+
+def _plain(value: Any) -> Any:
+    """Return a value with Python's own numbers in the place of NumPy's single ones, also within mappings."""
+    if isinstance(value, Mapping):
+        return {key: _plain(one) for key, one in cast("Mapping[Any, Any]", value).items()}
+    single = isinstance(value, np.generic | np.ndarray) and value.ndim == 0
+    return cast("np.generic", value).item() if single else value
 
 
 def _motions(shaking: StatedShaking) -> Suite | None:
