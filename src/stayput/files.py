@@ -36,8 +36,8 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     Raises
     ------
     InputError
-        An unknown ending, a folder that does not exist, a folder in the file's place, too long a name, or one with a
-        null character.
+        An unknown ending, a folder that does not exist, a folder in the file's place, too long a name,
+        or one with a null character.
     """
     instance_of("path", path, (str, PathLike))
     target = Path(path)
