@@ -139,7 +139,8 @@ class Scenario(FromFile):
             The first thing that is wrong: the key's dotted name, its value, and what is allowed.
         """
         if isinstance(data.get("furniture"), list):
-            raise InputError("scenario.one_piece_alone", "furniture")
+            of_room = "plan" in data
+            raise InputError("scenario.of_a_room" if of_room else "scenario.of_several", "furniture")
         try:
             scenario = cls.model_validate(dict(data))
         except ValidationError as error:
