@@ -136,7 +136,7 @@ def _plain(value: Any) -> Any:
     if isinstance(value, Mapping):
         return {key: _plain(one) for key, one in cast("Mapping[Any, Any]", value).items()}
     single = isinstance(value, np.generic | np.ndarray) and value.ndim == 0
-    return cast("np.generic", value).item() if single else value
+    return cast("np.generic", value).item() if single else cast("Any", value)
 
 
 def _motions(shaking: StatedShaking) -> Suite | None:
