@@ -34,10 +34,12 @@ def of_the_paper() -> Runs:
 
 def three_components() -> sp.Motion:
     """Return 30 s of JMA Kobe, NS along x, where its files are at hand, else the built-in motion."""
-    files = [workload.RECORD.with_stem(f"jma_kobe_1995_{name}") for name in ("ns", "ew", "ud")]
-    if not all(file.is_file() for file in files):
+    north, east, up = (workload.RECORD.with_stem(f"jma_kobe_1995_{name}") for name in ("ns", "ew", "ud"))
+    if not all(file.is_file() for file in (north, east, up)):
         return sp.near_fault()
-    motion = sp.Motion.combine(*(sp.read_motion(file) for file in files), name="JMA Kobe 1995, x NS, y EW")
+    vertical = sp.read_motion(up, component="channel 1")
+    records = sp.read_motion(north), sp.read_motion(east), vertical
+    motion = sp.Motion.combine(*records, name="JMA Kobe 1995, x NS, y EW")
     return motion.trimmed(0.0, min(workload.DURATION, motion.duration))
 
 

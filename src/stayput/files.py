@@ -11,7 +11,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, instance_of, reason_of
+from stayput.errors import InputError, instance_of, quoted, reason_of
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterable, Sequence
@@ -36,10 +36,13 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     Raises
     ------
     InputError
-        An unknown ending, a folder that does not exist, a folder in the file's place, or too long a name.
+        An unknown ending, a folder that does not exist, a folder in the file's place, too long a name,
+        or one with a null character.
     """
     instance_of("path", path, (str, PathLike))
     target = Path(path)
+    if "\0" in str(target):
+        raise InputError("model.null_in_name", file=quoted(str(target)))
     if target.suffix.lower() not in suffixes:
         raise InputError("model.wrong_suffix", file=repr(str(target)), suffixes=", ".join(suffixes))
     try:

@@ -42,8 +42,8 @@ Keep = Callable[["NDArray[Any]"], Any]
 JSON, NETCDF = (".json",), (".nc",)
 """Endings of the files."""
 
-_FORMAT = 1
-"""The format that is written, and the newest that is read."""
+_FORMAT = 2
+"""The format that is written and read; of format 1, which no release wrote, digests left out the version."""
 
 _KINDS = re.compile(r"[<>|=]?([fiub][1248]|f16|[US]\d{1,3})")
 """The kinds of numbers and texts in arrays, as NumPy writes them."""
@@ -235,14 +235,16 @@ def _read(
     kind: type[T], file: Path, content: Any, array_of: Callable[[Mapping[str, Any]], NDArray[Any]]
 ) -> T:
     try:
-        version, written, digest = str(content["stayput"]), int(content["format"]), content["sha256"]
-        data = content["value"]
+        version, digest, data = str(content["stayput"]), content["sha256"], content["value"]
+        written = int(content["format"])
     except (KeyError, TypeError, ValueError, OverflowError):
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
     if written > _FORMAT:
         raise InputError("saved.newer", "path", file=str(file), version=version)
+    if written != _FORMAT:
+        raise InputError("saved.other_version", "path", file=str(file), version=version)
     try:
-        if _digest(data) != digest:
+        if _digest(version, data) != digest:
             raise InputError("saved.changed", "path", file=str(file))
         value = _decoded(data, array_of)
     except InputError:
@@ -256,13 +258,13 @@ def _read(
 
 def _content(value: object, keep: Keep) -> dict[str, Any]:
     """Return what a file holds of a value."""
-    data = _encoded(value, keep)
-    return {"stayput": stayput.__version__, "format": _FORMAT, "sha256": _digest(data), "value": data}
+    version, data = stayput.__version__, _encoded(value, keep)
+    return {"stayput": version, "format": _FORMAT, "sha256": _digest(version, data), "value": data}
 
 
-def _digest(data: Any) -> str:
-    """Return the digest of encoded data, however a file writes them."""
-    text = json.dumps(data, sort_keys=True, separators=(",", ":"), allow_nan=False)
+def _digest(version: str, data: Any) -> str:
+    """Return the digest of encoded data and of the version that wrote them, however a file writes them."""
+    text = json.dumps([version, data], sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode("ascii")).hexdigest()
 
 

@@ -222,3 +222,11 @@ def test_a_record_across_says_what_it_counts_for(lang: str) -> None:
             assert "--x" in refused
             assert "--motion" in refused
             assert "shaking." not in refused
+
+
+def test_a_vertical_record_that_is_named_is_meant(tmp_path: Path, recwarn: pytest.WarningsRecorder) -> None:
+    level = sp.read_motion(at2(tmp_path / "KJM-000.at2", "", 1.0))
+    for name, label in (("KJM-UP.at2", ""), ("up.at2", "UP")):
+        up = sp.read_motion(at2(tmp_path / name, label, 1.0), component="channel 1")
+        assert sp.Motion.combine(level, z=up).z is not None
+    assert not recwarn.list

@@ -72,3 +72,8 @@ def test_a_path_that_no_file_can_have_is_refused(tmp_path: Path):
         unfinished.write_text("1")
     with pytest.raises(InputError, match="too long"), folder_draft(tmp_path / LONG):
         pass
+
+
+def test_a_name_with_a_null_character_is_refused():
+    with pytest.raises(InputError, match=r"'a\\x00b.nc'; its name must be without null characters"):
+        check_target("a\0b.nc", (".nc",))

@@ -239,3 +239,26 @@ def test_animations_play_in_a_frame_of_their_own():
         assert shown.startswith("<iframe")
         assert "&lt;script" in shown
         assert "<script" not in shown
+
+
+def test_short_motions_are_shown_without_an_intensity():
+    short = sp.Motion(0.01, [0.0, 1.0, 2.0, 3.0, 0.0])
+    shown = short._repr_html_()
+    assert "data:image/png" in shown
+    assert "JMA intensity" not in shown
+    listed = sp.Suite((short, MOTION))._repr_html_()
+    assert "<td>–</td>" in listed
+    assert f"<td>{MOTION.intensity:.2f}</td>" in listed
+
+
+def test_no_device_fails_where_there_is_none(verdict: sp.Verdict):
+    shown = verdict._repr_html_()
+    assert re.search(r"<tr><th>\d</th><td>Without measures</td>(<td>\d[^<]*</td>)+<td>–</td>", shown)
+    assert re.search(r"<tr><th>\d</th><td>Screwed L-brackets</td>(?!.*<td>–</td>)", shown.split("Without")[0])
+
+
+@pytest.mark.parametrize("projection", ["polar", "3d"])
+def test_axes_of_another_projection_are_refused(projection: str):
+    other = Figure().add_subplot(projection=projection)
+    with pytest.raises(sp.InputError, match=f"'{projection}'; it must be 'rectilinear'"):
+        MOTION.plot(other)

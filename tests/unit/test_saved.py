@@ -149,9 +149,9 @@ def test_what_is_not_of_the_package_is_not_saved(tmp_path: Path):
 
 def signed(value: Any, /, **others: Any) -> dict[str, Any]:
     """Return the content of a JSON file as `save` writes it, whatever its value."""
-    text = json.dumps(value, sort_keys=True, separators=(",", ":"))
+    text = json.dumps(["9.0", value], sort_keys=True, separators=(",", ":"))
     digest = hashlib.sha256(text.encode()).hexdigest()
-    return {"stayput": "9.0", "format": 1, "sha256": digest, "value": value} | others
+    return {"stayput": "9.0", "format": 2, "sha256": digest, "value": value} | others
 
 
 def of_array(**parts: Any) -> dict[str, Any]:
@@ -168,7 +168,9 @@ def of_array(**parts: Any) -> dict[str, Any]:
         (b'{"a":' * 200_000, "holds no FragilityCurve"),
         ({"stayput": "9.0", "value": 3}, "holds no FragilityCurve"),
         (signed(3), "holds no FragilityCurve"),
-        (signed(3, format=2), "9.0, is in a newer format"),
+        (signed(3, format=3), "9.0, is in a newer format"),
+        (signed(3, format=0), "stayput 9.0, cannot be read"),
+        (signed(3, stayput="banana"), "changed after it was saved"),
         (signed(3, format=1e999), "holds no FragilityCurve"),
         (signed(3, value=4), "changed after it was saved"),
         (signed(3, sha256=None), "changed after it was saved"),

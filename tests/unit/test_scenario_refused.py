@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import Any
 
 import pytest
 import tomli_w
@@ -11,9 +12,7 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.cli import app
 
-if TYPE_CHECKING:
-    from pathlib import Path
-
+EXAMPLES = Path(__file__).parents[2] / "examples"
 BOX = {"width": 0.4, "length": 0.6, "height": 0.5, "mass": 20.0}
 STILL = {"sine": {"amplitude": 0.1, "frequency": 1.0, "duration": 1.0}}
 PIECES: dict[str, Any] = {
@@ -115,3 +114,18 @@ def test_what_a_flag_gets_wrong_is_not_the_files(tmp_path: Path) -> None:
     assert printed(file, "--wall", "-1").startswith("--wall is -1;")
     damaged = written(tmp_path, ONE | {"gravity": 0.0})
     assert printed(damaged, "--scale", "2").startswith("room.toml: gravity is 0.0")
+
+
+@pytest.mark.parametrize(
+    ("file", "told"),
+    [
+        ("bedroom.toml", "read with read_room and go to verify_room"),
+        ("television.toml", "read_assembly"),
+    ],
+)
+def test_a_file_of_several_pieces_names_what_reads_it(file: str, told: str, tmp_path: Path):
+    path = EXAMPLES / file
+    with pytest.raises(sp.InputError, match=told):
+        sp.read_scenario(path)
+    done = CliRunner().invoke(app, ["fragility", str(path), "--out", str(tmp_path / "out")])
+    assert "which simulate and verify take" in done.stderr

@@ -171,3 +171,19 @@ def test_a_measure_of_ones_own_without_its_names_is_refused_at_once():
 
     with pytest.raises(sp.InputError, match=r"apply\(\) of wrong is Body"):
         sp.hold(BODY, ROOM, [Wrong()])
+
+
+def test_with_no_measures_the_bare_body_alone_is_verified():
+    of_list = sp.verify(BODY, ROOM, shaking="6-lower", measures=[], **FEW)
+    assert [one.option.name for one in of_list.options] == ["none"]
+    assert "no measure that was compared" not in of_list.sentence()
+    case = sp.Case(BODY, ROOM, sp.near_fault(), dimensions=2)
+    assert len(sp.verify(case, measures={}, **FEW).options) == 1
+    assert len(sp.verify(case, **FEW).options) > 5
+
+
+@pytest.mark.parametrize("strength", [np.float32(6.0), np.array(6.0), {"intensity": np.float32(6.0)}])
+def test_single_numbers_of_numpy_are_numbers(strength: Any):
+    few: dict[str, Any] = {"measures": [], "levels": [], "progress": False}
+    of_numpy = sp.verify(BODY, ROOM, shaking=strength, samples=np.int64(8), seed=np.int32(2), **few)
+    assert chances(of_numpy) == chances(sp.verify(BODY, ROOM, shaking=6.0, samples=8, seed=2, **few))

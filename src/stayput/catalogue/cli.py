@@ -161,6 +161,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file states no time step; --dt must be given [s].",
         "時間刻みがファイルに書かれていません。--dtで秒単位で指定してください。",
     ),
+    "one_piece_alone": (
+        "furniture is a list of several pieces, which simulate and verify take; it must be one table.",
+        "furnitureが複数の家具のリストになっています。複数の家具はsimulateとverifyだけで扱えます。",
+    ),
     "vertical_alone": (
         (
             "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "

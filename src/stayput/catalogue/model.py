@@ -112,6 +112,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file to write is {file}; its name must end in {suffixes}.",
         "書き込むファイルが{file}になっています。拡張子は{suffixes}にしてください。",
     ),
+    "null_in_name": (
+        "The file to write is {file}; its name must be without null characters.",
+        "書き込むファイルが{file}になっています。ヌル文字を含まないファイル名を指定してください。",
+    ),
     "no_folder": (
         "The file to write is {file}; its folder must exist.",
         "書き込むファイル{file}のフォルダーがありません。先に作成してください。",

@@ -66,6 +66,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     # A motion and its spectra.
     "spectra": ("{name}: spectra, {damping:g} % damping", "{name}：スペクトル、減衰{damping:g}%"),
     "spectrum_sa": ("Acceleration Sa [m/s²]", "加速度応答 Sa [m/s²]"),
+    "projection": (
+        "The projection of ax is {projection}; it must be 'rectilinear', which subplots() takes by default.",
+        "axの投影法が{projection}になっています。subplots()の既定である'rectilinear'の座標軸を指定してください。",
+    ),
     "not_axes": (
         "ax is of type {kind}; it must be Matplotlib's Axes, one of those that subplots() returns.",
         "axが{kind}型になっています。MatplotlibのAxes（subplots()が返すもののうちの1つ）を指定してください。",

@@ -81,9 +81,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}, which names no piece of the file.",
         "{name}が{value}になっていますが、その名前の家具がありません。",
     ),
-    "one_piece_alone": (
-        "furniture is a list of several pieces, which simulate and verify take; it must be one table.",
-        "furnitureが複数の家具のリストになっています。複数の家具はsimulateとverifyだけで扱えます。",
+    "of_several": (
+        "furniture is a list of several pieces; it must be one table, or the file be read with read_assembly.",
+        "furnitureが複数の家具のリストになっています。複数の家具のファイルはread_assemblyで読み込んでください。",
+    ),
+    "of_a_room": (
+        "The file has a [plan], that of a room; it must be read with read_room and go to verify_room.",
+        "部屋（[plan]）のファイルです。read_roomで読み込み、verify_roomを使ってください。",
     ),
     "measures_on_solid": (
         "The piece {name!r} has measures; what they hold must be a preset or a box.",

@@ -67,6 +67,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "In shaking of JMA intensity {strength} the {name} stays upright without any measure.",
         "{strength}の揺れでも、この家具は対策なしで転倒しません。",
     ),
+    "bare_falls": (
+        "In shaking of JMA intensity {strength} the {name} overturns {falls}.",
+        "{strength}の揺れで、この家具は{falls}。",
+    ),
     "none_helps": (
         (
             "In shaking of JMA intensity {strength} the {name} overturns {falls}, "

@@ -22,7 +22,7 @@ from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings
 from stayput.progress import is_quiet, keep_quiet, told_in
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Sequence
+    from collections.abc import Generator, Mapping, Sequence
     from pathlib import Path
 
     from stayput.catalogue import Language
@@ -85,7 +85,8 @@ class CommandGroup(TyperGroup):
 
         def of_flags(told: Told) -> Told:
             command = self.get_command(ctx, ctx.invoked_subcommand or "")
-            return _in_flags(told) if "--unit" in _flags_of(command) else told
+            takes_records = "--unit" in _flags_of(command)
+            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if takes_records else _IN_COMMANDS)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)
@@ -123,10 +124,16 @@ _IN_FLAGS = {
 }
 """Sentences about records, and those that name the flags to give."""
 
+_IN_COMMANDS = {
+    "scenario.of_several": "cli.one_piece_alone",
+    "scenario.of_a_room": "cli.one_piece_alone",
+}
+"""Sentences that name functions of Python, and those that name commands."""
 
-def _in_flags(told: Told) -> Told:
-    """Return a refusal or a warning so that it names the flags of the command line."""
-    code = _IN_FLAGS.get(told.code)
+
+def _said_as(told: Told, codes: Mapping[str, str]) -> Told:
+    """Return a refusal or a warning so that it names the flags and commands of the command line."""
+    code = codes.get(told.code)
     return told if code is None else type(told)(code, told.field, context=told.context, **told.values)
 
 

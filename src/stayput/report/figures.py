@@ -51,7 +51,8 @@ def axes_of(ax: Axes | None) -> Axes:
     Raises
     ------
     InputError
-        Something else than axes, such as the array of them that ``subplots`` returns.
+        Something else than axes, such as the array of them that ``subplots`` returns; axes of another
+        projection, such as polar ones.
     """
     if ax is None:
         from matplotlib import pyplot  # which chooses how figures are shown, and is slow to load
@@ -59,6 +60,8 @@ def axes_of(ax: Axes | None) -> Axes:
         return pyplot.subplots(layout="constrained")[1]
     if not isinstance(ax, Axes):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise InputError("plots.not_axes", "ax", kind=type(ax).__name__)
+    if ax.name != "rectilinear":
+        raise InputError("plots.projection", "ax", projection=repr(ax.name))
     return ax
 
 

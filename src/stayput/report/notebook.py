@@ -9,8 +9,9 @@ import math
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
+from stayput.errors import InputError
 from stayput.model.room import Room
-from stayput.montecarlo.counting import EVENTS
+from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS
 from stayput.report.building import draw_modes
 from stayput.report.charts.chances import draw_ranking
 from stayput.report.figures import new_figure
@@ -25,6 +26,7 @@ from stayput.report.space.summary import space_rows
 from stayput.report.spectrum import draw_spectrum
 from stayput.report.suite import draw_suite, suite_title
 from stayput.report.summary import rows, sentence
+from stayput.report.verdict.numbers import NO_NUMBER
 from stayput.verification.words import reason, title
 
 if TYPE_CHECKING:
@@ -69,7 +71,10 @@ def verdict_html(verdict: Verdict) -> str:
         (
             str(option.rank),
             title(option.option, verdict, "en"),
-            *(option.probabilities[event].text for event in events),
+            *(
+                option.probabilities[event].text if event != DEVICE_FAILED or option.devices else NO_NUMBER
+                for event in events
+            ),
             reason(option, verdict, "en"),
         )
         for option in verdict.options
@@ -92,14 +97,15 @@ def motion_html(motion: Motion) -> str:
     """Return a motion as its histories and the measures of its components."""
     peaks = motion.peaks()
     heads = ["", *peaks]
-    intensity = motion.intensity
+    intensity = _intensity(motion)
     table: list[Sequence[str]] = [
         (say("notebook.pga"), *(f"{one.pga:.3g}" for one in peaks.values())),
         (say("notebook.pgv"), *(f"{100.0 * one.pgv:.3g}" for one in peaks.values())),
         (say("notebook.duration"), f"{motion.duration:.4g}"),
         (say("notebook.step"), f"{motion.dt:g}"),
-        (say("notebook.intensity"), f"{intensity:.2f}" if math.isfinite(intensity) else ""),
     ]
+    if intensity:
+        table.append((say("notebook.intensity"), intensity))
     return _shown(motion_label(motion), plot_motion(motion), table, heads)
 
 
@@ -118,7 +124,7 @@ def suite_html(suite: Suite) -> str:
             motion.name,
             f"{motion.pga:.3g}",
             f"{100.0 * motion.pgv:.3g}",
-            f"{motion.intensity:.2f}",
+            _intensity(motion) or NO_NUMBER,
             f"{motion.duration:.4g}",
         )
         for motion in suite[:MOST_ROWS]
@@ -161,6 +167,15 @@ def room_html(room: Room) -> str:
         (say("notebook.friction"), f"{room.floor.static_friction:g}, {room.floor.kinetic_friction:g}"),
     ]
     return _shown(repr(room), figure, table)
+
+
+def _intensity(motion: Motion) -> str:
+    """Return the intensity of a motion; nothing for a still one, or one too short to have an intensity."""
+    try:
+        intensity = motion.intensity
+    except InputError:
+        return ""
+    return f"{intensity:.2f}" if math.isfinite(intensity) else ""
 
 
 def _drawn(draw: Callable[[Axes], None], width: float, height: float) -> Figure:

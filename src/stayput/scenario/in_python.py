@@ -7,6 +7,8 @@ from dataclasses import asdict, fields
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, cast
 
+import numpy as np
+
 from stayput.errors import InputError, instance_of, list_of, shown
 from stayput.measures import MEASURES, Measure
 from stayput.measures.measure import refuse_conflicts
@@ -32,7 +34,7 @@ def scenario_of(
     body: Body,
     room: Room,
     shaking: StatedShaking,
-    measures: MeasureSets = (),
+    measures: MeasureSets | None = None,
     uncertainty: Uncertainty | None = None,
     *,
     tables: Mapping[str, Any] = MappingProxyType({}),
@@ -48,8 +50,9 @@ def scenario_of(
     shaking : Motion, Suite, sequence of Motion, str, float or mapping
         Motions as they are; or the JMA intensity of the ground or its class, "6-upper", under the built-in
         suite; or what ``[shaking]`` of a scenario file says.
-    measures : sequence or mapping
-        What is compared; each a `Measure`, of one's own as well, or several that are in place together.
+    measures : sequence or mapping, optional
+        What is compared; each a `Measure`, of one's own as well, or several that are in place together. None
+        are with none in it; the usual ones by default.
     uncertainty : Uncertainty, optional
         The quantities that are drawn, by the names of `stayput.uncertainty.USUAL`; all others are as stated.
     tables : mapping
@@ -60,6 +63,7 @@ def scenario_of(
     InputError
         Something of another kind, or what a scenario file may not say.
     """
+    shaking = _plain(shaking)
     motions = _motions(shaking)
     data: dict[str, Any] = {
         "furniture": _set_fields(instance_of("body", body, Body)),
@@ -68,14 +72,14 @@ def scenario_of(
     if motions is None:
         stated = {"intensity": shaking} if isinstance(shaking, str | float | int) else shaking
         data["shaking"] = dict(cast("Mapping[str, Any]", stated))
-    sets = named_sets(measures)
+    sets = named_sets(() if measures is None else measures)
     in_files = all(type(one) is MEASURES.get(one.kind) for named in sets for one in named.measures)
     if sets and in_files:
         data["measures"] = [
             {"name": named.name, "combine": [table_of(one) for one in named.measures]} for named in sets
         ]
-    scenario = Scenario.parse(data | dict(tables))
-    if not in_files:
+    scenario = Scenario.parse(data | _plain(dict(tables)))
+    if not in_files or (measures is not None and not sets):
         scenario = scenario.with_measures(sets)
     changed: dict[str, Any] = {}
     if motions is not None:
@@ -88,7 +92,7 @@ def scenario_of(
 
 def scenario_of_case(
     case: Case,
-    measures: MeasureSets = (),
+    measures: MeasureSets | None = None,
     uncertainty: Uncertainty | None = None,
     *,
     tables: Mapping[str, Any] = MappingProxyType({}),
@@ -101,9 +105,11 @@ def scenario_of_case(
         "gravity": case.gravity,
         "dimensions": 3 if case.in_space else 2,
     }
-    sets = {one.name: one.measures for one in (*own, *named_sets(measures))}
+    further = named_sets(() if measures is None else measures)
+    sets = {one.name: one.measures for one in (*own, *further)}
     tables = dict(tables) | own_tables
-    return scenario_of(case.body, case.room, case.motion, sets, uncertainty, tables=tables)
+    compared = None if measures is None and not own else sets
+    return scenario_of(case.body, case.room, case.motion, compared, uncertainty, tables=tables)
 
 
 def named_sets(measures: MeasureSets) -> list[NamedMeasures]:
@@ -123,6 +129,14 @@ def _together(given: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
         together = (instance_of("measures", given, Measure),)
     refuse_conflicts(together)
     return together
+
+
+def _plain(value: Any) -> Any:
+    """Return a value with Python's own numbers in the place of NumPy's single ones, also within mappings."""
+    if isinstance(value, Mapping):
+        return {key: _plain(one) for key, one in cast("Mapping[Any, Any]", value).items()}
+    single = isinstance(value, np.generic | np.ndarray) and value.ndim == 0
+    return cast("np.generic", value).item() if single else cast("Any", value)
 
 
 def _motions(shaking: StatedShaking) -> Suite | None:

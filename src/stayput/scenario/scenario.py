@@ -139,7 +139,8 @@ class Scenario(FromFile):
             The first thing that is wrong: the key's dotted name, its value, and what is allowed.
         """
         if isinstance(data.get("furniture"), list):
-            raise InputError("scenario.one_piece_alone", "furniture")
+            of_room = "plan" in data
+            raise InputError("scenario.of_a_room" if of_room else "scenario.of_several", "furniture")
         try:
             scenario = cls.model_validate(dict(data))
         except ValidationError as error:
@@ -231,6 +232,11 @@ class Scenario(FromFile):
         if self._own_measures is not None:
             return self._own_measures
         return tuple(NamedMeasures(one.title, one.measures()) for one in self.measure_tables or ())
+
+    @property
+    def without_measures(self) -> bool:
+        """Whether it was said in Python that no measures are compared, the usual ones neither."""
+        return self._own_measures == ()
 
     def case(self, measures: Sequence[Measure] = ()) -> Case:
         """Make the case: body, room, motion, contact law, initial state and gravity.

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 def verify(
     what: Scenario | Case,
     *,
-    measures: MeasureSets = ...,
+    measures: MeasureSets | None = ...,
     uncertainty: Uncertainty | None = ...,
     samples: int | None = ...,
     seed: int | None = ...,
@@ -55,7 +55,7 @@ def verify(
     room: Room | None = ...,
     *,
     shaking: StatedShaking,
-    measures: MeasureSets = ...,
+    measures: MeasureSets | None = ...,
     uncertainty: Uncertainty | None = ...,
     samples: int | None = ...,
     seed: int | None = ...,
@@ -99,7 +99,7 @@ def verify(
     room: Room | None = None,
     *,
     shaking: StatedShaking | None = None,
-    measures: MeasureSets = (),
+    measures: MeasureSets | None = None,
     uncertainty: Uncertainty | None = None,
     samples: int | None = None,
     seed: int | None = None,
@@ -130,9 +130,10 @@ def verify(
     shaking : Motion, Suite, sequence of Motion, str, float or mapping
         How a body is shaken: by motions as they are; by the built-in suite to a JMA intensity of the ground
         or its class, "6-upper"; or as ``[shaking]`` of a scenario file says, ``{"pga": 4.0}``.
-    measures : sequence or mapping
+    measures : sequence or mapping, optional
         What a body or a case is compared with: each a `Measure`, of one's own as well, or several that are in
-        place together; a mapping names them. The usual ones by default.
+        place together; a mapping names them. With none in it only the furniture without measures is verified,
+        or with a case's own. The usual ones by default.
     uncertainty : Uncertainty, optional
         The quantities that are drawn for a body or a case, by the names of `stayput.uncertainty.USUAL`; what
         is not in it is as stated. All, as they are usually, by default.
@@ -184,7 +185,7 @@ def verify(
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     settings = {"samples": samples, "seed": seed, "precision": precision}
     stated = {key: value for key, value in settings.items() if value is not None}
-    in_python = {"room": room, "shaking": shaking, "measures": measures or None, "uncertainty": uncertainty}
+    in_python = {"room": room, "shaking": shaking, "measures": measures, "uncertainty": uncertainty}
     if isinstance(what, str | PathLike):
         raise InputError("scenario.only_a_path", "what", value=repr(str(what)))
     given = instance_of("what", what, (Scenario, AssemblyScenario, Case, Body))

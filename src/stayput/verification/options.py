@@ -163,7 +163,8 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     _refuse_twice((Option("none"), *named))
     body, room = scenario.furniture.body(), scenario.room.room()
     refuse_bad_start(body, room, scenario.initial.state())
-    possible, impossible = partition_options(named or usual(), body, room)
+    compared = named if named or scenario.without_measures else usual()
+    possible, impossible = partition_options(compared, body, room)
     if named and not possible:
         raise impossible[0].error
     return (Option("none"), *possible), impossible
@@ -181,7 +182,8 @@ def options_of(scenario: Scenario) -> tuple[Option, ...]:
     named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
     for option in named:
         hold(body, room, option.measures)
-    options = (Option("none"), *(named or usual_options(body, room)))
+    compared = named if named or scenario.without_measures else usual_options(body, room)
+    options = (Option("none"), *compared)
     _refuse_twice(options)
     return options
 

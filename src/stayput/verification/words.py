@@ -198,7 +198,10 @@ def _headline(verdict: Verdict) -> Phrase:
             then=phrase(then, share=share_text(held)),
             chance=phrase("verification.may_be_chance") if unclear else "",
         )
-    key = "verification.stays_upright" if share < SMALL else "verification.none_helps"
+    if share < SMALL:
+        key = "verification.stays_upright"
+    else:
+        key = "verification.none_helps" if len(verdict.options) > 1 else "verification.bare_falls"
     return phrase(key, strength=strength, name=name, falls=falls)
 
 

@@ -79,7 +79,8 @@ def read_motion(
     component : str, optional
         Channel that becomes x: its direction ("NS", "EW", "360", "HNE", ...) or its place in the file
         ("channel 2"); default the first horizontal one. The other horizontal one becomes y and the
-        vertical one z. PEER and K-NET files hold one channel each: see `Motion.combine`.
+        vertical one z. PEER and K-NET files hold one channel each: see `Motion.combine`. A vertical one alone
+        is named ("channel 1"), else it is warned of.
     unit : str, optional
         Unit of the numbers ("m/s²", "cm/s²", "gal", "mm/s²", "g"): required where the file does not
         state it, and refused where it contradicts the file.
@@ -108,7 +109,8 @@ def read_motion(
 
     def asked(channels: Sequence[Channel]) -> str | None:
         warn_of_vertical(channels, component)
-        _warn_of_name(path, channels)
+        if component is None:
+            _warn_of_name(path, channels)
         return component
 
     return _read(path, asked, unit, dt)
@@ -136,7 +138,8 @@ def read_shaking(
 
     def asked(channels: Sequence[Channel]) -> str | None:
         refuse_vertical(channels, component)
-        _warn_of_name(path, channels)
+        if component is None:
+            _warn_of_name(path, channels)
         return component
 
     return _read(path, asked, unit, dt)
