@@ -92,12 +92,13 @@ def building(
     described = Building(storeys, structure, period, damping, nonlinear=not linear)
     for number in storey or ():
         described.model.place(number)
-    ground = along(motion, x) or "near-fault"
+    motion, named = along(motion, x)
+    ground = motion or "near-fault"
     strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
     response = described.respond(
         motion_of(
             ground,
-            "--motion" if x is None else "--x",
+            named,
             y=y,
             z=z,
             component=component,

@@ -151,7 +151,7 @@ def shaken(
         A flag's text that cannot be read, or two flags for one thing.
     """
     strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
-    motion = along(motion, x)
+    motion, named = along(motion, x)
     if z is not None and vertical is False:
         raise InputError("cli.no_vertical_file", "--z", value=repr(z))
     flags = {
@@ -169,7 +169,6 @@ def shaken(
         return dict(tables)
     given = table_of(tables, "shaking")
     if motion is not None:
-        named = "--motion" if x is None else "--x"
         given = _from_here(shaking_table(file_of(motion, named)), path)
     files = beside(y, z, given)
     given = _without_strengths(given, stated)
@@ -178,8 +177,8 @@ def shaken(
     return {**tables, "shaking": {**given, **stated, **_from_here(files, path)}}
 
 
-def along(motion: str | None, x: str | None, flag: str = "--motion") -> str | None:
-    """Return the motion of a flag or argument, or of ``--x``.
+def along(motion: str | None, x: str | None, flag: str = "--motion") -> tuple[str | None, str]:
+    """Return the motion of a flag or argument, or of ``--x``, and which of the two gives it.
 
     Raises
     ------
@@ -188,7 +187,7 @@ def along(motion: str | None, x: str | None, flag: str = "--motion") -> str | No
     """
     if motion is not None and x is not None:
         raise one_of_two("--x", repr(x), flag, repr(motion))
-    return motion if x is None else x
+    return (motion, flag) if x is None else (x, "--x")
 
 
 def tell_of_y(y: str | None, scenario: Scenario | AssemblyScenario) -> None:

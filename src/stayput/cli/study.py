@@ -54,7 +54,7 @@ def study(
 
     if name not in STUDIES:
         raise unknown("studies.name", name, STUDIES, "name")
-    motion = along(motion, x)
+    motion, named = along(motion, x)
     if motion is not None and name not in OF_A_RECORD:
         raise InputError("studies.no_motion", "motion", name=name, names=", ".join(OF_A_RECORD))
     if out.exists() and not out.is_dir():
@@ -66,11 +66,7 @@ def study(
     motions = ()
     if any(value is not None for value in (motion, y, z, component, unit, dt)):
         ground = motion or "near-fault"
-        motions = (
-            motion_of(
-                ground, "--motion" if x is None else "--x", y=y, z=z, component=component, unit=unit, dt=dt
-            ),
-        )
+        motions = (motion_of(ground, named, y=y, z=z, component=component, unit=unit, dt=dt),)
     result = run(*motions)
     typer.echo(result.markdown())
     if lang == "ja":

@@ -59,9 +59,6 @@ class Unusable:
 
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+", re.ASCII)
-_POINT = re.compile(r"[+-]?[1-9]\d{0,2}\.\d{3}", re.ASCII)
-"""A number with a point before three digits: 1.800 is 1.8 in English, and 1800 in German."""
-
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}", re.ASCII)
 _SIGN_OF_MONEY = re.compile(r"[¥￥\\$€]\s*(?=\d)|(?<=\d)\s*円")
 _AMOUNT = re.compile(r"[¥\\$€]?\s*(\d{1,3}(?:,\d{3})+(?:\.\d{1,2})?|\d+(?:\.\d*)?)\s*円?", re.ASCII)
@@ -150,7 +147,7 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
 def _may_be_thousands(name: str, text: str, unit: str) -> bool:
     """Return whether a number has a point that would leave thousandths of what nobody divides so finely."""
     parted = _WITH_REST.fullmatch(text)
-    if parted is None or _POINT.fullmatch(parted[1]) is None:
+    if parted is None or "," in parted[1] or _THOUSANDS.fullmatch(parted[1]) is None:
         return False
     return name in WHOLE or (_unit_behind(parted) or unit) in _WHOLE_UNITS
 

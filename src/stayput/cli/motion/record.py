@@ -363,7 +363,7 @@ def _read(
     InputError
         Neither is given, or both; a file that cannot be read.
     """
-    given = along(motion, x, "MOTION")
+    given, named = along(motion, x, "MOTION")
     if given is None:
         raise InputError("cli.no_motion", "MOTION", name="MOTION")
-    return motion_of(given, "MOTION" if x is None else "--x", y=y, z=z, component=component, unit=unit, dt=dt)
+    return motion_of(given, named, y=y, z=z, component=component, unit=unit, dt=dt)
