@@ -37,12 +37,12 @@ demo: $(STAMP)-core
 	$(BIN)/stayput verify examples/bookcase.toml --report out/bookcase.html
 
 test: $(STAMP)-test
-	@$(BIN)/python tests/app/chromium.py
+	@$(BIN)/python tests/prerequisites.py
 	$(BIN)/python -m pytest -n auto --dist worksteal $(PYTEST_ARGS)
 
 # The page's own coverage is written by the tests that open it, and counted afterwards.
 coverage: $(STAMP)-test
-	@$(BIN)/python tests/app/chromium.py
+	@$(BIN)/python tests/prerequisites.py
 	@rm -rf out/coverage && mkdir -p out/coverage/page
 	PAGE_COVERAGE="$(CURDIR)/out/coverage/page" $(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-report=term:skip-covered \
 	  --cov-report=html $(PYTEST_ARGS)
@@ -80,7 +80,7 @@ bench-inventory: $(STAMP)-test
 	$(BIN)/python benchmarks/inventory.py $(BENCH_ARGS)
 
 wasm: $(STAMP)-test
-	@$(BIN)/python tests/app/chromium.py
+	@$(BIN)/python tests/prerequisites.py
 	@mkdir -p out
 	$(BIN)/python -m stayput.webassembly out/kernel.wasm
 	$(BIN)/python benchmarks/webassembly.py out/kernel.wasm

@@ -20,9 +20,10 @@ import workload
 from stayput.mechanics.engine import run_batch
 from stayput.mechanics.runner import BatchArguments, arguments, shaking
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "app"))
 import browsing
-import chromium
+import prerequisites
 from webassembly_calls import PLACE, Image
 
 COUNT, REPEATS = 1000, 5
@@ -63,7 +64,9 @@ def in_chromium(file: Path, batch: BatchArguments, base: int) -> float:
     given = [(kind, None if number == np.inf else number) for kind, number in image.call(batch)]
     module, content = (base64.b64encode(part).decode() for part in (file.read_bytes(), image.content()))
     with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=chromium.found(), args=browsing.FLAGS)
+        started = playwright.chromium.launch(
+            executable_path=prerequisites.find_chromium(), args=browsing.FLAGS
+        )
         best: float = started.new_page().evaluate(TIMED, [module, content, given, REPEATS])
         started.close()
     return best

@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 
+import prerequisites
 from stayput.execution import cores
 
 os.environ["LC_ALL"] = "C.UTF-8"  # commands speak the language of the locale
@@ -44,6 +45,13 @@ def load_solvers() -> None:
 def solvers() -> None:
     """Load the solvers before the first test of each process."""
     load_solvers()
+
+
+@pytest.fixture
+def japanese_font() -> None:
+    """Require a font with Japanese letters: where there is none, pictures show an ellipsis instead."""
+    if not prerequisites.has_japanese_font():
+        prerequisites.do_without(prerequisites.FONT)
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

@@ -107,6 +107,7 @@ def test_what_is_printed(arguments: tuple[str, ...]) -> None:
     assert not english(japanese(*arguments))
 
 
+@pytest.mark.usefixtures("japanese_font")
 def test_what_is_written_is_named(tmp_path: Path) -> None:
     for arguments in (
         ("motion", "plot", "near-fault", tmp_path / "波形.png"),

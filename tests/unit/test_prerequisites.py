@@ -1,4 +1,4 @@
-"""How ``make test`` comes to a Chromium: one that is there, one that can be installed, or a plain line."""
+"""How ``make test`` comes to a Chromium and a Japanese font: there, installed, or a plain line for each."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="programs of the tests are shell scripts")
 
-APP = Path(__file__).parents[1] / "app"
+TESTS = Path(__file__).parents[1]
 WORKS, BROKEN = "exit 0", "exit 127"
 PAGE = """
 from browsing import browser
@@ -50,6 +50,18 @@ class Machine:
             [sys.executable, *arguments], env=environment, capture_output=True, text=True, check=False
         )
 
+    def prepare(
+        self, *, font: bool = True, driver: bool = True, ci: bool = False
+    ) -> subprocess.CompletedProcess[str]:
+        """Run what ``make test`` runs first, on a machine with or without a font and Playwright's library."""
+        program = (
+            f"import sys; sys.path.insert(0, {str(TESTS)!r}); import prerequisites as it\n"
+            f"it.has_japanese_font = lambda: {font}; it.has_japanese_font.cache_clear = lambda: None\n"
+            f"it._driver_starts = lambda: {driver}\n"
+            "sys.exit(it.main())"
+        )
+        return self.run("-c", program, ci=ci)
+
     def asked(self) -> list[str]:
         return self.log.read_text().splitlines() if self.log.exists() else []
 
@@ -63,7 +75,7 @@ def machine(tmp_path):
 def test_a_browser_that_is_there_is_taken_without_a_word(machine, name):
     machine.has(name, WORKS)
     machine.has("apt-get", WORKS)
-    done = machine.run(str(APP / "chromium.py"))
+    done = machine.prepare()
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     assert machine.asked() == [f"{name} --version"]
 
@@ -71,7 +83,7 @@ def test_a_browser_that_is_there_is_taken_without_a_word(machine, name):
 def test_one_that_does_not_start_is_none(machine):
     machine.has("chromium", BROKEN)
     machine.has("google-chrome", WORKS)
-    assert machine.run(str(APP / "chromium.py")).returncode == 0
+    assert machine.prepare().returncode == 0
     assert machine.asked() == ["chromium --version", "google-chrome --version"]
 
 
@@ -82,30 +94,59 @@ def test_the_package_manager_installs_one(machine):
         "apt-get",
         f'case "$1" in install) printf "#!/bin/sh\\n" > {made}; {shutil.which("chmod")} 755 {made};; esac',
     )
-    done = machine.run(str(APP / "chromium.py"), ci=True)
+    done = machine.prepare(ci=True)
     assert done.returncode == 0, done.stderr
     assert machine.asked() == [
         "apt-get update -q",
-        "apt-get install -y -q --no-install-recommends chromium",
+        "apt-get install -y -q --no-install-recommends chromium libatomic1",
     ]
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root installs packages")
+@pytest.mark.parametrize(
+    ("lacks", "package"),
+    [({"font": False}, "fonts-ipafont-gothic"), ({"driver": False}, "chromium libatomic1")],
+    ids=["font", "library of the driver"],
+)
+def test_what_is_missing_is_installed_and_only_that(machine, lacks, package):
+    machine.has("chromium", WORKS)
+    machine.has("apt-get", WORKS)
+    machine.prepare(**lacks)
+    installed = [line for line in machine.asked() if line.startswith("apt-get install")]
+    assert installed == [f"apt-get install -y -q --no-install-recommends {package}"]
 
 
 @pytest.mark.parametrize("ci", [False, True])
 def test_where_none_can_be_had_a_line_says_how(machine, ci):
     machine.has("apt-get", BROKEN)
-    done = machine.run(str(APP / "chromium.py"), ci=ci)
+    done = machine.prepare(ci=ci)
     assert done.returncode == int(ci)
     *_, line = done.stderr.splitlines()
-    assert "-m playwright install --with-deps chromium, or apt install chromium." in line
+    assert "-m playwright install --with-deps chromium, or apt install chromium libatomic1." in line
     assert line.endswith("Until then these tests are skipped.") != ci
+
+
+def test_each_missing_kind_has_one_line(machine):
+    machine.has("chromium", WORKS)
+    done = machine.prepare(font=False, driver=False)
+    _, browser, font = done.stderr.splitlines()
+    assert browser.startswith(
+        "The page is tested in Chromium, and there is none that starts with its driver;"
+    )
+    assert font.startswith("Pictures with Japanese words are tested with a Japanese font;")
 
 
 @pytest.mark.parametrize("ci", [False, True])
 def test_tests_of_the_page_are_skipped_but_never_where_ci_is_set(machine, tmp_path, ci):
     (tmp_path / "test_page.py").write_text(PAGE)
-    (tmp_path / "conftest.py").write_text(f"import sys; sys.path.insert(0, {str(APP)!r})")
+    (tmp_path / "conftest.py").write_text(
+        f"import sys; sys.path.insert(0, {str(TESTS / 'app')!r}); sys.path.insert(0, {str(TESTS)!r})"
+    )
     done = machine.run("-m", "pytest", "-q", "-ra", "-p", "no:cacheprovider", str(tmp_path), ci=ci)
-    assert "There is no Chromium, in which the page is tested; to get one: " in done.stdout
+    assert (
+        "The page is tested in Chromium, and there is none that starts with its driver; to get it: "
+        in done.stdout
+    )
     assert ("1 skipped" in done.stdout) != ci
     assert ("1 error" in done.stdout) == ci
     assert done.returncode == int(ci)
