@@ -23,8 +23,9 @@ from stayput.mechanics.runner import BatchArguments, arguments, shaking
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "app"))
 import browsing
-import prerequisites
 from webassembly_calls import PLACE, Image
+
+import prerequisites
 
 COUNT, REPEATS = 1000, 5
 TIMED = """
