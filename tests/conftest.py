@@ -10,12 +10,15 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
 import prerequisites
 from stayput.execution import cores
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
 
 os.environ["LC_ALL"] = "C.UTF-8"  # commands speak the language of the locale
 
@@ -52,6 +55,17 @@ def japanese_font() -> None:
     """Require a font with Japanese letters: where there is none, pictures show an ellipsis instead."""
     if not prerequisites.has_japanese_font():
         prerequisites.do_without(prerequisites.FONT)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Give all skips for want of one prerequisite the same place: the summary has one line for them."""
+    report = yield
+    if report.skipped and isinstance(report.longrepr, tuple):
+        reason = report.longrepr[2].removeprefix("Skipped: ")
+        if reason in prerequisites.ABSENT.values():
+            report.longrepr = (prerequisites.__file__, 1, reason)
+    return report
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

@@ -12,7 +12,6 @@ import shutil
 import subprocess
 import sys
 from functools import cache
-from pathlib import Path
 from typing import NoReturn
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
@@ -51,17 +50,11 @@ ABSENT = {
 @cache
 def find_chromium() -> str | None:
     """Return a Chromium that starts, and whose driver does: the system's, else Playwright's."""
-    if not _driver_starts():
+    downloaded = _path_of_download()
+    if downloaded is None:
         return None
-    for name in NAMES:
-        path = shutil.which(name)
-        if path is not None and _starts(path):
-            return path
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        path = playwright.chromium.executable_path
-    return path if Path(path).is_file() and _starts(path) else None
+    found = filter(None, map(shutil.which, (*NAMES, downloaded)))
+    return next((path for path in found if _runs([path, "--version"], 60.0)), None)
 
 
 @cache
@@ -104,17 +97,18 @@ def install(wanted: list[str]) -> None:
         find_chromium.cache_clear()
 
 
-def _driver_starts() -> bool:
-    """Return whether Playwright's driver starts; its Node.js needs libatomic, which Debian installs apart."""
-    return _runs([*PLAYWRIGHT, "--version"], 60.0)
+def _path_of_download() -> str | None:
+    """Return where Playwright puts the Chromium that it downloads; None where its driver does not start.
 
+    The driver is a Node.js, which needs libatomic: Debian installs that apart.
+    """
+    from playwright.sync_api import sync_playwright
 
-def _starts(path: str) -> bool:
-    """Return whether a program starts, with all the libraries that it needs."""
     try:
-        return _runs([path, "--version"], 60.0)
-    except OSError:
-        return False
+        with sync_playwright() as playwright:
+            return playwright.chromium.executable_path
+    except Exception:  # Playwright has no narrower class for it
+        return None
 
 
 def _runs(command: list[str], patience: float = PATIENCE) -> bool:
@@ -124,7 +118,7 @@ def _runs(command: list[str], patience: float = PATIENCE) -> bool:
         return (
             subprocess.run(command, env=environment, timeout=patience, check=False, **quiet).returncode == 0
         )
-    except subprocess.TimeoutExpired:
+    except (OSError, subprocess.TimeoutExpired):
         return False
 
 

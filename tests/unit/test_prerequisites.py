@@ -57,7 +57,7 @@ class Machine:
         program = (
             f"import sys; sys.path.insert(0, {str(TESTS)!r}); import prerequisites as it\n"
             f"it.has_japanese_font = lambda: {font}; it.has_japanese_font.cache_clear = lambda: None\n"
-            f"it._driver_starts = lambda: {driver}\n"
+            f"it._path_of_download = lambda: {'absent' if driver else None!r}\n"
             "sys.exit(it.main())"
         )
         return self.run("-c", program, ci=ci)
