@@ -15,7 +15,7 @@ EXTRAS := formats,app,inventory
 ALONE  := $(PYTHON) -c 'import fcntl, subprocess, sys; file = open("Makefile"); \
   fcntl.flock(file, fcntl.LOCK_EX); sys.exit(subprocess.call(sys.argv[1:]))'
 
-.PHONY: help install demo test coverage soak lint bench bench-app bench-inventory wasm docs lock release-notes clean
+.PHONY: help install demo test coverage soak lint bench bench-app bench-inventory docs lock release-notes clean
 
 help:
 	@echo "make demo     which measure keeps a bookcase standing: the verdict, a report (out/)"
@@ -25,7 +25,6 @@ help:
 	@echo "make lint     ruff, formatting, types"
 	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices, verifications, starts"
 	@echo "make bench-app, make bench-inventory   the server under load and the page in Chromium; tables of furniture"
-	@echo "make wasm     the mechanics as WebAssembly (out/kernel.wasm), and what a case costs there"
 	@echo "make docs     documentation pages (docs/_build/html)"
 	@echo "make release-notes   the newest version's part of CHANGELOG.md, or that of VERSION=0.1.0"
 	@echo "make install  the core in $(VENV)    make lock  fresh requirements.lock    make clean"
@@ -78,12 +77,6 @@ bench-app: $(STAMP)-test
 
 bench-inventory: $(STAMP)-test
 	$(BIN)/python benchmarks/inventory.py $(BENCH_ARGS)
-
-wasm: $(STAMP)-test
-	@$(BIN)/python tests/prerequisites.py
-	@mkdir -p out
-	$(BIN)/python -m stayput.webassembly out/kernel.wasm
-	$(BIN)/python benchmarks/webassembly.py out/kernel.wasm
 
 docs: $(STAMP)-docs
 	$(BIN)/python -m sphinx -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html
