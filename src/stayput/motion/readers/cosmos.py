@@ -165,7 +165,7 @@ def _channel(header: _Header, rest: _Lines, unit: str | None, dt: float | None) 
         return None
     samples = block.array()
     check_count(len(samples), points)
-    factor = acceleration_unit(units[1] if units else None, unit)
+    factor = acceleration_unit(units[1].strip() if units else None, unit)
     interval, peak = header.reals[61], header.reals[63]
     step = time_step(interval / 1000.0 if interval > 0.0 else None, dt)
     lasts = _LASTS.search(line)

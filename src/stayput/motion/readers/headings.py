@@ -135,15 +135,14 @@ def is_title(line: str) -> bool:
 
 def _units_in(line: str) -> list[str]:
     """Return the units in a row of nothing else, as below headings: "[s], [gal], [gal]"."""
-    fields = split(without_control(line))
+    fields = [_in_english(text) for text in split(without_control(line))]
     units = [text.strip("\"'()[]- ") for text in fields]
     whole = all(
         not unit
         or UNIT_OF_TIME.fullmatch(unit)
         or known_unit(unit)
         or quantity_of(unit)
-        or text[0] in "(["
-        and not _NUMERIC.fullmatch(unit)
+        or (text[0] in "([" and not _NUMERIC.fullmatch(unit))
         for text, unit in zip(fields, units, strict=True)
     )
     return units if whole and any(units) else []
@@ -228,7 +227,8 @@ def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[
 
 def _of_component(headings: Headings, lines: Sequence[str], count: int) -> Headings:
     """Return headings with the direction that a line states for the one column of motion: "Component: UD"."""
-    stated = next((m[1] for m in map(_COMPONENT.match, lines) if m and is_direction(m[1])), None)
+    named = [_in_english(m[1]) for m in map(_COMPONENT.match, lines) if m]
+    stated = next(filter(is_direction, named), None)
     if stated is None or count > 2 or any(map(is_direction, headings.names)):
         return headings
     return headings._replace(names=(stated,) * count)
