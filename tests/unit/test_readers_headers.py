@@ -5,6 +5,7 @@ import math
 import zipfile
 
 import pytest
+from test_readers_japan import knet
 from test_readers_peer import VALUES, at2
 from test_readers_world import WAVE, cosmos, csmip_channel, esm
 
@@ -297,6 +298,19 @@ def test_other_headers_in_any_case_and_spacing(read):
     knet = "#Sampling FREQ(Hz),100\n#offset(gal),0,0,0\n#datetime,relative time(s),ns,ew,ud\n"
     rows = "".join(f"2024/01/01 16:10:00,{i / 100},1,2,3\n" for i in range(3))
     assert read(knet + rows)[0] == {"x": 0.01, "y": 0.02, "z": 0.03}
+
+
+def test_knet_headers_in_any_case(read):
+    pytest.importorskip("obspy", reason="ObsPy is not installed")
+    whole = knet()
+    for spell in (
+        str.lower,
+        str.upper,
+        str.title,
+        lambda key: key.replace("Max. ", "Max ").replace("Long", "Lon"),
+    ):
+        lines = [spell(line[:18]).ljust(18) + line[18:] for line in whole.split("\n")[:17]]
+        assert read("\n".join([*lines, *whole.split("\n")[17:]]))[0] == read(whole)[0]
 
 
 END = "/&  ----------  End of data for channel  1  ----------\n"

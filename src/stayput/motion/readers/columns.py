@@ -1,10 +1,11 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z. Lines that begin
-with "#", "%" or "//" are comments. One line of headings may stand above the numbers: the column that is
-headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A comment that says
-"unit: m/s²" states the unit, and each heading that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the
-caller must do it otherwise.
+with "#", "%" or "//" are comments. Titles, a line of headings and a row of units may stand above the numbers:
+the column that is headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A
+comment may state the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each heading states that of
+its column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise. Above one column the
+number of samples and the time step may stand: "4000 0.02".
 """
 
 from __future__ import annotations

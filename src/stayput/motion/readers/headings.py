@@ -171,27 +171,32 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
         columns is not understood.
     """
     lines = [*comments, *titles]
+    component = next(
+        filter(is_direction, (_in_english(m[1]) for m in map(_COMPONENT.match, lines) if m)), None
+    )
+    named = (component,) * count if component and count <= 2 else ()
     ordered = _stated_order(lines, count)
     texts, place = (ordered, 0) if ordered else _among(titles, comments, count)
     if len(texts) != count:
         if ordered or (_states_columns(texts) and _all_names(texts)):
             raise InputError("motion.column_order", columns=_listed(texts), count=count)
-        return _of_component(Headings(), lines, count)
+        return Headings(names=named)
     if negative := next(filter(_NEGATIVE.search, texts), None):
         raise InputError("motion.column_negative", column=excerpt(negative))
     times, names = _times(texts), _names(texts)
+    first = names[0] if names else texts[0]
+    names = names if any(map(is_direction, names)) else named or names
     alike = bool(times) and (times[0] == 0 or _mark(lines[place]) == _mark(row))
     if not (ordered or titles or alike):
-        return _of_component(Headings(names=names), lines, count)
+        return Headings(names=names)
     if count == 1:
-        return _of_component(Headings(tuple(texts), None, names=names), lines, count)
+        return Headings(tuple(texts), None, names=names)
     if len(times) > 1:
         raise InputError("motion.column_times", columns=_listed([texts[i] for i in times]))
-    first = names[0] if names else texts[0]
     if not times and (is_direction(first) or _COUNTED.fullmatch(texts[0]) or _is_motion(texts[0])):
         raise InputError("motion.column_no_time", column=excerpt(texts[0]))
     time = times[0] if times else 0
-    return _of_component(Headings(tuple(texts), time, _time_factor(texts[time]), names), lines, count)
+    return Headings(tuple(texts), time, _time_factor(texts[time]), names)
 
 
 def _stated_order(lines: Sequence[str], count: int) -> list[str]:
@@ -205,9 +210,7 @@ def _stated_order(lines: Sequence[str], count: int) -> list[str]:
         texts = [text.strip() for text in re.split(r"[;,|\t]", found[1]) if text.strip()]
         if len(texts) != count:
             texts = headings_in(re.sub("[;,|]", " ", found[1]))
-    if not (_states_columns(texts) or len(texts) == 1) or sorted(numbered) != list(
-        range(1, len(numbered) + 1)
-    ):
+    if max(numbered, default=0) != len(numbered) or not (_states_columns(texts) or len(texts) == 1):
         raise InputError("motion.column_order", columns=_listed(texts), count=count)
     return texts
 
@@ -223,15 +226,6 @@ def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[
     if len(comments) <= place < len(rows) - 1:
         raise InputError("motion.column_line", line=excerpt(titles[-1]))
     return (rows[place] if rows else []), place
-
-
-def _of_component(headings: Headings, lines: Sequence[str], count: int) -> Headings:
-    """Return headings with the direction that a line states for the one column of motion: "Component: UD"."""
-    named = [_in_english(m[1]) for m in map(_COMPONENT.match, lines) if m]
-    stated = next(filter(is_direction, named), None)
-    if stated is None or count > 2 or any(map(is_direction, headings.names)):
-        return headings
-    return headings._replace(names=(stated,) * count)
 
 
 def _states_columns(texts: Sequence[str]) -> bool:
