@@ -65,6 +65,11 @@ UP_LAST = {"x": 0.1, "y": 3.0, "z": 2.0}
         "% col 1 = t | col 2 = Z (gal) | col 3 = N (gal) | col 4 = E (gal)\n",
         "# t [s]  UD  NS  EW\n# event of magnitude 7, unit: gal\n",
         "A record\nColumns: time, UD, NS, EW\nUnits: gal\n",
+        "# unit: gal\n# Format: time, UD, NS, EW\n",
+        "# ch1: UD, ch2: NS, ch3: EW\n# unit: gal, filtered below 50 Hz\n",
+        "# unit: gal\n# UP NORTH EAST\n",
+        "# t UD NS EW\n# s gal gal gal\n",
+        "UD,NS,EW\ns,gal,gal,gal\n".replace("UD", "t,UD"),
     ],
 )
 def test_an_order_of_columns_that_is_stated_is_followed(read, header):
@@ -130,6 +135,7 @@ def test_a_component_that_is_stated_names_the_only_column(read, line, columns):
         ("acc [cm/sec**2]", 0.01),
         ("NS (Gal)", 0.01),
         ("accx [g]", 9.80665),
+        ("g", 9.80665),
     ],
 )
 def test_units_of_headings_that_can_be_known(read, heading, factor):
@@ -218,7 +224,9 @@ def test_names_of_horizontal_directions(label):
     assert not is_vertical(label)
 
 
-@pytest.mark.parametrize("label", ["acc", "S14E1 rotated", "Hachinohe", "60 deg", "a 1", "channel 2", ""])
+@pytest.mark.parametrize(
+    "label", ["acc", "S14E1 rotated", "20 Hz", "Hachinohe", "60 deg", "a 1", "channel 2", ""]
+)
 def test_labels_that_are_not_vertical(label):
     assert not is_vertical(label)
 

@@ -26,7 +26,7 @@ _UNNAMED = "(unnamed)"
 
 _UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
-_VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|[A-Z]{{1,2}}Z")
+_VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|(?!HZ)[A-Z]{{1,2}}Z")
 _AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90", "EAST": "90"}
 _HORIZONTAL = {*_AZIMUTHS, "X", "Y", "H1", "H2", "L", "LONG", "R", "T", "TRAN", "TRANS"}
 _SEED_CODE = re.compile(

@@ -38,7 +38,9 @@ _ORDER = re.compile(
     r" ?[:=] ?(.*)",
     re.IGNORECASE,
 )
-_NUMBERED = re.compile(r"\bcol(?:umn)?\.? ?#?([0-9]{1,2}) ?[:=\-] ?([^,;|]{1,80})", re.IGNORECASE)
+_NUMBERED = re.compile(
+    r"\b(?:col(?:umn)?|(ch(?:an(?:nel)?)?))\.? ?#?([0-9]{1,2}) ?[:=\-] ?([^,;|]{1,80})", re.IGNORECASE
+)
 _COMPONENT = re.compile(r"(?:comp(?:onent)?|channel|direction|成分|方向) ?[:=：] ?(.*)", re.IGNORECASE)
 _TITLE = re.compile(r"[\"'(\[]?[^\W\d_]{2,}|[0-9/.\-]+ +[^\W\d_]{3,}")
 _NUMERIC = re.compile(r"[+\-]?\.?[0-9][0-9.eE+\-]*")
@@ -200,16 +202,18 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
 
 
 def _stated_order(lines: Sequence[str], count: int) -> list[str]:
-    """Return the headings that lines state: "columns: t, UD, NS", "column 1: t, column 2: UD"."""
-    numbered = {int(m[1]): m[2].strip() for line in lines for m in _NUMBERED.finditer(line)}
+    """Return the headings that lines state: "columns: t, UD, NS", "column 1: t, column 2: UD", "ch1: UD"."""
+    found = [m for line in lines for m in _NUMBERED.finditer(line)]
+    channels = {1 + int(m[2]): m[3].strip() for m in found if m[1] and is_direction(m[3])}
+    numbered = {int(m[2]): m[3].strip() for m in found if not m[1]} or (channels and {1: "t", **channels})
     texts = [_in_english(numbered[i]) for i in sorted(numbered)]
     if not texts:
-        found = next(filter(None, map(_ORDER.match, lines)), None)
-        if found is None or not found[1].strip(" 0123456789"):
+        order = next((m[1] for m in map(_ORDER.match, lines) if m), "")
+        if not order.strip(" 0123456789"):
             return []
-        texts = [text.strip() for text in re.split(r"[;,|\t]", found[1]) if text.strip()]
+        texts = [text.strip() for text in re.split(r"[;,|\t]", order) if text.strip()]
         if len(texts) != count:
-            texts = headings_in(re.sub("[;,|]", " ", found[1]))
+            texts = headings_in(re.sub("[;,|]", " ", order))
     if max(numbered, default=0) != len(numbered) or not (_states_columns(texts) or len(texts) == 1):
         raise InputError("motion.column_order", columns=_listed(texts), count=count)
     return texts
@@ -217,9 +221,11 @@ def _stated_order(lines: Sequence[str], count: int) -> list[str]:
 
 def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[list[str], int]:
     """Return the last headings above the numbers, or the last line, and which line that is."""
-    rows = [headings_in(line) for line in (*comments, *titles)]
-    if len(titles) > 1 and len(units := _units_in(titles[-1])) == len(rows[-2]):
+    lines = [*comments, *titles]
+    rows = [headings_in(line) for line in lines]
+    if len(lines) > 1 and len(units := _units_in(lines[-1])) == len(rows[-2]):
         rows[-2:] = [[f"{text} [{u}]" if u else text for text, u in zip(rows[-2], units, strict=True)]]
+    rows = [["t", *texts] if len(texts) == count - 1 and _all_directions(texts) else texts for texts in rows]
     stating = [i for i, texts in enumerate(rows) if _states_columns(texts)]
     fitting = [i for i in stating if len(rows[i]) == count] or [i for i in stating if _all_names(rows[i])]
     place = fitting[-1] if fitting else len(rows) - 1
@@ -235,6 +241,10 @@ def _states_columns(texts: Sequence[str]) -> bool:
     return bool(times and others) and all(
         is_direction(_BRACKET.sub("", text)) or _is_motion(text) or "acc" in text.lower() for text in others
     )
+
+
+def _all_directions(texts: Sequence[str]) -> bool:
+    return len(texts) > 1 and _all_names(texts) and all(map(is_direction, texts))
 
 
 def _all_names(texts: Sequence[str]) -> bool:
@@ -259,8 +269,8 @@ def _is_motion(text: str) -> bool:
 
 
 def _unit_in(text: str) -> str | None:
-    """Return the unit of acceleration in a heading."""
-    return next(filter(known_unit, _BRACKET.findall(text)), None) or mentioned_unit(text)
+    """Return the unit of acceleration in a heading, or that is one."""
+    return next(filter(known_unit, (*_BRACKET.findall(text), text)), None) or mentioned_unit(text)
 
 
 def _time_factor(text: str) -> float:
