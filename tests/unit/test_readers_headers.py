@@ -2,7 +2,9 @@
 
 import io
 import math
+import re
 import zipfile
+from importlib.resources import files
 
 import pytest
 from test_readers_japan import knet
@@ -12,7 +14,7 @@ from test_readers_world import WAVE, cosmos, csmip_channel, esm
 import stayput as sp
 from stayput.errors import InputError, warnings_to
 from stayput.motion.channels import is_direction, is_vertical
-from stayput.motion.units import known_unit
+from stayput.motion.units import ACCELERATION_UNITS, known_unit
 
 PEAKS = (0.1, 3.0, 2.0)  # of the columns behind the time [m/s²], in gal in the files
 ROWS = [(0.02 * i, *(100.0 * peak * math.sin(math.pi * i / 20) for peak in PEAKS)) for i in range(41)]
@@ -68,6 +70,9 @@ UP_LAST = {"x": 0.1, "y": 3.0, "z": 2.0}
         "# unit: gal\n# Format: time, UD, NS, EW\n",
         "# ch1: UD, ch2: NS, ch3: EW\n# unit: gal, filtered below 50 Hz\n",
         "# unit: gal\n# UP NORTH EAST\n",
+        "# unit: gal\n# x: UD, y: NS, z: EW\n",
+        "! time | UD | NS | EW\n# unit of measurement: gal\n",
+        "t UD NS EW\n---- ---- ---- ----\n# unit: gal\n",
         "# t UD NS EW\n# s gal gal gal\n",
         "UD,NS,EW\ns,gal,gal,gal\n".replace("UD", "t,UD"),
     ],
@@ -147,6 +152,7 @@ def test_units_of_headings_that_can_be_known(read, heading, factor):
 @pytest.mark.parametrize(
     ("header", "unit", "english", "japanese"),
     [
+        ("time [s],acc [km/h2]\n", "km/h2", "states the unit 'km/h2'", "単位「km/h2」には対応していません"),
         (
             "time [s],acc [kip]\n",
             "kip",
@@ -174,6 +180,13 @@ def test_a_unit_that_is_not_known_is_named_unless_the_user_states_it(read, heade
     assert peaks == {"x": 0.1}
     assert told == ["motion.unit_mentioned"]
     assert known_unit(unit) is None
+
+
+def test_the_page_offers_every_unit():
+    script = files("stayput").joinpath("app", "page", "upload.js").read_text("utf-8")
+    assert re.findall('"([^"]+)"', script[script.index("UNITS = [") :].split("]")[0]) == list(
+        ACCELERATION_UNITS
+    )
 
 
 @pytest.mark.parametrize("units", ["G * 10", "G (X 1000)"])

@@ -83,8 +83,8 @@ def read_motion(
         vertical one z. PEER and K-NET files hold one channel each: see `Motion.combine`. A vertical one alone
         is named ("channel 1"), else it is warned of.
     unit : str, optional
-        Unit of the numbers ("m/s²", "cm/s²", "gal", "mm/s²", "g"): required where the file does not
-        state it, and refused where it contradicts the file.
+        Unit of the numbers ("m/s²", "cm/s²", "gal", "mm/s²", "g", "%g", "mg", "in/s²", "ft/s²"): required
+        where the file states none that is known, and refused where it contradicts the file.
     dt : float, optional
         Time step [s]: likewise.
 

@@ -1,11 +1,11 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z. Lines that begin
-with "#", "%" or "//" are comments. Titles, a line of headings and a row of units may stand above the numbers:
-the column that is headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A
-comment may state the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each heading states that of
-its column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise. Above one column the
-number of samples and the time step may stand: "4000 0.02".
+with "#", "%", "//" or "!" are comments. Titles, a line of headings and a row of units may stand above the
+numbers: the column that is headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first
+is. A comment may state the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each heading states
+that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise. Above one column
+the number of samples and the time step may stand: "4000 0.02".
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 FORMAT = "columns of numbers"
 
-_COMMENT = ("#", "%", "//")
+_COMMENT = ("#", "%", "//", "!")
 _STARTS = re.compile(r"[\"']?[+\-]?\.?[0-9]")
 _LABELS = {1: [""], 2: ["", ""], 4: ["t", "x", "y", "z"]}
 _HEAD = 20_000  # characters at the beginning in which comments and titles are looked for
@@ -63,7 +63,7 @@ def _head(text: str) -> _Head:
     head = _Head()
     for line in map(str.strip, without_control(text[:_HEAD]).split("\n")):
         if line.startswith(_COMMENT):
-            head.comments.append(line.lstrip("#%/ "))
+            head.comments.append(line.lstrip("#%/! "))
         elif line and not head.rows and is_title(line):
             head.titles.append(line)
         elif line and len(head.rows) < 2:
@@ -110,10 +110,11 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         No unit or time step, another number of columns, an incomplete row, irregular sampling.
     """
     head = _head(text)
-    above, counted = head.comments + head.titles, head.states_count()
+    titles = [line for line in head.titles if any(map(str.isalnum, line))]  # no rules of dashes
+    above, counted = head.comments + titles, head.states_count()
     table = _table(text, len(head.titles) + counted)
     count = table.shape[1]
-    headings = read_headings(head.titles, head.comments, count, head.rows[0])
+    headings = read_headings(titles, head.comments, count, head.rows[0])
     stated = next(filter(None, map(stated_unit, above)), None)
     place = " ".join(above)
     step_missing = count == 1 and dt is None and not counted

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 UNIT_OF_TIME = re.compile(r"m?s(?:ec(?:ond)?s?)?", re.IGNORECASE)
 _STATED = re.compile(
-    r"(?:(?<!time)(?<!time[ _-])units?(?: of acc[a-z]*)?(?: ?[:=] ?| of (?!time)|( in | ?[(\[] ?))"
+    r"(?:(?<!time)(?<!time[ _-])units?(?:(?: of (?!time)[a-z]{1,20})? ?[:=] ?| of (?!time)|( in | ?[(\[] ?))"
     r"|単位 ?[:=：（(]? ?)"
     r"((?:[0-9.]{1,12} )?[^\s,;)\]、。）]{1,40}(?: ?\(? ?[*×x/] ?[0-9][0-9.e+\-]{0,9}\)?)?)",
     re.IGNORECASE,

@@ -39,10 +39,12 @@ _ORDER = re.compile(
     re.IGNORECASE,
 )
 _NUMBERED = re.compile(
-    r"\b(?:col(?:umn)?|(ch(?:an(?:nel)?)?))\.? ?#?([0-9]{1,2}) ?[:=\-] ?([^,;|]{1,80})", re.IGNORECASE
+    r"\b(?:(?:col(?:umn)?|(ch(?:an(?:nel)?)?))\.? ?#?([0-9]{1,2}) ?[:=\-]|([xyz]) ?[:=]) ?([^,;|]{1,80})",
+    re.IGNORECASE,
 )
 _COMPONENT = re.compile(r"(?:comp(?:onent)?|channel|direction|成分|方向) ?[:=：] ?(.*)", re.IGNORECASE)
 _TITLE = re.compile(r"[\"'(\[]?[^\W\d_]{2,}|[0-9/.\-]+ +[^\W\d_]{3,}")
+_RULE = re.compile(r"[-=_+|,; \t]*[-=_]{3}[-=_+|,; \t]*")
 _NUMERIC = re.compile(r"[+\-]?\.?[0-9][0-9.eE+\-]*")
 
 _FULL_WIDTH = re.compile("[\u3000-\u30ff\u4e00-\u9fff\uff01-\uff5e]")
@@ -110,7 +112,7 @@ def headings_in(line: str) -> list[str]:
     if _FULL_WIDTH.search(line):
         line = unicodedata.normalize("NFKC", line)
     # Of headings that are parted by blanks, "NS [gal]" is one.
-    line = without_control(line)
+    line = without_control(line).strip("| ").replace("|", ";")
     joined = re.sub(r"(?<!\s) +(?=[(\[])", " " if _mark(line) else "", line)
     texts = joined.split("\t") if "\t" in line and not _mark(line) else split(joined)
     return [_in_english(text.strip("\"' ")) for text in texts if text.strip() or _mark(line)]
@@ -128,6 +130,8 @@ def _in_english(text: str) -> str:
 def is_title(line: str) -> bool:
     """Return whether a line is one of words: headings, units or a title, and no row with a damaged number."""
     fields = headings_in(line)
+    if _RULE.fullmatch(line):
+        return True
     if all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in fields) or _units_in(line):
         return True
     figures = sum(bool(_NUMERIC.fullmatch(text) or _NOT_FINITE.fullmatch(text)) for text in fields)
@@ -204,8 +208,11 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
 def _stated_order(lines: Sequence[str], count: int) -> list[str]:
     """Return the headings that lines state: "columns: t, UD, NS", "column 1: t, column 2: UD", "ch1: UD"."""
     found = [m for line in lines for m in _NUMBERED.finditer(line)]
-    channels = {1 + int(m[2]): m[3].strip() for m in found if m[1] and is_direction(m[3])}
-    numbered = {int(m[2]): m[3].strip() for m in found if not m[1]} or (channels and {1: "t", **channels})
+    numbered = {int(m[2]): m[4].strip() for m in found if m[2] and not m[1]}
+    named = [m for m in found if (m[1] or m[3]) and is_direction(m[4])]
+    if named and not numbered and count > 1:  # behind the time; a channel that is not named keeps its letter
+        numbered = dict(enumerate(("t", "x", "y", "z")[:count], 1))
+        numbered |= {1 + (int(m[2]) if m[2] else "_xyz".index(m[3].lower())): m[4].strip() for m in named}
     texts = [_in_english(numbered[i]) for i in sorted(numbered)]
     if not texts:
         order = next((m[1] for m in map(_ORDER.match, lines) if m), "")
@@ -225,7 +232,9 @@ def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[
     rows = [headings_in(line) for line in lines]
     if len(lines) > 1 and len(units := _units_in(lines[-1])) == len(rows[-2]):
         rows[-2:] = [[f"{text} [{u}]" if u else text for text, u in zip(rows[-2], units, strict=True)]]
-    rows = [["t", *texts] if len(texts) == count - 1 and _all_directions(texts) else texts for texts in rows]
+    rows = [
+        ["t", *texts] if 1 < len(texts) == count - 1 and _all_directions(texts) else texts for texts in rows
+    ]
     stating = [i for i, texts in enumerate(rows) if _states_columns(texts)]
     fitting = [i for i in stating if len(rows[i]) == count] or [i for i in stating if _all_names(rows[i])]
     place = fitting[-1] if fitting else len(rows) - 1
@@ -244,7 +253,7 @@ def _states_columns(texts: Sequence[str]) -> bool:
 
 
 def _all_directions(texts: Sequence[str]) -> bool:
-    return len(texts) > 1 and _all_names(texts) and all(map(is_direction, texts))
+    return _all_names(texts) and all(map(is_direction, texts))
 
 
 def _all_names(texts: Sequence[str]) -> bool:
@@ -340,7 +349,7 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
             name = phrase(f"motion.{quantity}")
             raise InputError("motion.column_quantity", column=excerpt(text), quantity=name)
         unknown = next(
-            (u for u in _BRACKET.findall(text) if re.search(r"\w", u) and not is_direction(u)), None
+            (u for u in _BRACKET.findall(text) if re.search(r"\w", u) and not _all_directions([u])), None
         )
         if unknown is not None and given is not None:
             warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=unknown))
