@@ -211,6 +211,11 @@ def test_what_is_no_acceleration_is_refused_whatever_the_user_states(read, heade
     assert japanese in error.told("ja")
 
 
+def test_places_are_no_directions_of_columns(read):
+    for line in ("# station at x: 135.2 E, y: 35.1 N", "# Station: TST, component 3 of 3", "# channel: 7"):
+        assert read(f"{line}\n# unit: gal\n{table(columns=2)}") == ({"x": 0.1}, [])
+
+
 def test_a_unit_of_time_is_none_of_acceleration(read):
     for header in ("# time unit: s, unit: gal\n", "# Unit of time: s\n# unit of acceleration: gal\n"):
         assert read(header + table(columns=2))[0] == {"x": 0.1}
