@@ -70,6 +70,7 @@ UP_LAST = {"x": 0.1, "y": 3.0, "z": 2.0}
         "# unit: gal\n# Format: time, UD, NS, EW\n",
         "# ch1: UD, ch2: NS, ch3: EW\n# unit: gal, filtered below 50 Hz\n",
         "# unit: gal\n# UP NORTH EAST\n",
+        "# unit: gal\n# Channels: UD, NS, EW\n",
         "# unit: gal\n# x: UD, y: NS, z: EW\n",
         "! time | UD | NS | EW\n# unit of measurement: gal\n",
         "t UD NS EW\n---- ---- ---- ----\n# unit: gal\n",

@@ -194,9 +194,10 @@ def _read(
     text = file_text(path)
     reader = next((reader for reader in READERS if reader.recognise(text)), None)
     other = other_format(text) if reader in (None, columns) else None
-    formats = ", ".join(r.FORMAT for r in READERS)
+    formats = ", ".join(r.FORMAT for r in READERS[:-1])
     not_read = InputError("motion.other_format", path=str(path), format=other, formats=formats)
     if reader is None:
+        formats = f"{formats}, {columns.FORMAT}"
         raise not_read if other else InputError("motion.unknown_format", path=str(path), formats=formats)
     title = f"{Path(path).name} ({reader.FORMAT})"
     warnings: list[InputWarning] = []

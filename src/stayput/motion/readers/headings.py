@@ -34,7 +34,8 @@ _NEGATIVE = re.compile(r"\([-−]\)")
 _LONGEST_NAME = 40
 
 _ORDER = re.compile(
-    r"(?:data[ _]?)?(?:sequence|(?:columns?|fields)(?:[ _](?:order|names?))?|order of (?:the )?columns)"
+    r"(?:data[ _]?)?(?:sequence|(?:columns?|fields|channels|components)(?:[ _](?:order|names?))?"
+    r"|order of (?:the )?columns)"
     r" ?[:=] ?(.*)",
     re.IGNORECASE,
 )
@@ -221,6 +222,7 @@ def _stated_order(lines: Sequence[str], count: int) -> list[str]:
         texts = [text.strip() for text in re.split(r"[;,|\t]", order) if text.strip()]
         if len(texts) != count:
             texts = headings_in(re.sub("[;,|]", " ", order))
+        texts = _with_time(texts, count)
     if max(numbered, default=0) != len(numbered) or not (_states_columns(texts) or len(texts) == 1):
         raise InputError("motion.column_order", columns=_listed(texts), count=count)
     return texts
@@ -232,9 +234,7 @@ def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[
     rows = [headings_in(line) for line in lines]
     if len(lines) > 1 and len(units := _units_in(lines[-1])) == len(rows[-2]):
         rows[-2:] = [[f"{text} [{u}]" if u else text for text, u in zip(rows[-2], units, strict=True)]]
-    rows = [
-        ["t", *texts] if 1 < len(texts) == count - 1 and _all_directions(texts) else texts for texts in rows
-    ]
+    rows = [_with_time(texts, count) for texts in rows]
     stating = [i for i, texts in enumerate(rows) if _states_columns(texts)]
     fitting = [i for i in stating if len(rows[i]) == count] or [i for i in stating if _all_names(rows[i])]
     place = fitting[-1] if fitting else len(rows) - 1
@@ -250,6 +250,11 @@ def _states_columns(texts: Sequence[str]) -> bool:
     return bool(times and others) and all(
         is_direction(_BRACKET.sub("", text)) or _is_motion(text) or "acc" in text.lower() for text in others
     )
+
+
+def _with_time(texts: list[str], count: int) -> list[str]:
+    """Return headings with the time before them, where they are the directions of all other columns."""
+    return ["t", *texts] if 1 < len(texts) == count - 1 and _all_directions(texts) else texts
 
 
 def _all_directions(texts: Sequence[str]) -> bool:

@@ -6,10 +6,7 @@ import re
 
 _ARCHIVES = (b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"\xfd7zXZ", b"7z\xbc\xaf", b"Rar!")
 _OLD_SPREADSHEET = b"\xd0\xcf\x11\xe0"
-_IN_SPREADSHEETS = (
-    b"xl/workbook",
-    b"opendocument.spreadsheet",
-)  # names of parts, of Excel and of LibreOffice
+_IN_SPREADSHEETS = (b"xl/workbook", b"opendocument.spreadsheet")  # names of parts: Excel's, LibreOffice's
 
 _FORMATS = {
     "USGS SMC": r"\s*[0-6] (?:(?:UN)?CORRECTED ACCELEROGRAM|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER)",
