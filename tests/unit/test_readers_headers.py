@@ -288,7 +288,7 @@ def test_a_vertical_column_alone_is_told(read, heading):
 def test_a_vertical_at2_file_is_told_by_its_title_or_its_name(read):
     for direction in ("BHZ00", "HNZ", "U", "V", "UP"):
         assert read(at2(title=f"QUAKE 1/2/99, PLACE, {direction}"))[1] == ["motion.vertical_alone"]
-    for name in ("RSN1_QUAKE_BHZ00.AT2", "A-PLCDWN.AT2", "PLC-UP.AT2", "quake_HNZ.AT2"):
+    for name in ("RSN1_QUAKE_BHZ00.AT2", "A-PLCDWN.AT2", "PLCCUP.AT2", "PLC-UP.AT2", "quake_HNZ.AT2"):
         assert read(at2(title="no direction"), name=name)[1] == ["motion.vertical_by_name"]
     assert read(at2(title="QUAKE 1/2/99, PLACE, BHN00"), name="RSN1_BHN00.AT2")[1] == []
 
@@ -357,9 +357,10 @@ def test_cosmos_blocks_and_their_ends_in_the_spellings_in_use(read, end, kind):
 
 
 def test_raw_counts_of_cosmos_are_called_so(read):
-    raw = cosmos(kind="raw accel.", unit=" counts (50)", end=END)
-    for unit in (None, "gal"):
-        error = refusal(read, raw, unit=unit)
+    raw = cosmos(kind="raw accel. ", unit=" counts (50)", end=END)
+    ended = raw.replace(END, "End-of-data for Chan  1 Raw acceleration counts\n")
+    for text, unit in ((raw, None), (raw, "gal"), (ended, None)):
+        error = refusal(read, text, unit=unit)
         assert "the unit 'counts', that of raw counts of a recorder" in str(error)
         assert "収録器の生のカウント値" in error.told("ja")
     assert refusal(read, cosmos(kind="temperature", end=END)).code == "motion.cosmos_no_layout"

@@ -176,7 +176,7 @@ def _vertical_of(channels: Sequence[Channel]) -> str:
 
 def _warn_of_name(path: str | os.PathLike[str], channels: Sequence[Channel]) -> None:
     """Warn of a file whose name alone says that its one channel is vertical."""
-    ending = re.search(r"(?<=[-_. ])[A-Za-z]{1,4}[0-9]{0,2}$|DWN$", Path(path).stem)
+    ending = re.search(r"(?<=[-_. ])[A-Za-z]{1,4}[0-9]{0,2}$|(?:UP|VER|DWN)$", Path(path).stem)
     if len(channels) == 1 and not channels[0].label and ending and is_vertical(ending[0]):
         warn(InputWarning("motion.vertical_by_name", "component", ending=ending[0]))
 

@@ -29,11 +29,10 @@ _VALUES = re.compile(
     re.IGNORECASE,
 )
 _COMMENTS = re.compile(r"([0-9]{1,6}) Comment line\(?s?\)? follow", re.IGNORECASE)
-_COUNT = re.compile(
-    r"([0-9]{1,9}) (?:(?:raw|unc?orr?(?:ected)?\.?|corr?(?:ected)?\.?) )?(accel|veloc|displ)"
-    r"(?:\.|eration|ity|acement)? (?:pts|points)\b",
-    re.IGNORECASE,
+_KIND = (
+    r"(?:(?:raw|unc?orr?(?:ected)?\.?|corr?(?:ected)?\.?) )?(accel|veloc|displ)(?:\.|eration|ity|acement)?"
 )
+_COUNT = re.compile(rf"([0-9]{{1,9}}) {_KIND} (?:pts|points)\b", re.IGNORECASE)
 _UNITS = re.compile(r"units ?= ?([^,(]{1,20})", re.IGNORECASE)
 _FORMAT = re.compile(r"Format ?= ?\( ?([0-9]{0,3})[FEIG]([0-9]{1,2})", re.IGNORECASE)
 _KINDS = {"accel": "acceleration", "veloc": "velocity", "displ": "displacement"}
@@ -43,9 +42,7 @@ _LABEL = re.compile(
     r"Chan[^:]{0,12}: ?([0-9]{1,3}(?= ?Deg)|Up|Down|Vert|[NEZVHU][A-Z0-9\-]{0,4}\b)", re.IGNORECASE
 )
 _END = re.compile(
-    r"(?:/& ?-* ?)?End[- ]of[- ]data for chan(?:nel)? ?([^ ]{1,8})"
-    r"(?:$| -+| (accel|veloc|displ)(?:eration|ity|acement)?\b)",
-    re.IGNORECASE,
+    rf"(?:/& ?-* ?)?End[- ]of[- ]data for chan(?:nel)? ?([^ ]{{1,8}})(?:$| -+| {_KIND}(?: |$))", re.IGNORECASE
 )
 
 
