@@ -199,9 +199,9 @@ def test_a_multiple_of_g_in_an_at2_file_is_not_g(read, units):
 @pytest.mark.parametrize(
     ("header", "english", "japanese"),
     [
-        ("# unit: counts\n", "'counts', that of raw counts", "「counts」は収録器の生のカウント値の単位です"),
+        ("# unit: counts\n", "'counts', that of raw counts", "「counts」は収録器の生のカウント値や電圧"),
         ("# UNITS: cm/s\n", "'cm/s', that of velocity", "「cm/s」は速度の単位です"),
-        ("time,acc [counts]\n", "says raw counts", "収録器の生のカウント値を表しています"),
+        ("time,acc [counts]\n", "says raw counts", "収録器の生のカウント値や電圧を表しています"),
         ("t,Gyroscope x (rad/s)\n", "says velocity", "速度を表しています"),
         ("t,vel\ns,in/s\n", "says velocity", "速度を表しています"),
     ],
@@ -210,6 +210,12 @@ def test_what_is_no_acceleration_is_refused_whatever_the_user_states(read, heade
     error = refusal(read, header + table(",", 2), unit="gal")
     assert english in str(error)
     assert japanese in error.told("ja")
+
+
+def test_what_else_stands_in_brackets_is_no_unit(read):
+    for heading in ("acc (filtered)", "NS (channel 1)", "acc (+)", "a (NS)"):
+        assert read(f"t,{heading}\n{table(',', 2)}", unit="gal") == ({"x": 0.1}, [])
+        assert refusal(read, f"t,{heading}\n{table(',', 2)}").code == "motion.no_unit"
 
 
 def test_places_are_no_directions_of_columns(read):
@@ -361,7 +367,7 @@ def test_raw_counts_of_cosmos_are_called_so(read):
     ended = raw.replace(END, "End-of-data for Chan  1 Raw acceleration counts\n")
     for text, unit in ((raw, None), (raw, "gal"), (ended, None)):
         error = refusal(read, text, unit=unit)
-        assert "the unit 'counts', that of raw counts of a recorder" in str(error)
+        assert "the unit 'counts', that of raw counts or volts of a recorder" in str(error)
         assert "収録器の生のカウント値" in error.told("ja")
     assert refusal(read, cosmos(kind="temperature", end=END)).code == "motion.cosmos_no_layout"
 

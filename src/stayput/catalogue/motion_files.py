@@ -433,7 +433,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "velocity": ("velocity", "速度"),
     "displacement": ("displacement", "変位"),
-    "counts": ("raw counts of a recorder", "収録器の生のカウント値"),
+    "counts": ("raw counts or volts of a recorder", "収録器の生のカウント値や電圧"),
     "peer_npts_line": (
         "The line {line} is not NPTS= a number, DT= a number; it must be.",
         "{line}の行が「NPTS= 数値, DT= 数値」の形になっていません。",

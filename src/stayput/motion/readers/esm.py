@@ -1,6 +1,6 @@
-"""ESM (DYNA 1.2) ASCII: "KEY: value" lines, then one sample a line; one channel a file.
+"""ESM (DYNA 1.2) ASCII, also of ITACA and AFAD: "KEY: value" lines, then the samples; one channel a file.
 
-Source: Engineering Strong-Motion database, https://esm-db.eu.
+Source: Engineering Strong-Motion database, https://esm-db.eu. AFAD writes some values in small letters.
 """
 
 from __future__ import annotations

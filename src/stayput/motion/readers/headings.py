@@ -30,6 +30,7 @@ _OF_TIME = re.compile(r"[(\[] ?m?s(?:ec(?:ond)?s?)? ?[)\]]", re.IGNORECASE)
 _TRANSVERSE = re.compile(r"T(?![A-Za-z])")
 _LONGITUDINAL = re.compile(r"[LR](?![A-Za-z])")
 _BRACKET = re.compile(r"[(\[]([^()\[\]]{1,40})[)\]]")
+_LIKE_A_UNIT = re.compile(r"[^\W\d_]\S{0,5}|\S*[/%^²]\S*")  # "kip", "km/h2"; not "filtered"
 _NEGATIVE = re.compile(r"\([-−]\)")
 _LONGEST_NAME = 40
 
@@ -354,7 +355,8 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
             name = phrase(f"motion.{quantity}")
             raise InputError("motion.column_quantity", column=excerpt(text), quantity=name)
         unknown = next(
-            (u for u in _BRACKET.findall(text) if re.search(r"\w", u) and not _all_directions([u])), None
+            (u for u in _BRACKET.findall(text) if _LIKE_A_UNIT.fullmatch(u) and not _all_directions([u])),
+            None,
         )
         if unknown is not None and given is not None:
             warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=unknown))
