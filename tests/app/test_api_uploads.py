@@ -75,7 +75,7 @@ def bomb() -> bytes:
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (bomb(), "binary"),
+        (bomb(), "compressed archive"),
         (b"", "empty"),
         (b"   \n", "empty"),
         ("0.0,nan\n0.01,1\n", "finite"),

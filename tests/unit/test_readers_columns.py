@@ -99,7 +99,7 @@ def test_dt_that_agrees_with_the_time_column(read):
         ("0 1\n5 2\n10 3\n", {"unit": "gal"}, "time step"),
         ("20\n" + "0.1\n" * 20, {"unit": "gal", "dt": 0.01}, "looks like a count"),
         ("0\n9e6\n", {"unit": "gal", "dt": 0.01}, "10000"),
-        ("time,acc\nthen,words\n0,1\n", {"unit": "gal"}, "no known format"),
+        ("time,acc\nthen,words\n0,1\n", {"unit": "gal"}, "line 'then,words' stands between the headings"),
     ],
 )
 def test_columns_that_are_refused(read, text, kwargs, message):

@@ -40,6 +40,14 @@ TEXTS: dict[str, tuple[str, str]] = {
             "（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡してください）。"
         ),
     ),
+    "file_spreadsheet": (
+        "The motion file {path!r} is a workbook of a spreadsheet; it must be text: save its sheet as CSV.",
+        "「{path}」は表計算ソフトのファイルです。シートをCSV形式で保存したファイルを指定してください。",
+    ),
+    "file_archive": (
+        "The motion file {path!r} is a compressed archive; it must be unpacked, and one of its files given.",
+        "「{path}」は圧縮ファイルです。展開してから、中の記録のファイルを指定してください。",
+    ),
     "file_long_line": (
         "The motion file {path!r} has a line of {length} characters; {most} are allowed.",
         "「{path}」に長すぎる行があります（{length}文字）。1行は{most}文字までです。",
@@ -52,10 +60,28 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion file {path!r} is in no known format; it must be one of {formats}.",
         "「{path}」は対応している形式のファイルではありません。次のいずれかの形式にしてください：「{formats}」",
     ),
+    "other_format": (
+        (
+            "The motion file {path!r} is in the format {format}, which is not read; its acceleration must be saved as "
+            "columns of numbers, or the record had in one of {formats}."
+        ),
+        (
+            "「{path}」は「{format}」形式のファイルで、この形式には対応していません。"
+            "加速度を数値の列として保存するか、次のいずれかの形式の記録を使ってください：「{formats}」"
+        ),
+    ),
     # A file's unit and time step.
     "unknown_unit": (
         "The unit of acceleration is {unit}; it must be one of {known}.",
         "加速度の単位が{unit}になっています。次のいずれかにしてください：{known}",
+    ),
+    "unknown_stated_unit": (
+        "The file states the unit {unit}, which is not known; unit must be given as one of {known}.",
+        "ファイルに書かれている単位{unit}には対応していません。加速度の単位を次から選んでください：{known}",
+    ),
+    "stated_quantity": (
+        "The file states the unit {unit}, that of {quantity}; its numbers must be accelerations.",
+        "ファイルに書かれている単位{unit}は{quantity}の単位です。加速度の記録が必要です。",
     ),
     "no_unit": (
         "The file states no unit; unit must be given as one of {known}.",
@@ -190,6 +216,31 @@ TEXTS: dict[str, tuple[str, str]] = {
     "column_no_unit": (
         "The heading {column} states no unit, and the other columns have different ones; it must state its own.",
         "列の見出し{column}に単位がなく、ほかの列の単位は互いに異なります。見出しに単位を書いてください。",
+    ),
+    "column_unknown_unit": (
+        "The heading {column} states the unit {unit}, which is not known; unit must be given as one of {known}.",
+        (
+            "列の見出し{column}に書かれている単位{unit}には対応していません。"
+            "加速度の単位を次から選んでください：{known}"
+        ),
+    ),
+    "column_order": (
+        (
+            "The file states its columns as {columns}, and has {count} columns; each must be named once, the time and "
+            "the directions as in 'time, NS, EW, UD'."
+        ),
+        (
+            "ファイルには列が{columns}と書かれていますが、{count}列あります。"
+            "「time, NS, EW, UD」のように、時刻と各列の方向を1つずつ書いてください。"
+        ),
+    ),
+    "column_line": (
+        "The line {line} stands between the headings and the numbers; only the units of the columns may.",
+        "見出しと数値の間に{line}という行があります。ここには各列の単位だけを書けます。",
+    ),
+    "column_negative": (
+        "The column {column} is positive the other way; it must be turned, and its heading written without the sign.",
+        "列{column}は正負の向きが逆です。符号を反転し、見出しの符号を外してください。",
     ),
     "column_quantity": (
         "The heading {column} says {quantity}; every column but the time must be an acceleration.",
@@ -382,6 +433,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "velocity": ("velocity", "速度"),
     "displacement": ("displacement", "変位"),
+    "counts": ("raw counts or volts of a recorder", "収録器の生のカウント値や電圧"),
     "peer_npts_line": (
         "The line {line} is not NPTS= a number, DT= a number; it must be.",
         "{line}の行が「NPTS= 数値, DT= 数値」の形になっていません。",

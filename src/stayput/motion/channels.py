@@ -24,11 +24,15 @@ if TYPE_CHECKING:
 
 _UNNAMED = "(unnamed)"
 
-_VERTICAL = re.compile(r"UD\d?|UPDOWN|UP|[A-Z]{0,2}Z|V|VER|VERT|VERTICAL")
+_UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
+_VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|(?!HZ)[A-Z]{{1,2}}Z")
 _AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90", "EAST": "90"}
-_UPWARDS = {"UD", "UP", "Z", "V", "VER", "VERT", "VERTICAL", "UPDOWN"}
-_SEED_CODE = re.compile(r"[A-Z][HLGN][NEZ]")  # band, instrument and direction of a seismometer's channel
+_HORIZONTAL = {*_AZIMUTHS, "X", "Y", "H1", "H2", "L", "LONG", "R", "T", "TRAN", "TRANS"}
+_SEED_CODE = re.compile(
+    r"(?:[0-9]{2})?[A-Z][HLGN]([NEZ])(?:[0-9]{2})?"
+)  # a seismometer's channel, its location
+_AXIS = re.compile(r"(?:A|ACC|ACCEL|ACCELERATION)([XYZ])")
 
 _DOUBTFUL_PEAK = 5.0  # g; no more than a handful of records are larger, a wrong unit nearly always is
 _PEAK_TOLERANCE = 0.01  # headers round the peak, or take it before the last correction
@@ -115,15 +119,25 @@ def plain_label(label: str) -> str:
     return str(int(plain)) if re.fullmatch(r"[0-9]{1,6}", plain) else plain
 
 
+def _direction(label: str) -> str:
+    """Return the direction in a label: "acc_z" → "Z", "BHZ00" → "Z"; the label where there is none."""
+    plain = plain_label(label)
+    for part in (plain, *map(plain_label, reversed(re.findall(r"[^\W_]+", label)))):
+        code = _SEED_CODE.fullmatch(part) or _AXIS.fullmatch(part)
+        direction = code[1] if code else part
+        if direction in _HORIZONTAL or _VERTICAL.fullmatch(direction):
+            return direction
+    return plain
+
+
 def is_vertical(label: str) -> bool:
     """Return whether a direction is the vertical one, up or down."""
-    plain = plain_label(label)
-    return bool(_VERTICAL.fullmatch(plain) or _DOWN.fullmatch(plain))
+    return _VERTICAL.fullmatch(_direction(label)) is not None
 
 
 def is_direction(label: str) -> bool:
     """Return whether a label is that of a direction: "NS", "East", "x", "Up"."""
-    return is_vertical(label) or plain_label(label) in {*_AZIMUTHS, "X", "Y"}
+    return is_vertical(label) or _direction(label) in _HORIZONTAL
 
 
 def labels_phrase(labels: Iterable[str]) -> Phrase:
@@ -135,8 +149,8 @@ def labels_phrase(labels: Iterable[str]) -> Phrase:
 def _spellings(label: str) -> set[str]:
     """Return what a direction may be called, so that "NS", "HNN" and "360" are the same one."""
     plain = plain_label(label)
-    code = plain[-1] if _SEED_CODE.fullmatch(plain) else plain
-    return {plain, code, "up" if code in _UPWARDS else _AZIMUTHS.get(code, code)}
+    code = _direction(label)
+    return {plain, code, "up" if _UP.fullmatch(code) else _AZIMUTHS.get(code, code)}
 
 
 def _chosen(channels: Sequence[Channel], component: str) -> int:
@@ -213,7 +227,7 @@ def _warn_of_choice(x: Channel, channels: Sequence[Channel]) -> None:
     horizontal = list(_horizontal(channels).values())
     if not horizontal:
         warn(InputWarning("motion.vertical_alone", "component", label=x.label))
-    elif len(horizontal) > 1 and {plain_label(label) for label in horizontal} != {"X", "Y"}:
+    elif len(horizontal) > 1 and {_direction(label) for label in horizontal} != {"X", "Y"}:
         taken = (x.label, f"「{x.label}」") if x.label else phrase("motion.the_first")
         listing = labels_phrase(horizontal)
         warn(InputWarning("motion.x_chosen", "component", channels=listing, label=taken))
@@ -289,7 +303,7 @@ def motion_fields(
     for key, channel in components.items():
         if not math.isclose(channel.dt, x.dt, rel_tol=1e-6):  # steps are written with six digits or more
             raise InputError("motion.channel_dt_differs", dt=x.dt, other=channel.dt)
-        if _DOWN.fullmatch(plain_label(channel.label)):
+        if _DOWN.fullmatch(_direction(channel.label)):
             note = f"{channel.note}, sign changed to up"
             components[key] = replace(channel, acceleration=-channel.acceleration, note=note)
     length, cut = common_length({key: len(channel.acceleration) for key, channel in components.items()})

@@ -10,7 +10,7 @@ import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { spoken, t } from "./words.js";
 
-const UNITS = ["m/s²", "cm/s²", "gal", "mm/s²", "g"];
+const UNITS = ["m/s²", "cm/s²", "gal", "mm/s²", "g", "%g", "mg", "in/s²", "ft/s²"];
 const LONGEST = 4096; // letters of a record in a link, with those of its vertical component
 const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,

@@ -22,6 +22,7 @@ from stayput.motion.channels import (
 )
 from stayput.motion.processing import STEP_RANGE
 from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer
+from stayput.motion.readers.others import other_format
 from stayput.motion.readers.text import check_end, file_text
 from stayput.motion.record import Motion
 from stayput.motion.units import unit_factor
@@ -82,8 +83,8 @@ def read_motion(
         vertical one z. PEER and K-NET files hold one channel each: see `Motion.combine`. A vertical one alone
         is named ("channel 1"), else it is warned of.
     unit : str, optional
-        Unit of the numbers ("m/s²", "cm/s²", "gal", "mm/s²", "g"): required where the file does not
-        state it, and refused where it contradicts the file.
+        Unit of the numbers ("m/s²", "cm/s²", "gal", "mm/s²", "g", "%g", "mg", "in/s²", "ft/s²"): required
+        where the file states none that is known, and refused where it contradicts the file.
     dt : float, optional
         Time step [s]: likewise.
 
@@ -175,7 +176,7 @@ def _vertical_of(channels: Sequence[Channel]) -> str:
 
 def _warn_of_name(path: str | os.PathLike[str], channels: Sequence[Channel]) -> None:
     """Warn of a file whose name alone says that its one channel is vertical."""
-    ending = re.search(r"(?<=[-_. ])[A-Za-z]{1,4}$", Path(path).stem)
+    ending = re.search(r"(?<=[-_. ])[A-Za-z]{1,4}[0-9]{0,2}$|(?:UP|VER|DWN)$", Path(path).stem)
     if len(channels) == 1 and not channels[0].label and ending and is_vertical(ending[0]):
         warn(InputWarning("motion.vertical_by_name", "component", ending=ending[0]))
 
@@ -192,9 +193,12 @@ def _read(
         within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
     text = file_text(path)
     reader = next((reader for reader in READERS if reader.recognise(text)), None)
+    other = other_format(text) if reader in (None, columns) else None
+    formats = ", ".join(r.FORMAT for r in READERS[:-1])
+    not_read = InputError("motion.other_format", path=str(path), format=other, formats=formats)
     if reader is None:
-        formats = ", ".join(r.FORMAT for r in READERS)
-        raise InputError("motion.unknown_format", path=str(path), formats=formats)
+        formats = f"{formats}, {columns.FORMAT}"
+        raise not_read if other else InputError("motion.unknown_format", path=str(path), formats=formats)
     title = f"{Path(path).name} ({reader.FORMAT})"
     warnings: list[InputWarning] = []
     try:
@@ -204,7 +208,7 @@ def _read(
             fields = motion_fields(channels, choose(channels), reader.FORMAT, name=Path(path).stem)
             motion = Motion(**fields)
     except InputError as error:
-        raise error.at(title) from None
+        raise not_read if other and error.field is None else error.at(title) from None
     if motion.floor:
         warnings.append(upper_floor_warning(motion.floor))
     for warning in warnings:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 FORMAT = "JMA CSV"
 
+_SITE = re.compile(r"\s*SITE +CODE", re.IGNORECASE)
+_SAMPLING = re.compile("SAMPLING", re.IGNORECASE)
 _RATE = re.compile(r"SAMPLING +(?:RATE|FREQ)", re.IGNORECASE)
 _UNIT = re.compile("UNIT$", re.IGNORECASE)
 _DIRECTIONS = {"NS", "EW", "UD"}
@@ -31,8 +33,7 @@ _HEADER_LINES = 12
 
 def recognise(text: str) -> bool:
     """Return whether the file begins with its site code and states a sampling rate."""
-    head = text[:2000].upper()
-    return head.lstrip().startswith("SITE CODE") and "SAMPLING" in head
+    return _SITE.match(text) is not None and _SAMPLING.search(text, 0, 2000) is not None
 
 
 def _header(text: str) -> tuple[list[str], list[str], int]:
