@@ -10,20 +10,19 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import httpx
 import pytest
-from raw import WAIT, answer, connected, request
+from raw import answer, connected, request
 from serving import SCENE, Clock, Running, client_of, hold_verifications, running
 
 from stayput.app import api, jobs
 from stayput.app.limits import Limits
 from stayput.app.running import simulated
-from stayput.app.size_map import intensities, size_map
-from stayput.simulation.columns import run_columns
 from waiting import PATIENCE, wait_until
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
+
+    import httpx
 
     from stayput.app.service import Service
 
@@ -230,31 +229,6 @@ def test_a_job_that_nobody_asks_for_gives_way(monkeypatch: pytest.MonkeyPatch) -
         refused(client.post("/api/v1/verify", json={**asked, "lease_s": 0.0}), 422, "lease_s")
         go_on.set()
         wait_until(lambda: state(awaited) == "done")
-
-
-def test_a_map_whose_client_has_left_gives_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked = {"scene": {**SCENE, "shaking": {"suite": {"count": 1}, "intensity": 6.0}}, "measures": []}
-    left, runs = threading.Event(), []
-
-    def held(scenario: Any, axis: str, threads: int, awaited: Callable[[], bool]) -> Any:
-        if not left.is_set():
-            wait_until(lambda: not awaited())
-            left.set()
-        return size_map(scenario, axis, threads, awaited)
-
-    def counted(*given: Any, **more: Any) -> Any:
-        runs.append(given)
-        return run_columns(*given, **more)
-
-    monkeypatch.setattr("stayput.app.api.size_map", held)
-    monkeypatch.setattr("stayput.montecarlo.levels.run_columns", counted)
-    limits = replace(Limits(), slow_workers=1, threads=1)
-    with running(limits) as server, client_of(server) as client:
-        with pytest.raises(httpx.ReadTimeout):  # and the client leaves
-            client.post("/api/v1/size-map", json=asked, timeout=httpx.Timeout(WAIT, read=0.1))
-        assert client.post("/api/v1/size-map", json=asked).status_code == 200
-        assert left.is_set()
-        assert 0 < len(runs) <= len(intensities(6.0))  # those of the second
 
 
 def test_too_many_simulations_are_refused_before_any() -> None:

@@ -30,7 +30,7 @@ MOST_REQUESTS = 4
 STEPS = ["page", "script", "simulation"]
 """What is asked for one after the other; what can be chosen comes beside the script."""
 
-LATER = ("icon.svg", "/api/v1/verify", "/api/v1/jobs/", "/api/v1/size-map", "/ping")
+LATER = ("icon.svg", "/api/v1/verify", "/api/v1/jobs/", "/ping")
 
 PATIENCE = 30.0
 """How long the throttled picture may take on a machine that has much else to do [s]."""

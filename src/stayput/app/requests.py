@@ -66,16 +66,6 @@ class ShakingRequest(Request):
     scene: AnySceneData
 
 
-class SizeMapRequest(Request):
-    """A scene whose piece is made larger and smaller, and shaken more and less."""
-
-    scene: SceneData
-    measures: Measures
-    axis: Literal["height", "width", "size"] = Field(
-        default="height", description="What grows: the height, the depth, or both."
-    )
-
-
 class VerifyRequest(Request):
     """A scene to be verified."""
 

@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from stayput.app.replies import Problem, Reply, TwoNumbers, Words
+from stayput.app.replies import Reply, TwoNumbers, Words
 
 
 class DifferencesReply(Reply):
@@ -165,28 +165,3 @@ class SimulateReply(Reply):
     building: BuildingReply | None
     without: RunReply
     with_: RunReply | None = Field(serialization_alias="with")
-
-
-class OwnPieceReply(Reply):
-    """The user's own piece, for its mark in the map."""
-
-    intensity: float | None
-    width_m: float
-    height_m: float
-
-
-class SizeMapReply(Reply):
-    """Share of the runs in which pieces of each size overturn, by intensity."""
-
-    axis: str
-    intensity: list[float]
-    size: list[float] = Field(description="Factors on what grows.")
-    width_m: list[float]
-    height_m: list[float]
-    overturned: list[list[float | None]] = Field(
-        description="By size, then by intensity; null where it is not possible or no run of it ended."
-    )
-    refused: list[Problem | None] = Field(description="By size: why such a piece is not possible.")
-    motions: int
-    runs: int = Field(description="Of each size at each intensity.")
-    here: OwnPieceReply

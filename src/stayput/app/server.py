@@ -36,7 +36,6 @@ from stayput.app.readers import ReaderPool
 from stayput.app.refusals import RefusedError, error_response, refusal_of_request
 from stayput.app.running import simulated
 from stayput.app.service import Service, Workers
-from stayput.app.size_map import size_map
 from stayput.catalogue import say
 from stayput.errors import InputError, InputWarning
 from stayput.scenario import Scenario
@@ -118,11 +117,10 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
 
 
 def warm() -> None:
-    """Run the scene that the page begins with first; then upstairs, the map and a small verification."""
+    """Run the scene that the page begins with first; then upstairs and a small verification."""
     upstairs = {**SCENE["shaking"], "building": {"storeys": 10}, "storey": 5}
     simulated(Scenario.parse({**SCENE, "measures": [{"name": YOURS, "combine": SCENE_MEASURES}]}))
     simulated(Scenario.parse({**SCENE, "shaking": upstairs}))
-    size_map(Scenario.parse(SCENE), "height", 1)
     few = {"measures": [{"type": "belt"}], "uncertainty": {"samples": 1}}
     verify(Scenario.parse({**SCENE, **few}), levels=[6.0], threads=1, progress=False)
 
