@@ -11,7 +11,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from raw import answer, connected, request
 from serving import SCENE, Clock, Running, client_of, hold_verifications, running
 
 from stayput.app import api, jobs
@@ -152,7 +151,7 @@ def test_every_answer_has_its_headers(client: httpx.Client) -> None:
     answers = [
         client.get("/"),
         client.get("/api/v1/ping"),
-        client.get("/api/docs"),
+        client.get("/api/openapi.json"),
         client.get("/nothing"),
         client.post("/api/v1/simulate", content=b"x", headers=JSON),
         client.get("/", headers={"host": "evil.example"}),
@@ -254,14 +253,6 @@ def test_a_busy_server_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
             found = [one.result().status_code for one in asked]
         assert sorted(found) == [200] * 2 + [503] * 10
         assert simulate(client, SCENE).status_code == 200
-
-
-def test_slow_bodies_are_given_up() -> None:
-    with running(replace(Limits(), seconds=0.3)) as server, connected(server) as connection:
-        connection.sendall(request("/api/v1/simulate", b"{", "Content-Type: application/json", length=2))
-        status, body = answer(connection)
-        assert status == 408
-        assert set(json.loads(body)) == {"message", "message_ja", "field", "perhaps", "also"}
 
 
 def test_pings_are_answered_while_others_compute(client: httpx.Client) -> None:

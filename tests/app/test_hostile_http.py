@@ -18,7 +18,6 @@ from hypothesis import strategies as st
 from raw import PING, answer, connected, request
 from serving import SCENE, Running, client_of, running
 
-from stayput.app import bodies
 from stayput.app.limits import Limits
 
 if TYPE_CHECKING:
@@ -41,8 +40,7 @@ HTTP = settings(deadline=None, max_examples=40, suppress_health_check=PATIENT, d
 
 @pytest.fixture(scope="module")
 def server() -> Iterator[Running]:
-    with pytest.MonkeyPatch.context() as patch, running(replace(Limits(), header_seconds=0.5)) as found:
-        patch.setattr(bodies, "_DRAIN_SECONDS", DRAINED)
+    with running(replace(Limits(), seconds=0.5)) as found:
         with client_of(found) as client:  # what is compiled first takes its time
             assert client.post("/api/v1/simulate", json={"scene": SCENE}).status_code == 200
         yield found

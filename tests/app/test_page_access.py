@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 import pytest
 from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
 
-from stayput.app.pages import tables
+from stayput.app.pages import words
+from stayput.catalogue import LANGUAGES
 from stayput.report.embedding import canvas_files
 
 if TYPE_CHECKING:
@@ -88,8 +89,7 @@ def test_the_keyboard_reaches_and_works_everything(browser: Browser, server: Run
 
 
 def test_both_languages_have_every_word() -> None:
-    words = tables("")
-    english, japanese = words["en"], words["ja"]
+    english, japanese = (json.loads(words(language)) for language in LANGUAGES)
     assert english.keys() == japanese.keys()
     for key, text in english.items():
         assert sorted(re.findall(r"\{\w+\}", text)) == sorted(re.findall(r"\{\w+\}", japanese[key])), key

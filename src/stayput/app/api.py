@@ -10,7 +10,6 @@ from starlette.responses import Response
 
 import stayput
 from stayput.app.action_plan_api import add_action_plan
-from stayput.app.differences import with_differences
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
@@ -26,7 +25,6 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
     EverydayRequest,
     Name,
     ReadRequest,
-    RunsRequest,
     ShakingRequest,
     SimulateRequest,
     TomlRequest,
@@ -146,7 +144,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post(
         "/simulate", response_model=SimulateReply | SpaceSimulateReply, tags=["runs"], responses=refusals
     )
-    async def simulate(body: RunsRequest) -> Response:
+    async def simulate(body: SimulateRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work() -> Response:
@@ -157,7 +155,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
                 run = simulated if scenario.dimensions == 2 else simulated_in_space
                 reply = run(scenario)
             reply.motion.name = service.motions.named(reply.motion.name)
-            return json_response(reply, change=with_differences if body.histories == "differences" else None)
+            return json_response(reply)
 
         workers = service.slow if several_pieces(body.scene) else service.workers
         return await workers.run(work)

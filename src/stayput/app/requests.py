@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from fastapi import Path as InPath
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
@@ -49,15 +49,6 @@ class SimulateRequest(Request):
 
     scene: AnySceneData
     measures: Measures
-
-
-class RunsRequest(SimulateRequest):
-    """The same, with the form of the histories in the reply."""
-
-    histories: Literal["numbers", "differences"] = Field(
-        default="numbers",
-        description="Differences are shorter; in space numbers are in base 64. See DifferencesReply.",
-    )
 
 
 class ShakingRequest(Request):
