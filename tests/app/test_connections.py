@@ -19,10 +19,6 @@ if TYPE_CHECKING:
 
 FORM = "Content-Type: multipart/form-data; boundary=b"
 HEAD = b'--b\r\nContent-Disposition: form-data; name="file"; filename="a"\r\n\r\n'
-SHORT = replace(Limits(), header_seconds=0.4)
-LONG = replace(Limits(), header_seconds=600.0)
-RECORD = "1\n-1\n0\n2\n" * 100
-GIVEN = {"unit": "gal", "dt": "0.01"}
 
 
 def test_more_connections_than_allowed_are_told_that_the_server_is_busy() -> None:
