@@ -161,7 +161,6 @@ def opened(
         page.route("**/api/v1/verify", _short)
     else:
         page.route("**/api/v1/verify", lambda route: None)  # it is never answered
-        page.route("**/api/v1/size-map", lambda route: None)
     for pattern, answer in (routes or {}).items():
         page.route(pattern, answer)
     with ExitStack() as ending:

@@ -229,8 +229,7 @@ def test_errors_name_the_user_s_file_and_no_folder_of_the_server() -> None:
         assert told["state"] == "failed"
         (folder / found["id"]).unlink()
         answers = [
-            client.post(f"/api/v1/{path}", json={"scene": scene})
-            for path in ("simulate", "size-map", "simulate/csv")
+            client.post(f"/api/v1/{path}", json={"scene": scene}) for path in ("simulate", "simulate/csv")
         ]
         messages = [told["error"]["message"], *(answer.json()["message"] for answer in answers)]
         for message in messages:

@@ -89,18 +89,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "文字列に不完全な文字があります。Unicodeで指定してください。",
     ),
     # Too much at once
-    "many_requests": (
-        "This machine has too many requests under way; try again in a moment.",
-        "この端末からのリクエストが多すぎます。少し待ってからもう一度お試しください。",
-    ),
-    "many_connections": (
-        "The server has too many connections; try again in a moment.",
-        "サーバーへの接続が多すぎます。少し待ってからもう一度お試しください。",
-    ),
-    "many_uploads": (
-        "Other files are being uploaded; try again in a moment.",
-        "ほかのファイルを受信しています。少し待ってからもう一度お試しください。",
-    ),
     "many_files": (
         "Too many files are waiting to be read; try again in a moment.",
         "読み込みを待っているファイルが多すぎます。少し待ってからもう一度お試しください。",
