@@ -128,20 +128,31 @@ def _record(assessment: Assessment) -> dict[str, object]:
 
 
 def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
-    from stayput.inventory.words import counted_phrase, narrow_told, printed, read_as
+    from stayput.inventory.words import (
+        counted_phrase,
+        empty_told,
+        narrow_told,
+        printed,
+        read_as,
+        rejects_told,
+    )
 
     def line(key: str, **values: object) -> None:
         typer.echo(say(f"inventory_report.{key}", lang, **values))
 
     facts = assessment.facts
-    rows, how = counted_phrase(facts["rows"], "row", "行"), read_as(facts["read as"])
-    line("printed_read", rows=rows, how=how, pieces=f"{facts['pieces']:,}")
+    rows = counted_phrase(facts["rows"], "row", "行")
+    line("printed_read", rows=rows, how=read_as(facts), pieces=f"{facts['pieces']:,}")
     if facts["columns renamed"]:
         line("renamed", columns=", ".join(facts["columns renamed"]))
     if facts["columns not used"]:
         line("not_used", columns=", ".join(facts["columns not used"]))
     if facts["rejects"]:
         line("printed_rejects", rows=counted_phrase(facts["rejects"], "row", "行"))
+        for rows, reason, _ in rejects_told(facts, lang):
+            line("reason_of_rows", rows=rows, reason=reason)
+    if empty := empty_told(facts, lang):
+        typer.echo(empty)
     without = facts["pieces"] - facts["with coordinates"]
     if 0 < without < facts["pieces"]:
         line("without_coordinates", pieces=counted_phrase(without, "piece", "点"))
