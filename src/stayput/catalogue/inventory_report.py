@@ -97,7 +97,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_help": ("none helps", "効果のある対策なし"),
     "needs_none": ("needs none", "対策不要"),
     "not_worth": ("none is worth it", "費用に見合うものなし"),
-    "not_possible": ("{name}: not possible. {reason}", "{name}：設置できません。{reason}"),
+    "not_possible": (
+        "{name}: not possible. {reason} In {rows}.",
+        "{name}：設置できません。{reason}該当：{rows}。",
+    ),
     # Rejects
     "rejected": ("Rows that were not assessed", "評価できなかった行"),
     "rejects_counted": (

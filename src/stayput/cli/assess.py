@@ -131,10 +131,12 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
     from stayput.inventory.words import (
         counted_phrase,
         empty_told,
+        impossible_told,
         narrow_told,
         printed,
         read_as,
-        rejects_told,
+        reason_told,
+        rows_told,
     )
 
     def line(key: str, **values: object) -> None:
@@ -149,8 +151,8 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
         line("not_used", columns=", ".join(facts["columns not used"]))
     if facts["rejects"]:
         line("printed_rejects", rows=counted_phrase(facts["rejects"], "row", "行"))
-        for rows, reason, _ in rejects_told(facts, lang):
-            line("reason_of_rows", rows=rows, reason=reason)
+        for found in facts["rejects alike"]:
+            line("reason_of_rows", rows=rows_told(found, lang), reason=reason_told(found, lang))
     if empty := empty_told(facts, lang):
         typer.echo(empty)
     without = facts["pieces"] - facts["with coordinates"]
@@ -162,7 +164,8 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
     for name, total in assessment.summary.events.items():
         for sentence in printed(total, name, lang):
             typer.echo(sentence)
-    if narrow := narrow_told(facts, lang):
-        typer.echo(narrow)
+    for sentence in (narrow_told(facts, lang), *impossible_told(facts, lang)):
+        if sentence:
+            typer.echo(sentence)
     files = (assessment.folder / f"pieces.{name}" for name in exported)
     tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)

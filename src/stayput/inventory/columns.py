@@ -82,7 +82,7 @@ LISTS = ("cg_offset", "load", "costs", "floor")
 # fmt: off
 IN_OTHER_LANGUAGES: dict[str, tuple[str, ...]] = {
     "id": (
-        "inventarnummer", "inventarnr", "inventar nr", "inv nr", "n° inventaire", "numéro",
+        "nr", "inventarnummer", "inventarnr", "inventar nr", "inv nr", "n° inventaire", "numéro",
         "관리번호", "자산번호", "번호",
     ),
     "name": (

@@ -153,7 +153,7 @@ class _Reading:
     def __init__(
         self, names: Sequence[str], sample: Sequence[Sequence[Cell]], mapping: ColumnMapping
     ) -> None:
-        self.names, self.sample = names, sample
+        self.names, self.sample, self.mapping = names, sample, mapping
         self.parts = [header_name(name) for name in names]
         mapped, self.ignored = mapping.places(names)
         self.places = {name: place for name, (place, _) in mapped.items()}
@@ -310,7 +310,8 @@ class _Reading:
         kind, part = COLUMNS[name].unit, self.parts[place]
         if kind not in ("m", "kg") or part.unit in UNITS[kind]:
             return f"{name}={self.names[place]}"
-        unit = _likely_unit(name, self.numbers(place), japanese=not self.names[place].isascii())
+        metric = not self.names[place].isascii() or part.in_another_language is not None
+        unit = _likely_unit(name, self.numbers(place), metric)
         return f"{name}={self.names[place]}[{unit}]"
 
 
@@ -319,10 +320,10 @@ def _is_size(part: HeaderName) -> bool:
     return LOOKS_LIKE_SIZE.fullmatch(part.base) is not None or part.unit in UNITS["m"]
 
 
-def _likely_unit(name: str, numbers: Sequence[float], japanese: bool) -> str:
+def _likely_unit(name: str, numbers: Sequence[float], metric: bool) -> str:
     """Return the unit that numbers are likely in, or "?"."""
     if name == "mass":
-        return "kg" if japanese else "?"
+        return "kg" if metric else "?"
     if not numbers:
         return "?"
     middle = median(numbers)
@@ -330,7 +331,7 @@ def _likely_unit(name: str, numbers: Sequence[float], japanese: bool) -> str:
         return "m"
     if middle >= (400.0 if name == "height" else 100.0):
         return "mm"
-    return "cm" if japanese or middle > 100.0 else "?"
+    return "cm" if metric or middle > 100.0 else "?"
 
 
 def header_of(
@@ -378,7 +379,7 @@ def header_of(
         _refuse_unknown(names, reading)
     reading.look_at_numbers()
     if reading.doubts:
-        _refuse_doubts(reading.doubts)
+        _refuse_doubts(reading.doubts, reading.mapping)
     places = {name: reading.places[name] for name in COLUMNS if name in reading.places}
     readers = {
         name: reader
@@ -464,15 +465,17 @@ def _refuse_misspelt(name: str, part: HeaderName) -> None:
         )
 
 
-def _refuse_doubts(doubts: Sequence[_Doubt]) -> None:
+def _refuse_doubts(doubts: Sequence[_Doubt], mapping: ColumnMapping) -> None:
     told = [doubt.about for doubt in doubts[:DOUBTS_SHOWN]]
     more = len(doubts) - len(told)
     if more:
         told.append(phrase("inventory_tables.more_doubts", count=more))
     settled = ",".join(dict.fromkeys(doubt.settled for doubt in doubts))
+    given = (*mapping.pairs, *((IGNORE, header) for header in mapping.ignored))
+    stated = [f"{name}={header}" for name, header in given if f",{name}=" not in f",{settled}"]
     raise InputError(
         "inventory_tables.unclear",
         "columns",
         doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
-        proposal=settled,
+        proposal=",".join([*stated, settled]),
     )

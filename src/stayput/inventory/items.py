@@ -187,14 +187,14 @@ class RowReader:
         count = whole_of("count", cells.get("count"), 1, 1_000_000)
         value = number_of("value", cells.get("value"))
         if value is not None:
-            within("value", value, 0.0, 1e15)
+            within("value", value, 0.0, 1e15, field="value")
         lat, lon = number_of("lat", cells.get("lat"), "°"), number_of("lon", cells.get("lon"), "°")
         if (lat is None) != (lon is None):
             name = "lat" if lat is None else "lon"
             raise InputError("inventory.lat_and_lon", name, name=name)
         if lat is not None and lon is not None:
-            within("lat", lat, -90.0, 90.0, "°")
-            within("lon", lon, -180.0, 360.0, "°")
+            within("lat", lat, -90.0, 90.0, "°", "lat")
+            within("lon", lon, -180.0, 360.0, "°", "lon")
         body = self.bodies.get(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
         exposures: list[Exposure] = []
@@ -223,7 +223,7 @@ class RowReader:
                 )
             )
         for cost in costs:
-            within("costs", cost, 0.0, 1e15)
+            within("costs", cost, 0.0, 1e15, field="costs")
         return Item(
             row, piece, name_of(cells.get("name")), count or 1, value, lat, lon, body.width, tuple(exposures)
         )
@@ -340,9 +340,12 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
     room = scenario.room.room()
     floor, gap = plain("floor", cells.get("floor")), number_of("gap", cells.get("gap"), "m")
     if floor is not None:
-        room = replace(room, floor=_floor(floor, room.floor))
+        try:
+            room = replace(room, floor=_floor(floor, room.floor))
+        except InputError as error:
+            raise error.about("floor") from None
     if gap is not None:
-        within("gap", gap, 0.0, 1e4, "m")
+        within("gap", gap, 0.0, 1e4, "m", "gap")
         room = replace(room, left_wall=replace(room.left_wall or Wall(0.0), gap=gap))
     wall = text_of("wall", cells.get("wall"))
     if wall is not None:

@@ -23,7 +23,7 @@ from stayput.inventory.workspace import read_json, remove, sync_folder
 from stayput.spreadsheets import harmless
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
     from pathlib import Path
 
     from stayput.inventory.cells import Cell
@@ -35,6 +35,9 @@ if TYPE_CHECKING:
 
 ROWS_PER_PART = 20_000
 """Rows of the inventory in a part of the results."""
+
+REJECTED = ("row", "id", "name", "reason", "reason_ja")
+"""What is told of a row that is not assessed."""
 
 REJECTS = ("rejects.parquet", "rejects.csv")
 ROWS, STORE, SUMS = "rows", "plan.sqlite", "sums.json"
@@ -86,21 +89,44 @@ def not_possible() -> Any:
     return pa.list_(pa.struct([("name", pa.string()), ("reason", pa.string()), ("reason_ja", pa.string())]))
 
 
+class Findings:
+    """What is found in many rows, each once, with the number of rows and the first few of them."""
+
+    def __init__(self) -> None:
+        self.found: dict[tuple[str | None, ...], dict[str, Any]] = {}
+
+    def add(self, row: Sequence[Any], *about: str | None) -> None:
+        """Add a row, id, name, reason and reason_ja, with what tells its kind of finding from others."""
+        *piece, english, japanese = row
+        if about not in self.found:
+            reasons = {"reason": english, "reason_ja": japanese, "same": True}
+            self.found[about] = {"about": about[0], **reasons, "rows": 0, "first": []}
+        found = self.found[about]
+        found["same"] &= found["reason"] == english
+        found["rows"] += 1
+        if len(found["first"]) < FIRST_ALIKE:
+            found["first"].append(dict(zip(REJECTED, piece, strict=False)))
+
+    def told(self) -> list[dict[str, Any]]:
+        """Return the findings, that of most rows first."""
+        return sorted(self.found.values(), key=lambda found: -found["rows"])
+
+
 class Rejects:
     """Writes the rows that are not assessed, with their reasons."""
 
     def __init__(self, folder: Path) -> None:
         pa, pq = arrow(), parquet()
 
-        texts = [(name, pa.string()) for name in ("id", "name", "reason", "reason_ja")]
-        self.schema = pa.schema([("row", pa.int64()), *texts])
+        kinds = [pa.int64(), *[pa.string()] * (len(REJECTED) - 1)]
+        self.schema = pa.schema(list(zip(REJECTED, kinds, strict=True)))
         self.file = (folder / REJECTS[0]).open("wb")
         self.parquet: Any = pq.ParquetWriter(self.file, self.schema, compression="zstd")
         self.text = (folder / REJECTS[1]).open("w", encoding="utf-8-sig", newline="")
         self.lines = csv.writer(self.text)
         self.lines.writerow(self.schema.names)
         self.buffered: list[tuple[int, str, str | None, str, str]] = []
-        self.alike: dict[tuple[str, str | None], dict[str, Any]] = {}
+        self.findings = Findings()
         self.count = 0
 
     def add(self, row: int, piece: Cell, called: Cell, error: InputError) -> None:
@@ -109,11 +135,7 @@ class Rejects:
         line = row, identifier, name_of(called), error.told("en"), error.told("ja")
         self.buffered.append(line)
         self.count += 1
-        alike = self.alike.setdefault((error.code, error.field), {"rows": 0, "same": True, "first": []})
-        alike["rows"] += 1
-        if len(alike["first"]) < FIRST_ALIKE:
-            alike["first"].append(dict(zip(self.schema.names, line, strict=True)))
-        alike["same"] &= alike["first"][0]["reason"] == line[3]
+        self.findings.add(line, error.code, error.field)
         if len(self.buffered) >= ROWS_PER_PART:
             self.flush()
 
@@ -222,6 +244,7 @@ def _fill(
     reader = RowReader(scenarios)
     seen = empty = parts = pieces = choices = located = narrow = 0
     left_empty: Counter[str] = Counter()
+    impossible = Findings()
     buffered: list[tuple[Item, list[list[int]]]] = []
 
     def flush() -> None:
@@ -257,6 +280,9 @@ def _fill(
                         for exposure in item.exposures
                     ]
                     choices += sum(map(len, units))
+                    not_put = chain.from_iterable(exposure.impossible for exposure in item.exposures)
+                    for name, reasons in dict(not_put).items():
+                        impossible.add((item.row, item.id, item.name, *reasons), name)
                     pieces += 1
                     located += item.lat is not None
                     if not isinstance(cells, InputError):
@@ -277,7 +303,8 @@ def _fill(
                 "narrower than deep": narrow,
                 "empty cells": {header.called.get(name, name): left_empty[name] for name in left_empty},
                 "rejects": rejects.count,
-                "rejects alike": sorted(rejects.alike.values(), key=lambda alike: -alike["rows"]),
+                "rejects alike": rejects.findings.told(),
+                "measures not possible": impossible.told(),
                 "parts": parts,
                 "units": store.next_unit,
                 "choices": choices,

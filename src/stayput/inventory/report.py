@@ -21,11 +21,13 @@ from stayput.inventory.words import (
     expected,
     first_of,
     further,
+    impossible_told,
     interval_told,
     measures_named,
     narrow_told,
     pieces_counted,
-    rejects_told,
+    reason_told,
+    rows_told,
     share_told,
 )
 from stayput.report.names import given_name
@@ -209,13 +211,14 @@ def report_html(
         "worst": [_piece(row, language) for row in summary.worst],
         "contents": contents,
         "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
+        "impossible": impossible_told(facts, language),
         "rejects": [
             {
-                "rows": told,
-                "pieces": first_of([_called(row) for row in alike["first"]], alike["rows"], language),
-                "reason": reason,
+                "rows": rows_told(found, language),
+                "pieces": first_of([_called(row) for row in found["first"]], found["rows"], language),
+                "reason": reason_told(found, language),
             }
-            for told, reason, alike in rejects_told(facts, language)
+            for found in facts["rejects alike"]
         ],
         "rejects_counted": _words("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
         "done": done(facts, manifest, contents, language),
@@ -263,7 +266,6 @@ def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
         if by_cost == NO_MEASURE
         else measures_named(by_cost or "", language),
         "loss": amount(row["expected_loss"]),
-        "not_possible": [_reason(option, language) for option in row["not_possible"] or ()],
     }
 
 
@@ -271,8 +273,3 @@ def _called(row: Mapping[str, Any]) -> str:
     """Return a piece's id with its name, unless the id has been made of the name."""
     piece, name = row["id"], row["name"]
     return piece if not name or piece in (name, f"{name} #{row['row']}") else f"{piece} {name}".strip()
-
-
-def _reason(option: Mapping[str, str], language: str) -> dict[str, str]:
-    reason = option["reason" if language == "en" else "reason_ja"]
-    return {"name": measures_named(option["name"], language), "reason": reason}

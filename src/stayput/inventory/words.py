@@ -56,18 +56,31 @@ def first_of(items: Sequence[str], total: int, language: str) -> str:
     return (", " if language == "en" else "、").join([*items, "…"] if total > len(items) else items)
 
 
-def rejects_told(facts: Mapping[str, Any], language: str) -> Iterator[tuple[str, str, Mapping[str, Any]]]:
-    """Yield why rows were not assessed, each reason once: which rows, the reason, and what is known of it."""
-    for alike in facts["rejects alike"]:
-        first, count = alike["first"], alike["rows"]
-        places = first_of([str(row["row"]) for row in first], count, language)
-        rows = say(
-            "inventory_report.rows_alike", language, rows=counted_phrase(count, "row", "行"), places=places
+def rows_told(found: Mapping[str, Any], language: str) -> str:
+    """Return how many rows have a finding in common, and which are the first of them."""
+    places = first_of([str(row["row"]) for row in found["first"]], found["rows"], language)
+    rows = counted_phrase(found["rows"], "row", "行")
+    return say("inventory_report.rows_alike", language, rows=rows, places=places)
+
+
+def reason_told(found: Mapping[str, Any], language: str) -> str:
+    """Return the reason of a finding; that of its first row as an example, where others differ from it."""
+    reason = found["reason" if language == "en" else "reason_ja"]
+    return reason if found["same"] else say("inventory_report.such_as", language, reason=reason)
+
+
+def impossible_told(facts: Mapping[str, Any], language: str) -> list[str]:
+    """Return which sets of measures cannot be put in place, in which rows, and why."""
+    return [
+        say(
+            "inventory_report.not_possible",
+            language,
+            name=measures_named(found["about"], language),
+            rows=rows_told(found, language),
+            reason=reason_told(found, language),
         )
-        reason = first[0]["reason" if language == "en" else "reason_ja"]
-        if not alike["same"]:
-            reason = say("inventory_report.such_as", language, reason=reason)
-        yield rows, reason, alike
+        for found in facts["measures not possible"]
+    ]
 
 
 def share_told(value: float | None, language: str) -> str:
