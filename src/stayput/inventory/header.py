@@ -13,6 +13,7 @@ from stayput.errors import InputError
 from stayput.inventory.cells import (
     converting_reader,
     in_own_unit,
+    is_empty,
     number_of,
     number_or_none,
     refuse_without_unit,
@@ -120,12 +121,12 @@ class Header:
         if len(row) != self.width:
             raise InputError("inventory.row_length", cells=len(row), columns=self.width)
         for place in self.unnamed:
-            if row[place] not in (None, ""):
+            if not is_empty(row[place]):
                 raise InputError("inventory.cell_without_name", cell=place + 1, value=shown(row[place]))
         cells = {name: row[place] for name, place in self.places.items()}
         for name, read in (self.readers or {}).items():
             cells[name] = read(cells[name])
-        if "name" in cells and cells.get("preset") in (None, ""):
+        if "name" in cells and is_empty(cells.get("preset")):
             cells["preset"] = preset_called(cells["name"])
         return cells
 

@@ -37,9 +37,10 @@ def refuse_headings_elsewhere(names: Sequence[str], sample: Sequence[Sequence[Ce
     sample : sequence
         Some of the rows below.
     """
-    below_a_title = not headings_in(names)
+    known, below_a_title = sum(map(is_heading, names)), not headings_in(names)
     for row, cells in enumerate(sample[: ROWS_OF_A_TITLE if below_a_title else 1], 2):
-        if found := headings_in(cells):
+        found = headings_in(cells)
+        if len(found) > (known if below_a_title else 0):
             raise InputError(
                 f"inventory_tables.{'headings_below' if below_a_title else 'two_rows_of_headings'}",
                 "inventory",

@@ -357,11 +357,10 @@ def _in_words_of_the_table(error: InputError, header: Header) -> InputError:
         return name, JAPANESE.get(name, header.called.get(name, name))
 
     values = {key: named(value) for key, value in error.values.items()}
-    told = InputError(error.code, error.field, context=error.context, **values)
-    written = header.called.get(error.field or "")
-    if written is None:
-        return told
-    return told.at(phrase("inventory_tables.column", header=excerpt(written)))
+    written, context = header.called.get(error.field or ""), error.context
+    if written is not None:
+        context = phrase("inventory_tables.column", header=excerpt(written)), *context
+    return InputError(error.code, error.field, context=context, **values)
 
 
 def _cell_at(place: int | None, cells: list[Cell]) -> Cell:
