@@ -145,7 +145,7 @@ def test_a_western_encoding_is_not_taken_for_japanese(tmp_path, encoding):
     assert "CSV UTF-8" in error.told("ja")
 
 
-@pytest.mark.parametrize("header", ["品名,奥行(mm)", "id,preset,階", "id,name,棟A"])
+@pytest.mark.parametrize("header", ["品名,奥行(mm)", "id,preset,階", "id,name,棟A", "id,name,A棟"])
 def test_a_japanese_encoding_is_still_one(tmp_path, header):
     (tmp_path / "inventory.csv").write_bytes(f"{header}\n本,1,2\n".encode("cp932"))
     with open_table(tmp_path / "inventory.csv") as found:

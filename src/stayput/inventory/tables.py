@@ -47,7 +47,7 @@ UNITS_SHOWN = frozenset(("mm", "cm", "m", "㎜", "㎝", "in", "ft", "g", "kg", "
 _LITERAL = re.compile(r'"([^"]*)"|\\(.)')
 
 _JAPANESE = re.compile(r"[々぀-ヿ㐀-鿿ｦ-ﾟ]{2}")
-_TORN = re.compile(r"[A-Za-z][㐀-鿿ｦ-ﾟ\ue000-\uf8ff]|[㐀-鿿ｦ-ﾟ\ue000-\uf8ff][a-z]")
+_TORN = re.compile(r"[A-Za-z][㐀-鿿ｦ-ﾟ\ue000-\uf8ff][a-z]")
 
 TableRow = tuple[int, "list[Cell] | InputError"]
 """Number of a row, the header being row 1, and its cells or why it cannot be read."""
