@@ -76,6 +76,8 @@ def test_unknown_headings_are_proposed_with_a_mark_for_each(tmp_path):
     error = refusal(tmp_path, text)
     proposal = proposal_of(error)
     assert proposal == "?=Артикул,?=Наименование,?=Глубина,?=Высота,?=Масса"
+    given = proposal_of(refusal(tmp_path, text, "mass=Масса[kg],ignore=Артикул"))
+    assert given == "mass=Масса[kg],ignore=Артикул,?=Наименование,?=Глубина,?=Высота"
     for language in ("en", "ja"):
         assert ", ".join(COLUMNS) in error.told(language)
         assert "ignore" in error.told(language)

@@ -291,6 +291,13 @@ class _Reading:
         if value is not None and by_alias and "count" in self.places:
             self.doubt("doubt_total", f"{IGNORE}={self.names[value]}", header=self._shown(value))
 
+    def proposal(self, *others: str) -> str:
+        """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
+        settled = ",".join(dict.fromkeys((*(doubt.settled for doubt in self.doubts), *others)))
+        kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
+        ignored = [f"{IGNORE}={header}" for header in self.mapping.ignored]
+        return ",".join([*kept, *ignored, settled])
+
     def along_the_wall(self) -> tuple[int, NumberUnit | None] | None:
         """Return the place and the unit of the size along the wall; one without a unit has the depth's."""
         depth = self.places.get("width")
@@ -380,7 +387,7 @@ def header_of(
         _refuse_unknown(names, reading)
     reading.look_at_numbers()
     if reading.doubts:
-        _refuse_doubts(reading.doubts, reading.mapping)
+        _refuse_doubts(reading)
     places = {name: reading.places[name] for name in COLUMNS if name in reading.places}
     readers = {
         name: reader
@@ -442,12 +449,11 @@ def _refuse_unknown(names: Sequence[str], reading: _Reading) -> None:
     """Refuse a header in which nothing says what the pieces are."""
     if not any(names):
         raise InputError("inventory.no_names", "inventory")
-    settled = [doubt.settled for doubt in reading.doubts]
-    settled += [f"?={name}" for name in reading.unused[:UNKNOWN_SHOWN]]
+    unknown = reading.unused[len(reading.ignored) :][:UNKNOWN_SHOWN]
     raise InputError(
         "inventory_tables.no_known_column",
         "columns",
-        proposal=",".join(dict.fromkeys(settled)),
+        proposal=reading.proposal(*(f"?={name}" for name in unknown)),
         columns=", ".join(COLUMNS),
     )
 
@@ -466,17 +472,14 @@ def _refuse_misspelt(name: str, part: HeaderName) -> None:
         )
 
 
-def _refuse_doubts(doubts: Sequence[_Doubt], mapping: ColumnMapping) -> None:
-    told = [doubt.about for doubt in doubts[:DOUBTS_SHOWN]]
-    more = len(doubts) - len(told)
+def _refuse_doubts(reading: _Reading) -> None:
+    told = [doubt.about for doubt in reading.doubts[:DOUBTS_SHOWN]]
+    more = len(reading.doubts) - len(told)
     if more:
         told.append(phrase("inventory_tables.more_doubts", count=more))
-    settled = ",".join(dict.fromkeys(doubt.settled for doubt in doubts))
-    given = (*mapping.pairs, *((IGNORE, header) for header in mapping.ignored))
-    stated = [f"{name}={header}" for name, header in given if f",{name}=" not in f",{settled}"]
     raise InputError(
         "inventory_tables.unclear",
         "columns",
         doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
-        proposal=",".join([*stated, settled]),
+        proposal=reading.proposal(),
     )

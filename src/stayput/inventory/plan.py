@@ -131,7 +131,11 @@ class Rejects:
 
     def add(self, row: int, piece: Cell, called: Cell, error: InputError) -> None:
         """Add a row that is refused, with its id and what its piece is called."""
-        identifier = "" if isinstance(piece, Unusable) else str(piece or numbered(called, row))[:200]
+        identifier = (
+            ""
+            if isinstance(piece, Unusable)
+            else str(numbered(called, row) if is_empty(piece) else piece)[:200]
+        )
         line = row, identifier, name_of(called), error.told("en"), error.told("ja")
         self.buffered.append(line)
         self.count += 1
