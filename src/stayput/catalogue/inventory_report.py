@@ -71,6 +71,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "no_building": ("no building", "建物の指定なし"),
     "floor": ("{storey}F", "{storey}階"),
+    "basement": ("B{storey}F", "地下{storey}階"),
     "on_ground": ("ground", "地上"),
     "cell": ("{place}: {share} % of {pieces}", "{place}：{pieces}の{share}%"),
     "place": ("{building}, {floor}", "{building}、{floor}"),
@@ -96,20 +97,35 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_help": ("none helps", "効果のある対策なし"),
     "needs_none": ("needs none", "対策不要"),
     "not_worth": ("none is worth it", "費用に見合うものなし"),
-    "not_possible": ("{name}: not possible. {reason}", "{name}：設置できません。{reason}"),
+    "not_possible": (
+        "{name}: not possible. {reason} In {rows}.",
+        "{name}：設置できません。{reason}該当：{rows}。",
+    ),
     # Rejects
     "rejected": ("Rows that were not assessed", "評価できなかった行"),
     "rejects_counted": (
         "{rejects} of {rows}; rejects.csv has them all.",
         "{rows}のうち{rejects}行です。すべてrejects.csvにあります。",
     ),
+    "rows_alike": ("{rows} ({places})", "{rows}（{places}行目）"),
+    "such_as": ("such as: {reason}", "例：{reason}"),
+    "reason_of_rows": ("  {rows}: {reason}", "  {rows}：{reason}"),
+    "rows": ("Rows", "行"),
+    "empty_column": ("{column} in {rows}", "{column}（{rows}）"),
+    "empty_cells": (
+        (
+            "Empty cells: {columns}. There a piece is called by its name and its row (the headings are row 1), "
+            "has the preset's size and mass, and counts once."
+        ),
+        "空のセル：{columns}。番号の代わりに品名と行番号（見出しが1行目）、寸法と質量はプリセットの値、数は1とします。",
+    ),
     "reason": ("Reason", "理由"),
     "none": ("None.", "ありません。"),
     # What was done
     "done": ("What was done", "計算の内容"),
     "read": (
-        "{rows} below the header, read as {how}{empty}.",
-        "見出しの下の{rows}を、{how}として読み込みました{empty}。",
+        "{rows} below the header, read as {how}.",
+        "見出しの下の{rows}を、{how}として読み込みました。",
     ),
     "with_tabs": ("{encoding} with tabs", "{encoding}（タブ区切り）"),
     "with_semicolons": ("{encoding} with semicolons", "{encoding}（セミコロン区切り）"),
@@ -118,7 +134,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "sheet {name}; not {others}",
         "シート{name}（ほかのシート{others}は読んでいません）",
     ),
-    "empty_rows": ("; {count} of them empty", "（うち{count}行は空）"),
+    "read_as": ("{how}", "{how}"),
+    "and_empty": ("{how}; {count} of them empty", "{how}（空の{count}行を除く）"),
     "not_used": ("Columns that were not used: {columns}.", "使わなかった列：{columns}。"),
     "scenario": (
         (
@@ -187,8 +204,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{rows}を{how}として読み込み、{pieces}行を評価しました。",
     ),
     "printed_rejects": (
-        "Not assessed: {rows}; rejects.csv says why, row by row.",
-        "評価できなかった行：{rows}。理由は行ごとにrejects.csvに書かれています。",
+        "Not assessed: {rows}; rejects.csv has them all.",
+        "評価できなかった行：{rows}。すべてrejects.csvにあります。",
     ),
     "printed_runs": (
         "{choices}, {units} of them different; {runs}.",

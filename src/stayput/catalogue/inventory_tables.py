@@ -32,7 +32,49 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The mapping has {name} in {unit}, and the column {header} states another unit; they must agree.",
         "列の対応では{name}の単位が{unit}ですが、列{header}の単位と異なります。同じにしてください。",
     ),
+    # headings
+    "no_known_column": (
+        (
+            'No heading of the first row is known; --columns "{proposal}" says what the columns are, with one of '
+            "{columns} or ignore in the place of each ? (width is the depth, from front to back)."
+        ),
+        (
+            '1行目に分かる見出しがありません。--columns "{proposal}" の?を次のいずれかに置き換えて指定してください：'
+            "{columns}（widthは奥行）。使わない列はignoreとします。"
+        ),
+    ),
+    "headings_below": (
+        (
+            "The headings seem to stand in row {row} ({found}); they must be the first row: "
+            "remove the rows above them."
+        ),
+        "見出しが{row}行目（{found}など）にあるようです。その上の行を削除して、見出しを1行目にしてください。",
+    ),
+    "two_rows_of_headings": (
+        (
+            "Row {row} has headings too ({found}); the headings must be one row, each with its whole name, "
+            "such as Depth (mm)."
+        ),
+        (
+            "{row}行目にも見出し（{found}など）があります。見出しは1行にまとめ、"
+            "「奥行(mm)」のように列名を全部書いてください。"
+        ),
+    ),
+    "merged_headings": (
+        (
+            "Cells {cells} of the sheet are merged over the first row and others; the headings must be one row, "
+            "the first, each with its whole name, such as Depth (mm)."
+        ),
+        (
+            "シートの1行目のセル{cells}が複数行にわたって結合されています。結合を解除し、見出しは1行目だけにまとめ、"
+            "「奥行(mm)」のように列名を全部書いてください。"
+        ),
+    ),
     # what is unclear about columns
+    "doubt_language": (
+        "{headers} are not in English or Japanese (width is the depth, from front to back)",
+        "{headers}などの見出しが日本語でも英語でもありません（widthは奥行です）",
+    ),
     "unclear": (
         (
             'Not all columns are certain; they look like --columns "{proposal}", which must be checked and '
@@ -150,6 +192,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # cells
     "column": ("Column {header}", "列{header}"),
+    "decimal_comma": (
+        " (a comma is a decimal one where semicolons stand between the columns)",
+        "（小数点のコンマは、列をセミコロンで区切った表だけで使えます）",
+    ),
     "comma": (
         (
             "{name} is {value}, of which the mark may be that of decimals or of thousands; "

@@ -41,8 +41,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Keys that do not go together
     "no_preset": (
-        "{name} is missing; it must be given where no preset is.",
-        "{name}がありません。presetを使わない場合は必要です。",
+        "{name} is missing; it must be given where no {preset} is.",
+        "{name}がありません。{preset}を使わない場合は必要です。",
     ),
     "follows_from_shelves": (
         "{name} follows from furniture.shelves; give only one of them.",

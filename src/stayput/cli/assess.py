@@ -128,20 +128,33 @@ def _record(assessment: Assessment) -> dict[str, object]:
 
 
 def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
-    from stayput.inventory.words import counted_phrase, narrow_told, printed, read_as
+    from stayput.inventory.words import (
+        counted_phrase,
+        empty_told,
+        impossible_told,
+        narrow_told,
+        printed,
+        read_as,
+        reason_told,
+        rows_told,
+    )
 
     def line(key: str, **values: object) -> None:
         typer.echo(say(f"inventory_report.{key}", lang, **values))
 
     facts = assessment.facts
-    rows, how = counted_phrase(facts["rows"], "row", "行"), read_as(facts["read as"])
-    line("printed_read", rows=rows, how=how, pieces=f"{facts['pieces']:,}")
+    rows = counted_phrase(facts["rows"], "row", "行")
+    line("printed_read", rows=rows, how=read_as(facts), pieces=f"{facts['pieces']:,}")
     if facts["columns renamed"]:
         line("renamed", columns=", ".join(facts["columns renamed"]))
     if facts["columns not used"]:
         line("not_used", columns=", ".join(facts["columns not used"]))
     if facts["rejects"]:
         line("printed_rejects", rows=counted_phrase(facts["rejects"], "row", "行"))
+        for found in facts["rejects alike"]:
+            line("reason_of_rows", rows=rows_told(found, lang), reason=reason_told(found, lang))
+    if empty := empty_told(facts, lang):
+        typer.echo(empty)
     without = facts["pieces"] - facts["with coordinates"]
     if 0 < without < facts["pieces"]:
         line("without_coordinates", pieces=counted_phrase(without, "piece", "点"))
@@ -151,7 +164,8 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
     for name, total in assessment.summary.events.items():
         for sentence in printed(total, name, lang):
             typer.echo(sentence)
-    if narrow := narrow_told(facts, lang):
-        typer.echo(narrow)
+    for sentence in (narrow_told(facts, lang), *impossible_told(facts, lang)):
+        if sentence:
+            typer.echo(sentence)
     files = (assessment.folder / f"pieces.{name}" for name in exported)
     tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)

@@ -456,13 +456,9 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
         pq.write_table(pa.table(dict(zip(COLUMNS, columns, strict=True)), schema=schema), file)
     with space.durable(folder / SUMMARY[1]) as file:
         file.write(csv_text(list(COLUMNS), rows).encode(CSV_ENCODING))
-    first: list[Any] = []
-    for batch in pq.ParquetFile(folder / REJECTS[0]).iter_batches(20):
-        first = batch.to_pylist()
-        break
     for language, name in REPORTS.items():
         with space.durable(folder / name) as file:
-            file.write(report_html(summary, facts, manifest, first, language).encode())
+            file.write(report_html(summary, facts, manifest, language).encode())
     return summary
 
 

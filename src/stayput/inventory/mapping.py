@@ -28,6 +28,9 @@ LARGEST_FILE = 2**20
 
 _UNIT = re.compile(r"(.+?)\s*\[([^\[\]]*)\]", re.DOTALL)
 
+_NEXT_PAIR = re.compile(r",(?=[^,=]*=)")
+"""The comma before a pair; another one is in a table's name of a column."""
+
 
 @dataclass(frozen=True, slots=True)
 class ColumnMapping:
@@ -130,7 +133,7 @@ def read_columns(columns: str | Path | Mapping[str, Any] | None) -> ColumnMappin
     if str(columns).lower().endswith(FILES):
         return _mapping(list(_file(Path(columns)).items()))
     pairs: list[tuple[str, object]] = []
-    for part in str(columns).split(","):
+    for part in _NEXT_PAIR.split(str(columns)):
         name, mark, header = part.partition("=")
         if not mark or not name.strip() or not header.strip():
             raise InputError("inventory_tables.mapping", "columns", value=shown(part))

@@ -84,7 +84,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
             "standard deviation of what a shake map tells: of the intensity, else of the common logarithm",
         ),
         number("building", "the building; null on the ground", pa.string()),
-        number("storey", "the storey; null on the ground", pa.int32()),
+        number("storey", "the storey, below 0 in a basement; null on the ground", pa.int32()),
         number("lat", "latitude [°]"),
         number("lon", "longitude [°]"),
         number("count", "pieces of this kind", pa.int32()),

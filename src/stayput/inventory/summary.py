@@ -57,7 +57,6 @@ READ = (
     "best_expected_loss",
     "contents_out_share",
     "best_contents_out_share",
-    "not_possible",
 )
 
 

@@ -14,7 +14,7 @@ from stayput.verification.contents import MOTIONS
 from stayput.wording import counted
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Sequence
 
     from stayput.catalogue import Phrase
     from stayput.inventory.summary import Total
@@ -39,6 +39,48 @@ def narrow_told(facts: Mapping[str, Any], language: str) -> str:
     return (
         say("inventory_report.narrow", language, rows=counted_phrase(narrow, "row", "行")) if narrow else ""
     )
+
+
+def empty_told(facts: Mapping[str, Any], language: str) -> str:
+    """Return in which columns cells are empty, and what holds there; empty where none is."""
+    counts = [
+        say("inventory_report.empty_column", language, column=column, rows=counted_phrase(rows, "row", "行"))
+        for column, rows in facts["empty cells"].items()
+    ]
+    listed = say("common.listed", language).join(counts)
+    return say("inventory_report.empty_cells", language, columns=listed) if counts else ""
+
+
+def first_of(items: Sequence[str], total: int, language: str) -> str:
+    """Return the first few of more items, as "2, 3, 4, …"."""
+    return (", " if language == "en" else "、").join([*items, "…"] if total > len(items) else items)
+
+
+def rows_told(found: Mapping[str, Any], language: str) -> str:
+    """Return how many rows have a finding in common, and which are the first of them."""
+    places = first_of([str(row["row"]) for row in found["first"]], found["rows"], language)
+    rows = counted_phrase(found["rows"], "row", "行")
+    return say("inventory_report.rows_alike", language, rows=rows, places=places)
+
+
+def reason_told(found: Mapping[str, Any], language: str) -> str:
+    """Return the reason of a finding; that of its first row as an example, where others differ from it."""
+    reason = found["reason" if language == "en" else "reason_ja"]
+    return reason if found["same"] else say("inventory_report.such_as", language, reason=reason)
+
+
+def impossible_told(facts: Mapping[str, Any], language: str) -> list[str]:
+    """Return which sets of measures cannot be put in place, in which rows, and why."""
+    return [
+        say(
+            "inventory_report.not_possible",
+            language,
+            name=measures_named(found["about"], language),
+            rows=rows_told(found, language),
+            reason=reason_told(found, language),
+        )
+        for found in facts["measures not possible"]
+    ]
 
 
 def share_told(value: float | None, language: str) -> str:
@@ -82,20 +124,22 @@ def measures_named(name: str, language: str) -> str:
     if language == "en":
         return name
     return "+".join(
-        say(MEASURES[part].label, language) if part in MEASURES else part for part in name.split("+")
+        say(MEASURES[part].label, language) if part in MEASURES else part
+        for part in map(str.strip, name.split("+"))
     )
 
 
-def read_as(how: str) -> Phrase:
-    """Return how a table was read, in both languages."""
-    encoding, _, between = how.partition(" with ")
+def read_as(facts: Mapping[str, Any]) -> Phrase:
+    """Return how a table was read, in both languages, and how many of its rows are empty."""
+    how: str | Phrase = facts["read as"]
+    encoding, _, between = facts["read as"].partition(" with ")
     if between in ("tabs", "semicolons"):
-        return phrase(f"inventory_report.with_{between}", encoding=encoding)
-    sheet = _SHEET.fullmatch(how)
-    if sheet is None:
-        return how, how
-    key = "sheet" if sheet["others"] is None else "sheet_of_several"
-    return phrase(f"inventory_report.{key}", **sheet.groupdict())
+        how = phrase(f"inventory_report.with_{between}", encoding=encoding)
+    elif sheet := _SHEET.fullmatch(facts["read as"]):
+        key = "sheet" if sheet["others"] is None else "sheet_of_several"
+        how = phrase(f"inventory_report.{key}", **sheet.groupdict())
+    empty = facts["empty rows"]
+    return phrase(f"inventory_report.{'and_empty' if empty else 'read_as'}", how=how, count=empty)
 
 
 def expected(total: Total, language: str) -> str:
@@ -159,9 +203,8 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
     language : str
         "en" or "ja".
     """
-    empty = phrase("inventory_report.empty_rows", count=facts["empty rows"]) if facts["empty rows"] else ""
-    rows, how = counted_phrase(facts["rows"], "row", "行"), read_as(facts["read as"])
-    read = say("inventory_report.read", language, rows=rows, how=how, empty=empty)
+    rows = counted_phrase(facts["rows"], "row", "行")
+    read = say("inventory_report.read", language, rows=rows, how=read_as(facts))
     if facts["columns not used"]:
         columns = ", ".join(facts["columns not used"])
         read += (" " if language == "en" else "") + say(
@@ -170,6 +213,8 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
     if facts["columns renamed"]:
         columns = ", ".join(facts["columns renamed"])
         read += (" " if language == "en" else "") + say("inventory_report.renamed", language, columns=columns)
+    if empty_cells := empty_told(facts, language):
+        read += (" " if language == "en" else "") + empty_cells
     told = [read, *(_scenario(scenario, language) for scenario in manifest["scenarios"])]
     choices = counted_phrase(facts["choices"], "combination", "通り")
     told.append(say("inventory_report.units", language, choices=choices, units=f"{facts['units']:,}"))
