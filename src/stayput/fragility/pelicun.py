@@ -94,7 +94,7 @@ def _points(curve: FragilityCurve, factor: float) -> str:
     """Return the points of a curve in pelicun's notation: intensities, a bar, shares that rise from 0 to 1.
 
     Pelicun's CDF is straight in the intensity, the curve in the logarithm of a peak, so it gets points
-    between the levels too. Pelicun keeps six digits of both and wants both to rise: the shares do, by 1e-6 at least.
+    between the levels too. Pelicun keeps six digits of both and wants both to rise: shares do, by 1e-6.
     """
     u, share = curve.rising.u, curve.rising.share
     parts = np.arange((len(u) - 1) * PARTS + 1) / PARTS
