@@ -15,6 +15,7 @@ import typer
 from typer.core import TyperGroup
 
 from stayput.catalogue import say
+from stayput.cli.interrupts import INTERRUPTED
 from stayput.cli.language import of_arguments
 from stayput.cli.streams import is_stream, standard_input
 from stayput.cli.usage import USAGE, misused
@@ -34,9 +35,6 @@ REFUSED = 2
 
 UNREAD = 141
 """Exit code where the reader of the output has gone, as of programs that the signal SIGPIPE ends."""
-
-INTERRUPTED = 130
-"""Exit code after Ctrl-C."""
 
 
 class CommandGroup(TyperGroup):
@@ -75,6 +73,8 @@ class CommandGroup(TyperGroup):
             raise self._refused(error) from None
         except USAGE as error:
             raise self._refused(misused(error)) from None
+        except KeyboardInterrupt:
+            raise self._interrupted() from None
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command; refused input ends it with `REFUSED`, Ctrl-C with `INTERRUPTED`.
@@ -107,8 +107,11 @@ class CommandGroup(TyperGroup):
                 raise self._refused(InputError("cli.long_name", file=file)) from None
             raise typer.Exit(_unwritten(error, self._language)) from None
         except KeyboardInterrupt:
-            typer.echo(say("cli.interrupted", self._language), err=True)
-            raise typer.Exit(INTERRUPTED) from None
+            raise self._interrupted() from None
+
+    def _interrupted(self) -> typer.Exit:
+        typer.echo(say("cli.interrupted", self._language), err=True)
+        return typer.Exit(INTERRUPTED)
 
     def _refused(self, error: InputError) -> typer.Exit:
         typer.echo(error.told(self._language), err=True)
