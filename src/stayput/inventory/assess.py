@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import time
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from os import PathLike
@@ -219,14 +219,11 @@ def assess(
             formats = ()  # then the reasons why no row is assessed matter, and not where pieces stand
         refuse_nowhere(formats, facts["with coordinates"])
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
-        store = Store(space.folder / "plan" / STORE, memory_bytes // 16)
-        try:
+        with closing(Store(space.folder / "plan" / STORE, memory_bytes // 16)) as store:
             work = Work(store, scenarios, space, plan, slide_limit=limit, floor_memory=memory_bytes // 8)
             started = time.perf_counter()
             _simulate(work, threads, scheduler, client, progress, say)
             simulating = time.perf_counter() - started
-        finally:
-            store.close()
         manifest = _manifest(scenarios, limit, work)
         _write(folder, space, plan, facts, manifest, work, progress)
         summary = _sum_up(folder, space, facts, manifest)
