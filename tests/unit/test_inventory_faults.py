@@ -17,6 +17,7 @@ from forks import start
 from inventories import city, digests, pieces, table
 
 import stayput as sp
+from stayput.execution import ThreadExecutor
 from stayput.inventory import assess
 from stayput.inventory.store import Store
 from stayput.inventory.work import Costs, Work
@@ -217,8 +218,10 @@ def test_two_commands_are_not_in_one_folder(inputs, done):
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, RuntimeError])
-@pytest.mark.parametrize("place", ["_store_outcome", "ground"])
-def test_what_reads_the_plan_is_closed_before_it(tmp_path, monkeypatch, error, place):
+@pytest.mark.parametrize(
+    ("kind", "place"), [(Work, "_store_outcome"), (ThreadExecutor, "_wait"), (ThreadExecutor, "_start")]
+)
+def test_what_reads_the_plan_is_closed_before_it(tmp_path, monkeypatch, error, kind, place):
     """However the work ends, and while its traceback still holds all that it was doing."""
     order: list[str] = []
     units_at, close = Store.units_at, Store.close
@@ -235,10 +238,10 @@ def test_what_reads_the_plan_is_closed_before_it(tmp_path, monkeypatch, error, p
             raise error
         return original(self, *arguments)
 
-    original = getattr(Work, place)
+    original = getattr(kind, place)
     monkeypatch.setattr(Store, "units_at", watched)
     monkeypatch.setattr(Store, "close", lambda self: (order.append("closed"), close(self))[1])
-    monkeypatch.setattr(Work, place, failing)
+    monkeypatch.setattr(kind, place, failing)
     monkeypatch.setattr(Costs, "wanted", lambda *_: 0.0)  # a task for each unit
     file = table(tmp_path, [f"p{n},,0.{n},1.8,50" for n in range(30, 70)], "id,preset,width,height,mass")
     order.clear()

@@ -188,7 +188,8 @@ class Store:
         with closing(self.base.cursor()) as cursor:
             yield from cursor.execute(
                 "SELECT units.id, units.option, things.spec "
-                "FROM units JOIN things ON things.id = units.thing WHERE units.site = ? ORDER BY units.option, units.thing",
+                "FROM units JOIN things ON things.id = units.thing "
+                "WHERE units.site = ? ORDER BY units.option, units.thing",
                 (site,),
             )
 
