@@ -15,13 +15,14 @@ EXTRAS := formats,app,inventory
 ALONE  := $(PYTHON) -c 'import fcntl, subprocess, sys; file = open("Makefile"); \
   fcntl.flock(file, fcntl.LOCK_EX); sys.exit(subprocess.call(sys.argv[1:]))'
 
-.PHONY: help install demo test coverage soak lint bench bench-app bench-inventory docs lock release-notes clean
+.PHONY: help install demo test coverage soak peers lint bench bench-app bench-inventory docs lock release-notes clean
 
 help:
 	@echo "make demo     which measure keeps a bookcase standing: the verdict, a report (out/)"
 	@echo "make test     every test"
 	@echo "make soak     input made to break what reads it, for MINUTES=10 or as long as asked"
 	@echo "make coverage every test, and which lines of Python and of the page they run (out/coverage)"
+	@echo "make peers    pelicun and OpenQuake read our fragility curves, in an environment of their own (out/peers)"
 	@echo "make lint     ruff, formatting, types"
 	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices, verifications, starts"
 	@echo "make bench-app, make bench-inventory   the server under load and the page in Chromium; tables of furniture"
@@ -105,6 +106,13 @@ $(STAMP)-core $(STAMP)-test $(STAMP)-lint $(STAMP)-docs: | $(VENV)/bin/python
 	@$(ALONE) sh -c "test -e $@ || { echo Installing into $(VENV) ...; \
 	  $(PIP) install --quiet --no-compile -c requirements.lock $(WHAT) && touch $@; }"
 	-@$(BIN)/python -m compileall -q -j 0 -x '/tests?/' $(VENV)/lib >/dev/null 2>&1
+
+# The dependency group says why they need an environment of their own.
+peers: | $(VENV)/.pip
+	$(PYTHON) -m venv out/peers
+	out/peers/bin/python -m pip install --quiet --upgrade "$(PIP_WITH_GROUPS)"
+	out/peers/bin/python -m pip install --quiet -e . --group peers
+	out/peers/bin/python -m pytest tests/validation/test_fragility_exports.py
 
 lock:
 	@set -e; dir=$$(mktemp -d); trap 'rm -rf "$$dir"' EXIT; \

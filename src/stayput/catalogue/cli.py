@@ -22,6 +22,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} and {other} are both -, standard input; one of them must be a file.",
         "{flag}と{other}がどちらも-（標準入力）になっています。一方にはファイルを指定してください。",
     ),
+    "input_unread": (
+        "{flag} is -, standard input, which could not be read: {reason}.",
+        "{flag}が-（標準入力）になっていますが、読み込めませんでした（{reason}）。",
+    ),
+    "input_too_large": (
+        "{flag} is -, standard input, which has more than {most:,} bytes; give a file.",
+        "{flag}が-（標準入力）になっていますが、{most:,}バイトを超えています。ファイルを指定してください。",
+    ),
+    "closed": ("it is closed", "閉じられています"),
     "output_twice": (
         "{flag} and {other} both go to standard output; one of them must go to a file, or be left out.",
         "{flag}と{other}の両方が標準出力に書き出されます。一方はファイルに書き出すか、省いてください。",

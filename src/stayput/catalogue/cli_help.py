@@ -53,13 +53,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "fragility": (
         (
             "Write the probability of overturning over the strength of the shaking.\n\n"
-            "The folder gets curves.csv and observed.csv, a figure, pelicun's file of those curves that a "
-            "lognormal fits and, where OpenQuake knows the measure, its NRML file. "
+            "The folder gets curves.csv and observed.csv, a figure, pelicun's file and, where OpenQuake "
+            "knows the measure, its NRML file. "
             "The curves are isotonic: no shape is assumed."
         ),
         (
             "揺れの強さに対する転倒確率（フラジリティ曲線）を書き出す\n\n"
-            "フォルダーには、curves.csvとobserved.csv、図、対数正規分布がよく合う曲線のpelicun用ファイル、"
+            "フォルダーには、curves.csvとobserved.csv、図、pelicun用ファイル、"
             "OpenQuakeが扱える強さの指標であればNRMLファイルができる。"
             "曲線は単調回帰で求め、形は仮定しない。"
         ),

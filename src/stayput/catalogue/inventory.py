@@ -20,8 +20,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_uncertainty": ("uncertainty of the shake map", "地震動マップの不確かさ"),
     "the_shake_map": ("shake map", "地震動マップ"),
     "not_a_file": (
-        "The inventory is {path}; it must be a file.",
-        "家具一覧が{path}になっています。ファイルを指定してください。",
+        "The {file} is {path}; it must be a file.",
+        "{file}が{path}になっています。ファイルを指定してください。",
     ),
     "a_data_frame": (
         "inventory is a {kind}; it must be a file: write it with to_parquet or to_csv first, and give that file.",

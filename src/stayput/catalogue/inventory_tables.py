@@ -143,6 +143,37 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The shake map's file is {path}; it must be a ShakeMap grid (XML): {reason}.",
         "地震動マップのファイル{path}は、ShakeMapのグリッド（XML）として読めません：{reason}。",
     ),
+    "grid_size": (
+        "it has {nlon} by {nlat} places; they must be 2 by 2 at least, and {most:,} at most",
+        "地点が{nlon}×{nlat}個あります。2×2個以上、合計{most:,}個以下にしてください",
+    ),
+    "grid_fields": ("it has more than {most} fields", "項目（grid_field）が{most}個を超えています"),
+    "grid_line": ("it has a line that does not end", "終わりのない行があります"),
+    "grid_numbers": ("its grid_data holds more than numbers", "grid_dataに数値でないものがあります"),
+    "grid_more": ("it has more numbers than places", "数値が地点の数より多くあります"),
+    "grid_whole": (
+        "its {name} is {value}; it must be a whole number of at most 9 digits",
+        "{name}が{value}になっています。9桁以下の整数にしてください",
+    ),
+    "grid_kind": (
+        "it must be a shakemap_grid with a grid_specification and the fields LON and LAT, each field once",
+        "grid_specificationと、LONとLATを含む重複しない項目のあるshakemap_gridにしてください",
+    ),
+    "grid_count": (
+        "it has {count} numbers; it must have {due}",
+        "数値が{count}個あります。必要な数は{due}個です",
+    ),
+    "grid_degrees": ("its places are no latitudes and longitudes", "地点が緯度と経度になっていません"),
+    "grid_irregular": ("its places are no regular grid", "地点が規則的な格子になっていません"),
+    "grid_doctype": (
+        "it declares a document type, which may hold anything",
+        "文書型宣言（DOCTYPE）があり、何が含まれるか分かりません",
+    ),
+    "grid_broken": ("{said}", "{said}"),
+    "large_map": (
+        "The shake map's file {path} has {size:,} bytes; it must have {most:,} at most.",
+        "地震動マップのファイル{path}は{size:,}バイトあります。最大{most:,}バイトです。",
+    ),
     "compressed": (
         "The shake map's file {path} is compressed; unpack it first and give what was in it, such as grid.xml.",
         "地震動マップのファイル{path}は圧縮されています。先に展開して、中のファイル（grid.xmlなど）を指定してください。",

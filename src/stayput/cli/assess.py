@@ -11,7 +11,7 @@ from stayput.catalogue import say
 from stayput.cli.flags import QuietOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note, print_json, tell_written
-from stayput.cli.streams import NAME, bytes_of_input, file_of, is_stream
+from stayput.cli.streams import NAME, file_of, is_stream, table_of_input
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -99,9 +99,8 @@ def assess(
 def _scenario_of_input() -> ScenarioFile:
     """Return the scenario on standard input; its paths begin in the working folder."""
     from stayput.inventory.scenarios import scenario_file_of
-    from stayput.scenario.toml import table_of_bytes
 
-    return scenario_file_of(table_of_bytes(bytes_of_input("--scenario"), Path(NAME)), Path(NAME))
+    return scenario_file_of(table_of_input("--scenario"), Path(NAME))
 
 
 def _record(assessment: Assessment) -> dict[str, object]:

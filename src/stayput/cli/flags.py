@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast
 
 import typer
 
-from stayput.cli.streams import NAME, bytes_of_input, called, file_of, is_stream
+from stayput.cli.streams import called, file_of, is_stream, table_of_input
 from stayput.errors import InputError, unknown
 from stayput.progress import keep_quiet
 
@@ -171,11 +171,9 @@ def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:
     A body of one's own does not stand before the example's wall.
     """
     if path is not None:
-        from stayput.scenario.toml import read_toml, table_of_bytes
+        from stayput.scenario.toml import read_toml
 
-        if is_stream(path):
-            return table_of_bytes(bytes_of_input("SCENARIO"), Path(NAME))
-        return read_toml(path)
+        return table_of_input("SCENARIO") if is_stream(path) else read_toml(path)
     return EXAMPLE if body is None else {"shaking": EXAMPLE["shaking"]}
 
 

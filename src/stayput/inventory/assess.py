@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import time
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from os import PathLike
@@ -27,6 +27,7 @@ from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
+from stayput.inventory.shakemap_grid import check_file
 from stayput.inventory.shakemaps import read_shakemap
 from stayput.inventory.store import Store
 from stayput.inventory.summary import COLUMNS, summarise
@@ -185,8 +186,6 @@ def assess(
         instance_of(name, path, (str, PathLike))
     instance_of("scenario", scenario, (str, PathLike, ScenarioFile))
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
-    if not table.is_file():
-        raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
     formats = formats_of(export)
     map_path = None if shakemap is None else Path(shakemap)
     scatter_path = None if uncertainty is None else Path(uncertainty)
@@ -220,14 +219,11 @@ def assess(
             formats = ()  # then the reasons why no row is assessed matter, and not where pieces stand
         refuse_nowhere(formats, facts["with coordinates"])
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
-        store = Store(space.folder / "plan" / STORE, memory_bytes // 16)
-        try:
+        with closing(Store(space.folder / "plan" / STORE, memory_bytes // 16)) as store:
             work = Work(store, scenarios, space, plan, slide_limit=limit, floor_memory=memory_bytes // 8)
             started = time.perf_counter()
             _simulate(work, threads, scheduler, client, progress, say)
             simulating = time.perf_counter() - started
-        finally:
-            store.close()
         manifest = _manifest(scenarios, limit, work)
         _write(folder, space, plan, facts, manifest, work, progress)
         summary = _sum_up(folder, space, facts, manifest)
@@ -265,6 +261,10 @@ def digest_of_inputs(inputs: dict[str, Any]) -> str:
 
 def _digest(name: str, path: Path) -> str:
     try:
+        if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
+            raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
+        if name != "inventory":
+            check_file(path)
         return digest_of(path)
     except OSError as error:
         reason = reason_of(error)

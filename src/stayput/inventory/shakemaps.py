@@ -14,7 +14,7 @@ from stayput.errors import InputError, reason_of, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.map_fields import field_of, field_of_grid
 from stayput.inventory.places import LIMITS, PLACE, ShakeMap, unwrapped
-from stayput.inventory.shakemap_grid import is_xml, read_grid, refuse_compressed
+from stayput.inventory.shakemap_grid import check_file, is_xml, read_grid
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -55,7 +55,7 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
     """
     try:
         for file in filter(None, (path, uncertainty)):
-            refuse_compressed(file)
+            check_file(file)
         if is_xml(path):
             return _of_grid(path, field, uncertainty)
         if uncertainty is not None:

@@ -233,7 +233,7 @@ class Work:
         if groups:
             yield task()
 
-    def _calls(self, width: Callable[[], int]) -> Iterator[Call[TaskOutcome]]:
+    def _calls(self, width: Callable[[], int]) -> Generator[Call[TaskOutcome]]:
         """Yield the tasks as calls; the motions of the ground and of a building's floors are made once."""
         grounds: dict[int, Shared[Ground]] = {}
         request: FloorRequest | None = None
@@ -269,7 +269,10 @@ class Work:
             saved_at = clock()
 
         try:
-            with closing(executor.as_completed(self._calls(executor.width))) as outcomes:
+            with (
+                closing(self._calls(executor.width)) as calls,
+                closing(executor.as_completed(calls)) as outcomes,
+            ):
                 for _, outcome in outcomes:
                     self._store_outcome(outcome, unsaved, advance)
                     if clock() - saved_at > SAVE_AFTER or sum(map(len, unsaved)) >= SAVE_UNITS:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.files import folder_draft
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
@@ -82,9 +82,8 @@ def write_curves(
         for curve, identifier in zip(several, identifiers(several) if several else (), strict=True)
         if re.search(r"_[0-9a-f]{8}$", identifier)
     ]
-    lognormals = [curve for curve in several if curve.lognormal is not None and curve.lognormal.fits]
-    if lognormals:
-        texts["pelicun.csv"] = pelicun_csv(lognormals)
+    if several:
+        texts["pelicun.csv"] = pelicun_csv(several)
     if several and in_openquake(measure) is None:
         left_out.append(say("report.no_nrml", language, measure=measure.key))
     elif several:
@@ -109,16 +108,16 @@ def _called(option: Option, verdict: Verdict, language: str) -> str:
 
 
 def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
-    """Return why a curve is not in the files for loss tools, or in one of them only; empty where it is."""
+    """Return why a curve is not in the files for loss tools, or there by its points; else nothing."""
     if curve.state is not CurveState.FITTED:
         return say("fragility.left_out_state", language, option=name, state=curve.state.phrase)
     if curve.one_motion:
         return say("fragility.left_out_one_motion", language, option=name)
-    if curve.lognormal is None:
-        return say("fragility.left_out_abrupt", language, option=name)
-    if curve.lognormal.fits:
+    lognormal, highest = curve.lognormal, curve.measure.text(curve.levels[-1].im)
+    if lognormal is not None and lognormal.fits:
         return ""
-    return say("fragility.left_out_misfit", language, option=name, why=curve.lognormal.texts)
+    why = phrase("fragility.no_lognormal") if lognormal is None else lognormal.texts
+    return say("fragility.by_points", language, option=name, highest=highest, why=why)
 
 
 def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> str:
