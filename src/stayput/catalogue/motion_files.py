@@ -32,11 +32,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "file_binary": (
         (
-            "The motion file {path!r} is binary; it must be text "
+            "The motion file {path!r} is binary; it must be text, SAC or miniSEED "
             "(read other formats with ObsPy and use Motion.from_obspy)."
         ),
         (
-            "「{path}」はテキストのファイルではありません。地震記録のテキストファイルを選んでください"
+            "「{path}」はテキスト、SAC、miniSEEDのいずれでもありません。地震記録のファイルを選んでください"
             "（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡してください）。"
         ),
     ),
@@ -155,10 +155,63 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The header has no {what}; it must state it.",
         "ヘッダーに{what}がありません。",
     ),
+    "decimal_comma": (
+        (
+            "Value {index} of {what} is {value}; it must be a finite decimal number with a point, unless "
+            "decimal_comma says that it has a comma."
+        ),
+        (
+            "{what}の{index}番目の値が{value}になっています。小数点には「.」を使うか、「,」であることを"
+            "decimal_commaで指定してください。"
+        ),
+    ),
+    # What the caller says of a file.
+    "columns_like": (
+        "{name} has {value}; it must be such as t=1,x=2 or t=time,x=NS,y=EW,z=UD: with x, and each once.",
+        "{name}に{value}があります。「t=1,x=2」や「t=time,x=NS,y=EW,z=UD」のように、xを含めて1回ずつ書いてください。",
+    ),
+    "no_such_column": (
+        "The columns have {role}={column}; it must be one column of the file, and no other's: {known}.",
+        "列の指定に{role}={column}がありますが、ファイルの1つの列に決まりません。次から1つずつ選んでください：{known}",
+    ),
+    "columns_left_out": (
+        "The columns {columns} are velocities or displacements and are left out; the accelerations are taken.",
+        "速度や変位の列「{columns}」は使いません。加速度の列だけを使います。",
+    ),
+    "not_of_format": (
+        "{name} is given and the file is {format}, which has no use for it; it must be left out.",
+        "{name}が指定されましたが、{format}のファイルには使えません。指定しないでください。",
+    ),
+    "all_skipped": (
+        "{name} is {count}; the file must have more lines.",
+        "{name}が{count}になっています。ファイルの行数より小さくしてください。",
+    ),
+    "component_and_columns": (
+        "The component is {component!r} beside columns, which say what x is; it must be one of the two.",
+        "xとする列がcolumnsで指定されているのに、成分「{component}」も指定されています。どちらか一方にしてください。",
+    ),
+    "no_obspy": (
+        "ObsPy is absent; it must be installed to read {format}: pip install obspy.",
+        "{format}を読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
+    ),
+    "seismogram_unread": (
+        "ObsPy cannot read the file ({reason}); it must be complete.",
+        "ObsPyでファイルを読み取れません（「{reason}」）。壊れていないファイルが必要です。",
+    ),
+    "borehole": (
+        "The sensor of {label!r} is in the borehole below the ground; a floor stands on the surface.",
+        "「{label}」は地中（ボアホール）の地震計の記録です。床の揺れには地表の記録を使ってください。",
+    ),
     # Columns of numbers.
     "column_count": (
-        "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z).",
-        "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）に対応しています。",
+        (
+            "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless columns "
+            "says which are these."
+        ),
+        (
+            "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、"
+            "どれがそれらの列かをcolumnsで指定してください。"
+        ),
     ),
     "column_row": (
         "Row {row} has {count} values; it must have {columns} like the first.",
@@ -325,10 +378,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "成分名に「{name}」があります。「NS」「EW」「UD」のいずれかでなければなりません。",
     ),
     # K-NET.
-    "knet_no_obspy": (
-        "ObsPy is absent; it must be installed to read K-NET ASCII: pip install obspy.",
-        "K-NET ASCIIを読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
-    ),
     "knet_header_unread": (
         "The header cannot be read ({reason}); it must be the 17 lines of the format.",
         "ヘッダーを読み取れません（「{reason}」）。形式どおりの17行が必要です。",

@@ -7,11 +7,20 @@ returns the file's channels in m/s². To add a format, write such a module and l
 from __future__ import annotations
 
 import re
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol, Unpack
 
-from stayput.errors import InputError, InputWarning, warn, warnings_to, within
+from stayput.errors import (
+    InputError,
+    InputWarning,
+    instance_of,
+    warn,
+    warnings_to,
+    whole_within,
+    within,
+)
 from stayput.motion.channels import (
     is_vertical,
     labels_phrase,
@@ -21,14 +30,16 @@ from stayput.motion.channels import (
     warn_of_vertical,
 )
 from stayput.motion.processing import STEP_RANGE
-from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer
+from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram
+from stayput.motion.readers.chosen import MOST_SKIPPED, ReadingOptions, chosen_columns
+from stayput.motion.readers.header import time_step
 from stayput.motion.readers.text import check_end, file_text
 from stayput.motion.record import Motion
 from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Generator, Mapping, Sequence
 
     from stayput.motion.channels import Channel
 
@@ -66,6 +77,10 @@ def read_motion(
     unit: str | None = None,
     *,
     dt: float | None = None,
+    columns: str | Mapping[str, str | int] | None = None,
+    skip_lines: int = 0,
+    decimal_comma: bool = False,
+    location: str | None = None,
 ) -> Motion:
     """Read a record in any of the formats of `READERS`, recognised by its content.
 
@@ -86,6 +101,15 @@ def read_motion(
         state it, and refused where it contradicts the file.
     dt : float, optional
         Time step [s]: likewise.
+    columns : str or mapping, optional
+        Of columns of numbers, which are the time and the components, by their headings or their places:
+        "t=time,x=acc_2,z=4" or ``{"t": 1, "x": 3}``; the others are not read. Without t, ``dt`` is given.
+    skip_lines : int
+        How many lines at the beginning of the file are passed over.
+    decimal_comma : bool
+        Whether the numbers have a comma in the place of the point.
+    location : str, optional
+        Of SAC and miniSEED, the code of the sensor where a station has several; "--" of none.
 
     Raises
     ------
@@ -97,7 +121,8 @@ def read_motion(
     InputWarning
         It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
         file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
-        floor, channels seem to be missing.
+        floor, channels seem to be missing, columns of other quantities are left out, the sensor is in a
+        borehole.
 
     Examples
     --------
@@ -107,27 +132,23 @@ def read_motion(
     4.0
     """
 
-    def asked(channels: Sequence[Channel]) -> str | None:
-        warn_of_vertical(channels, component)
-        if component is None:
-            _warn_of_name(path, channels)
-        return component
-
-    return _read(path, asked, unit, dt)
+    options = ReadingOptions(
+        dt=dt, columns=columns, skip_lines=skip_lines, decimal_comma=decimal_comma, location=location
+    )
+    return motion_of([read_file(path, unit, **options)], _along(component, warn_of_vertical))
 
 
 def read_shaking(
     path: str | os.PathLike[str],
     component: str | None = None,
     unit: str | None = None,
-    *,
-    dt: float | None = None,
+    **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a record that shakes furniture sideways: a vertical channel is not taken for a horizontal one.
 
     Parameters
     ----------
-    path, component, unit, dt
+    path, component, unit, options
         As for `read_motion`.
 
     Raises
@@ -135,24 +156,17 @@ def read_shaking(
     InputError
         Likewise; or ``component`` names a vertical channel of a file that has horizontal ones.
     """
-
-    def asked(channels: Sequence[Channel]) -> str | None:
-        refuse_vertical(channels, component)
-        if component is None:
-            _warn_of_name(path, channels)
-        return component
-
-    return _read(path, asked, unit, dt)
+    return motion_of([read_file(path, unit, **options)], _along(component, refuse_vertical))
 
 
 def read_vertical(
-    path: str | os.PathLike[str], unit: str | None = None, *, dt: float | None = None
+    path: str | os.PathLike[str], unit: str | None = None, **options: Unpack[ReadingOptions]
 ) -> Motion:
     """Read a file's vertical channel, or its only one where its direction is not stated, as x of a motion.
 
     Parameters
     ----------
-    path, unit, dt
+    path, unit, options
         As for `read_motion`.
 
     Raises
@@ -160,12 +174,26 @@ def read_vertical(
     InputError
         Likewise; or there is no vertical channel, or more than one.
     """
-    return _read(path, _vertical_of, unit, dt)
+    return motion_of([read_file(path, unit, **options)], _vertical_of)
+
+
+def _along(
+    component: str | None, look_at: Callable[[Sequence[Channel], str | None], None]
+) -> Callable[[Sequence[Channel]], str | None]:
+    """Return what names the channel along the shaking, after a look whether it is a vertical one."""
+
+    def named(channels: Sequence[Channel]) -> str | None:
+        if component is not None and channels[0].role:
+            raise InputError("motion.component_and_columns", "component", component=component)
+        look_at(channels, component)
+        return component
+
+    return named
 
 
 def _vertical_of(channels: Sequence[Channel]) -> str:
-    upright = [i for i, channel in enumerate(channels, start=1) if is_vertical(channel.label)]
-    if len(channels) == 1 and not channels[0].label:
+    upright = [i for i, channel in enumerate(channels, 1) if channel.role == "z" or is_vertical(channel.label)]
+    if len(channels) == 1 and (channels[0].role or not channels[0].label):
         upright = [1]
     if len(upright) != 1:
         labels = labels_phrase([channel.label for channel in channels])
@@ -180,33 +208,113 @@ def _warn_of_name(path: str | os.PathLike[str], channels: Sequence[Channel]) -> 
         warn(InputWarning("motion.vertical_by_name", "component", ending=ending[0]))
 
 
-def _read(
-    path: str | os.PathLike[str],
-    choose: Callable[[Sequence[Channel]], str | None],
-    unit: str | None,
-    dt: float | None,
-) -> Motion:
+class ReadFile(NamedTuple):
+    """A file of a record.
+
+    Attributes
+    ----------
+    path : Path
+        Where it is.
+    form : str
+        Name of its format.
+    channels : list of Channel
+        What it holds.
+    warnings : list of InputWarning
+        What is doubtful about it.
+    synthetic : bool
+        Whether it says that it was computed.
+    """
+
+    path: Path
+    form: str
+    channels: list[Channel]
+    warnings: list[InputWarning]
+    synthetic: bool
+
+    @contextmanager
+    def naming(self) -> Generator[None]:
+        """Refuse with the file's name, and keep the warnings until a motion is made of it."""
+        title = f"{self.path.name} ({self.form})"
+        try:
+            with warnings_to(lambda warning: self.warnings.append(warning.at(title))):
+                yield
+        except InputError as error:
+            raise error.at(title) from None
+
+
+def read_file(
+    path: str | os.PathLike[str], unit: str | None = None, **options: Unpack[ReadingOptions]
+) -> ReadFile:
+    """Read a file's channels; arguments and errors as for `read_motion`."""
+    dt, location = options.get("dt"), options.get("location")
+    comma = instance_of("decimal_comma", options.get("decimal_comma", False), bool)
+    skipped = whole_within("skip_lines", options.get("skip_lines", 0), 0, MOST_SKIPPED, field="skip_lines")
+    chosen = chosen_columns(options.get("columns"))
     if unit is not None:
         unit_factor(unit)
     if dt is not None:
         within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
-    text = file_text(path)
-    reader = next((reader for reader in READERS if reader.recognise(text)), None)
-    if reader is None:
-        formats = ", ".join(r.FORMAT for r in READERS)
-        raise InputError("motion.unknown_format", path=str(path), formats=formats)
-    title = f"{Path(path).name} ({reader.FORMAT})"
-    warnings: list[InputWarning] = []
-    try:
-        with warnings_to(warnings.append):
+    if location is not None:
+        instance_of("location", location, str)
+    binary = seismogram.format_of(path)
+    if binary is not None:
+        form, text = seismogram.FORMATS[binary], ""
+        unused = {"columns": chosen, "skip_lines": skipped, "decimal_comma": comma}
+    else:
+        text = _without_lines(file_text(path), skipped)
+        text = text.replace(",", ".") if comma else text
+        reader = columns if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
+        if reader is None:
+            formats = ", ".join((*(r.FORMAT for r in READERS), *seismogram.FORMATS.values()))
+            raise InputError("motion.unknown_format", path=str(path), formats=formats)
+        form, unused = reader.FORMAT, {"location": location}
+    file = ReadFile(Path(path), form, [], [], "synthetic" in text[:_HEAD].lower())
+    with file.naming():
+        for name in (name for name, value in unused.items() if value):
+            raise InputError("motion.not_of_format", name, name=name, format=form)
+        if binary is not None:
+            file.channels.extend(seismogram.read(path, binary, unit, location))
+            for channel in file.channels:
+                time_step(channel.dt, dt)
+        else:
             check_end(text)
-            channels = reader.read(text, unit, dt)
-            fields = motion_fields(channels, choose(channels), reader.FORMAT, name=Path(path).stem)
-            motion = Motion(**fields)
-    except InputError as error:
-        raise error.at(title) from None
-    if motion.floor:
-        warnings.append(upper_floor_warning(motion.floor))
-    for warning in warnings:
-        warn(warning.at(title))
-    return replace(motion, synthetic="synthetic" in text[:_HEAD].lower())
+            file.channels.extend(
+                columns.read(text, unit, dt, chosen) if chosen else reader.read(text, unit, dt)
+            )
+    return file
+
+
+def _without_lines(text: str, count: int) -> str:
+    lines = text.split("\n", count)
+    if len(lines) <= count or not lines[-1].strip():
+        raise InputError("motion.all_skipped", "skip_lines", name="skip_lines", count=count)
+    return lines[-1]
+
+
+def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], str | None]) -> Motion:
+    """Return the motion that the channels of files make, which belong to one record.
+
+    Parameters
+    ----------
+    files : sequence of ReadFile
+        The files.
+    choose : callable
+        Returns which channel becomes x, or None where it is not said.
+
+    Raises
+    ------
+    InputError
+        As for `motion_fields`.
+    """
+    first = files[0]
+    channels = [channel for file in files for channel in file.channels]
+    with first.naming():
+        component = choose(channels)
+        if component is None and len(files) == 1:
+            _warn_of_name(first.path, channels)
+        motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
+        if motion.floor:
+            warn(upper_floor_warning(motion.floor))
+    for warning in (warning for file in files for warning in file.warnings):
+        warn(warning)
+    return replace(motion, synthetic=any(file.synthetic for file in files))

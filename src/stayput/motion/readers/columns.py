@@ -1,6 +1,7 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
-One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z. Lines that begin
+One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z; or ``columns`` says
+which are these. Columns headed as velocities or displacements are left out beside accelerations. Lines that begin
 with "#", "%" or "//" are comments. One line of headings may stand above the numbers: the column that is
 headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A comment that says
 "unit: m/s²" states the unit, and each heading that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the
@@ -13,14 +14,23 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, without_control
-from stayput.motion.channels import Channel
+from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
+from stayput.motion.channels import Channel, is_direction, labels_phrase
+from stayput.motion.readers.chosen import places_of
 from stayput.motion.readers.fields import Numbers
 from stayput.motion.readers.header import regular_step, stated_unit, time_step
-from stayput.motion.readers.headings import are_headings, column_factors, read_headings, split
+from stayput.motion.readers.headings import (
+    are_headings,
+    column_factors,
+    other_quantities,
+    read_headings,
+    split,
+)
 from stayput.motion.readers.text import chunks
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     import numpy as np
     from numpy.typing import NDArray
 
@@ -63,8 +73,11 @@ def recognise(text: str) -> bool:
     return any(_STARTS.match(line) for line in _head(text).content)
 
 
-def _table(text: str, named: bool) -> NDArray[np.float64]:
-    """Return the numbers, shape (rows, columns); the first line is passed over where it has the names."""
+def _table(text: str, named: bool, places: Sequence[int]) -> NDArray[np.float64]:
+    """Return the numbers of the columns at some places, shape (rows, columns).
+
+    The first line is passed over where it has the names.
+    """
     table, count, row = Numbers("the_numbers"), 0, 0
     for chunk in chunks(text):
         tokens: list[str] = []
@@ -76,19 +89,27 @@ def _table(text: str, named: bool) -> NDArray[np.float64]:
                 continue
             values = split(line)
             row, count = row + 1, count or len(values)
-            if count not in _LABELS:
-                raise InputError("motion.column_count", columns=count)
+            as_they_stand = places == range(count)
             if len(values) != count:
                 raise InputError("motion.column_row", row=row, count=len(values), columns=count)
-            tokens += values
+            tokens += values if as_they_stand else [values[place] for place in places]
         table.add(tokens)
     if not count:
         raise InputError("motion.column_no_rows")
-    return table.array().reshape(-1, count)
+    return table.array().reshape(-1, len(places))
 
 
-def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
-    """Return the channels: one, or three.
+def read(
+    text: str, unit: str | None, dt: float | None, chosen: Mapping[str, str] | None = None
+) -> list[Channel]:
+    """Return the channels: one, or three; or those that are chosen.
+
+    Parameters
+    ----------
+    text, unit, dt
+        As for every reader.
+    chosen : mapping of str to str, optional
+        Which columns to take; see `chosen_columns`. The others may hold anything.
 
     Raises
     ------
@@ -96,32 +117,69 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         No unit or time step, another number of columns, an incomplete row, irregular sampling.
     """
     head = _head(text)
-    named = bool(head.content) and are_headings(head.content[0])
-    above = head.comments + head.content[:1] if named else head.comments
-    table = _table(text, named)
-    count = table.shape[1]
+    first = "".join(head.content[:1])
+    named = are_headings(first) if first else False
+    named = named or (bool(chosen) and first != "" and not _STARTS.match(first))
+    above = [*head.comments, first] if named else head.comments
     line = above[-1].lstrip("#%/ ") if above else ""
-    headings = read_headings(line, count, None if named else "".join(head.content[:1]))
+    row = "".join(head.content[1:]) if named else first
+    count = len(split(row)) if row else 0
+    roles = list(chosen or ())
+    places: Sequence[int] = range(count)
+    if chosen:
+        written = split(line) if len(split(line)) == count else []
+        places = places_of(chosen, written, count)
+        # Where no column is the time, one more heading stands for it.
+        texts = [*(["t"] if "t" not in chosen else []), *(written[place] for place in places if written)]
+        headings = read_headings("".join(f"{text};" for text in texts), len({"t", *chosen}), None)
+        if headings.time:
+            raise InputError("motion.column_no_time", column=excerpt(headings.texts[0]))
+    else:
+        headings = read_headings(line, count, None if named else row)
+        if others := other_quantities(headings):
+            left_out = labels_phrase(headings.texts[place] for place in others)
+            warn(InputWarning("motion.columns_left_out", "columns", columns=left_out))
+            places = [place for place in places if place not in others]
+            headings = headings.at(places)
+        of_directions = all(is_direction(name) for i, name in enumerate(headings.names) if i != headings.time)
+        if count and len(places) not in _LABELS and not (headings.names and of_directions):
+            raise InputError("motion.column_count", columns=len(places))
+    table = _table(text, named, places)
     stated = next(filter(None, map(stated_unit, head.comments)), None)
     place = " ".join(above)
-    step_missing = count == 1 and dt is None
-    factors = column_factors(headings, count, stated, unit, "\n".join(above), step_missing=step_missing)
+    timeless = "t" not in roles if chosen else len(places) == 1
+    shift = 1 if chosen and timeless else 0
+    step_missing = timeless and dt is None
+    factors = column_factors(
+        headings, len(places) + shift, stated, unit, "\n".join(above), step_missing=step_missing
+    )[shift:]
     if len(table) < 2:
         raise InputError("motion.column_one_row")
-    if count == 1:
-        # Some files begin with the number of samples: nearly as large as the number of lines, and no sample.
-        if len(table) > 10 and 1 <= len(table) - table[0, 0] <= 2:
-            raise InputError("motion.column_count_first", number=float(table[0, 0]))
-        return [Channel("", factors[0] * table[:, 0], time_step(None, dt), location=place)]
-    labels = headings.names or _LABELS[count]
-    time = headings.time or 0
-    step = regular_step(headings.time_factor * table[:, time])
-    # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
-    if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
-        raise InputError("motion.time_column_step", "dt", given=dt, step=step)
-    step = time_step(step if dt is None else dt, None)
+    # Some files begin with the number of samples: nearly as large as the number of lines, and no sample.
+    if timeless and len(table) > 10 and 1 <= len(table) - table[0, 0] <= 2:
+        raise InputError("motion.column_count_first", number=float(table[0, 0]))
+    time = None if timeless else headings.time or 0
+    if time is None:
+        step = time_step(None, dt)
+    else:
+        step = regular_step(headings.time_factor * table[:, time])
+        # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
+        if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
+            raise InputError("motion.time_column_step", "dt", given=dt, step=step)
+        step = time_step(step if dt is None else dt, None)
+    if chosen:
+        labels = headings.names[shift:] or [""] * len(places)
+    else:
+        labels = [""] if timeless else headings.names or _LABELS[len(places)]
     return [
-        Channel(label, factors[i] * table[:, i], step, location=place)
+        Channel(
+            label,
+            factors[i] * table[:, i],
+            step,
+            location=place,
+            role=roles[i] if chosen else "",
+            note=f", column {places[i] + 1}" if chosen else "",
+        )
         for i, label in enumerate(labels)
         if i != time
     ]

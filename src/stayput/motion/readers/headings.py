@@ -78,6 +78,12 @@ class Headings(NamedTuple):
     time_factor: float = 1.0
     names: tuple[str, ...] = ()
 
+    def at(self, places: Sequence[int]) -> Headings:
+        """Return the headings of the columns at some places, of which one is the time."""
+        names = tuple(self.names[place] for place in places) if self.names else ()
+        time = None if self.time is None else places.index(self.time)
+        return Headings(tuple(self.texts[place] for place in places), time, self.time_factor, names)
+
 
 def split(line: str) -> list[str]:
     """Return the fields of a line of columns."""
@@ -187,6 +193,19 @@ def _quantity(text: str) -> str | None:
     if _VELOCITY.search(text):
         return "velocity"
     return "displacement" if _DISPLACEMENT.search(text) else None
+
+
+def other_quantities(headings: Headings) -> list[int]:
+    """Return the places of velocities and displacements, where another column is an acceleration."""
+    columns = {i: text for i, text in enumerate(headings.texts) if i != headings.time}
+    bare = {i: re.split(r"[(\[]", text)[0].strip().lower() for i, text in columns.items()}
+    of_letters = {"v", "d"} if {"a", "v", "d"} <= set(bare.values()) else set[str]()
+    others = [
+        i
+        for i, text in columns.items()
+        if bare[i] in of_letters or (mentioned_unit(text) is None and _quantity(text) is not None)
+    ]
+    return others if len(others) < len(columns) else []
 
 
 def column_factors(

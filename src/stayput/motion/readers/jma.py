@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 FORMAT = "JMA CSV"
 
 _RATE = re.compile(r"SAMPLING +(?:RATE|FREQ)", re.IGNORECASE)
+_START = re.compile("INITIAL TIME", re.IGNORECASE)
 _UNIT = re.compile("UNIT$", re.IGNORECASE)
 _DIRECTIONS = {"NS", "EW", "UD"}
 _HEADER_LINES = 12
@@ -106,4 +107,8 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     samples = factor * _rows(text, start, len(labels))
     site = header[0].partition("=")[2].split(",")[0].strip() if header else ""
     step = time_step(1.0 / rate, dt)
-    return [Channel(name, samples[:, i], step, site, location=site) for i, name in enumerate(labels)]
+    origin = f"{site}, {_entry(header, _START) or ''}"
+    return [
+        Channel(name, samples[:, i], step, site, location=site, origin=origin)
+        for i, name in enumerate(labels)
+    ]
