@@ -1,4 +1,4 @@
-"""CSV that is safe to open in a spreadsheet, which runs a text that looks like a formula; names of columns."""
+"""CSV that is safe to open in a spreadsheet, which runs texts that look like formulas; names of columns."""
 
 from __future__ import annotations
 

@@ -221,7 +221,9 @@ def test_velocity_and_displacement_are_never_read_as_acceleration(read, heading,
 )
 def test_velocity_and_displacement_beside_the_acceleration_are_left_out_and_told(read, names):
     mark = next(mark for mark in ";\t," if mark in names)
-    place = [re.match("a|加", name.strip(), re.IGNORECASE) is not None for name in names.split(mark)].index(True)
+    place = [re.match("a|加", name.strip(), re.IGNORECASE) is not None for name in names.split(mark)].index(
+        True
+    )
     rows = "".join(f"{mark.join(row)}\n" for row in (["0.00", *"123"], ["0.01", *"456"], ["0.02", *"789"]))
     with pytest.warns(InputWarning, match="velocities or displacements and are left out") as told:
         motion = read(f"{names}\n{rows}", unit="m/s²")

@@ -385,6 +385,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The suite {name!r} has no files; it must have at least one record.",
         "「{name}」にファイルがありません。地震記録が1つ以上必要です。",
     ),
+    "suite_left_out": (
+        "Of the folder {name!r} these files are left out: {files}.",
+        "フォルダ「{name}」の次のファイルは使いません：{files}。",
+    ),
+    "no_acceleration": ("{files}{more} (no acceleration)", "{files}{more}（加速度ではない）"),
+    "in_borehole": ("{files}{more} (borehole)", "{files}{more}（地中の記録）"),
+    "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
+    "and_more": (" and {count} more", "など（ほか{count}件）"),
     "unknown_family": (
         "The family is {family!r}; it must be one of {known}.",
         "地震の種類が「{family}」になっています。次のいずれかにしてください：{known}",

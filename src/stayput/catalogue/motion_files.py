@@ -187,8 +187,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{count}になっています。ファイルの行数より小さくしてください。",
     ),
     "component_and_columns": (
-        "The component is {component!r} beside columns, which say what x is; it must be one of the two.",
-        "xとする列がcolumnsで指定されているのに、成分「{component}」も指定されています。どちらか一方にしてください。",
+        "{name} is {component!r} beside {other}, which says what x is; it must be one of the two.",
+        "xとする列が{other}で指定されているのに、{name}も「{component}」になっています。どちらか一方にしてください。",
     ),
     "no_obspy": (
         "ObsPy is absent; it must be installed to read {format}: pip install obspy.",

@@ -9,7 +9,7 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.completion import structures, words
-from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.flags import QuietOption, Reading, motion_of, reads_records
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import folded, print_json, tell_written
 from stayput.cli.shaking import (
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from stayput.building.response import FloorResponse
 
 
+@reads_records
 def building(
     storeys: Annotated[int, typer.Option(help="cli_help.storeys")] = 10,
     structure: Annotated[
@@ -51,9 +52,8 @@ def building(
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: Reading,
     intensity: IntensityOption = None,
     pga: PgaOption = None,
     pgv: PgvOption = None,
@@ -101,9 +101,7 @@ def building(
             named,
             y=y,
             z=z,
-            component=component,
-            unit=unit,
-            dt=dt,
+            reading=reading,
             **strength,
         )
     )

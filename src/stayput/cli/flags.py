@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast
 
@@ -12,7 +14,7 @@ from stayput.errors import InputError, unknown
 from stayput.progress import keep_quiet
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from stayput.measures import Measure
     from stayput.motion import Motion
@@ -35,9 +37,19 @@ MotionArgument: TypeAlias = Annotated[
         show_default=False,
     ),
 ]
-ComponentOption: TypeAlias = Annotated[str | None, typer.Option("--component", help="cli_help.component")]
-UnitOption: TypeAlias = Annotated[str | None, typer.Option("--unit", help="cli_help.unit")]
-TimeStepOption: TypeAlias = Annotated[float | None, typer.Option("--dt", help="cli_help.dt")]
+RECORD_FLAGS: dict[str, Any] = {
+    "component": Annotated[str | None, typer.Option("--component", help="cli_help.component")],
+    "unit": Annotated[str | None, typer.Option("--unit", help="cli_help.unit")],
+    "dt": Annotated[float | None, typer.Option("--dt", help="cli_help.dt")],
+    "columns": Annotated[
+        str | None, typer.Option("--columns", metavar="t=COLUMN,x=COLUMN,…", help="cli_help.record_columns")
+    ],
+    "skip_lines": Annotated[int | None, typer.Option("--skip-lines", help="cli_help.skip_lines")],
+    "decimal_comma": Annotated[bool, typer.Option("--decimal-comma", help="cli_help.decimal_comma")],
+    "location": Annotated[str | None, typer.Option("--location", help="cli_help.location")],
+}
+"""The flags that say how a record is read, by the keys of a shaking table that they set."""
+
 ThreadsOption: TypeAlias = Annotated[int | None, typer.Option("--threads", help="cli_help.threads")]
 QuietOption: TypeAlias = Annotated[
     bool,
@@ -56,6 +68,37 @@ EveryRunOption: TypeAlias = Annotated[
         help="cli_help.every_run",
     ),
 ]
+
+
+Reading: TypeAlias = dict[str, Any]
+"""What flags say of how a record is read: keys of a shaking table."""
+
+
+def reads_records(command: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the flags of `RECORD_FLAGS` in the place of its keyword ``reading``.
+
+    There it is given what they say: keys of a shaking table.
+    """
+    signature = inspect.signature(command, eval_str=True)
+    parameters: list[inspect.Parameter] = []
+    for parameter in signature.parameters.values():
+        if parameter.name != "reading":
+            parameters.append(parameter)
+            continue
+        parameters += [
+            parameter.replace(name=name, annotation=kind, default=False if name == "decimal_comma" else None)
+            for name, kind in RECORD_FLAGS.items()
+        ]
+
+    @wraps(command)
+    def run(**given: Any) -> None:
+        flags = {name: given.pop(name) for name in RECORD_FLAGS}
+        said = {name: value for name, value in flags.items() if value is not None and value is not False}
+        command(**given, reading={name: as_written(value) for name, value in said.items()})
+
+    cast("Any", run).__signature__ = signature.replace(parameters=parameters)
+    return run
+
 
 _MOST_DIGITS = 1e15
 """Numbers from this on are written with a point."""
@@ -267,9 +310,7 @@ def motion_of(
     *,
     y: str | None,
     z: str | None,
-    component: str | None,
-    unit: str | None,
-    dt: float | None,
+    reading: Reading,
     **strength: Any,
 ) -> Motion:
     """Return the motion of a text as of ``--motion``, and of what is said of its record and its strength.
@@ -282,12 +323,8 @@ def motion_of(
         The flag or argument that it is of.
     y, z : str, optional
         The files of the components across and up.
-    component : str, optional
-        The channel along the shaking.
-    unit : str, optional
-        The record's unit.
-    dt : float, optional
-        Its time step [s].
+    reading : Reading
+        How its record is read.
     strength
         Keys of a shaking table that say how strong it is; None where one is not given.
 
@@ -298,11 +335,10 @@ def motion_of(
     """
     from stayput.scenario import Scenario
 
-    fields = {"component": component, "unit": unit, "dt": dt, **strength}
-    stated = {key: as_written(value) for key, value in fields.items() if value is not None}
+    stated = {key: as_written(value) for key, value in strength.items() if value is not None}
     text = file_of(text, flag)
     table = shaking_table(text)
-    scenario = Scenario.parse({**EXAMPLE, "shaking": {**table, **stated, **beside(y, z, table)}})
+    scenario = Scenario.parse({**EXAMPLE, "shaking": {**table, **reading, **stated, **beside(y, z, table)}})
     return scenario.shaking.motion(Path())
 
 

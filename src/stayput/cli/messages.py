@@ -121,6 +121,9 @@ _IN_FLAGS = {
     "motion.no_unit_nor_step": "cli.no_unit_nor_step",
     "motion.no_time_step": "cli.no_time_step",
     "motion.vertical_alone": "cli.vertical_alone",
+    "motion.decimal_comma": "cli.decimal_comma",
+    "motion.column_count": "cli.column_count",
+    "motion.several_locations": "cli.several_locations",
 }
 """Sentences about records, and those that name the flags to give."""
 

@@ -25,6 +25,7 @@ from stayput.errors import InputError, InputWarning, warn
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from stayput.cli.flags import Reading
     from stayput.scenario import AssemblyScenario, Scenario
 
 MotionOption: TypeAlias = Annotated[
@@ -117,9 +118,7 @@ def shaken(
     x: str | None,
     y: str | None,
     z: str | None,
-    component: str | None,
-    unit: str | None,
-    dt: float | None,
+    reading: Reading,
     scale: float | None,
     intensity: str | None,
     pga: float | None,
@@ -139,8 +138,10 @@ def shaken(
         The tables.
     path : Path, optional
         The scenario's file.
-    motion, x, y, z, component, unit, dt
-        The flags of the motion and its records; None where one is not given.
+    motion, x, y, z
+        The flags of the motion; None where one is not given.
+    reading : Reading
+        How its record is read.
     scale, intensity, pga, pgv, sa, mmi, earthquake, building, storey, vertical
         The other flags; likewise. ``motion`` and ``x`` replace the whole table; ``scale`` and each strength
         replace the scale and the strengths of the file.
@@ -155,16 +156,13 @@ def shaken(
     if z is not None and vertical is False:
         raise InputError("cli.no_vertical_file", "--z", value=repr(z))
     flags = {
-        "component": component,
-        "unit": unit,
-        "dt": dt,
         "scale": scale,
         **strength,
         "building": None if building is None else building_table(building),
         "storey": storey,
         "vertical": vertical,
     }
-    stated = {key: as_written(value) for key, value in flags.items() if value is not None}
+    stated = reading | {key: as_written(value) for key, value in flags.items() if value is not None}
     if motion is None and not stated and y is None and z is None:
         return dict(tables)
     given = table_of(tables, "shaking")

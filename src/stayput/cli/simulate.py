@@ -11,14 +11,13 @@ import typer
 from stayput.catalogue import LANGUAGES, say
 from stayput.cli.completion import measures, surfaces, words
 from stayput.cli.flags import (
-    ComponentOption,
     QuietOption,
-    TimeStepOption,
-    UnitOption,
+    Reading,
     chosen_measures,
     inputs_of,
     overlaid,
     parsed,
+    reads_records,
     scenario_data,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
@@ -53,6 +52,7 @@ if TYPE_CHECKING:
     from stayput.simulation.space_run import SpaceRun
 
 
+@reads_records
 def simulate(
     scenario: Annotated[
         Path | None,
@@ -70,9 +70,8 @@ def simulate(
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: Reading,
     scale: ScaleOption = None,
     intensity: IntensityOption = None,
     pga: PgaOption = None,
@@ -162,9 +161,7 @@ def simulate(
         x=x,
         y=y,
         z=z,
-        component=component,
-        unit=unit,
-        dt=dt,
+        reading=reading,
         scale=scale,
         intensity=intensity,
         pga=pga,

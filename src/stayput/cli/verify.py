@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.cli.flags import (
-    ComponentOption,
     EveryRunOption,
     QuietOption,
+    Reading,
     ThreadsOption,
-    TimeStepOption,
-    UnitOption,
     inputs_of,
     parsed,
+    reads_records,
     scenario_data,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
@@ -55,6 +54,7 @@ if TYPE_CHECKING:
     from stayput.verification import AssemblyVerdict, Verdict
 
 
+@reads_records
 def verify(
     scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="cli_help.scenario")],
     report: Annotated[
@@ -79,9 +79,8 @@ def verify(
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: Reading,
     scale: ScaleOption = None,
     intensity: IntensityOption = None,
     pga: PgaOption = None,
@@ -126,9 +125,7 @@ def verify(
         x=x,
         y=y,
         z=z,
-        component=component,
-        unit=unit,
-        dt=dt,
+        reading=reading,
         scale=scale,
         intensity=intensity,
         pga=pga,

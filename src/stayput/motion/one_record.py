@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import combinations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -54,7 +54,7 @@ def _check_origins(first: str, a: Listing, second: str, b: Listing) -> None:
         return
     # A title in which no direction was found may have it among its words, and so differ.
     if one and other and a.label and b.label:
-        about = {"one": excerpt(one), "other": excerpt(other)}
+        about: dict[str, Any] = {"one": excerpt(one), "other": excerpt(other)}
         raise InputError("motion.two_records", second, first=first, second=second, **about)
     warn(InputWarning("motion.origin_unstated", second, first=first, second=second))
 
@@ -64,10 +64,10 @@ def _check_directions(first: str, label: str, second: str, other: str) -> None:
     for component, axis, said in zip((first, second), axes, (label, other), strict=True):
         if axis is not None and (axis == "up") != (component == "z"):
             wanted = phrase(f"motion.{'vertical' if component == 'z' else 'horizontal'}")
-            about = {"label": excerpt(said), "wanted": wanted}
+            about: dict[str, Any] = {"label": excerpt(said), "wanted": wanted}
             raise InputError("motion.wrong_axis", component, component=component, **about)
     if axes[0] is not None and axes[0] == axes[1]:
-        labels = {"one": excerpt(label), "other": excerpt(other)}
+        labels: dict[str, Any] = {"one": excerpt(label), "other": excerpt(other)}
         raise InputError("motion.one_direction", second, first=first, second=second, **labels)
 
 

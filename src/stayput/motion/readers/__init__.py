@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, Protocol, Unpack
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Unpack
 
 from stayput.errors import (
     InputError,
@@ -32,7 +33,6 @@ from stayput.motion.channels import (
 from stayput.motion.processing import STEP_RANGE
 from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram
 from stayput.motion.readers.chosen import MOST_SKIPPED, ReadingOptions, chosen_columns
-from stayput.motion.readers.header import time_step
 from stayput.motion.readers.text import check_end, file_text
 from stayput.motion.record import Motion
 from stayput.motion.units import unit_factor
@@ -131,11 +131,10 @@ def read_motion(
     >>> sp.read_motion(path).pga
     4.0
     """
-
     options = ReadingOptions(
         dt=dt, columns=columns, skip_lines=skip_lines, decimal_comma=decimal_comma, location=location
     )
-    return motion_of([read_file(path, unit, **options)], _along(component, warn_of_vertical))
+    return motion_of([read_file(path, unit, **options)], along(component, warn_of_vertical))
 
 
 def read_shaking(
@@ -156,7 +155,7 @@ def read_shaking(
     InputError
         Likewise; or ``component`` names a vertical channel of a file that has horizontal ones.
     """
-    return motion_of([read_file(path, unit, **options)], _along(component, refuse_vertical))
+    return motion_of([read_file(path, unit, **options)], along(component, refuse_vertical))
 
 
 def read_vertical(
@@ -177,14 +176,23 @@ def read_vertical(
     return motion_of([read_file(path, unit, **options)], _vertical_of)
 
 
-def _along(
+def along(
     component: str | None, look_at: Callable[[Sequence[Channel], str | None], None]
 ) -> Callable[[Sequence[Channel]], str | None]:
-    """Return what names the channel along the shaking, after a look whether it is a vertical one."""
+    """Return what names the channel along the shaking, for `motion_of`.
+
+    Parameters
+    ----------
+    component : str, optional
+        The channel; None where it is not said.
+    look_at : callable
+        Refuses a vertical one, or warns of it.
+    """
 
     def named(channels: Sequence[Channel]) -> str | None:
         if component is not None and channels[0].role:
-            raise InputError("motion.component_and_columns", "component", component=component)
+            about: dict[str, Any] = {"name": "component", "other": "columns", "component": component}
+            raise InputError("motion.component_and_columns", "component", **about)
         look_at(channels, component)
         return component
 
@@ -192,7 +200,9 @@ def _along(
 
 
 def _vertical_of(channels: Sequence[Channel]) -> str:
-    upright = [i for i, channel in enumerate(channels, 1) if channel.role == "z" or is_vertical(channel.label)]
+    upright = [
+        i for i, channel in enumerate(channels, 1) if channel.role == "z" or is_vertical(channel.label)
+    ]
     if len(channels) == 1 and (channels[0].role or not channels[0].label):
         upright = [1]
     if len(upright) != 1:
@@ -259,6 +269,7 @@ def read_file(
     binary = seismogram.format_of(path)
     if binary is not None:
         form, text = seismogram.FORMATS[binary], ""
+        read = partial(seismogram.read, path, binary, unit, dt, location)
         unused = {"columns": chosen, "skip_lines": skipped, "decimal_comma": comma}
     else:
         text = _without_lines(file_text(path), skipped)
@@ -268,19 +279,14 @@ def read_file(
             formats = ", ".join((*(r.FORMAT for r in READERS), *seismogram.FORMATS.values()))
             raise InputError("motion.unknown_format", path=str(path), formats=formats)
         form, unused = reader.FORMAT, {"location": location}
+        read = partial(columns.read, chosen=chosen) if chosen else reader.read
+        read = partial(read, text, unit, dt)
     file = ReadFile(Path(path), form, [], [], "synthetic" in text[:_HEAD].lower())
     with file.naming():
         for name in (name for name, value in unused.items() if value):
             raise InputError("motion.not_of_format", name, name=name, format=form)
-        if binary is not None:
-            file.channels.extend(seismogram.read(path, binary, unit, location))
-            for channel in file.channels:
-                time_step(channel.dt, dt)
-        else:
-            check_end(text)
-            file.channels.extend(
-                columns.read(text, unit, dt, chosen) if chosen else reader.read(text, unit, dt)
-            )
+        check_end(text)
+        file.channels.extend(read())
     return file
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 from stayput.errors import InputError, excerpt, shown, unknown
 from stayput.spreadsheets import named_columns
@@ -50,14 +50,14 @@ def chosen_columns(columns: object, name: str = "columns") -> dict[str, str]:
     if isinstance(columns, str):
         pairs = named_columns(columns, "motion.columns_like", name)
     else:
-        items = columns.items() if isinstance(columns, Mapping) else ()
-        pairs = [(role, str(column)) for role, column in items if isinstance(column, str | int)]
+        given = cast("Mapping[Any, Any]", columns if isinstance(columns, Mapping) else {})
+        pairs = [(role, str(column)) for role, column in given.items() if isinstance(column, str | int)]
     for role, _ in pairs:
         if role not in ROLES:
             raise unknown(name, role, ROLES, name)
     chosen = dict(pairs)
     if "x" not in chosen or not len(pairs) == len(chosen) == len(set(chosen.values())):
-        raise InputError("motion.columns_like", name, name=name, value=shown(columns))
+        raise InputError("motion.columns_like", name, name=name, value=shown(cast("object", columns)))
     return {role: chosen[role] for role in ROLES if role in chosen}
 
 

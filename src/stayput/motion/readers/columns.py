@@ -1,11 +1,11 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z; or ``columns`` says
-which are these. Columns headed as velocities or displacements are left out beside accelerations. Lines that begin
-with "#", "%" or "//" are comments. One line of headings may stand above the numbers: the column that is
-headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A comment that says
-"unit: m/s²" states the unit, and each heading that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the
-caller must do it otherwise.
+which are these. Velocities and displacements, by their headings, are left out beside accelerations. Lines
+that begin with "#", "%" or "//" are comments. One line of headings may stand above the numbers: the column
+that is headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A comment that
+says "unit: m/s²" states the unit, and each heading that of its column, as in "t, NS (gal), EW (gal), UD (g)";
+the caller must do it otherwise.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """SAC and miniSEED, read by ObsPy: the channels of one station, in the unit that the caller states.
 
-Source: SAC's data file format, https://ds.iris.edu/files/sac-manual; SEED 2.4, https://www.fdsn.org. Neither says
-what a number is in m/s²; of SAC alone it is known where it is no acceleration (``idep`` 6 and 7). The location says which of a
-station's sensors is meant.
+Source: SAC's file format, https://ds.iris.edu/files/sac-manual; SEED 2.4, https://www.fdsn.org. Neither says
+what a number is in m/s²; SAC's ``idep`` 6 and 7 say that it is no acceleration.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.motion.readers.header import acceleration_unit
+from stayput.motion.readers.header import acceleration_unit, time_step
 from stayput.motion.traces import channels_of_traces
 
 if TYPE_CHECKING:
@@ -51,7 +50,9 @@ def format_of(path: str | os.PathLike[str]) -> str | None:
     return "SAC" if any(version in (6, 7) for version in versions) else None
 
 
-def read(path: str | os.PathLike[str], form: str, unit: str | None, location: str | None) -> list[Channel]:
+def read(
+    path: str | os.PathLike[str], form: str, unit: str | None, dt: float | None, location: str | None
+) -> list[Channel]:
     """Return the file's channels.
 
     Parameters
@@ -62,6 +63,8 @@ def read(path: str | os.PathLike[str], form: str, unit: str | None, location: st
         One of `FORMATS`.
     unit : str, optional
         Unit of its numbers, which it does not state.
+    dt : float, optional
+        Time step [s], which it states.
     location : str, optional
         See `channels_of_traces`.
 
@@ -83,4 +86,5 @@ def read(path: str | os.PathLike[str], form: str, unit: str | None, location: st
         kind = _OTHER_THAN_ACCELERATION.get(getattr(getattr(trace.stats, "sac", None), "idep", 0))
         if kind is not None:
             raise InputError("motion.peer_no_acceleration", kind=phrase(f"motion.{kind}"))
+        time_step(float(trace.stats.delta), dt)
     return channels_of_traces(traces, unit or "", None, location)
