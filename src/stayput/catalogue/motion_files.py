@@ -195,8 +195,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{format}を読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
     ),
     "seismogram_unread": (
-        "ObsPy cannot read the file ({reason}); it must be complete.",
-        "ObsPyでファイルを読み取れません（「{reason}」）。壊れていないファイルが必要です。",
+        "ObsPy cannot read the file; it must be complete.",
+        "ObsPyでファイルを読み取れません。壊れていないファイルが必要です。",
+    ),
+    "seismogram_cut": (
+        "The last record of the file has {size} bytes; it must have {length} like the others.",
+        "ファイルの最後のレコードが{size}バイトしかありません。ほかと同じ{length}バイトが必要です。",
+    ),
+    "borehole_left_out": (
+        "The channels {channels} are of the borehole below the ground and are left out; the surface's are taken.",
+        "地中（ボアホール）の地震計の成分「{channels}」は使いません。地表の成分を使います。",
     ),
     "borehole": (
         "The sensor of {label!r} is in the borehole below the ground; a floor stands on the surface.",

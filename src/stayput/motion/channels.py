@@ -212,7 +212,7 @@ def _numbered(channels: Sequence[Channel], which: Collection[int]) -> Phrase:
 
 def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, Channel]:
     """Return which channel becomes which component: x, and y and z where only one channel can be meant."""
-    if channels[0].role:
+    if component is None and channels[0].role:
         return {channel.role: channel for channel in channels}
     given = None if component is None else _chosen(channels, component)
     # The sensor at the surface and the one in the borehole below it are two records.
@@ -307,8 +307,11 @@ def motion_fields(
     x = components["x"]
     if component is None and not x.role:
         _warn_of_choice(x, [channel for channel in channels if channel.borehole == x.borehole])
+    below = [channel.label for channel in channels if channel.borehole]
     if x.borehole:
         warn(InputWarning("motion.borehole", "component", label=x.label))
+    elif below and component is None:
+        warn(InputWarning("motion.borehole_left_out", "component", channels=labels_phrase(below)))
     _check_sizes(components)
     listing = _listing(channels, x)
     for key, channel in components.items():

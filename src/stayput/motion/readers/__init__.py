@@ -276,7 +276,7 @@ def read_file(
         text = text.replace(",", ".") if comma else text
         reader = columns if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
         if reader is None:
-            formats = ", ".join((*(r.FORMAT for r in READERS), *seismogram.FORMATS.values()))
+            formats = ", ".join(r.FORMAT for r in (*READERS, seismogram))
             raise InputError("motion.unknown_format", path=str(path), formats=formats)
         form, unused = reader.FORMAT, {"location": location}
         read = partial(columns.read, chosen=chosen) if chosen else reader.read

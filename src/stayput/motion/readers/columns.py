@@ -73,7 +73,14 @@ def recognise(text: str) -> bool:
     return any(_STARTS.match(line) for line in _head(text).content)
 
 
-def _table(text: str, named: bool, places: Sequence[int]) -> NDArray[np.float64]:
+def _fields(line: str, chosen: bool) -> list[str]:
+    """Return the fields of a line; where columns are chosen those between tabs may have blanks."""
+    if chosen and "\t" in line:
+        return [value.strip() for value in line.split("\t")]
+    return split(line)
+
+
+def _table(text: str, named: bool, places: Sequence[int], chosen: bool) -> NDArray[np.float64]:
     """Return the numbers of the columns at some places, shape (rows, columns).
 
     The first line is passed over where it has the names.
@@ -87,7 +94,7 @@ def _table(text: str, named: bool, places: Sequence[int]) -> NDArray[np.float64]
             if named:
                 named = False
                 continue
-            values = split(line)
+            values = _fields(line, chosen)
             row, count = row + 1, count or len(values)
             as_they_stand = places == range(count)
             if len(values) != count:
@@ -123,11 +130,12 @@ def read(
     above = [*head.comments, first] if named else head.comments
     line = above[-1].lstrip("#%/ ") if above else ""
     row = "".join(head.content[1:]) if named else first
-    count = len(split(row)) if row else 0
+    count = len(_fields(row, bool(chosen))) if row else 0
     roles = list(chosen or ())
     places: Sequence[int] = range(count)
     if chosen:
-        written = split(line) if len(split(line)) == count else []
+        written = _fields(line, True)
+        written = written if len(written) == count else []
         places = places_of(chosen, written, count)
         # Where no column is the time, one more heading stands for it.
         texts = [*(["t"] if "t" not in chosen else []), *(written[place] for place in places if written)]
@@ -144,7 +152,7 @@ def read(
         of_directions = all(is_direction(name) for i, name in enumerate(headings.names) if i != headings.time)
         if count and len(places) not in _LABELS and not (headings.names and of_directions):
             raise InputError("motion.column_count", columns=len(places))
-    table = _table(text, named, places)
+    table = _table(text, named, places, bool(chosen))
     stated = next(filter(None, map(stated_unit, head.comments)), None)
     place = " ".join(above)
     timeless = "t" not in roles if chosen else len(places) == 1

@@ -15,12 +15,15 @@ from typing import TYPE_CHECKING, Any
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.motion.readers.header import acceleration_unit, time_step
+from stayput.motion.readers.text import LARGEST_FILE
 from stayput.motion.traces import channels_of_traces
 
 if TYPE_CHECKING:
     import os
 
     from stayput.motion.channels import Channel
+
+FORMAT = "SAC, miniSEED"
 
 FORMATS = {"MSEED": "miniSEED", "SAC": "SAC"}
 """What ObsPy calls the formats, and what sentences do."""
@@ -74,15 +77,20 @@ def read(
         ObsPy is absent, the file is damaged or of no acceleration, no unit; or as `channels_of_traces`.
     """
     acceleration_unit(None, unit)
+    if (size := Path(path).stat().st_size) > LARGEST_FILE:
+        raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_FILE)
     try:
         from obspy import read as obspy_read
     except ImportError:
         raise InputError("motion.no_obspy", format=FORMATS[form]) from None
     try:
         traces: Any = obspy_read(BytesIO(Path(path).read_bytes()), format=form)
-    except Exception as error:  # a broken file raises whatever it meets
-        raise InputError("motion.seismogram_unread", reason=" ".join(str(error).split())) from None
+    except Exception:  # a broken file raises whatever it meets
+        raise InputError("motion.seismogram_unread") from None
     for trace in traces:
+        length = int(getattr(getattr(trace.stats, "mseed", None), "record_length", 1))
+        if size % length:
+            raise InputError("motion.seismogram_cut", size=size % length, length=length)
         kind = _OTHER_THAN_ACCELERATION.get(getattr(getattr(trace.stats, "sac", None), "idep", 0))
         if kind is not None:
             raise InputError("motion.peer_no_acceleration", kind=phrase(f"motion.{kind}"))
