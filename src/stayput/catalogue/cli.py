@@ -161,30 +161,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file states no time step; --dt must be given [s].",
         "時間刻みがファイルに書かれていません。--dtで秒単位で指定してください。",
     ),
-    "decimal_comma": (
-        (
-            "Value {index} of {what} is {value}; it must be a finite decimal number with a point, unless "
-            "--decimal-comma says that it has a comma."
-        ),
-        (
-            "{what}の{index}番目の値が{value}になっています。小数点には「.」を使うか、「,」であることを"
-            "--decimal-commaで指定してください。"
-        ),
-    ),
-    "column_count": (
-        (
-            "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless --columns "
-            "says which are these."
-        ),
-        (
-            "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、"
-            "どれがそれらの列かを--columnsで指定してください。"
-        ),
-    ),
-    "several_locations": (
-        "The station has {count} sensors, with the locations {known}; --location must name one of them.",
-        "観測点に地震計が{count}つあります（ロケーション：{known}）。使うものを--locationで指定してください。",
-    ),
     "one_piece_alone": (
         "furniture is a list of several pieces, which simulate and verify take; it must be one table.",
         "furnitureが複数の家具のリストになっています。複数の家具はsimulateとverifyだけで扱えます。",

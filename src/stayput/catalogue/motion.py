@@ -322,8 +322,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "トレースに{one}と{other}の2つの観測点があります。1つの観測点のものだけにしてください。",
     ),
     "several_locations": (
-        "The station has {count} sensors, with the locations {known}; location must name one of them.",
-        "観測点に地震計が{count}つあります（ロケーション：{known}）。使うものをlocationで指定してください。",
+        "The station has {count} sensors, with the locations {known}; {option} must name one of them.",
+        "観測点に地震計が{count}つあります（ロケーション：{known}）。使うものを{option}で指定してください。",
     ),
     "no_such_location": (
         "The location is {location!r}; it must be one of those of the station: {known}.",

@@ -158,11 +158,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "decimal_comma": (
         (
             "Value {index} of {what} is {value}; it must be a finite decimal number with a point, unless "
-            "decimal_comma says that it has a comma."
+            "{option} says that it has a comma."
         ),
         (
             "{what}の{index}番目の値が{value}になっています。小数点には「.」を使うか、「,」であることを"
-            "decimal_commaで指定してください。"
+            "{option}で指定してください。"
         ),
     ),
     # What the caller says of a file.
@@ -213,12 +213,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Columns of numbers.
     "column_count": (
         (
-            "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless columns "
+            "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless {option} "
             "says which are these."
         ),
         (
             "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、"
-            "どれがそれらの列かをcolumnsで指定してください。"
+            "どれがそれらの列かを{option}で指定してください。"
         ),
     ),
     "column_row": (

@@ -84,9 +84,12 @@ class CommandGroup(TyperGroup):
         printed: set[str] = set()
 
         def of_flags(told: Told) -> Told:
-            command = self.get_command(ctx, ctx.invoked_subcommand or "")
-            takes_records = "--unit" in _flags_of(command)
-            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if takes_records else _IN_COMMANDS)
+            flags = _flags_of(self.get_command(ctx, ctx.invoked_subcommand or ""))
+            option = f"--{told.values.get('option')}".replace("_", "-")
+            if option in flags:  # an argument of Python, by the name of its flag
+                values = {**told.values, "option": option}
+                told = type(told)(told.code, told.field, context=told.context, **values)
+            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--unit" in flags else _IN_COMMANDS)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)
@@ -121,9 +124,6 @@ _IN_FLAGS = {
     "motion.no_unit_nor_step": "cli.no_unit_nor_step",
     "motion.no_time_step": "cli.no_time_step",
     "motion.vertical_alone": "cli.vertical_alone",
-    "motion.decimal_comma": "cli.decimal_comma",
-    "motion.column_count": "cli.column_count",
-    "motion.several_locations": "cli.several_locations",
 }
 """Sentences about records, and those that name the flags to give."""
 

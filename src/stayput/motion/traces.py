@@ -78,7 +78,8 @@ def _of_one_sensor(items: list[Any], location: str | None) -> list[Any]:
     wanted = codes[0] if location is None else location.strip() or _NO_LOCATION
     listed = labels_phrase(codes)
     if location is None and len(codes) > 1:
-        raise InputError("motion.several_locations", "location", count=len(codes), known=listed)
+        about: dict[str, Any] = {"count": len(codes), "known": listed, "option": "location"}
+        raise InputError("motion.several_locations", "location", **about)
     if wanted not in codes:
         raise InputError("motion.no_such_location", "location", location=location, known=listed)
     return [trace for trace in items if _location(trace.stats) == wanted]

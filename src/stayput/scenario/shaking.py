@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Literal, Self, cast
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
@@ -23,7 +23,7 @@ from stayput.motion.ground_shaking import (
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
-from stayput.motion.readers.chosen import MOST_SKIPPED, ReadingOptions, chosen_columns
+from stayput.motion.readers.chosen import MOST_SKIPPED, OPTIONS, chosen_columns
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import (
@@ -43,6 +43,8 @@ from stayput.scenario.fields import (
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from stayput.motion.readers.chosen import ReadingOptions
 
 
 class SineTable(Table):
@@ -217,7 +219,7 @@ class ShakingTable(Table):
             first, second = (f"shaking.{key}" for key in given[:2])
             raise InputError("scenario.only_one", second, name=second, other=first)
         if self.record is None:
-            for key in ("component", "unit", "dt", "columns", "skip_lines", "decimal_comma", "location"):
+            for key in ("component", "unit", *sorted(OPTIONS)):
                 said = getattr(self, key)
                 if said is not None and said is not False and not isinstance(self.suite, str):
                     name = f"shaking.{key}"
@@ -386,13 +388,7 @@ class ShakingTable(Table):
 
     @property
     def _reading(self) -> ReadingOptions:
-        return ReadingOptions(
-            dt=self.dt,
-            columns=self.columns,
-            skip_lines=self.skip_lines or 0,
-            decimal_comma=self.decimal_comma,
-            location=self.location,
-        )
+        return cast("ReadingOptions", self.model_dump(include=OPTIONS, exclude_none=True))
 
     def _recorded(self, record: str, folder: Path) -> Motion:
         motion = read_shaking(folder / record, self.component, self.unit, **self._reading)

@@ -31,7 +31,8 @@ from stayput.motion.channels import (
     warn_of_vertical,
 )
 from stayput.motion.processing import STEP_RANGE
-from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram
+from stayput.motion.readers import columns as of_columns
+from stayput.motion.readers import cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram
 from stayput.motion.readers.chosen import MOST_SKIPPED, ReadingOptions, chosen_columns
 from stayput.motion.readers.text import check_end, file_text
 from stayput.motion.record import Motion
@@ -64,7 +65,7 @@ class Reader(Protocol):
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
-READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns)
+READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, of_columns)
 """The readers, in the order in which they are asked whether a file is theirs.
 
 Any file may have lines of bare numbers, so columns come last; the others' first lines exclude one another.
@@ -75,12 +76,7 @@ def read_motion(
     path: str | os.PathLike[str],
     component: str | None = None,
     unit: str | None = None,
-    *,
-    dt: float | None = None,
-    columns: str | Mapping[str, str | int] | None = None,
-    skip_lines: int = 0,
-    decimal_comma: bool = False,
-    location: str | None = None,
+    **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a record in any of the formats of `READERS`, recognised by its content.
 
@@ -131,9 +127,6 @@ def read_motion(
     >>> sp.read_motion(path).pga
     4.0
     """
-    options = ReadingOptions(
-        dt=dt, columns=columns, skip_lines=skip_lines, decimal_comma=decimal_comma, location=location
-    )
     return motion_of([read_file(path, unit, **options)], along(component, warn_of_vertical))
 
 
@@ -253,13 +246,19 @@ class ReadFile(NamedTuple):
 
 
 def read_file(
-    path: str | os.PathLike[str], unit: str | None = None, **options: Unpack[ReadingOptions]
+    path: str | os.PathLike[str],
+    unit: str | None = None,
+    *,
+    dt: float | None = None,
+    columns: str | Mapping[str, str | int] | None = None,
+    skip_lines: int = 0,
+    decimal_comma: bool = False,
+    location: str | None = None,
 ) -> ReadFile:
     """Read a file's channels; arguments and errors as for `read_motion`."""
-    dt, location = options.get("dt"), options.get("location")
-    comma = instance_of("decimal_comma", options.get("decimal_comma", False), bool)
-    skipped = whole_within("skip_lines", options.get("skip_lines", 0), 0, MOST_SKIPPED, field="skip_lines")
-    chosen = chosen_columns(options.get("columns"))
+    comma = instance_of("decimal_comma", decimal_comma, bool)
+    skipped = whole_within("skip_lines", skip_lines, 0, MOST_SKIPPED, field="skip_lines")
+    chosen = chosen_columns(columns)
     if unit is not None:
         unit_factor(unit)
     if dt is not None:
@@ -274,12 +273,12 @@ def read_file(
     else:
         text = _without_lines(file_text(path), skipped)
         text = text.replace(",", ".") if comma else text
-        reader = columns if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
+        reader = of_columns if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
         if reader is None:
             formats = ", ".join(r.FORMAT for r in (*READERS, seismogram))
             raise InputError("motion.unknown_format", path=str(path), formats=formats)
         form, unused = reader.FORMAT, {"location": location}
-        read = partial(columns.read, chosen=chosen) if chosen else reader.read
+        read = partial(of_columns.read, chosen=chosen) if chosen else reader.read
         read = partial(read, text, unit, dt)
     file = ReadFile(Path(path), form, [], [], "synthetic" in text[:_HEAD].lower())
     with file.naming():

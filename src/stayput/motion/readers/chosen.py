@@ -30,6 +30,10 @@ class ReadingOptions(TypedDict, total=False):
     location: str | None
 
 
+OPTIONS = set(ReadingOptions.__annotations__)
+"""Their names."""
+
+
 def chosen_columns(columns: object, name: str = "columns") -> dict[str, str]:
     """Return the columns of "t=time,x=NS", or of a mapping, by what they hold, in the order of `ROLES`.
 

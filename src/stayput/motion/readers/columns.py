@@ -151,7 +151,7 @@ def read(
             headings = headings.at(places)
         of_directions = all(is_direction(name) for i, name in enumerate(headings.names) if i != headings.time)
         if count and len(places) not in _LABELS and not (headings.names and of_directions):
-            raise InputError("motion.column_count", columns=len(places))
+            raise InputError("motion.column_count", columns=len(places), option="columns")
     table = _table(text, named, places, bool(chosen))
     stated = next(filter(None, map(stated_unit, head.comments)), None)
     place = " ".join(above)

@@ -63,6 +63,7 @@ class Numbers:
             comma = _COMMA.fullmatch(token.strip()) is not None
             raise InputError(
                 "motion.decimal_comma" if comma else "motion.not_a_decimal",
+                option="decimal_comma",
                 index=len(self) + position + 1,
                 what=phrase(f"motion.{self._what}"),
                 value=excerpt(token.strip()),

@@ -13,7 +13,6 @@ import numpy as np
 from stayput.errors import InputError, list_of
 from stayput.motion.processing import whole
 from stayput.motion.readers import read_shaking
-from stayput.motion.readers.chosen import ReadingOptions
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
 from stayput.motion.suites.folder import naming, records_in
@@ -22,12 +21,14 @@ from stayput.motion.suites.target import DEFAULT_BAND, band_periods
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable
+    from typing import Unpack
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
+    from stayput.motion.readers.chosen import ReadingOptions
     from stayput.motion.suites.target import TargetSpectrum
 
 
@@ -317,12 +318,8 @@ def read_suite(
     component: str | None = None,
     unit: str | None = None,
     *,
-    dt: float | None = None,
-    columns: str | Mapping[str, str | int] | None = None,
-    skip_lines: int = 0,
-    decimal_comma: bool = False,
-    location: str | None = None,
     name: str | None = None,
+    **options: Unpack[ReadingOptions],
 ) -> Suite:
     """Read a suite of records, in all the formats of `read_motion`.
 
@@ -360,9 +357,6 @@ def read_suite(
     >>> len(sp.read_suite(["motion0.csv", "motion1.csv"]))
     2
     """
-    options = ReadingOptions(
-        dt=dt, columns=columns, skip_lines=skip_lines, decimal_comma=decimal_comma, location=location
-    )
     if isinstance(source, str | os.PathLike):
         folder = Path(source)
         if not folder.is_dir():
