@@ -49,6 +49,8 @@ def channels_of_traces(
             raise InputError("motion.trace_repeated", channel=code)
         if np.ma.is_masked(trace.data):
             raise InputError("motion.trace_gaps", channel=code)
+        if (kind := np.asarray(trace.data).dtype).kind not in "biuf":  # miniSEED may hold a text
+            raise InputError("motion.samples_not_real", component=code, kind=kind.name)
         late = float(stats.starttime - start)
         if abs(late) > _START_TOLERANCE * dt:
             raise InputError("motion.trace_start", channel=code, late=late)

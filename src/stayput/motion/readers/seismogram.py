@@ -85,14 +85,16 @@ def read(
         raise InputError("motion.no_obspy", format=FORMATS[form]) from None
     try:
         traces: Any = obspy_read(BytesIO(Path(path).read_bytes()), format=form)
+        lengths = [int(getattr(getattr(t.stats, "mseed", None), "record_length", 1)) for t in traces]
+        if size % (length := min(lengths, default=1)):
+            raise InputError("motion.seismogram_cut", size=size % length, length=length)
+        for trace in traces:
+            kind = _OTHER_THAN_ACCELERATION.get(getattr(getattr(trace.stats, "sac", None), "idep", 0))
+            if kind is not None:
+                raise InputError("motion.peer_no_acceleration", kind=phrase(f"motion.{kind}"))
+            time_step(float(trace.stats.delta), dt)
+        return channels_of_traces(traces, unit or "", None, location)
+    except InputError:
+        raise
     except Exception:  # a broken file raises whatever it meets
         raise InputError("motion.seismogram_unread") from None
-    for trace in traces:
-        length = int(getattr(getattr(trace.stats, "mseed", None), "record_length", 1))
-        if size % length:
-            raise InputError("motion.seismogram_cut", size=size % length, length=length)
-        kind = _OTHER_THAN_ACCELERATION.get(getattr(getattr(trace.stats, "sac", None), "idep", 0))
-        if kind is not None:
-            raise InputError("motion.peer_no_acceleration", kind=phrase(f"motion.{kind}"))
-        time_step(float(trace.stats.delta), dt)
-    return channels_of_traces(traces, unit or "", None, location)
