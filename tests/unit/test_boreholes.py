@@ -15,7 +15,7 @@ ROWS = "".join(
     for i in range(50)
 )
 BOTH = f"#Station Code,TST001\n#Offset(gal),0,0,0,0,0,0\n#Datetime,Relative Time(s),{','.join(NAMES)}\n{ROWS}"
-BELOW = "is in the borehole below the ground"
+BELOW = "is in the borehole, below the ground"
 
 
 def told(path, **options):

@@ -79,6 +79,8 @@ def test_lines_at_the_beginning_are_passed_over(read, above):
     assert read(text, skip_lines=3).x == pytest.approx([0.980665, 1.96133])
     with pytest.raises(sp.InputError):
         read(text)
+    synthetic = text.replace(above.split("\n")[0], "synthetic")
+    assert read(synthetic, skip_lines=3).synthetic
     for count in (6, 7, 100):
         with pytest.raises(sp.InputError, match=f"skip_lines is {count}; the file must have more"):
             read(text, skip_lines=count)
@@ -96,10 +98,10 @@ def test_lines_at_the_beginning_are_passed_over(read, above):
         ({"x": 2.5}, "columns has {'x': 2.5}", "columnsに{'x': 2.5}があります"),
         (3, "columns has 3", "columnsに3があります"),
         ("x=1,w=2", "columns is 'w'; it must be one of 't', 'x', 'y', 'z'", "columnsが'w'になっています"),
-        ("t=2,x=0", "have x='0'; it must be one column of the file", "x=「0」がありますが"),
-        ("t=2,x=7", "have x='7'", "x=「7」がありますが"),
-        ("t=2,x=Acc", "have x='Acc'", "x=「Acc」がありますが"),
-        ("t=2,x=acc x,y=3", "have y='3'; it must be one column of the file, and no other's", "y=「3」が"),
+        ("t=2,x=0", "say x='0'; each must be a column of the file", "x=「0」に当たる列"),
+        ("t=2,x=7", "say x='7'", "x=「7」に当たる列"),
+        ("t=2,x=Acc", "say x='Acc'", "x=「Acc」に当たる列"),
+        ("t=2,x=acc x,y=3", "say y='3'; each must be a column of the file, and another one", "y=「3」が"),
         ("t=1,x=3", "first column is headed 'timestamp'|'12:00:00'", "「12:00:00」になっていて"),
         ("t=2,x=6", "'n/a'", "「n/a」になっていて"),
     ],

@@ -171,8 +171,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}に{value}があります。「t=1,x=2」や「t=time,x=NS,y=EW,z=UD」のように、xを含めて1回ずつ書いてください。",
     ),
     "no_such_column": (
-        "The columns have {role}={column}; it must be one column of the file, and no other's: {known}.",
-        "列の指定に{role}={column}がありますが、ファイルの1つの列に決まりません。次から1つずつ選んでください：{known}",
+        "The columns say {role}={column}; each must be a column of the file, and another one: {known}.",
+        "列の指定の{role}={column}に当たる列が1つに決まりません。別々の列を次から選んでください：{known}",
     ),
     "columns_left_out": (
         "The columns {columns} are velocities or displacements and are left out; the accelerations are taken.",
@@ -207,7 +207,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地中（ボアホール）の地震計の成分「{channels}」は使いません。地表の成分を使います。",
     ),
     "borehole": (
-        "The sensor of {label!r} is in the borehole below the ground; a floor stands on the surface.",
+        "The sensor of {label!r} is in the borehole, below the ground; for a floor the one at the surface must be taken.",
         "「{label}」は地中（ボアホール）の地震計の記録です。床の揺れには地表の記録を使ってください。",
     ),
     # Columns of numbers.

@@ -266,12 +266,14 @@ def read_file(
     if location is not None:
         instance_of("location", location, str)
     binary = seismogram.format_of(path)
+    text = "" if binary is not None else file_text(path)
+    synthetic = "synthetic" in text[:_HEAD].lower()
     if binary is not None:
-        form, text = seismogram.FORMATS[binary], ""
+        form = seismogram.FORMATS[binary]
         read = partial(seismogram.read, path, binary, unit, dt, location)
         unused = {"columns": chosen, "skip_lines": skipped, "decimal_comma": comma}
     else:
-        text = _without_lines(file_text(path), skipped)
+        text = _without_lines(text, skipped)
         text = text.replace(",", ".") if comma else text
         reader = of_columns if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
         if reader is None:
@@ -280,7 +282,7 @@ def read_file(
         form, unused = reader.FORMAT, {"location": location}
         read = partial(of_columns.read, chosen=chosen) if chosen else reader.read
         read = partial(read, text, unit, dt)
-    file = ReadFile(Path(path), form, [], [], "synthetic" in text[:_HEAD].lower())
+    file = ReadFile(Path(path), form, [], [], synthetic)
     with file.naming():
         for name in (name for name, value in unused.items() if value):
             raise InputError("motion.not_of_format", name, name=name, format=form)
