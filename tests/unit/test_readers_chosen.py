@@ -101,7 +101,11 @@ def test_lines_at_the_beginning_are_passed_over(read, above):
         ("t=2,x=0", "say x='0'; each must be a column of the file", "x=「0」に当たる列"),
         ("t=2,x=7", "say x='7'", "x=「7」に当たる列"),
         ("t=2,x=Acc", "say x='Acc'", "x=「Acc」に当たる列"),
-        ("t=2,x=acc x,y=3", "say y='3'; each must be a column of the file, and another one", "y=「3」に当たる列"),
+        (
+            "t=2,x=acc x,y=3",
+            "say y='3'; each must be a column of the file, and another one",
+            "y=「3」に当たる列",
+        ),
         ("t=1,x=3", "first column is headed 'timestamp'|'12:00:00'", "「12:00:00」になっていて"),
         ("t=2,x=6", "'n/a'", "「n/a」になっていて"),
     ],

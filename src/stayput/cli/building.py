@@ -9,20 +9,15 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.completion import structures, words
-from stayput.cli.flags import QuietOption, Reading, motion_of, reads_records
+from stayput.cli.flags import QuietOption, Said, motion_of, reads_records
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import folded, print_json, tell_written
 from stayput.cli.shaking import (
-    EarthquakeOption,
-    IntensityOption,
-    MercalliOption,
-    PgaOption,
-    PgvOption,
-    SpectralOption,
     XOption,
     YOption,
     ZOption,
     along,
+    scales_motions,
     stated_strength,
 )
 from stayput.cli.streams import check_output, to_output, write_text
@@ -32,6 +27,7 @@ if TYPE_CHECKING:
 
 
 @reads_records
+@scales_motions
 def building(
     storeys: Annotated[int, typer.Option(help="cli_help.storeys")] = 10,
     structure: Annotated[
@@ -53,13 +49,8 @@ def building(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Reading,
-    intensity: IntensityOption = None,
-    pga: PgaOption = None,
-    pgv: PgvOption = None,
-    sa: SpectralOption = None,
-    mmi: MercalliOption = None,
-    earthquake: EarthquakeOption = None,
+    reading: Said,
+    strength: Said,
     storey: Annotated[
         list[int] | None,
         typer.Option(help="cli_help.storey_out"),
@@ -94,7 +85,6 @@ def building(
         described.model.place(number)
     motion, named = along(motion, x)
     ground = motion or "near-fault"
-    strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
     response = described.respond(
         motion_of(
             ground,
@@ -102,7 +92,7 @@ def building(
             y=y,
             z=z,
             reading=reading,
-            **strength,
+            **stated_strength(strength),
         )
     )
     if json:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast, get_args
 
 import typer
 
@@ -70,34 +70,44 @@ EveryRunOption: TypeAlias = Annotated[
 ]
 
 
-Reading: TypeAlias = dict[str, Any]
-"""What flags say of how a record is read: keys of a shaking table."""
+Said: TypeAlias = dict[str, Any]
+"""What several flags say: keys of a shaking table, of those that are given."""
 
 
-def reads_records(command: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the flags of `RECORD_FLAGS` in the place of its keyword ``reading``.
+def together(keyword: str, flags: Mapping[str, Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Return what gives a command several flags in the place of one keyword, which has what they say.
 
-    There it is given what they say: keys of a shaking table.
+    Parameters
+    ----------
+    keyword : str
+        The keyword, of the type `Said`.
+    flags : mapping
+        The flags, by the keys that they set.
     """
-    signature = inspect.signature(command, eval_str=True)
-    parameters: list[inspect.Parameter] = []
-    for parameter in signature.parameters.values():
-        if parameter.name != "reading":
-            parameters.append(parameter)
-            continue
-        parameters += [
-            parameter.replace(name=name, annotation=kind, default=False if name == "decimal_comma" else None)
-            for name, kind in RECORD_FLAGS.items()
-        ]
 
-    @wraps(command)
-    def run(**given: Any) -> None:
-        flags = {name: given.pop(name) for name in RECORD_FLAGS}
-        said = {name: value for name, value in flags.items() if value is not None and value is not False}
-        command(**given, reading={name: as_written(value) for name, value in said.items()})
+    def with_flags(command: Callable[..., None]) -> Callable[..., None]:
+        signature = inspect.signature(command, eval_str=True)
+        parameters: list[inspect.Parameter] = []
+        for one in signature.parameters.values():
+            each = [
+                one.replace(name=name, annotation=kind, default=False if get_args(kind)[0] is bool else None)
+                for name, kind in flags.items()
+            ]
+            parameters += each if one.name == keyword else [one]
 
-    cast("Any", run).__signature__ = signature.replace(parameters=parameters)
-    return run
+        @wraps(command)
+        def run(**given: Any) -> None:
+            values = {name: given.pop(name) for name in flags}
+            said = {name: value for name, value in values.items() if value is not None and value is not False}
+            command(**given, **{keyword: {name: as_written(value) for name, value in said.items()}})
+
+        cast("Any", run).__signature__ = signature.replace(parameters=parameters)
+        return run
+
+    return with_flags
+
+
+reads_records = together("reading", RECORD_FLAGS)
 
 
 _MOST_DIGITS = 1e15
@@ -310,7 +320,7 @@ def motion_of(
     *,
     y: str | None,
     z: str | None,
-    reading: Reading,
+    reading: Said,
     **strength: Any,
 ) -> Motion:
     """Return the motion of a text as of ``--motion``, and of what is said of its record and its strength.
@@ -323,7 +333,7 @@ def motion_of(
         The flag or argument that it is of.
     y, z : str, optional
         The files of the components across and up.
-    reading : Reading
+    reading : Said
         How its record is read.
     strength
         Keys of a shaking table that say how strong it is; None where one is not given.

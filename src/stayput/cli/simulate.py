@@ -12,7 +12,7 @@ from stayput.catalogue import LANGUAGES, say
 from stayput.cli.completion import measures, surfaces, words
 from stayput.cli.flags import (
     QuietOption,
-    Reading,
+    Said,
     chosen_measures,
     inputs_of,
     overlaid,
@@ -24,19 +24,14 @@ from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import compiling, folded, print_json, tell_written
 from stayput.cli.shaking import (
     BuildingOption,
-    EarthquakeOption,
-    IntensityOption,
-    MercalliOption,
     MotionOption,
-    PgaOption,
-    PgvOption,
     ScaleOption,
-    SpectralOption,
     StoreyOption,
     VerticalOption,
     XOption,
     YOption,
     ZOption,
+    scales_motions,
     shaken,
     tell_of_y,
 )
@@ -53,6 +48,7 @@ if TYPE_CHECKING:
 
 
 @reads_records
+@scales_motions
 def simulate(
     scenario: Annotated[
         Path | None,
@@ -71,14 +67,9 @@ def simulate(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Reading,
+    reading: Said,
     scale: ScaleOption = None,
-    intensity: IntensityOption = None,
-    pga: PgaOption = None,
-    pgv: PgvOption = None,
-    sa: SpectralOption = None,
-    mmi: MercalliOption = None,
-    earthquake: EarthquakeOption = None,
+    strength: Said,
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,
@@ -163,12 +154,7 @@ def simulate(
         z=z,
         reading=reading,
         scale=scale,
-        intensity=intensity,
-        pga=pga,
-        pgv=pgv,
-        sa=sa,
-        mmi=mmi,
-        earthquake=earthquake,
+        strength=strength,
         building=building,
         storey=storey,
         vertical=vertical,

@@ -12,7 +12,7 @@ import typer
 from stayput.cli.flags import (
     EveryRunOption,
     QuietOption,
-    Reading,
+    Said,
     ThreadsOption,
     inputs_of,
     parsed,
@@ -23,19 +23,14 @@ from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import compiling, folded, tell_written
 from stayput.cli.shaking import (
     BuildingOption,
-    EarthquakeOption,
-    IntensityOption,
-    MercalliOption,
     MotionOption,
-    PgaOption,
-    PgvOption,
     ScaleOption,
-    SpectralOption,
     StoreyOption,
     VerticalOption,
     XOption,
     YOption,
     ZOption,
+    scales_motions,
     shaken,
     tell_of_y,
 )
@@ -55,6 +50,7 @@ if TYPE_CHECKING:
 
 
 @reads_records
+@scales_motions
 def verify(
     scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="cli_help.scenario")],
     report: Annotated[
@@ -80,14 +76,9 @@ def verify(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Reading,
+    reading: Said,
     scale: ScaleOption = None,
-    intensity: IntensityOption = None,
-    pga: PgaOption = None,
-    pgv: PgvOption = None,
-    sa: SpectralOption = None,
-    mmi: MercalliOption = None,
-    earthquake: EarthquakeOption = None,
+    strength: Said,
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,
@@ -127,12 +118,7 @@ def verify(
         z=z,
         reading=reading,
         scale=scale,
-        intensity=intensity,
-        pga=pga,
-        pgv=pgv,
-        sa=sa,
-        mmi=mmi,
-        earthquake=earthquake,
+        strength=strength,
         building=building,
         storey=storey,
         vertical=vertical,
