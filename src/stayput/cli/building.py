@@ -9,7 +9,7 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.completion import structures, words
-from stayput.cli.flags import QuietOption, Said, motion_of, reads_records
+from stayput.cli.flags import FlagValues, QuietOption, motion_of, reads_records
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import folded, print_json, tell_written
 from stayput.cli.shaking import (
@@ -49,8 +49,8 @@ def building(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Said,
-    strength: Said,
+    reading: FlagValues,
+    strength: FlagValues,
     storey: Annotated[
         list[int] | None,
         typer.Option(help="cli_help.storey_out"),

@@ -70,7 +70,7 @@ EveryRunOption: TypeAlias = Annotated[
 ]
 
 
-Said: TypeAlias = dict[str, Any]
+FlagValues: TypeAlias = dict[str, Any]
 """What several flags say: keys of a shaking table, of those that are given."""
 
 
@@ -80,7 +80,7 @@ def together(keyword: str, flags: Mapping[str, Any]) -> Callable[[Callable[..., 
     Parameters
     ----------
     keyword : str
-        The keyword, of the type `Said`.
+        The keyword, of the type `FlagValues`.
     flags : mapping
         The flags, by the keys that they set.
     """
@@ -320,7 +320,7 @@ def motion_of(
     *,
     y: str | None,
     z: str | None,
-    reading: Said,
+    reading: FlagValues,
     **strength: Any,
 ) -> Motion:
     """Return the motion of a text as of ``--motion``, and of what is said of its record and its strength.
@@ -333,7 +333,7 @@ def motion_of(
         The flag or argument that it is of.
     y, z : str, optional
         The files of the components across and up.
-    reading : Said
+    reading : FlagValues
         How its record is read.
     strength
         Keys of a shaking table that say how strong it is; None where one is not given.

@@ -26,7 +26,7 @@ from stayput.errors import InputError, InputWarning, warn
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from stayput.cli.flags import Said
+    from stayput.cli.flags import FlagValues
     from stayput.scenario import AssemblyScenario, Scenario
 
 MotionOption: TypeAlias = Annotated[
@@ -76,7 +76,7 @@ VerticalOption: TypeAlias = Annotated[
 ]
 
 
-def stated_strength(strength: Said) -> Said:
+def stated_strength(strength: FlagValues) -> FlagValues:
     """Return the keys of a shaking table that the texts and numbers of `STRENGTH_FLAGS` stand for.
 
     Raises
@@ -96,9 +96,9 @@ def shaken(
     x: str | None,
     y: str | None,
     z: str | None,
-    reading: Said,
+    reading: FlagValues,
     scale: float | None,
-    strength: Said,
+    strength: FlagValues,
     building: str | None,
     storey: int | None,
     vertical: bool | None,
@@ -113,7 +113,7 @@ def shaken(
         The scenario's file.
     motion, x, y, z
         The flags of the motion; None where one is not given.
-    reading, strength : Said
+    reading, strength : FlagValues
         How its record is read, and how strong it is.
     scale, building, storey, vertical
         The other flags; likewise. ``motion`` and ``x`` replace the whole table; ``scale`` and each strength
@@ -134,9 +134,8 @@ def shaken(
         "storey": storey,
         "vertical": vertical,
     }
-    stated = (
-        reading | strength | {key: as_written(value) for key, value in flags.items() if value is not None}
-    )
+    own = {key: as_written(value) for key, value in flags.items() if value is not None}
+    stated = reading | strength | own
     if motion is None and not stated and y is None and z is None:
         return dict(tables)
     given = table_of(tables, "shaking")

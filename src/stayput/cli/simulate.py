@@ -11,8 +11,8 @@ import typer
 from stayput.catalogue import LANGUAGES, say
 from stayput.cli.completion import measures, surfaces, words
 from stayput.cli.flags import (
+    FlagValues,
     QuietOption,
-    Said,
     chosen_measures,
     inputs_of,
     overlaid,
@@ -67,9 +67,9 @@ def simulate(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Said,
+    reading: FlagValues,
     scale: ScaleOption = None,
-    strength: Said,
+    strength: FlagValues,
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,

@@ -10,7 +10,7 @@ import typer
 from stayput.catalogue import say
 from stayput.catalogue.studies import STUDIES
 from stayput.cli.completion import words
-from stayput.cli.flags import QuietOption, Said, motion_of, reads_records
+from stayput.cli.flags import FlagValues, QuietOption, motion_of, reads_records
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note, tell_written
 from stayput.cli.shaking import XOption, YOption, ZOption, along
@@ -45,7 +45,7 @@ def study(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Said,
+    reading: FlagValues,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:

@@ -11,8 +11,8 @@ import typer
 
 from stayput.cli.flags import (
     EveryRunOption,
+    FlagValues,
     QuietOption,
-    Said,
     ThreadsOption,
     inputs_of,
     parsed,
@@ -76,9 +76,9 @@ def verify(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Said,
+    reading: FlagValues,
     scale: ScaleOption = None,
-    strength: Said,
+    strength: FlagValues,
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,

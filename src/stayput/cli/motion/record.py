@@ -10,9 +10,9 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.flags import (
+    FlagValues,
     MotionArgument,
     QuietOption,
-    Said,
     intensity_value,
     motion_of,
     one_of_two,
@@ -42,7 +42,7 @@ def info(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Said,
+    reading: FlagValues,
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
@@ -172,7 +172,7 @@ def plot(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Said,
+    reading: FlagValues,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
@@ -199,7 +199,7 @@ def spectrum(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Said,
+    reading: FlagValues,
     damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
     out: Annotated[
         Path | None,
@@ -283,7 +283,7 @@ def convert(
     y: YOption = None,
     z: ZOption = None,
     *,
-    reading: Said,
+    reading: FlagValues,
     only: Annotated[str | None, typer.Option(metavar="x|y|z", help="cli_help.only")] = None,
     step: Annotated[float | None, typer.Option(help="cli_help.step")] = None,
     scale: Annotated[float | None, typer.Option(help="cli_help.factor")] = None,
@@ -351,7 +351,7 @@ def _read(
     *,
     y: str | None,
     z: str | None,
-    reading: Said,
+    reading: FlagValues,
 ) -> Motion:
     """Return the motion of the argument or of ``--x``; see `motion_of`.
 

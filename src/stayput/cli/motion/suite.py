@@ -10,8 +10,8 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.completion import families, intensity_classes, words
 from stayput.cli.flags import (
+    FlagValues,
     QuietOption,
-    Said,
     band_of,
     intensity_value,
     one_of_two,
@@ -56,7 +56,7 @@ def suite(
     seed: Annotated[int, typer.Option(help="cli_help.seed")] = 1,
     records: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.records")] = None,
     *,
-    reading: Said,
+    reading: FlagValues,
     target: Annotated[
         str | None,
         typer.Option(help="cli_help.target"),
