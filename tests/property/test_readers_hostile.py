@@ -4,8 +4,10 @@ Any other motion comes with a warning. The files are written here, in each forma
 are cut, mixed up and overwritten.
 """
 
+import io
 import re
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -354,3 +356,21 @@ HEADS = [
 )
 def test_any_text_after_any_head(file, content, head):
     _read(file, "columns", (head + content).encode())
+
+
+@given(
+    form=st.sampled_from(["MSEED", "SAC"]),
+    places=st.lists(st.tuples(st.integers(0, 10**6), st.integers(0, 255)), min_size=1, max_size=8),
+    kept=st.floats(0.0, 1.0) | st.just(1.0),
+)
+def test_damaged_seismograms_are_read_or_refused(file, form, places, kept):
+    obspy = pytest.importorskip("obspy", reason="ObsPy is not installed")
+    written = io.BytesIO()
+    trace = obspy.Trace((100.0 * WAVE).astype(np.int32), {"station": "T", "channel": "HNE", "delta": 0.01})
+    trace.write(written, format=form)
+    content = bytearray(written.getvalue())
+    for place, byte in places:
+        content[place % len(content)] = byte
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        _read(file, "columns", bytes(content[: max(1, round(kept * len(content)))]))

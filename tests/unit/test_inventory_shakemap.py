@@ -427,3 +427,36 @@ def test_results_do_not_depend_on_threads_with_scatter(tmp_path):
         for n in (1, 2)
     ]
     assert found[0] == found[1]
+
+
+DEVIATED = [
+    (135, 36, 0.5, 0.5, 0.3),
+    (136, 36, 0.5, 0.5, 0.3),
+    (135, 35, 0.5, 0.5, 0.3),
+    (136, 35, 0.5, 0.5, 0.3),
+]
+
+
+@pytest.mark.parametrize(
+    ("said", "other", "named"),
+    [('event_id="x"', 'event_id="us70"', "us70, version 1"), ('version="1"', 'version="2"', "x, version 2")],
+)
+def test_the_uncertainty_of_another_event_or_version_is_refused(tmp_path, said, other, named):
+    map_file, file = grid(tmp_path, ROWS), grid(tmp_path, DEVIATED, DEVIATIONS, "uncertainty.xml")
+    assert read_shakemap(map_file, uncertainty=file).at(36.0, 135.0).scatter > 0.0
+    file.write_text(file.read_text().replace(said, other, 1))
+    with pytest.raises(
+        sp.InputError, match=f"is of 'x, version 1' and the uncertainty .* of '{named}'"
+    ) as refused:
+        read_shakemap(map_file, uncertainty=file)
+    assert "grid.xml" in str(refused.value)
+    assert "uncertainty.xml" in str(refused.value)
+    assert "同じ地震の同じ版でなければ" in refused.value.told("ja")
+
+
+def test_an_uncertainty_without_an_event_is_warned_of(tmp_path):
+    map_file, file = grid(tmp_path, ROWS), grid(tmp_path, DEVIATED, DEVIATIONS, "uncertainty.xml")
+    file.write_text(file.read_text().replace(' event_id="x" shakemap_version="1"', "", 1))
+    with pytest.warns(sp.InputWarning, match="do not both say of which event they are") as heard:
+        read_shakemap(map_file, uncertainty=file)
+    assert "同じ地震のものかどうか" in heard[0].message.told("ja")

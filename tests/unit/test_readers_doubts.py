@@ -153,7 +153,7 @@ def test_an_upper_floor_is_known_and_told(read, text, name):
     assert "recorded on floor 42" in motion.source
     assert sum("not a motion of the ground" in sentence for sentence in told) == 1
     assert motion.scaled(2.0).floor == "floor 42"
-    assert sp.Motion.combine(motion, z=motion).floor == "floor 42"
+    assert sp.Motion.combine(motion).floor == "floor 42"
 
 
 def test_a_floor_that_goes_through_a_building_is_told():

@@ -128,7 +128,10 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     (estimates.kaneko_hayashi_median, SIZE | GRAVITY | {"frequency": 1.0}),
     (estimates.kaneko_hayashi_velocity, SIZE),
     (sp.read_scenario, {"path": "none.toml"}),
-    (sp.read_motion, {"path": "none.csv"}),
+    (
+        sp.read_motion,
+        {"path": "none.csv", "columns": "x=1", "skip_lines": 1, "decimal_comma": True, "location": "00"},
+    ),
     (sp.read_suite, {"source": ["none.csv"]}),
     (sp.read_target, {"path": "none.csv"}),
     (sp.write_nrml, {"curves": CURVES, "path": "none.txt"}),

@@ -165,6 +165,25 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The record's time step [s], where its file does not state it.",
         "記録の時間刻み [s]（ファイルに書かれていない場合）",
     ),
+    "record_columns": (
+        (
+            "Of columns of numbers, which are the time and the components, by headings or places, such as "
+            "t=1,x=acc,z=4; the others are not read."
+        ),
+        "記録の列のうち、時刻と各成分の列を見出しか番号で指定する（例：t=1,x=acc,z=4）。ほかの列は読まない",
+    ),
+    "skip_lines": (
+        "Lines at the beginning of the record's file to pass over.",
+        "記録のファイルの先頭で読み飛ばす行数",
+    ),
+    "decimal_comma": (
+        "The record's numbers have a decimal comma.",
+        "記録の数値の小数点が「,」である",
+    ),
+    "location": (
+        "Of SAC and miniSEED, the code of the sensor where a station has several; -- of none.",
+        "SACとminiSEEDで、観測点に地震計が複数あるときに使うもののロケーションコード（コードなしは--）",
+    ),
     "scale": (
         "Factor on the motion; in the place of a strength that the file states.",
         "揺れに掛ける倍率。ファイルにある強さの指定に代わる",

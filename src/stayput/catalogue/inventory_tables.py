@@ -203,6 +203,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The unit of {name} of the uncertainty is {unit!r}; it must be {known}.",
         "不確かさの{name}の単位が「{unit}」になっています。{known}にしてください。",
     ),
+    "other_event": (
+        "The map {path} is of {event} and the uncertainty {other} of {other_event}; they must be of one event and version.",
+        "マップ{path}は{event}、不確かさ{other}は{other_event}のものです。同じ地震の同じ版でなければなりません。",
+    ),
+    "event_unstated": (
+        "The map {path} and the uncertainty {other} do not both say of which event they are; check it.",
+        "マップ{path}と不確かさ{other}から、同じ地震のものかどうかが分かりません。確かめてください。",
+    ),
     "other_grid": (
         "The uncertainty is {path}; its places must be those of the shake map.",
         "不確かさのファイル{path}の地点が、地震動マップの地点と異なります。",

@@ -293,7 +293,42 @@ TEXTS: dict[str, tuple[str, str]] = {
     "floor_number": ("floor {number}", "{number}階"),
     "storey_number": ("storey {number}", "{number}階"),
     "roof": ("roof", "屋上"),
+    # Components that are put together.
+    "one_record": (
+        "The {first} and {second} components are the same record, {name}; each must have its own.",
+        "{first}成分と{second}成分が同じ記録（{name}）です。別々の成分の記録を指定してください。",
+    ),
+    "two_records": (
+        "The {first} component is of {one} and the {second} component of {other}; they must be of one record.",
+        "{first}成分は{one}、{second}成分は{other}の記録です。同じ地震、観測点、地震計の記録でなければなりません。",
+    ),
+    "origin_unstated": (
+        "The files of the {first} and {second} components do not both say of which record they are; check it.",
+        "{first}成分と{second}成分のファイルから、同じ記録かどうかが分かりません。確かめてください。",
+    ),
+    "one_direction": (
+        "The {first} component points to {one} and the {second} component to {other}; they must be at right angles.",
+        "{first}成分の方向が{one}、{second}成分の方向が{other}です。互いに直交していなければなりません。",
+    ),
+    "wrong_axis": (
+        "The {component} component points to {label}; it must be a {wanted} one.",
+        "{component}成分の方向が{label}です。{wanted}の成分でなければなりません。",
+    ),
+    "vertical": ("vertical", "上下動"),
+    "horizontal": ("horizontal", "水平動"),
     # ObsPy's traces.
+    "several_stations": (
+        "The traces are of the stations {one} and {other}; they must be of one.",
+        "トレースに{one}と{other}の2つの観測点があります。1つの観測点のものだけにしてください。",
+    ),
+    "several_locations": (
+        "The station has {count} sensors, with the locations {known}; {option} must name one of them.",
+        "観測点に地震計が{count}つあります（ロケーション：{known}）。使うものを{option}で指定してください。",
+    ),
+    "no_such_location": (
+        "The location is {location!r}; it must be one of those of the station: {known}.",
+        "ロケーション「{location}」はこの観測点にありません。次から選んでください：{known}",
+    ),
     "no_traces": (
         "The stream has no traces; it must have one a channel.",
         "ObsPyのストリームにトレースがありません。チャンネルごとに1つ必要です。",
@@ -350,6 +385,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The suite {name!r} has no files; it must have at least one record.",
         "「{name}」にファイルがありません。地震記録が1つ以上必要です。",
     ),
+    "suite_left_out": (
+        "Of the folder {name!r} these files are left out: {files}.",
+        "フォルダ「{name}」の次のファイルは使いません：{files}。",
+    ),
+    "no_acceleration": ("{files}{more} (no acceleration)", "{files}{more}（加速度ではない）"),
+    "in_borehole": ("{files}{more} (borehole)", "{files}{more}（地中の記録）"),
+    "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
+    "and_more": (" and {count} more", "など（ほか{count}件）"),
     "unknown_family": (
         "The family is {family!r}; it must be one of {known}.",
         "地震の種類が「{family}」になっています。次のいずれかにしてください：{known}",

@@ -32,11 +32,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "file_binary": (
         (
-            "The motion file {path!r} is binary; it must be text "
+            "The motion file {path!r} is binary; it must be text, SAC or miniSEED "
             "(read other formats with ObsPy and use Motion.from_obspy)."
         ),
         (
-            "「{path}」はテキストのファイルではありません。地震記録のテキストファイルを選んでください"
+            "「{path}」はテキスト、SAC、miniSEEDのいずれでもありません。地震記録のファイルを選んでください"
             "（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡してください）。"
         ),
     ),
@@ -181,10 +181,71 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The header has no {what}; it must state it.",
         "ヘッダーに{what}がありません。",
     ),
+    "decimal_comma": (
+        (
+            "Value {index} of {what} is {value}; it must be a finite decimal number with a point, unless "
+            "{option} says that it has a comma."
+        ),
+        (
+            "{what}の{index}番目の値が{value}になっています。小数点には「.」を使うか、「,」であることを"
+            "{option}で指定してください。"
+        ),
+    ),
+    # What the caller says of a file.
+    "columns_like": (
+        "{name} has {value}; it must be such as t=1,x=2 or t=time,x=NS,y=EW,z=UD: with x, and each once.",
+        "{name}に{value}があります。「t=1,x=2」や「t=time,x=NS,y=EW,z=UD」のように、xを含めて1回ずつ書いてください。",
+    ),
+    "no_such_column": (
+        "The columns say {role}={column}; each must be a column of the file, and another one: {known}.",
+        "列の指定の{role}={column}に当たる列が1つに決まりません。別々の列を次から選んでください：{known}",
+    ),
+    "columns_left_out": (
+        "The columns {columns} are velocities or displacements and are left out; the accelerations are taken.",
+        "速度や変位の列「{columns}」は使いません。加速度の列だけを使います。",
+    ),
+    "not_of_format": (
+        "{name} is given and the file is {format}, which has no use for it; it must be left out.",
+        "{name}が指定されましたが、{format}のファイルには使えません。指定しないでください。",
+    ),
+    "all_skipped": (
+        "{name} is {count}; the file must have more lines.",
+        "{name}が{count}になっています。ファイルの行数より小さくしてください。",
+    ),
+    "component_and_columns": (
+        "{name} is {component!r} beside {other}, which says what x is; it must be one of the two.",
+        "xとする列が{other}で指定されているのに、{name}も「{component}」になっています。どちらか一方にしてください。",
+    ),
+    "no_obspy": (
+        "ObsPy is absent; it must be installed to read {format}: pip install obspy.",
+        "{format}を読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
+    ),
+    "seismogram_unread": (
+        "ObsPy cannot read the file; it must be complete.",
+        "ObsPyでファイルを読み取れません。壊れていないファイルが必要です。",
+    ),
+    "seismogram_cut": (
+        "The last record of the file has {size} bytes; it must have {length} like the others.",
+        "ファイルの最後のレコードが{size}バイトしかありません。ほかと同じ{length}バイトが必要です。",
+    ),
+    "borehole_left_out": (
+        "The channels {channels} are of the borehole below the ground and are left out; the surface's are taken.",
+        "地中（ボアホール）の地震計の成分「{channels}」は使いません。地表の成分を使います。",
+    ),
+    "borehole": (
+        "The sensor of {label!r} is in the borehole, below the ground; for a floor the one at the surface must be taken.",
+        "「{label}」は地中（ボアホール）の地震計の記録です。床の揺れには地表の記録を使ってください。",
+    ),
     # Columns of numbers.
     "column_count": (
-        "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z).",
-        "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）に対応しています。",
+        (
+            "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless {option} "
+            "says which are these."
+        ),
+        (
+            "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、"
+            "どれがそれらの列かを{option}で指定してください。"
+        ),
     ),
     "column_row": (
         "Row {row} has {count} values; it must have {columns} like the first.",
@@ -376,10 +437,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "成分名に「{name}」があります。「NS」「EW」「UD」のいずれかでなければなりません。",
     ),
     # K-NET.
-    "knet_no_obspy": (
-        "ObsPy is absent; it must be installed to read K-NET ASCII: pip install obspy.",
-        "K-NET ASCIIを読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
-    ),
     "knet_header_unread": (
         "The header cannot be read ({reason}); it must be the 17 lines of the format.",
         "ヘッダーを読み取れません（「{reason}」）。形式どおりの17行が必要です。",

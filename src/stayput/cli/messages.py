@@ -85,9 +85,12 @@ class CommandGroup(TyperGroup):
         printed: set[str] = set()
 
         def of_flags(told: Told) -> Told:
-            command = self.get_command(ctx, ctx.invoked_subcommand or "")
-            takes_records = "--unit" in _flags_of(command)
-            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if takes_records else _IN_COMMANDS)
+            flags = _flags_of(self.get_command(ctx, ctx.invoked_subcommand or ""))
+            option = f"--{told.values.get('option')}".replace("_", "-")
+            if option in flags:  # an argument of Python, by the name of its flag
+                values = {**told.values, "option": option}
+                told = type(told)(told.code, told.field, context=told.context, **values)
+            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--unit" in flags else _IN_COMMANDS)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)

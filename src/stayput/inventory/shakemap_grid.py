@@ -50,12 +50,15 @@ class MapGrid:
         Each field, shape (lats, lons).
     units : dict
         The unit of each field, as it is stated.
+    event : str
+        The earthquake and the version of its map, as they are stated; "" where they are not.
     """
 
     lats: NDArray[np.float64]
     lons: NDArray[np.float64]
     values: dict[str, NDArray[np.float64]]
     units: dict[str, str]
+    event: str = ""
 
 
 class _Reader:
@@ -68,13 +71,15 @@ class _Reader:
         self.parts: list[NDArray[np.float64]] = []
         self.count = 0
         self.in_data = self.is_grid = False
-        self.text = ""
+        self.text = self.event = ""
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         """Take in that an element starts."""
         match tag.rpartition(":")[2]:
             case "shakemap_grid":
                 self.is_grid = True
+                parts = (attributes.get(name, "").strip() for name in ("event_id", "shakemap_version"))
+                self.event = ", version ".join(part for part in parts if part)
             case "grid_specification":
                 self.size = {name: self._whole(attributes, name) for name in ("nlon", "nlat")}
                 if min(self.size.values()) < 2 or self.size["nlon"] * self.size["nlat"] > MOST_POINTS:
@@ -151,7 +156,7 @@ class _Reader:
             raise self.refused("irregular")
         units = {name.strip().upper(): unit for name, unit in self.fields.values()}
         turned = {name: np.ascontiguousarray(field[::down, ::left]) for name, field in fields.items()}
-        return MapGrid(lats, lons, turned, units)
+        return MapGrid(lats, lons, turned, units, self.event)
 
 
 def is_xml(path: Path) -> bool:

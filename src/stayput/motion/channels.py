@@ -1,4 +1,4 @@
-"""The channels of a file, or of ObsPy's traces, and how they become the components of a motion."""
+"""The channels of a file, and how they become the components of a motion."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.processing import check_size
-from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -34,11 +33,12 @@ _SEED_CODE = re.compile(
 )  # a seismometer's channel, its location
 _AXIS = re.compile(r"(?:A|ACC|ACCEL|ACCELERATION)([XYZ])")
 
+_OF_KIK_NET = re.compile(r"(?<=NS|EW|UD)[12]$")  # its two sensors
+
 _DOUBTFUL_PEAK = 5.0  # g; no more than a handful of records are larger, a wrong unit nearly always is
 _PEAK_TOLERANCE = 0.01  # headers round the peak, or take it before the last correction
 _PEAK_ROUNDING = 1e-5  # m/s², a header's last digit
 _LENGTH_TOLERANCE = 0.01  # published components of one record differ by some samples at their end
-_START_TOLERANCE = 0.01  # of a time step, between the starts of two traces
 
 # How names and headers write the upper floor of a building: "42nd Floor", "floor42", "42F", "42階". A number
 # of storeys ("52-STORY BLDG", "12階建") and a floor below the ground ("地下2階") are not meant.
@@ -70,6 +70,12 @@ class Channel:
         What else the motion's ``source`` should say.
     location : str
         What the file says of the place, as of a floor of a building.
+    origin : str
+        Event, station and sensor, in the same words in each file of one record; default ``name``.
+    borehole : bool
+        Whether the sensor is below the ground, at the bottom of a borehole.
+    role : str
+        The component that the caller says it is: "x", "y" or "z"; "" where the label says it.
     """
 
     label: str
@@ -79,6 +85,9 @@ class Channel:
     peak: float | None = None
     note: str = ""
     location: str = ""
+    origin: str = ""
+    borehole: bool = False
+    role: str = ""
 
 
 class Listing(NamedTuple):
@@ -92,11 +101,17 @@ class Listing(NamedTuple):
         Whether each one is vertical.
     used : int
         Index of the one that became x.
+    label : str
+        Its direction as the file writes it; "" where it does not.
+    origin : str
+        Its event, station and sensor as the file states them; likewise.
     """
 
     names: tuple[str, ...]
     vertical: tuple[bool, ...]
     used: int
+    label: str = ""
+    origin: str = ""
 
 
 class MotionFields(TypedDict):
@@ -146,7 +161,12 @@ def labels_phrase(labels: Iterable[str]) -> Phrase:
     return ", ".join(shown), "、".join(shown)
 
 
-def _spellings(label: str) -> set[str]:
+def direction(label: str) -> str:
+    """Return a channel's direction without the number of KiK-net's sensor: "NS2" → "NS"."""
+    return _OF_KIK_NET.sub("", plain_label(label))
+
+
+def spellings(label: str) -> set[str]:
     """Return what a direction may be called, so that "NS", "HNN" and "360" are the same one."""
     plain = plain_label(label)
     code = _direction(label)
@@ -164,7 +184,7 @@ def _chosen(channels: Sequence[Channel], component: str) -> int:
     else:
         # An exact label comes first: of "360" and "NS" in one file, each names its own channel.
         matches = [i for i in labelled if plain_label(labels[i]) == plain_label(wanted)]
-        matches = matches or [i for i in labelled if _spellings(labels[i]) & _spellings(wanted)]
+        matches = matches or [i for i in labelled if spellings(direction(labels[i])) & spellings(wanted)]
     if len(matches) == 1:
         return matches[0]
     code = "motion.ambiguous_channel" if matches else "motion.no_such_channel"
@@ -206,15 +226,18 @@ def _numbered(channels: Sequence[Channel], which: Collection[int]) -> Phrase:
 
 def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, Channel]:
     """Return which channel becomes which component: x, and y and z where only one channel can be meant."""
-    horizontal = list(_horizontal(channels))
-    vertical = [i for i in range(len(channels)) if i not in horizontal]
-    if component is not None:
-        x = _chosen(channels, component)
-    elif len(horizontal) > 2 or len(vertical) > 1:
+    if component is None and channels[0].role:
+        return {channel.role: channel for channel in channels}
+    given = None if component is None else _chosen(channels, component)
+    # The sensor at the surface and the one in the borehole below it are two records.
+    below = all(channel.borehole for channel in channels) if given is None else channels[given].borehole
+    beside = [i for i, channel in enumerate(channels) if channel.borehole == below]
+    horizontal = [i for i in _horizontal(channels) if i in beside]
+    vertical = [i for i in beside if i not in horizontal]
+    if given is None and (len(horizontal) > 2 or len(vertical) > 1):
         labels = _numbered(channels, horizontal)
         raise InputError("motion.many_channels", "component", count=len(channels), channels=labels)
-    else:
-        x = (horizontal or vertical)[0]
+    x = (horizontal or vertical)[0] if given is None else given
     assigned = {"x": channels[x]}
     if x in horizontal and len(horizontal) <= 2 and len(vertical) <= 1:
         others = {"y": [i for i in horizontal if i != x], "z": vertical}
@@ -296,8 +319,13 @@ def motion_fields(
         _check_header_peak(channel)
     components = _assigned(channels, component)
     x = components["x"]
-    if component is None:
-        _warn_of_choice(x, channels)
+    if component is None and not x.role:
+        _warn_of_choice(x, [channel for channel in channels if channel.borehole == x.borehole])
+    below = [channel.label for channel in channels if channel.borehole]
+    if x.borehole:
+        warn(InputWarning("motion.borehole", "component", label=x.label))
+    elif below and component is None:
+        warn(InputWarning("motion.borehole_left_out", "component", channels=labels_phrase(below)))
     _check_sizes(components)
     listing = _listing(channels, x)
     for key, channel in components.items():
@@ -331,45 +359,8 @@ def _listing(channels: Sequence[Channel], x: Channel) -> Listing:
         for i, label in enumerate(labels)
     )
     place = next(i for i, channel in enumerate(channels) if channel is x)
-    return Listing(tuple(names), tuple(is_vertical(label) for label in labels), place)
-
-
-def channels_of_traces(traces: Iterable[Any], unit: str, name: str | None) -> list[Channel]:
-    """Return the channels of ObsPy's traces; ObsPy itself is not needed.
-
-    Parameters
-    ----------
-    traces : iterable of obspy.Trace
-        One complete trace a channel, all of one start.
-    unit : str
-        Unit of the traces' numbers as they stand.
-    name : str, optional
-        What they are called; default network and station.
-
-    Raises
-    ------
-    InputError
-        No traces, gaps, different starts, an unknown unit.
-    """
-    factor = unit_factor(unit)
-    items = list(traces)
-    if not items:
-        raise InputError("motion.no_traces")
-    channels: list[Channel] = []
-    start = items[0].stats.starttime
-    for trace in items:
-        stats = trace.stats
-        code, dt = str(stats.channel), float(stats.delta)
-        if any(channel.label == code for channel in channels):
-            raise InputError("motion.trace_repeated", channel=code)
-        if np.ma.is_masked(trace.data):
-            raise InputError("motion.trace_gaps", channel=code)
-        late = float(stats.starttime - start)
-        if abs(late) > _START_TOLERANCE * dt:
-            raise InputError("motion.trace_start", channel=code, late=late)
-        station = ".".join(part for part in (str(stats.network), str(stats.station)) if part)
-        channels.append(Channel(code, factor * np.asarray(trace.data, dtype=np.float64), dt, name or station))
-    return channels
+    vertical = tuple(is_vertical(label) for label in labels)
+    return Listing(tuple(names), vertical, place, x.label, " ".join((x.origin or x.name).split()))
 
 
 def upper_floor(texts: Iterable[str]) -> str:

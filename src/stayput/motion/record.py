@@ -13,15 +13,10 @@ import numpy as np
 from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
-from stayput.motion.channels import (
-    Listing,
-    channels_of_traces,
-    common_length,
-    motion_fields,
-    warn_of_vertical,
-)
+from stayput.motion.channels import Listing, common_length, motion_fields, warn_of_vertical
 from stayput.motion.integrals import Peaks
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
+from stayput.motion.one_record import check_one_record
 from stayput.motion.processing import (
     MOST_SAMPLES,
     STEP_RANGE,
@@ -32,6 +27,7 @@ from stayput.motion.processing import (
     without_baseline,
 )
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, spectrum_of_samples
+from stayput.motion.traces import channels_of_traces
 from stayput.motion.writers import FORMATS
 from stayput.wording import check_language
 
@@ -326,7 +322,8 @@ class Motion:
         if name not in tuple(self.components):  # which takes what cannot be hashed
             known = ", ".join(self.components)
             raise InputError("motion.no_such_component", "component", component=name, known=known)
-        return replace(self, x=self.components[name], y=None, z=None)
+        listing = self.listing if name == "x" else None  # which is that of x
+        return replace(self, x=self.components[name], y=None, z=None, listing=listing)
 
     def peaks(self) -> dict[str, Peaks]:
         """Return the peaks of every component that is there, x first."""
@@ -451,12 +448,11 @@ class Motion:
         Raises
         ------
         InputError
-            The time steps differ, or the lengths by more than 1 %.
+            The time steps differ, or the lengths by more than 1 %; or they are of two events, stations or
+            sensors, of one direction, or have the same samples. Where the files do not say, it is warned.
         """
         given = {key: motion for key, motion in (("x", x), ("y", y), ("z", z)) if motion is not None}
-        for key, motion in given.items():
-            if not math.isclose(motion.dt, x.dt, rel_tol=1e-6):
-                raise InputError("motion.motion_dt_differs", key, component=key, dt=motion.dt, x_dt=x.dt)
+        check_one_record(given)
         length, cut = common_length({key: len(motion) for key, motion in given.items()})
         sources = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in given.items())
         samples: dict[str, Any] = {key: motion.x[:length] for key, motion in given.items()}
@@ -471,26 +467,34 @@ class Motion:
 
     @classmethod
     def from_obspy(
-        cls, traces: Iterable[Any], unit: str, *, component: str | None = None, name: str | None = None
+        cls,
+        traces: Iterable[Any],
+        unit: str,
+        *,
+        component: str | None = None,
+        name: str | None = None,
+        location: str | None = None,
     ) -> Motion:
         """Make a motion of an ObsPy Stream (or of traces), for the formats that ObsPy reads.
 
         Parameters
         ----------
         traces : iterable of obspy.Trace
-            One complete trace a channel, all of one start and one time step.
+            One complete trace a channel, all of one station, one start and one time step.
         unit : str
             Unit of the traces' numbers as they stand; ``stats.calib`` is *not* applied.
         component : str, optional
             Channel that becomes x, by its code or direction; default the first horizontal one.
         name : str, optional
             Default: network and station.
+        location : str, optional
+            Code of the sensor ("00"), where the station has several; "--" of the one without a code.
 
         Raises
         ------
         InputError
-            Gaps, different starts or steps, an unknown unit or component.
+            Gaps, different starts or steps, several stations or sensors, an unknown unit or component.
         """
-        channels = channels_of_traces(traces, unit, name)
+        channels = channels_of_traces(traces, unit, name, location)
         warn_of_vertical(channels, component)
         return cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Literal, Self, cast
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
@@ -23,6 +23,7 @@ from stayput.motion.ground_shaking import (
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
+from stayput.motion.readers.chosen import MOST_SKIPPED, OPTIONS, chosen_columns
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import (
@@ -42,6 +43,8 @@ from stayput.scenario.fields import (
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from stayput.motion.readers.chosen import ReadingOptions
 
 
 class SineTable(Table):
@@ -149,6 +152,22 @@ class ShakingTable(Table):
     dt: float | None = of(
         sine, "dt", default=None, description="The record's time step, where its file does not state it."
     )
+    columns: Text | None = Field(
+        default=None,
+        description="Which columns of the record's file are the time and the components, by their headings "
+        "or their places: t=1,x=2,y=3,z=4.",
+    )
+    skip_lines: Annotated[int, between(0, MOST_SKIPPED)] | None = Field(
+        default=None, description="How many lines at the beginning of the record's file are passed over."
+    )
+    decimal_comma: bool = Field(
+        default=False, description="Whether the record's numbers have a comma in the place of the point."
+    )
+    location: Text | None = Field(
+        default=None,
+        description="Of a SAC or miniSEED record, the code of the sensor where a station has several; "
+        "-- of none.",
+    )
     sine: SineTable | None = Field(default=None, description="A harmonic motion.")
     builtin: Literal["near-fault"] | None = Field(default=None, description="A built-in, synthetic motion.")
     suite: SuiteOrFolder | None = Field(
@@ -200,8 +219,9 @@ class ShakingTable(Table):
             first, second = (f"shaking.{key}" for key in given[:2])
             raise InputError("scenario.only_one", second, name=second, other=first)
         if self.record is None:
-            for key in ("component", "unit", "dt"):
-                if getattr(self, key) is not None and not isinstance(self.suite, str):
+            for key in ("component", "unit", *sorted(OPTIONS)):
+                said = getattr(self, key)
+                if said is not None and said is not False and not isinstance(self.suite, str):
                     name = f"shaking.{key}"
                     raise InputError("scenario.without_record", name, name=name)
             if self.across is not None:
@@ -209,6 +229,7 @@ class ShakingTable(Table):
             if isinstance(self.vertical, str):
                 value = repr(self.vertical)
                 raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
+        chosen_columns(self.columns, "shaking.columns")
         stated = [f"shaking.{key}" for key in STRENGTHS if getattr(self, key) is not None]
         if len(stated) > 1:
             raise InputError("scenario.only_one", stated[1], name=stated[1], other=stated[0])
@@ -355,7 +376,7 @@ class ShakingTable(Table):
         if self._in_python is not None:
             return self._in_python
         if isinstance(self.suite, str):
-            return read_suite(folder / self.suite, self.component, self.unit, dt=self.dt)
+            return read_suite(folder / self.suite, self.component, self.unit, **self._reading)
         return (self.suite or SuiteTable()).suite()
 
     def _member(self, folder: Path) -> Motion:
@@ -365,17 +386,21 @@ class ShakingTable(Table):
             raise InputError("scenario.member", "shaking.member", value=number, most=len(suite))
         return suite[number - 1]
 
+    @property
+    def _reading(self) -> ReadingOptions:
+        return cast("ReadingOptions", self.model_dump(include=OPTIONS, exclude_none=True))
+
     def _recorded(self, record: str, folder: Path) -> Motion:
-        motion = read_shaking(folder / record, self.component, self.unit, dt=self.dt)
+        motion = read_shaking(folder / record, self.component, self.unit, **self._reading)
         if self.across is None and not isinstance(self.vertical, str):
             return motion
         _refuse_vertical(motion, "record", record)
         parts = {name: motion.component(name) for name in motion.components if name != "x"}
         if self.across is not None:
-            parts["y"] = read_shaking(folder / self.across, unit=self.unit, dt=self.dt)
+            parts["y"] = read_shaking(folder / self.across, unit=self.unit, **self._reading)
             _refuse_vertical(parts["y"], "across", self.across)
         if isinstance(self.vertical, str):
-            parts["z"] = read_vertical(folder / self.vertical, self.unit, dt=self.dt)
+            parts["z"] = read_vertical(folder / self.vertical, self.unit, **self._reading)
         return Motion.combine(motion, parts.get("y"), parts.get("z"), motion.name)
 
 

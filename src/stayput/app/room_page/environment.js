@@ -6,7 +6,8 @@ import * as fields from "../scene.js";
 import * as upload from "../upload.js";
 import * as room from "./room.js";
 
-const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "builtin", "suite", "member"],
+const READING = ["component", "unit", "dt", "columns", "skip_lines", "decimal_comma", "location"],
+  MOTIONS = ["record", ...READING, "vertical", "sine", "builtin", "suite", "member"],
   WAYS = ["pga", "pgv", "sa", "mmi", "earthquake"],
   STRENGTHS = ["intensity", "scale", ...WAYS];
 let presets = null,

@@ -10,13 +10,12 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.completion import families, intensity_classes, words
 from stayput.cli.flags import (
-    ComponentOption,
+    FlagValues,
     QuietOption,
-    TimeStepOption,
-    UnitOption,
     band_of,
     intensity_value,
     one_of_two,
+    reads_records,
     target_of,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
@@ -43,6 +42,7 @@ COLUMNS = (
 """Columns of the suite's table."""
 
 
+@reads_records
 def suite(
     out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.suite_out")],
     family: Annotated[
@@ -55,9 +55,8 @@ def suite(
     count: Annotated[int, typer.Option(help="cli_help.count")] = 40,
     seed: Annotated[int, typer.Option(help="cli_help.seed")] = 1,
     records: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.records")] = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     target: Annotated[
         str | None,
         typer.Option(help="cli_help.target"),
@@ -97,10 +96,7 @@ def suite(
 
     from stayput.motion.suites import read_suite, synthetic_suite
 
-    if records is not None:
-        motions = read_suite(records, component, unit, dt=dt)
-    else:
-        motions = synthetic_suite(family, count, seed)
+    motions = synthetic_suite(family, count, seed) if records is None else read_suite(records, **reading)
     if wanted is not None:
         if select is not None:
             motions = motions.selected(wanted, select, periods)

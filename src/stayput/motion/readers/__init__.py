@@ -7,11 +7,21 @@ returns the file's channels in m/s². To add a format, write such a module and l
 from __future__ import annotations
 
 import re
+from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Unpack
 
-from stayput.errors import InputError, InputWarning, warn, warnings_to, within
+from stayput.errors import (
+    InputError,
+    InputWarning,
+    instance_of,
+    warn,
+    warnings_to,
+    whole_within,
+    within,
+)
 from stayput.motion.channels import (
     is_vertical,
     labels_phrase,
@@ -21,7 +31,9 @@ from stayput.motion.channels import (
     warn_of_vertical,
 )
 from stayput.motion.processing import STEP_RANGE
-from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer
+from stayput.motion.readers import columns as of_columns
+from stayput.motion.readers import cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram
+from stayput.motion.readers.chosen import MOST_SKIPPED, ReadingOptions, chosen_columns
 from stayput.motion.readers.others import other_format
 from stayput.motion.readers.text import check_end, file_text
 from stayput.motion.record import Motion
@@ -29,7 +41,7 @@ from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Generator, Mapping, Sequence
 
     from stayput.motion.channels import Channel
 
@@ -54,7 +66,7 @@ class Reader(Protocol):
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
-READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns)
+READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, of_columns)
 """The readers, in the order in which they are asked whether a file is theirs.
 
 Any file may have lines of bare numbers, so columns come last; the others' first lines exclude one another.
@@ -65,8 +77,7 @@ def read_motion(
     path: str | os.PathLike[str],
     component: str | None = None,
     unit: str | None = None,
-    *,
-    dt: float | None = None,
+    **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a record in any of the formats of `READERS`, recognised by its content.
 
@@ -87,6 +98,15 @@ def read_motion(
         where the file states none that is known, and refused where it contradicts the file.
     dt : float, optional
         Time step [s]: likewise.
+    columns : str or mapping, optional
+        Of columns of numbers, which are the time and the components, by their headings or their places:
+        "t=time,x=acc_2,z=4" or ``{"t": 1, "x": 3}``; the others are not read. Without t, ``dt`` is given.
+    skip_lines : int
+        How many lines at the beginning of the file are passed over.
+    decimal_comma : bool
+        Whether the numbers have a comma in the place of the point.
+    location : str, optional
+        Of SAC and miniSEED, the code of the sensor where a station has several; "--" of none.
 
     Raises
     ------
@@ -98,7 +118,8 @@ def read_motion(
     InputWarning
         It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
         file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
-        floor, channels seem to be missing.
+        floor, channels seem to be missing, columns of other quantities are left out, the sensor is in a
+        borehole.
 
     Examples
     --------
@@ -107,28 +128,20 @@ def read_motion(
     >>> sp.read_motion(path).pga
     4.0
     """
-
-    def asked(channels: Sequence[Channel]) -> str | None:
-        warn_of_vertical(channels, component)
-        if component is None:
-            _warn_of_name(path, channels)
-        return component
-
-    return _read(path, asked, unit, dt)
+    return motion_of([read_file(path, unit, **options)], along(component, warn_of_vertical))
 
 
 def read_shaking(
     path: str | os.PathLike[str],
     component: str | None = None,
     unit: str | None = None,
-    *,
-    dt: float | None = None,
+    **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a record that shakes furniture sideways: a vertical channel is not taken for a horizontal one.
 
     Parameters
     ----------
-    path, component, unit, dt
+    path, component, unit, options
         As for `read_motion`.
 
     Raises
@@ -136,24 +149,17 @@ def read_shaking(
     InputError
         Likewise; or ``component`` names a vertical channel of a file that has horizontal ones.
     """
-
-    def asked(channels: Sequence[Channel]) -> str | None:
-        refuse_vertical(channels, component)
-        if component is None:
-            _warn_of_name(path, channels)
-        return component
-
-    return _read(path, asked, unit, dt)
+    return motion_of([read_file(path, unit, **options)], along(component, refuse_vertical))
 
 
 def read_vertical(
-    path: str | os.PathLike[str], unit: str | None = None, *, dt: float | None = None
+    path: str | os.PathLike[str], unit: str | None = None, **options: Unpack[ReadingOptions]
 ) -> Motion:
     """Read a file's vertical channel, or its only one where its direction is not stated, as x of a motion.
 
     Parameters
     ----------
-    path, unit, dt
+    path, unit, options
         As for `read_motion`.
 
     Raises
@@ -161,12 +167,37 @@ def read_vertical(
     InputError
         Likewise; or there is no vertical channel, or more than one.
     """
-    return _read(path, _vertical_of, unit, dt)
+    return motion_of([read_file(path, unit, **options)], _vertical_of)
+
+
+def along(
+    component: str | None, look_at: Callable[[Sequence[Channel], str | None], None]
+) -> Callable[[Sequence[Channel]], str | None]:
+    """Return what names the channel along the shaking, for `motion_of`.
+
+    Parameters
+    ----------
+    component : str, optional
+        The channel; None where it is not said.
+    look_at : callable
+        Refuses a vertical one, or warns of it.
+    """
+
+    def named(channels: Sequence[Channel]) -> str | None:
+        if component is not None and channels[0].role:
+            about: dict[str, Any] = {"name": "component", "other": "columns", "component": component}
+            raise InputError("motion.component_and_columns", "component", **about)
+        look_at(channels, component)
+        return component
+
+    return named
 
 
 def _vertical_of(channels: Sequence[Channel]) -> str:
-    upright = [i for i, channel in enumerate(channels, start=1) if is_vertical(channel.label)]
-    if len(channels) == 1 and not channels[0].label:
+    upright = [
+        i for i, channel in enumerate(channels, 1) if channel.role == "z" or is_vertical(channel.label)
+    ]
+    if len(channels) == 1 and (channels[0].role or not channels[0].label):
         upright = [1]
     if len(upright) != 1:
         labels = labels_phrase([channel.label for channel in channels])
@@ -181,36 +212,132 @@ def _warn_of_name(path: str | os.PathLike[str], channels: Sequence[Channel]) -> 
         warn(InputWarning("motion.vertical_by_name", "component", ending=ending[0]))
 
 
-def _read(
+class ReadFile(NamedTuple):
+    """A file of a record.
+
+    Attributes
+    ----------
+    path : Path
+        Where it is.
+    form : str
+        Name of its format.
+    channels : list of Channel
+        What it holds.
+    warnings : list of InputWarning
+        What is doubtful about it.
+    synthetic : bool
+        Whether it says that it was computed.
+    """
+
+    path: Path
+    form: str
+    channels: list[Channel]
+    warnings: list[InputWarning]
+    synthetic: bool
+
+    @contextmanager
+    def naming(self) -> Generator[None]:
+        """Refuse with the file's name, and keep the warnings until a motion is made of it."""
+        title = f"{self.path.name} ({self.form})"
+        try:
+            with warnings_to(lambda warning: self.warnings.append(warning.at(title))):
+                yield
+        except InputError as error:
+            raise error.at(title) from None
+
+
+def read_file(
     path: str | os.PathLike[str],
-    choose: Callable[[Sequence[Channel]], str | None],
-    unit: str | None,
-    dt: float | None,
-) -> Motion:
+    unit: str | None = None,
+    *,
+    dt: float | None = None,
+    columns: str | Mapping[str, str | int] | None = None,
+    skip_lines: int = 0,
+    decimal_comma: bool = False,
+    location: str | None = None,
+) -> ReadFile:
+    """Read a file's channels; arguments and errors as for `read_motion`."""
+    comma = instance_of("decimal_comma", decimal_comma, bool)
+    skipped = whole_within("skip_lines", skip_lines, 0, MOST_SKIPPED, field="skip_lines")
+    chosen = chosen_columns(columns)
     if unit is not None:
         unit_factor(unit)
     if dt is not None:
         within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
-    text = file_text(path)
-    reader = next((reader for reader in READERS if reader.recognise(text)), None)
-    other = other_format(text) if reader in (None, columns) else None
-    formats = ", ".join(r.FORMAT for r in READERS[:-1])
-    not_read = InputError("motion.other_format", path=str(path), format=other, formats=formats)
-    if reader is None:
-        formats = f"{formats}, {columns.FORMAT}"
-        raise not_read if other else InputError("motion.unknown_format", path=str(path), formats=formats)
-    title = f"{Path(path).name} ({reader.FORMAT})"
-    warnings: list[InputWarning] = []
+    if location is not None:
+        instance_of("location", location, str)
+    binary = seismogram.format_of(path)
+    text = "" if binary is not None else file_text(path)
+    other = None
+    synthetic = "synthetic" in text[:_HEAD].lower()
+    if binary is not None:
+        form = seismogram.FORMATS[binary]
+        read = partial(seismogram.read, path, binary, unit, dt, location)
+        unused = {"columns": chosen, "skip_lines": skipped, "decimal_comma": comma}
+    else:
+        text = _without_lines(text, skipped)
+        text = text.replace(",", ".") if comma else text
+        reader = of_columns if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
+        other = other_format(text) if reader in (None, of_columns) and not chosen else None
+        if reader is None:
+            raise _not_read(path, other)
+        form, unused = reader.FORMAT, {"location": location}
+        read = partial(of_columns.read, chosen=chosen) if chosen else reader.read
+        read = partial(read, text, unit, dt)
+    file = ReadFile(Path(path), form, [], [], synthetic)
     try:
-        with warnings_to(warnings.append):
+        with file.naming():
+            for name in (name for name, value in unused.items() if value):
+                raise InputError("motion.not_of_format", name, name=name, format=form)
             check_end(text)
-            channels = reader.read(text, unit, dt)
-            fields = motion_fields(channels, choose(channels), reader.FORMAT, name=Path(path).stem)
-            motion = Motion(**fields)
+            file.channels.extend(read())
     except InputError as error:
-        raise not_read if other and error.field is None else error.at(title) from None
-    if motion.floor:
-        warnings.append(upper_floor_warning(motion.floor))
-    for warning in warnings:
-        warn(warning.at(title))
-    return replace(motion, synthetic="synthetic" in text[:_HEAD].lower())
+        if other and error.field is None:
+            raise _not_read(path, other) from None
+        raise
+    return file
+
+
+def _not_read(path: str | os.PathLike[str], other: str | None) -> InputError:
+    """Return the refusal of a file in a format that is known but not read, or in none that is known."""
+    read = (reader for reader in (*READERS, seismogram) if not (other and reader is of_columns))
+    formats = ", ".join(reader.FORMAT for reader in read)
+    if other:
+        return InputError("motion.other_format", path=str(path), format=other, formats=formats)
+    return InputError("motion.unknown_format", path=str(path), formats=formats)
+
+
+def _without_lines(text: str, count: int) -> str:
+    lines = text.split("\n", count)
+    if len(lines) <= count or not lines[-1].strip():
+        raise InputError("motion.all_skipped", "skip_lines", name="skip_lines", count=count)
+    return lines[-1]
+
+
+def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], str | None]) -> Motion:
+    """Return the motion that the channels of files make, which belong to one record.
+
+    Parameters
+    ----------
+    files : sequence of ReadFile
+        The files.
+    choose : callable
+        Returns which channel becomes x, or None where it is not said.
+
+    Raises
+    ------
+    InputError
+        As for `motion_fields`.
+    """
+    first = files[0]
+    channels = [channel for file in files for channel in file.channels]
+    with first.naming():
+        component = choose(channels)
+        if component is None and len(files) == 1:
+            _warn_of_name(first.path, channels)
+        motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
+        if motion.floor:
+            warn(upper_floor_warning(motion.floor))
+    for warning in (warning for file in files for warning in file.warnings):
+        warn(warning)
+    return replace(motion, synthetic=any(file.synthetic for file in files))

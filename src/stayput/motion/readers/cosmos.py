@@ -175,7 +175,11 @@ def _channel(header: _Header, rest: _Lines, unit: str | None, dt: float | None) 
     label = next((m[1] for title in titles if (m := _LABEL.search(title))), end[1])
     event = titles[1].removeprefix("Record of ") if len(titles) > 1 else ""
     stated_peak = None if math.isnan(peak) else peak * factor
-    return Channel(label, factor * samples, step, event, stated_peak, location=" ".join(titles))
+    station = next((title for title in titles if title.startswith("Statn No")), "")
+    origin = f"{event}, {station}"
+    return Channel(
+        label, factor * samples, step, event, stated_peak, location=" ".join(titles), origin=origin
+    )
 
 
 def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:

@@ -92,6 +92,12 @@ class Headings(NamedTuple):
     time_factor: float = 1.0
     names: tuple[str, ...] = ()
 
+    def at(self, places: Sequence[int]) -> Headings:
+        """Return the headings of the columns at some places, of which one is the time."""
+        names = tuple(self.names[place] for place in places) if self.names else ()
+        time = None if self.time is None else places.index(self.time)
+        return Headings(tuple(self.texts[place] for place in places), time, self.time_factor, names)
+
 
 def split(line: str) -> list[str]:
     """Return the fields of a line of columns, those between quotation marks without them."""
@@ -134,14 +140,14 @@ def is_title(line: str) -> bool:
     fields = headings_in(line)
     if _RULE.fullmatch(line):
         return True
-    if all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in fields) or _units_in(line):
+    if all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in fields) or units_in(line):
         return True
     figures = sum(bool(_NUMERIC.fullmatch(text) or _NOT_FINITE.fullmatch(text)) for text in fields)
     keyed = line[0].isalpha() and (":" in line or "=" in line)
     return _TITLE.match(line) is not None and (keyed or 2 * figures < len(fields))
 
 
-def _units_in(line: str) -> list[str]:
+def units_in(line: str) -> list[str]:
     """Return the units in a row of nothing else, as below headings: "[s], [gal], [gal]"."""
     fields = [_in_english(text) for text in split(without_control(line))]
     units = [text.strip("\"'()[]- ") for text in fields]
@@ -233,7 +239,7 @@ def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[
     """Return the last headings above the numbers, or the last line, and which line that is."""
     lines = [*comments, *titles]
     rows = [headings_in(line) for line in lines]
-    if len(lines) > 1 and len(units := _units_in(lines[-1])) == len(rows[-2]):
+    if len(lines) > 1 and len(units := units_in(lines[-1])) == len(rows[-2]):
         rows[-2:] = [[f"{text} [{u}]" if u else text for text, u in zip(rows[-2], units, strict=True)]]
     rows = [_with_time(texts, count) for texts in rows]
     stating = [i for i, texts in enumerate(rows) if _states_columns(texts)]
@@ -309,6 +315,19 @@ def _names(texts: Sequence[str]) -> tuple[str, ...]:
         whole if is_direction(whole) and not is_direction(name) else name
         for name, whole in zip(names, long, strict=True)
     )
+
+
+def other_quantities(headings: Headings) -> list[int]:
+    """Return the places of velocities and displacements, where another column is an acceleration."""
+    columns = {i: text for i, text in enumerate(headings.texts) if i != headings.time}
+    bare = {i: re.split(r"[(\[]", text)[0].strip().lower() for i, text in columns.items()}
+    of_letters = {"v", "d"} if {"a", "v", "d"} <= set(bare.values()) else set[str]()
+    others = [
+        i
+        for i, text in columns.items()
+        if bare[i] in of_letters or (mentioned_unit(text) is None and quantity_of(text) is not None)
+    ]
+    return others if len(others) < len(columns) else []
 
 
 def column_factors(

@@ -26,6 +26,7 @@ FORMAT = "JMA CSV"
 _SITE = re.compile(r"\s*SITE +CODE", re.IGNORECASE)
 _SAMPLING = re.compile("SAMPLING", re.IGNORECASE)
 _RATE = re.compile(r"SAMPLING +(?:RATE|FREQ)", re.IGNORECASE)
+_START = re.compile("INITIAL TIME", re.IGNORECASE)
 _UNIT = re.compile("UNIT$", re.IGNORECASE)
 _DIRECTIONS = {"NS", "EW", "UD"}
 _HEADER_LINES = 12
@@ -107,4 +108,8 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     samples = factor * _rows(text, start, len(labels))
     site = header[0].partition("=")[2].split(",")[0].strip() if header else ""
     step = time_step(1.0 / rate, dt)
-    return [Channel(name, samples[:, i], step, site, location=site) for i, name in enumerate(labels)]
+    origin = f"{site}, {_entry(header, _START) or ''}"
+    return [
+        Channel(name, samples[:, i], step, site, location=site, origin=origin)
+        for i, name in enumerate(labels)
+    ]

@@ -61,7 +61,7 @@ def _obspy_read(text: str) -> Any:
     try:
         from obspy import read as obspy_read
     except ImportError:
-        raise InputError("motion.knet_no_obspy") from None
+        raise InputError("motion.no_obspy", format=FORMAT) from None
     try:
         return obspy_read(BytesIO(text.encode()), format="KNET")[0]
     except Exception as error:  # a broken header raises whatever it meets
@@ -106,6 +106,9 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     counts *= float(trace.stats.calib)  # ObsPy's calib is in m/s² a count
     peak = float(trace.stats.knet.accmax) * factor
     step = time_step(1.0 / rate, dt)
-    return [
-        Channel(str(trace.stats.channel), counts, step, str(trace.stats.station), peak, ", offset removed")
-    ]
+    label, station = str(trace.stats.channel), str(trace.stats.station)
+    below = label.endswith("1")
+    sensor = {"1": ", borehole", "2": ", surface"}.get(label[-1:], "")
+    origin = f"{station}{sensor}, {header[0][18:].strip()}"
+    note = ", offset removed"
+    return [Channel(label, counts, step, station, peak, note, origin=origin, borehole=below)]

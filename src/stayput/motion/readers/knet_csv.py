@@ -117,7 +117,13 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     )
     return [
         Channel(
-            name, factor * (table[:, i] - shift), step, station, note=", offset removed", location=station
+            name,
+            factor * (table[:, i] - shift),
+            step,
+            station,
+            note=", offset removed",
+            location=station,
+            borehole=name.endswith("1"),
         )
         for i, (name, shift) in enumerate(zip(labels, offsets, strict=True), start=1)
     ]
