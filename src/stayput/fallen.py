@@ -158,6 +158,8 @@ def intensity_from_fallen(
     suite = (
         synthetic_suite("crustal", 40, number) if motions is None else instance_of("motions", motions, Suite)
     )
+    for motion in suite:
+        motion.of_the_ground("fallen")
     drawn = draws(len(suite), count, number)
     cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in kinds]
     hazard = Hazard(suite, vertical=vertical)

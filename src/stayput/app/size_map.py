@@ -108,7 +108,7 @@ def size_map(
     runs = RUNS if shaking.building is None or not shaking.building.yields else RUNS_YIELDING
     if hold(body, scenario.room.room(), measures).elements:
         runs = RUNS_HELD
-    ground = Suite(scenario.ground().motions[:runs])
+    ground = Suite(tuple(motion.of_the_ground("map") for motion in scenario.ground().motions[:runs]))
     samples, uncertainty = -(-runs // len(ground)), scenario.uncertainty
     drawn = draws(len(ground), samples, uncertainty.seed, as_stated=uncertainty.as_stated)
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))

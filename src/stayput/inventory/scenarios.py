@@ -74,8 +74,11 @@ class ScenarioFile:
 
     @cached_property
     def ground(self) -> Suite:
-        """The motions of the ground."""
-        return self.scenario.ground()
+        """The motions, which must be of the ground."""
+        suite = self.scenario.ground()
+        for motion in suite:
+            motion.of_the_ground("inventory")
+        return suite
 
     @cached_property
     def digest(self) -> str:

@@ -200,10 +200,10 @@ class GroundStrength:
         Raises
         ------
         InputError
-            A still motion.
+            A still motion, or one of an upper floor.
         """
         if self.measure == "JMA":
-            return factor_to_intensity(motion.intensity, self.level)
+            return factor_to_intensity(motion.of_the_ground("strength").intensity, self.level)
         return self.median / self.peak(motion)
 
     def peak(self, motion: Motion) -> float:
@@ -212,8 +212,9 @@ class GroundStrength:
         Raises
         ------
         InputError
-            A still motion.
+            A still motion, or one of an upper floor.
         """
+        motion.of_the_ground("strength")
         if self.measure == "SA":
             return horizontal_sa(motion, self.period)
         return horizontal_peak(motion, self.measure)

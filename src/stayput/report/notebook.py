@@ -105,7 +105,8 @@ def motion_html(motion: Motion) -> str:
         (say("notebook.step"), f"{motion.dt:g}"),
     ]
     if intensity:
-        table.append((say("notebook.intensity"), intensity))
+        label = "fragility.floor_jma" if motion.floor else "notebook.intensity"
+        table.append((say(label), intensity))
     return _shown(motion_label(motion), plot_motion(motion), table, heads)
 
 

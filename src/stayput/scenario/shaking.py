@@ -295,10 +295,14 @@ class ShakingTable(Table):
         Raises
         ------
         InputError
-            A record cannot be read.
+            A record cannot be read, or is of an upper floor where the strength of the ground is stated, or
+            others are of the ground.
         """
         given = self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
         strength = self.strength
+        if strength is not None or not all(motion.floor for motion in given):
+            for motion in given:
+                motion.of_the_ground("suite" if strength is None else "strength")
         if strength is None or strength.measure == "JMA":
             return given
         unit = (motion.scaled(1.0 / strength.peak(motion)) for motion in given)

@@ -51,7 +51,7 @@ def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
     if math.isnan(share):
         return say("several.no_run", language)
     held = best.probabilities[OVERTURNED].estimate
-    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
+    strength = shaking_phrase(verdict)
     falls = falls_phrase(share)
     if best.option.count and held < share - SMALL:
         unclear = best.change is not None and not best.change.clear

@@ -12,13 +12,15 @@ from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, INTENSITIES
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
+from stayput.motion.channels import floor_phrase
 from stayput.motion.intensity import intensity_class
 from stayput.wording import FAR, inside, is_open, with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
-    from stayput.scenario.shaking import ShakingTable
+    from stayput.rooms.verdict import RoomVerdict
     from stayput.verification.options import Option
+    from stayput.verification.several_verdict import AssemblyVerdict
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 ALIKE = 0.05
@@ -28,30 +30,25 @@ SMALL = 0.005
 """A share below this is not mentioned."""
 
 
-def class_phrase(intensity: float) -> Phrase:
-    """Return the class of a JMA intensity."""
-    return INTENSITIES[intensity_class(intensity)]
+def class_phrase(intensity: float, floor: str = "") -> Phrase:
+    """Return the class of a JMA intensity; of an upper floor's motion also that it is not the place's."""
+    strength = INTENSITIES[intensity_class(intensity)]
+    if not floor:
+        return strength
+    return phrase("ground_shaking.of_floor", strength=strength, floor=floor_phrase(floor))
 
 
-def shaking_phrase(shaking: ShakingTable, intensity: float) -> Phrase:
-    """Return how strong shaking is: its class, and what was stated where that is not the class itself.
-
-    Parameters
-    ----------
-    shaking : ShakingTable
-        What was stated.
-    intensity : float
-        Its JMA intensity; the median where it differs from motion to motion.
-    """
-    strength = shaking.strength
-    if strength is None or isinstance(shaking.intensity, str):
-        return class_phrase(intensity)
-    return phrase("ground_shaking.of_class", strength=class_phrase(intensity), stated=strength.brief)
+def shaking_phrase(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> Phrase:
+    """Return how strong shaking is: its class, and what was stated where that is not the class itself."""
+    shaking, strength = verdict.scenario.shaking, class_phrase(verdict.intensity, verdict.floor)
+    if shaking.strength is None or isinstance(shaking.intensity, str):
+        return strength
+    return phrase("ground_shaking.of_class", strength=strength, stated=shaking.strength.brief)
 
 
-def class_label(intensity: float, language: str) -> str:
-    """Return the class of a JMA intensity: "6-upper", or "震度6強"."""
-    return say(class_phrase(intensity), language)
+def class_label(intensity: float, language: str, floor: str = "") -> str:
+    """Return the class of a JMA intensity: "6-upper", or "震度6強"; see `class_phrase`."""
+    return say(class_phrase(intensity, floor), language)
 
 
 def share_text(share: float) -> Phrase:
@@ -183,7 +180,7 @@ def _headline(verdict: Verdict) -> Phrase:
     share = without.probabilities[OVERTURNED].estimate
     if math.isnan(share):
         return phrase("verification.no_run_without_a_measure")
-    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
+    strength = shaking_phrase(verdict)
     falls = falls_phrase(share)
     if _helps(best, without):
         held = best.probabilities[OVERTURNED].estimate

@@ -60,7 +60,8 @@ def fragility_chart(verdict: Verdict, shown: Sequence[OptionVerdict], source: Ch
                 grid.tolist(), curve.probability(grid).tolist(), low.tolist(), high.tolist(), strict=True
             )
             rows += [(name, "curve", *point) for point in points]
-    names = ("option", "from", "jma_intensity", "overturned", "overturned_low", "overturned_high")
+    intensity = "floor_jma" if verdict.floor else "jma_intensity"
+    names = ("option", "from", intensity, "overturned", "overturned_low", "overturned_high")
 
     def draw(figure: Figure) -> None:
         axis: Axes = figure.subplots()
@@ -68,7 +69,7 @@ def fragility_chart(verdict: Verdict, shown: Sequence[OptionVerdict], source: Ch
         for option, look in zip(shown, _LOOKS, strict=False):
             _draw_curve(axis, option, title(option.option, verdict, language), look, language)
         first, last = (float(end) for end in (verdict.levels[0] - 0.1, verdict.levels[-1] + 0.1))
-        _finish(axis, first, last, language)
+        _finish(axis, first, last, language, floor=verdict.floor)
         if first <= verdict.intensity <= last:
             axis.axvline(verdict.intensity, color=INK, linewidth=1.4, linestyle=":")
         axis.set_ylim(-2.0, 102.0)
@@ -118,9 +119,9 @@ def _draw_curve(
     )
 
 
-def _finish(axis: Axes, first: float, last: float, language: str) -> None:
-    """Shade every second class of JMA's intensity, and write their names along the top."""
-    for middle, name in shaded_classes(axis, first, last, language):
+def _finish(axis: Axes, first: float, last: float, language: str, floor: str = "") -> None:
+    """Shade every second class of JMA's intensity, and write their names along the top; none of a floor."""
+    for middle, name in () if floor else shaded_classes(axis, first, last, language):
         axis.annotate(
             name,
             (middle, 1.01),
@@ -130,7 +131,8 @@ def _finish(axis: Axes, first: float, last: float, language: str) -> None:
             color=MUTED,
         )
     axis.set_xlim(first, last)
-    axis.set_xlabel(drawable(say("report.axis_intensity", language)), fontsize=FONT)
+    label = "fragility.floor_jma" if floor else "report.axis_intensity"
+    axis.set_xlabel(drawable(say(label, language)), fontsize=FONT)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
