@@ -75,8 +75,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "計算数が少なく、偶然の差かもしれません。",
     ),
     "stays_upright": (
-        "In shaking of JMA intensity {strength} the {name} stays upright without any measure.",
-        "{strength}の揺れでも、この家具は対策なしで転倒しません。",
+        "In shaking of JMA intensity {strength} the {name} stays upright without any measure{doubt}.",
+        "{strength}の揺れでも、この家具は対策なしで転倒しません{doubt}。",
+    ),
+    "not_ruled_out": (
+        " in these runs; up to {share} is not ruled out",
+        "（今回の計算の範囲では。{share}までの可能性は否定できません）",
     ),
     "bare_falls": (
         "In shaking of JMA intensity {strength} the {name} overturns {falls}.",

@@ -23,7 +23,7 @@ from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, Re
 from stayput.inventory.workspace import read_json
 from stayput.montecarlo.counting import EVENTS, OVERTURNED, SLID
 from stayput.verification.ranking import RANKING_ORDER, severity
-from stayput.verification.words import SMALL
+from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -42,12 +42,6 @@ _ENDS = (("", "probability:"), ("_low", "95 % interval from:"), ("_high", "95 % 
 
 OUT = "contents_out_share"
 """Share of the contents that come out."""
-
-SAFE = 0.05
-"""A piece needs no measure where the upper ends of the 95 % intervals of its risks are below this.
-
-Seismic margins ask the same: high confidence (95 %) of a low probability of failure (5 %), HCLPF.
-"""
 
 
 class Finding(StrEnum):

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from stayput.inventory.arrow import parquet
-from stayput.inventory.results import SAFE, Finding
-from stayput.verification.words import SMALL
+from stayput.inventory.results import Finding
+from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

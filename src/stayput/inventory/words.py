@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import phrase, say
 from stayput.fragility.probabilities import percent
-from stayput.inventory.results import SAFE, Finding, least_motions
+from stayput.inventory.results import Finding, least_motions
 from stayput.measures import MEASURES
 from stayput.report.names import given_name
 from stayput.verification.contents import MOTIONS
+from stayput.verification.words import SAFE
 from stayput.wording import counted
 
 if TYPE_CHECKING:

@@ -18,6 +18,7 @@ from stayput.wording import FAR, inside, is_open, with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
     from stayput.verification.options import Option
     from stayput.verification.several_verdict import AssemblyVerdict
@@ -28,6 +29,12 @@ ALIKE = 0.05
 
 SMALL = 0.005
 """A share below this is not mentioned."""
+
+SAFE = 0.05
+"""A piece is called safe where the upper ends of the 95 % intervals of its risks are below this.
+
+Seismic margins ask the same: high confidence (95 %) of a low probability of failure (5 %), HCLPF.
+"""
 
 
 def class_phrase(intensity: float, floor: str = "") -> Phrase:
@@ -64,6 +71,13 @@ def of_the_cases(share: float) -> str:
     """Return a share in English: "in 12 % of the cases", "in none of the cases"."""
     amount = {0.0: "none", 1.0: "all"}.get(share, share_text(share)[0])
     return f"in {amount} of the cases"
+
+
+def doubt(chance: Probability) -> Phrase | str:
+    """Return, behind a statement that something hardly happens, how often it may where runs are too few."""
+    if chance.high < SAFE:
+        return ""
+    return phrase("verification.not_ruled_out", share=share_text(chance.high))
 
 
 def falls_phrase(share: float) -> Phrase:
@@ -199,7 +213,8 @@ def _headline(verdict: Verdict) -> Phrase:
         key = "verification.stays_upright"
     else:
         key = "verification.none_helps" if len(verdict.options) > 1 else "verification.bare_falls"
-    return phrase(key, strength=strength, name=name, falls=falls)
+    unsure = doubt(without.probabilities[OVERTURNED])
+    return phrase(key, strength=strength, name=name, falls=falls, doubt=unsure)
 
 
 def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
