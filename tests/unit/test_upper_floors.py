@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import math
 from functools import partial
@@ -181,7 +182,8 @@ def test_intensities_of_a_place_are_not_converted_from_a_floor(folder):
     assert found.intensity == pytest.approx(FLOORS[0].intensity)
     file = str(folder / "m0_6F.csv")
     told = json.loads(CliRunner().invoke(app, ["motion", "info", file, "--json"]).stdout)
-    assert (told["floor"], told["jma_class"], told["modified_mercalli"]) == ("floor 6", None, None)
+    assert told["floor"] == "floor 6"
+    assert {told[key] for key in ("jma_class", "long_period_class", "modified_mercalli")} == {None}
     for language, part in (("en", "not the intensity of the place"), ("ja", "その場所の震度ではない")):
         shown = (
             CliRunner()
@@ -190,6 +192,15 @@ def test_intensities_of_a_place_are_not_converted_from_a_floor(folder):
         )
         assert part in shown
         assert "Mercalli" not in shown
+
+
+def test_a_suite_s_table_names_the_floors(folder, tmp_path):
+    done = CliRunner().invoke(
+        app, ["motion", "suite", "--records", str(folder), "--out", str(tmp_path / "suite")]
+    )
+    assert done.exit_code == 0, done.output
+    rows = csv.DictReader((tmp_path / "suite" / "suite.csv").read_text(encoding="utf-8-sig").splitlines())
+    assert [row["floor"] for row in rows] == ["floor 6"] * len(FLOORS)
 
 
 def test_the_page_is_told_of_the_floor_and_has_no_map_over_the_ground(folder):

@@ -60,12 +60,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "intensities_of_floor": (
         (
-            "{intensity:.1f} by JMA's formula for the motion on {name}, not the intensity of the place; long-period "
-            "class {long_period} (Sva {sva:.3g} cm/s)"
+            "{intensity:.1f} by JMA's formula for the motion on {name}, not the intensity of the place; "
+            "Sva {sva:.3g} cm/s at long periods"
         ),
         (
             "{name}の床の揺れによる計測震度相当値{intensity:.1f}（その場所の震度ではない）、"
-            "長周期地震動階級{long_period}（Sva {sva:.3g} cm/s）"
+            "長周期のSva {sva:.3g} cm/s"
         ),
     ),
     "intensities": (

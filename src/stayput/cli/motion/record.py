@@ -78,7 +78,7 @@ def _info_record(
         "jma_intensity": _number(intensities.intensity),
         "jma_class": None if motion.floor else intensities.intensity_class,
         "long_period_sva_m_s": intensities.long_period_response,
-        "long_period_class": intensities.long_period_class,
+        "long_period_class": None if motion.floor else intensities.long_period_class,
         "modified_mercalli": _number(intensities.mercalli),
         "floor": motion.floor or None,
         "components": {
