@@ -19,6 +19,7 @@ from stayput.model.state import State, refuse_bad_start
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
+from stayput.motion.channels import of_the_ground
 from stayput.motion.suites import Suite
 from stayput.verification.options import require_coulomb
 
@@ -108,7 +109,7 @@ def size_map(
     runs = RUNS if shaking.building is None or not shaking.building.yields else RUNS_YIELDING
     if hold(body, scenario.room.room(), measures).elements:
         runs = RUNS_HELD
-    ground = Suite(tuple(motion.of_the_ground("map") for motion in scenario.ground().motions[:runs]))
+    ground = Suite(tuple(of_the_ground(motion, "map") for motion in scenario.ground().motions[:runs]))
     samples, uncertainty = -(-runs // len(ground)), scenario.uncertainty
     drawn = draws(len(ground), samples, uncertainty.seed, as_stated=uncertainty.as_stated)
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))

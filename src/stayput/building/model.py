@@ -14,6 +14,7 @@ from stayput.building.response import FloorPeaks, FloorResponse
 from stayput.errors import InputError, instance_of, list_of, whole_within
 from stayput.execution import Call, ThreadExecutor
 from stayput.model.parameters import parameter, parameter_of, quantity
+from stayput.motion.channels import of_the_ground
 from stayput.motion.processing import refine
 from stayput.motion.record import Motion
 from stayput.wording import check_language
@@ -179,7 +180,7 @@ class ShearModel:
 
     def _ground(self, motion: Motion) -> Motion:
         """Return the motion; refuse one that is not of the ground."""
-        return Motion.given(motion).of_the_ground("building")
+        return of_the_ground(Motion.given(motion), "building")
 
     def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
         """Draw the slowest mode shapes over the height, times their participation factors.

@@ -17,6 +17,7 @@ from stayput.building import STRUCTURES
 from stayput.errors import InputError, InputWarning, warn
 from stayput.fragility import JMA_INTENSITY
 from stayput.inventory.places import distances
+from stayput.motion.channels import of_the_ground
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.messages import refusal_of
@@ -77,7 +78,7 @@ class ScenarioFile:
         """The motions, which must be of the ground."""
         suite = self.scenario.ground()
         for motion in suite:
-            motion.of_the_ground("inventory")
+            of_the_ground(motion, "inventory")
         return suite
 
     @cached_property

@@ -18,6 +18,7 @@ import numpy as np
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
 from stayput.mechanics.runner import Shaking, shaking
 from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.motion.channels import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
 
@@ -349,7 +350,7 @@ class Hazard:
 
     def _further(self, measure: IntensityMeasure, factors: NDArray[np.float64]) -> NDArray[np.float64]:
         for motion in self.ground:
-            motion.of_the_ground("measure")
+            of_the_ground(motion, "measure")
         if measure.period is not None:
             return factors * self._spectral[measure.period]
         if measure != MMI:

@@ -10,16 +10,15 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError, finite, instance_of, quoted, shown, visible, within, word_of
+from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.channels import (
     Listing,
     channels_of_traces,
     common_length,
-    floor_phrase,
     motion_fields,
+    of_the_ground,
     warn_of_vertical,
 )
 from stayput.motion.integrals import Peaks
@@ -241,34 +240,8 @@ class Motion:
 
     @property
     def intensity(self) -> float:
-        """JMA's instrumental intensity of all components, not rounded; −inf of a still floor.
-
-        Of a motion of an upper floor it is a number by the same formula, and not the intensity of the place.
-        """
+        """JMA's instrumental intensity, not rounded; −inf if still; of an upper floor not the place's."""
         return jma_intensity(self.components.values(), self.dt)
-
-    def of_the_ground(self, rule: str) -> Self:
-        """Return the motion itself; refuse one of an upper floor for a rule that holds for the ground alone.
-
-        Parameters
-        ----------
-        rule : str
-            Which rule, as ``ground_alone_...`` of the catalogue of motions says it.
-
-        Raises
-        ------
-        InputError
-            The motion is of an upper floor.
-        """
-        if self.floor:
-            raise InputError(
-                "motion.not_of_the_ground",
-                "motion",
-                motion=quoted(self.name),
-                floor=floor_phrase(self.floor),
-                rule=phrase(f"motion.ground_alone_{rule}"),
-            )
-        return self
 
     def spectrum(
         self, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
@@ -378,13 +351,11 @@ class Motion:
         Raises
         ------
         InputError
-            A still floor, a motion of an upper floor, or an intensity that is not known or needs an absurd
-            factor.
+            A still floor, an upper floor, or an intensity that is not known or needs an absurd factor.
         """
         value = intensity_of_class(intensity) if isinstance(intensity, str) else intensity
         value = within("motion.name_intensity", value, -3.0, 9.0, field="intensity")
-        ground = self.of_the_ground("strength")
-        scaled = ground.scaled(factor_to_intensity(ground.intensity, value))
+        scaled = self.scaled(factor_to_intensity(of_the_ground(self, "strength").intensity, value))
         return replace(scaled, source=f"{scaled.source} (to JMA intensity {value:g})")
 
     def flipped(self) -> Motion:
