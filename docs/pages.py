@@ -47,7 +47,7 @@ def surfaces() -> str:
     """Return the table of surface presets."""
     rows = [
         [name, ", ".join(also_called([name])), f"{static:g}", f"{kinetic:g}", f"{1e3 * settlement:g}"]
-        for name, (static, kinetic, settlement) in sp.SURFACES.items()
+        for name, (static, kinetic, settlement, _) in sp.SURFACES.items()
     ]
     return validation_run.markdown(
         ["surface", "also called", "static", "kinetic", "sinks in [mm]"], rows, "llrrr"

@@ -194,7 +194,7 @@ class Motions:
             pga_m_s2=motion.pga,
             pgv_m_s=motion.pgv,
             intensity=intensity,
-            intensity_class=class_of(intensity),
+            intensity_class=None if motion.floor else class_of(intensity),
             expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - stored.last_used)),
             floor=motion.floor,
             warnings=[

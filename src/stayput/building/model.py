@@ -11,9 +11,10 @@ import numpy as np
 
 from stayput.building.modes import ModalModel, Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
-from stayput.errors import InputError, InputWarning, instance_of, list_of, quoted, warn, whole_within
+from stayput.errors import InputError, instance_of, list_of, whole_within
 from stayput.execution import Call, ThreadExecutor
 from stayput.model.parameters import parameter, parameter_of, quantity
+from stayput.motion.channels import of_the_ground
 from stayput.motion.processing import refine
 from stayput.motion.record import Motion
 from stayput.wording import check_language
@@ -178,19 +179,8 @@ class ShearModel:
         return component_response(self._modal, a, dt, floors, drifts=drifts)
 
     def _ground(self, motion: Motion) -> Motion:
-        """Return the motion; warn where it is not one of the ground."""
-        motion = Motion.given(motion)
-        if motion.floor:
-            warn(
-                InputWarning(
-                    "building.not_of_the_ground",
-                    "motion",
-                    motion=quoted(motion.name),
-                    floor=motion.floor,
-                    building=self.name,
-                )
-            )
-        return motion
+        """Return the motion; refuse one that is not of the ground."""
+        return of_the_ground(Motion.given(motion), "building")
 
     def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
         """Draw the slowest mode shapes over the height, times their participation factors.

@@ -67,6 +67,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{count} samples every {dt:g} s: {duration:g} s",
         "{dt:g}秒間隔、{count}点、{duration:g}秒間",
     ),
+    "intensities_of_floor": (
+        (
+            "{intensity:.1f} by JMA's formula for the motion on {name}, not the intensity of the place; "
+            "Sva {sva:.3g} cm/s at long periods"
+        ),
+        (
+            "{name}の床の揺れによる計測震度相当値{intensity:.1f}（その場所の震度ではない）、"
+            "長周期のSva {sva:.3g} cm/s"
+        ),
+    ),
     "intensities": (
         (
             "JMA intensity {intensity:.1f}, class {name}; long-period class {long_period} (Sva {sva:.3g} cm/s); "

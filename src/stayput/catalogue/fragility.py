@@ -3,6 +3,10 @@
 TEXTS: dict[str, tuple[str, str]] = {
     # measures of intensity
     "jma": ("JMA instrumental intensity", "計測震度"),
+    "floor_jma": (
+        "number by JMA's formula for the motion of the floor, not the intensity of the place",
+        "床の揺れから計算した計測震度相当値（その場所の震度ではない）",
+    ),
     "pga": ("peak ground acceleration", "地面の最大加速度"),
     "pgv": ("peak ground velocity", "地面の最大速度"),
     "pfa": ("peak floor acceleration", "床の最大加速度"),

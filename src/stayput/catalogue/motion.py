@@ -290,6 +290,44 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "建物の上の階で観測された記録のようです（{floor}）。地面の揺れではありません。",
     ),
+    "not_of_the_ground": (
+        "The motion {motion} is of {floor} of a building; {rule}.",
+        "地震動{motion}は建物の床（{floor}）の揺れです。{rule}。",
+    ),
+    "ground_alone_strength": (
+        (
+            "an intensity, a peak, a spectral acceleration or an earthquake says how strongly the ground shakes, "
+            "so give none and at most a factor (scale), or a motion of the ground"
+        ),
+        (
+            "震度・最大値・応答スペクトル・地震は地面の揺れの強さを表すため、指定しないか倍率（scale）だけにするか、"
+            "地面の揺れの地震動を使ってください"
+        ),
+    ),
+    "ground_alone_suite": (
+        "others beside it are of the ground, so give motions of the ground alone, or of upper floors alone",
+        "一緒に指定された地震動には地面の揺れがあります。地面の揺れだけ、または上の階の揺れだけにしてください",
+    ),
+    "ground_alone_building": (
+        "a building stands on the ground, so give it no building, as the floor's own motion, or a motion of the ground",
+        "建物に入力できるのは地面の揺れだけです。建物を指定せずに床の揺れとして使うか、地面の揺れを使ってください",
+    ),
+    "ground_alone_inventory": (
+        "an inventory takes motions of the ground alone",
+        "家具一覧の評価に使えるのは地面の揺れだけです",
+    ),
+    "ground_alone_fallen": (
+        "an intensity from what fell takes motions of the ground alone",
+        "転倒物からの震度の推定に使えるのは地面の揺れだけです",
+    ),
+    "ground_alone_measure": (
+        "curves over PGA, PGV, Sa or MMI are of the ground, so take PFA, PFV or JMA, or a motion of the ground",
+        "PGA、PGV、Sa、MMIに対する曲線は地面の揺れのものです。PFA、PFV、JMAのいずれかにするか、地面の揺れを使ってください",
+    ),
+    "ground_alone_map": (
+        "the map of sizes is over the JMA intensity of the ground, so give a motion of the ground",
+        "大きさの図の横軸は地面の計測震度です。地面の揺れを使ってください",
+    ),
     "floor_number": ("floor {number}", "{number}階"),
     "storey_number": ("storey {number}", "{number}階"),
     "roof": ("roof", "屋上"),

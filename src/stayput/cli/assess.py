@@ -104,14 +104,20 @@ def _scenario_of_input() -> ScenarioFile:
 
 
 def _record(assessment: Assessment) -> dict[str, object]:
+    from stayput.inventory.results import Finding
+
     events = {
         name: {
             "pieces": total.pieces,
             "expected_overturned": total.fallen,
+            **{
+                f"share_overturned{which}": total.share(which)
+                for which in ("", "_low", "_high", "_best", "_best_low", "_best_high")
+            },
             "expected_overturned_best": total.fallen_best,
             "expected_loss": total.loss,
             "expected_loss_best": total.loss_best,
-            "pieces_helped": total.helped,
+            **{f"pieces_{finding}": total.found[finding] for finding in Finding},
             "contents_out_share": total.share_out,
             "contents_out_share_best": total.share_out_best,
         }

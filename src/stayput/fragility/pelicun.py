@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.files import check_target, draft
-from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
+from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
 from stayput.fragility.labels import identifiers
 from stayput.model.gravity import STANDARD_GRAVITY
 
@@ -45,6 +45,9 @@ JMA_DEMAND = "JMA Instrumental Intensity"
 JMA_OPTION = {JMA_DEMAND: {"Acronym": "JMA", "UnitType": "unitless"}}
 """What that option must hold for curves over JMA's intensity."""
 
+FLOOR_JMA_DEMAND = "JMA Formula on Floor Motion"
+"""Name of the demand of curves over the number that JMA's formula gives for a floor's motion."""
+
 MMI_DEMAND = "Modified Mercalli Intensity"
 """Name of the other demand that its option ``CustomDemandTypes`` must name."""
 
@@ -57,6 +60,7 @@ DEMANDS = {
     PGV.key: ("Peak Ground Velocity", "cmps", 100.0),
     PFV.key: ("Peak Floor Velocity", "cmps", 100.0),
     JMA_INTENSITY.key: (JMA_DEMAND, "unitless", 1.0),
+    FLOOR_JMA.key: (FLOOR_JMA_DEMAND, "unitless", 1.0),
     MMI.key: (MMI_DEMAND, "unitless", 1.0),
 }
 """Name, unit, and number in that unit over the SI number, of each measure but Sa."""

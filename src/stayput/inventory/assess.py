@@ -25,7 +25,7 @@ from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
-from stayput.inventory.results import PIECES, Writer, part_names
+from stayput.inventory.results import PIECES, Finding, Writer, part_names
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
 from stayput.inventory.shakemap_grid import check_file
 from stayput.inventory.shakemaps import read_shakemap
@@ -390,7 +390,7 @@ def _write(
 ) -> None:
     import json
 
-    record_file = RecordFile(space.draft())
+    record_file = RecordFile(space.draft(), work.kind)
     try:
         record_file.gather(space.folder / UNITS, plan, facts["units"])
         about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
@@ -445,8 +445,8 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
         pa.int32(),
         integer,
         integer,
-        *[real] * 6,
-        integer,
+        *[real] * 10,
+        *[integer] * len(Finding),
         real,
         real,
     ]

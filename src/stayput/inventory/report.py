@@ -12,7 +12,7 @@ from markupsafe import Markup
 from stayput.catalogue import say
 from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
-from stayput.inventory.summary import needs_none
+from stayput.inventory.results import Finding
 from stayput.inventory.words import (
     amount,
     building_named,
@@ -28,6 +28,7 @@ from stayput.inventory.words import (
     pieces_counted,
     reason_told,
     rows_told,
+    share_of,
     share_told,
 )
 from stayput.report.names import given_name
@@ -51,6 +52,9 @@ LONGEST_NAME = 40
 
 RAMP = ("#f7fbff", "#fdd49e", "#fc8d59", "#d7301f", "#7f0000")
 """Colours from 0 to 100 %: light to dark, so that they tell without hue as well."""
+
+UNTOLD = "#c8ccd0"
+"""Colour where the runs are too few to tell."""
 
 
 def _words(key: str, language: str, **values: object) -> str:
@@ -162,10 +166,12 @@ def _floor(storey: int, language: str) -> str:
 
 
 def _map_cell(x: float, y: float, total: Total, best: bool, where: str, language: str) -> str:
-    share = total.share_best if best else total.share
-    fill = "#ffffff" if math.isnan(share) else colour(share)
-    text_shown = "?" if math.isnan(share) else percent(share)
-    told = _words("cell", language, place=where, share=text_shown, pieces=pieces_counted(total.pieces))
+    which = "_best" if best else ""
+    share, untold = total.share(which), total.untold(which)
+    fill = "#ffffff" if math.isnan(share) else UNTOLD if untold else colour(share)
+    text_shown = "?" if math.isnan(share) else f"{percent(share)}?" if untold else percent(share)
+    shown = "?" if math.isnan(share) else share_of(total, which, language)
+    told = _words("cell", language, place=where, share=shown, pieces=pieces_counted(total.pieces))
     title = element("title", Markup.escape(told))
     box = element("rect", title, x=x, y=y, width=CELL - 2.0, height=ROW - 2.0, fill=fill, class_="cell")
     text = element(
@@ -225,7 +231,8 @@ def report_html(
         "ramp": [
             (share_told(share, language), colour(share), _ink(colour(share)))
             for share in (0.0, 0.25, 0.5, 0.75, 1.0)
-        ],
+        ]
+        + [(_words(Finding.TOO_FEW_RUNS, language), UNTOLD, _ink(UNTOLD))],
     }
     return rendered("inventory/inventory.html", page)
 
@@ -249,18 +256,17 @@ def _map(event: str, summary: Summary, language: str) -> dict[str, Any]:
 
 def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
     """Return the cells of a piece at risk."""
-    helped = row["best"] != NO_MEASURE
-    no_help = "needs_none" if needs_none(row) else "no_help"
+    helped, best = row["best"] != NO_MEASURE, measures_named(row["best"], language)
     by_cost = row["best_by_cost"]
     return {
         **{key: row[key] for key in ("row", "event", "count")},
         "piece": _called(row),
         "building": given_name(row["building"] or "", language),
         "storey": _floor(row["storey"], language) if row["storey"] else "",
-        "overturned": interval_told(row, "", language),
+        "overturned": interval_told(row, "overturned", language),
         "out": share_told(row["contents_out_share"], language),
-        "best": measures_named(row["best"], language) if helped else _words(no_help, language),
-        "best_overturned": interval_told(row, "best_", language) if helped else "",
+        "best": best if row["finding"] == Finding.HELPED else _words(row["finding"], language, measure=best),
+        "best_overturned": interval_told(row, "best_overturned", language) if helped else "",
         "best_out": share_told(row["best_contents_out_share"], language) if helped else "",
         "best_by_cost": _words("not_worth", language)
         if by_cost == NO_MEASURE

@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import phrase, say
 from stayput.fragility.probabilities import percent
+from stayput.inventory.results import Finding, least_motions
 from stayput.measures import MEASURES
 from stayput.report.names import given_name
 from stayput.verification.contents import MOTIONS
+from stayput.verification.words import SAFE
 from stayput.wording import counted
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from stayput.catalogue import Phrase
     from stayput.inventory.summary import Total
@@ -100,13 +102,22 @@ def interval_told(row: Mapping[str, Any], which: str, language: str) -> str:
     row : mapping
         The row.
     which : str
-        "" without a measure, "best_" with the best one.
+        "overturned" without a measure, "best_overturned" with the best one.
     language : str
         "en" or "ja".
     """
-    names = {"estimate": "", "low": "_low", "high": "_high"}
-    ends = {name: percent(row[f"{which}overturned{end}"]) for name, end in names.items()}
-    return say("inventory_report.interval", language, **ends)
+    return _interval(lambda end: row[f"{which}{end}"], language)
+
+
+def share_of(total: Total, which: str, language: str) -> str:
+    """Return the share that overturns with its interval; with "_best" of the best measures."""
+    return _interval(lambda end: total.share(f"{which}{end}"), language)
+
+
+def _interval(value: Callable[[str], float], language: str) -> str:
+    ends = {"estimate": "", "low": "_low", "high": "_high"}
+    shown = {name: percent(value(end)) for name, end in ends.items()}
+    return say("inventory_report.interval", language, **shown)
 
 
 def amount(value: float | None) -> str:
@@ -146,7 +157,7 @@ def expected(total: Total, language: str) -> str:
     """Return how many pieces are expected to overturn, without and with the best measures."""
     best = ""
     if total.fallen_best < total.fallen:
-        shared = share_told(total.share_best, language)
+        shared = share_of(total, "_best", language)
         fallen = f"{total.fallen_best:,.1f}"
         best = say("inventory_report.expected_best", language, fallen=fallen, share=shared)
     return say(
@@ -155,9 +166,32 @@ def expected(total: Total, language: str) -> str:
         fallen=f"{total.fallen:,.1f}",
         pieces=pieces_counted(total.pieces),
         verb=("is" if total.pieces == 1 else "are", ""),
-        share=share_told(total.share, language),
+        share=_known_share(total, language),
         best=best,
     )
+
+
+def _known_share(total: Total, language: str) -> str:
+    """Return the share that overturns with its interval, or that nothing is known of it."""
+    if total.pieces == total.unknown:
+        return say("inventory_report.given_up", language)
+    return share_of(total, "", language)
+
+
+def findings_told(total: Total, language: str) -> str:
+    """Return what the runs show: of how many pieces a measure helps, none is needed, or nothing is shown."""
+    told = (
+        say(
+            f"inventory_report.{finding}_counted",
+            language,
+            pieces=pieces_counted(total.found[finding]),
+            safe=percent(SAFE),
+            least=least_motions(),
+        )
+        for finding in Finding
+        if total.found[finding]
+    )
+    return (" " if language == "en" else "").join(told)
 
 
 def further(total: Total, language: str) -> str:
@@ -166,14 +200,8 @@ def further(total: Total, language: str) -> str:
 
 
 def _further(total: Total, language: str) -> Iterator[str]:
-    if total.safe:
-        yield say("inventory_report.needs_none_counted", language, pieces=pieces_counted(total.safe))
-    rest = total.pieces - total.safe
-    if not total.helped and rest:
-        yield say(f"inventory_report.none_helps{'_the_rest' if total.safe else ''}", language)
-    elif total.helped < rest:
-        which = "_of_the_rest" if total.safe else ""
-        yield say(f"inventory_report.some_helped{which}", language, helped=f"{total.helped:,}")
+    if told := findings_told(total, language):
+        yield told
     if total.loss is not None:
         loss, best = amount(total.loss), amount(total.loss_best)
         yield say("inventory_report.expected_loss", language, loss=loss, best=best)
@@ -221,7 +249,7 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
     told.append(say("inventory_report.slide_limit", language, limit=manifest["slide limit"]))
     if contents:
         told.append(say("inventory_report.contents_followed", language, most=MOTIONS))
-    told.append(say("inventory_report.intervals", language))
+    told += [say(f"inventory_report.{key}", language) for key in ("intervals", "best_chosen")]
     if manifest["shake map"]:
         told.append(say("inventory_report.shake_map", language, map=tuple(manifest["shake map"])))
     return [*told, say("inventory_report.version", language, version=manifest["version"])]
@@ -243,21 +271,11 @@ def _scenario(scenario: Mapping[str, Any], language: str) -> str:
     )
 
 
-def _none(total: Total) -> str:
-    """Return the key of why no measure is best for any piece."""
-    if not total.safe:
-        return "none_helps"
-    return "needs_none" if total.safe == total.pieces else "none_helps_the_rest"
-
-
 def printed(total: Total, event: str, language: str) -> list[str]:
     """Return what an event came to, in the lines of a terminal."""
     best: Phrase | str = ""
     if total.fallen_best < total.fallen:
         best = phrase("inventory_report.printed_best", fallen=f"{total.fallen_best:,.1f}")
-    elif not total.helped:
-        best = phrase(f"inventory_report.printed_{_none(total)}")
-    known = total.pieces > total.unknown
     lines = [
         say(
             "inventory_report.printed_expected",
@@ -265,10 +283,12 @@ def printed(total: Total, event: str, language: str) -> list[str]:
             event=event,
             fallen=f"{total.fallen:,.1f}",
             pieces=pieces_counted(total.pieces),
-            share=share_told(total.share, language) if known else phrase("inventory_report.given_up"),
+            share=_known_share(total, language),
             best=best,
         )
     ]
+    if told := findings_told(total, language):
+        lines.append(told)
     if total.share_out is not None:
         lines.append(
             say(

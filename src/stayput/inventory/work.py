@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.execution import Call, Shared
-from stayput.inventory.records import RECORD, UNITS, all_records, write_records
+from stayput.inventory.records import UNITS, all_records, record_type, write_records
 from stayput.inventory.store import ground_of
 from stayput.inventory.units import Unit, evaluate
 from stayput.montecarlo.hazard import Ground, PreparedFloor
@@ -80,11 +80,12 @@ class UnitTask:
     storey: int
     settings: Settings
     groups: tuple[tuple[int, str, tuple[Unit, ...]], ...]
+    kind: np.dtype[np.void]
 
     def run(self, floors: dict[int, PreparedFloor]) -> TaskOutcome:
         """Simulate the units on this thread."""
         results = [
-            (option, *evaluate(units, measures, floors[self.storey], self.settings))
+            (option, *evaluate(units, measures, floors[self.storey], self.settings, self.kind))
             for option, measures, units in self.groups
         ]
         records = np.concatenate([result[1] for result in results])
@@ -160,10 +161,12 @@ class Work:
         folder = space.folder / UNITS
         folder.mkdir(exist_ok=True)
         self.done = np.zeros(store.facts()["units"], np.bool_)
-        for records in all_records(folder, plan):
+        self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
+        motions, samples = (max(getattr(one, of) for one in self.settings) for of in ("motions", "samples"))
+        self.kind = record_type(motions, samples)
+        for records in all_records(folder, plan, self.kind):
             self.done[records["unit"]] = True
         self.grounds: dict[int, Ground] = {}
-        self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
         self.options = store.option_specs()
         runs = max(settings.motions * settings.samples for settings in self.settings)
         self.costs = Costs(self.options, store.units_by_option(), runs)
@@ -219,6 +222,7 @@ class Work:
                 storey,
                 self.settings[request.station],
                 tuple((option, self.options[option], tuple(units)) for option, units in groups.items()),
+                self.kind,
             )
 
         for number, option, spec in self.store.units_at(site):
@@ -287,7 +291,7 @@ class Work:
         self.runs += sum(runs for _, runs, _ in outcome.costs)
         self.seconds += sum(seconds for _, _, seconds in outcome.costs)
         records = outcome.records
-        fresh = records[~self.done[records["unit"]]].astype(RECORD)
+        fresh = records[~self.done[records["unit"]]]
         self.done[fresh["unit"]] = True
         if len(fresh):
             unsaved.append(fresh)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, warn
+from stayput.errors import InputError, InputWarning, quoted, warn
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.processing import check_size
 
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
+    from stayput.motion.record import Motion
 
 _UNNAMED = "(unnamed)"
 
@@ -393,3 +394,26 @@ def floor_phrase(floor: str) -> Phrase:
 def upper_floor_warning(floor: str) -> InputWarning:
     """Return the warning that a record is of an upper floor, not of the ground."""
     return InputWarning("motion.upper_floor", floor=floor_phrase(floor))
+
+
+def of_the_ground(motion: Motion, rule: str) -> Motion:
+    """Return a motion; refuse one of an upper floor for a rule that holds for the ground alone.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    rule : str
+        Which rule, as ``ground_alone_...`` of the catalogue of motions says it.
+
+    Raises
+    ------
+    InputError
+        The motion is of an upper floor.
+    """
+    if motion.floor:
+        told, floor = phrase(f"motion.ground_alone_{rule}"), floor_phrase(motion.floor)
+        raise InputError(
+            "motion.not_of_the_ground", "motion", motion=quoted(motion.name), floor=floor, rule=told
+        )
+    return motion

@@ -13,7 +13,7 @@ import numpy as np
 from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
-from stayput.motion.channels import Listing, common_length, motion_fields, warn_of_vertical
+from stayput.motion.channels import Listing, common_length, motion_fields, of_the_ground, warn_of_vertical
 from stayput.motion.integrals import Peaks
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
 from stayput.motion.one_record import check_one_record
@@ -235,7 +235,7 @@ class Motion:
 
     @property
     def intensity(self) -> float:
-        """JMA's instrumental intensity of all components, not rounded; −inf of a still floor."""
+        """JMA's instrumental intensity, not rounded; −inf if still; of an upper floor not the place's."""
         return jma_intensity(self.components.values(), self.dt)
 
     def spectrum(
@@ -347,11 +347,11 @@ class Motion:
         Raises
         ------
         InputError
-            A still floor, or an intensity that is not known or needs an absurd factor.
+            A still floor, an upper floor, or an intensity that is not known or needs an absurd factor.
         """
         value = intensity_of_class(intensity) if isinstance(intensity, str) else intensity
         value = within("motion.name_intensity", value, -3.0, 9.0, field="intensity")
-        scaled = self.scaled(factor_to_intensity(self.intensity, value))
+        scaled = self.scaled(factor_to_intensity(of_the_ground(self, "strength").intensity, value))
         return replace(scaled, source=f"{scaled.source} (to JMA intensity {value:g})")
 
     def flipped(self) -> Motion:

@@ -172,6 +172,7 @@ def motion_data(motion: Motion) -> dict[str, Any]:
         "dt_s": motion.dt,
         "duration_s": number(motion.duration),
         "pga_m_s2": number(motion.pga),
+        "floor": motion.floor or None,
     }
 
 

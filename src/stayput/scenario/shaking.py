@@ -10,6 +10,7 @@ from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, sine
+from stayput.motion.channels import of_the_ground
 from stayput.motion.ground_shaking import (
     EARTHQUAKE_TERMS,
     EarthquakeSource,
@@ -316,10 +317,14 @@ class ShakingTable(Table):
         Raises
         ------
         InputError
-            A record cannot be read.
+            A record cannot be read, or is of an upper floor where the strength of the ground is stated, or
+            others are of the ground.
         """
         given = self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
         strength = self.strength
+        if strength is not None or not all(motion.floor for motion in given):
+            for motion in given:
+                of_the_ground(motion, "suite" if strength is None else "strength")
         if strength is None or strength.measure == "JMA":
             return given
         unit = (motion.scaled(1.0 / strength.peak(motion)) for motion in given)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from stayput.errors import InputError, instance_of, list_of, within
-from stayput.fragility import INTENSITY_MEASURES, IntensityMeasure, intensity_measure
+from stayput.fragility import IntensityMeasure, intensity_measure
 from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -223,7 +223,7 @@ def verify(
 
 
 def _further(measures: Sequence[IntensityMeasure]) -> tuple[IntensityMeasure, ...]:
-    """Return those measures of intensity that are not among the usual ones.
+    """Return the measures of intensity that are wanted, each once.
 
     Raises
     ------
@@ -232,7 +232,7 @@ def _further(measures: Sequence[IntensityMeasure]) -> tuple[IntensityMeasure, ..
     """
     given = list_of("intensity_measures", measures, IntensityMeasure)
     known = (intensity_measure(one.key, "intensity_measures") for one in given)
-    return tuple(dict.fromkeys(one for one in known if one.key not in INTENSITY_MEASURES))
+    return tuple(dict.fromkeys(known))
 
 
 def _refuse_beside(what: Scenario | AssemblyScenario | Case, given: dict[str, Any]) -> None:

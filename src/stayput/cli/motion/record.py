@@ -75,10 +75,11 @@ def _info_record(
         "samples": len(motion),
         "duration_s": motion.duration,
         "jma_intensity": _number(intensities.intensity),
-        "jma_class": intensities.intensity_class,
+        "jma_class": None if motion.floor else intensities.intensity_class,
         "long_period_sva_m_s": intensities.long_period_response,
-        "long_period_class": intensities.long_period_class,
-        "modified_mercalli": intensities.mercalli,
+        "long_period_class": None if motion.floor else intensities.long_period_class,
+        "modified_mercalli": _number(intensities.mercalli),
+        "floor": motion.floor or None,
         "components": {
             name: {
                 "pga_m_s2": peaks.pga,
@@ -109,6 +110,7 @@ def _print_info(
     from rich.table import Table
 
     from stayput.catalogue.names import INTENSITIES
+    from stayput.motion.channels import floor_phrase
     from stayput.report.names import given_name, motion_label
 
     console = Console(highlight=False, markup=False)
@@ -116,10 +118,10 @@ def _print_info(
     console.print(given_name(motion.source, lang))
     console.print(say("cli.samples", lang, count=len(motion), dt=motion.dt, duration=motion.duration))
     strong = say(
-        "cli.intensities",
+        "cli.intensities_of_floor" if motion.floor else "cli.intensities",
         lang,
         intensity=intensities.published,
-        name=INTENSITIES[intensities.intensity_class],
+        name=floor_phrase(motion.floor) if motion.floor else INTENSITIES[intensities.intensity_class],
         long_period=intensities.long_period_class,
         sva=100.0 * intensities.long_period_response,
         mmi=intensities.mercalli,

@@ -37,6 +37,7 @@ COLUMNS = (
     "pga_m_s2",
     "pgv_m_s",
     "d5_95_s",
+    "floor",
     "source",
 )
 """Columns of the suite's table."""
@@ -141,7 +142,9 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
             file = f"{i:0{len(str(len(motions)))}d}-{name_part(motion.name, 'motion')}.csv"
             motion.write(folder / file)
             names = file, text_cell(motion.name)
-            rows.writerow([*names, motion.synthetic, *_numbers(motion), text_cell(motion.source)])
+            rows.writerow(
+                [*names, motion.synthetic, *_numbers(motion), motion.floor, text_cell(motion.source)]
+            )
             advance(1)
         (unfinished / "suite.csv").write_text(table.getvalue(), encoding=CSV_ENCODING)
         title = suite_title(motions, lang)

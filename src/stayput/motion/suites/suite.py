@@ -119,6 +119,11 @@ class Suite(Sequence[Motion]):
         return any(motion.synthetic for motion in self.motions)
 
     @property
+    def floor(self) -> str:
+        """The upper floors that its motions are of; "" where they are of the ground. See `Motion.floor`."""
+        return ", ".join(dict.fromkeys(motion.floor for motion in self.motions if motion.floor))
+
+    @property
     def intensities(self) -> NDArray[np.float64]:
         """JMA's instrumental intensities of the motions, not rounded, shape (n,)."""
         return np.array([motion.intensity for motion in self.motions])

@@ -84,8 +84,8 @@ def write_curves(
     ]
     if several:
         texts["pelicun.csv"] = pelicun_csv(several)
-    if several and in_openquake(measure) is None:
-        left_out.append(say("report.no_nrml", language, measure=measure.key))
+    if several and in_openquake(curves[0].measure) is None:
+        left_out.append(say("report.no_nrml", language, measure=curves[0].measure.key))
     elif several:
         texts["nrml.xml"] = nrml_xml(
             several, say("report.overturning_of", piece=verdict.scenario.furniture.title)
@@ -131,7 +131,10 @@ def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> s
         low, high = curve.band(grid)
         table = np.column_stack((grid, curve.probability(grid), low, high))
         rows += [(text_cell(curve.name), *map(number, row.tolist()), METHOD) for row in table]
-    return _text(("option", key(measure), "probability", "low", "high", "method"), rows)
+    return _text(
+        ("option", key(curves[0].measure if curves else measure), "probability", "low", "high", "method"),
+        rows,
+    )
 
 
 def observed_csv(curves: Sequence[FragilityCurve]) -> str:
