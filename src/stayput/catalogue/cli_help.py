@@ -165,6 +165,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The record's time step [s], where its file does not state it.",
         "記録の時間刻み [s]（ファイルに書かれていない場合）",
     ),
+    "remove_mean": (
+        "Take the mean off each component of a record: an instrument's offset, or gravity in the vertical one.",
+        "記録の各成分から平均（計器のオフセット、上下動に含まれる重力加速度）を除く",
+    ),
     "scale": (
         "Factor on the motion; in the place of a strength that the file states.",
         "揺れに掛ける倍率。ファイルにある強さの指定に代わる",

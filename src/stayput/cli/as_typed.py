@@ -38,6 +38,7 @@ SET_BY: dict[str, tuple[str, ...]] = {
     "component": ("shaking.component",),
     "unit": ("shaking.unit",),
     "dt": ("shaking.dt",),
+    "remove_mean": ("shaking.remove_mean",),
     "scale": ("shaking.scale",),
     "intensity": ("shaking.intensity", "intensity"),
     "pga": ("shaking.pga",),

@@ -9,7 +9,14 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.completion import structures, words
-from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.flags import (
+    ComponentOption,
+    QuietOption,
+    RemoveMeanOption,
+    TimeStepOption,
+    UnitOption,
+    motion_of,
+)
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import folded, print_json, tell_written
 from stayput.cli.shaking import (
@@ -54,6 +61,7 @@ def building(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    remove_mean: RemoveMeanOption = False,
     intensity: IntensityOption = None,
     pga: PgaOption = None,
     pgv: PgvOption = None,
@@ -104,6 +112,7 @@ def building(
             component=component,
             unit=unit,
             dt=dt,
+            remove_mean=remove_mean,
             **strength,
         )
     )

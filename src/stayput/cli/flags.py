@@ -38,6 +38,7 @@ MotionArgument: TypeAlias = Annotated[
 ComponentOption: TypeAlias = Annotated[str | None, typer.Option("--component", help="cli_help.component")]
 UnitOption: TypeAlias = Annotated[str | None, typer.Option("--unit", help="cli_help.unit")]
 TimeStepOption: TypeAlias = Annotated[float | None, typer.Option("--dt", help="cli_help.dt")]
+RemoveMeanOption: TypeAlias = Annotated[bool, typer.Option("--remove-mean", help="cli_help.remove_mean")]
 ThreadsOption: TypeAlias = Annotated[int | None, typer.Option("--threads", help="cli_help.threads")]
 QuietOption: TypeAlias = Annotated[
     bool,
@@ -270,6 +271,7 @@ def motion_of(
     component: str | None,
     unit: str | None,
     dt: float | None,
+    remove_mean: bool,
     **strength: Any,
 ) -> Motion:
     """Return the motion of a text as of ``--motion``, and of what is said of its record and its strength.
@@ -288,6 +290,8 @@ def motion_of(
         The record's unit.
     dt : float, optional
         Its time step [s].
+    remove_mean : bool
+        Whether the mean of each component is taken off.
     strength
         Keys of a shaking table that say how strong it is; None where one is not given.
 
@@ -298,7 +302,7 @@ def motion_of(
     """
     from stayput.scenario import Scenario
 
-    fields = {"component": component, "unit": unit, "dt": dt, **strength}
+    fields = {"component": component, "unit": unit, "dt": dt, "remove_mean": remove_mean or None, **strength}
     stated = {key: as_written(value) for key, value in fields.items() if value is not None}
     text = file_of(text, flag)
     table = shaking_table(text)

@@ -120,6 +120,7 @@ def shaken(
     component: str | None,
     unit: str | None,
     dt: float | None,
+    remove_mean: bool,
     scale: float | None,
     intensity: str | None,
     pga: float | None,
@@ -139,7 +140,7 @@ def shaken(
         The tables.
     path : Path, optional
         The scenario's file.
-    motion, x, y, z, component, unit, dt
+    motion, x, y, z, component, unit, dt, remove_mean
         The flags of the motion and its records; None where one is not given.
     scale, intensity, pga, pgv, sa, mmi, earthquake, building, storey, vertical
         The other flags; likewise. ``motion`` and ``x`` replace the whole table; ``scale`` and each strength
@@ -158,6 +159,7 @@ def shaken(
         "component": component,
         "unit": unit,
         "dt": dt,
+        "remove_mean": remove_mean or None,
         "scale": scale,
         **strength,
         "building": None if building is None else building_table(building),

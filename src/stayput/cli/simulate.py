@@ -13,6 +13,7 @@ from stayput.cli.completion import measures, surfaces, words
 from stayput.cli.flags import (
     ComponentOption,
     QuietOption,
+    RemoveMeanOption,
     TimeStepOption,
     UnitOption,
     chosen_measures,
@@ -73,6 +74,7 @@ def simulate(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    remove_mean: RemoveMeanOption = False,
     scale: ScaleOption = None,
     intensity: IntensityOption = None,
     pga: PgaOption = None,
@@ -165,6 +167,7 @@ def simulate(
         component=component,
         unit=unit,
         dt=dt,
+        remove_mean=remove_mean,
         scale=scale,
         intensity=intensity,
         pga=pga,

@@ -10,7 +10,14 @@ import typer
 from stayput.catalogue import say
 from stayput.catalogue.studies import STUDIES
 from stayput.cli.completion import words
-from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.flags import (
+    ComponentOption,
+    QuietOption,
+    RemoveMeanOption,
+    TimeStepOption,
+    UnitOption,
+    motion_of,
+)
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note, tell_written
 from stayput.cli.shaking import XOption, YOption, ZOption, along
@@ -46,6 +53,7 @@ def study(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    remove_mean: RemoveMeanOption = False,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
@@ -64,9 +72,13 @@ def study(
 
     run: Callable[..., Study] = getattr(studies, name.replace("-", "_"))
     motions = ()
-    if any(value is not None for value in (motion, y, z, component, unit, dt)):
+    if any(value is not None for value in (motion, y, z, component, unit, dt, remove_mean or None)):
         ground = motion or "near-fault"
-        motions = (motion_of(ground, named, y=y, z=z, component=component, unit=unit, dt=dt),)
+        motions = (
+            motion_of(
+                ground, named, y=y, z=z, component=component, unit=unit, dt=dt, remove_mean=remove_mean
+            ),
+        )
     result = run(*motions)
     typer.echo(result.markdown())
     if lang == "ja":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
@@ -143,11 +143,14 @@ class ShakingTable(Table):
     component: Text | None = Field(
         default=None, description="Which of the record's horizontal channels is along the shaking."
     )
-    unit: Text | None = Field(
-        default=None, description="The record's unit, where its file does not state it."
-    )
+    unit: Text | None = Field(default=None, description="The unit of a record whose file does not state it.")
     dt: float | None = of(
-        sine, "dt", default=None, description="The record's time step, where its file does not state it."
+        sine, "dt", default=None, description="The time step of a record whose file does not state it."
+    )
+    remove_mean: bool = Field(
+        default=False,
+        description="Whether the mean of each component of a record is taken off: an instrument's offset, "
+        "or gravity in the vertical one.",
     )
     sine: SineTable | None = Field(default=None, description="A harmonic motion.")
     builtin: Literal["near-fault"] | None = Field(default=None, description="A built-in, synthetic motion.")
@@ -200,8 +203,8 @@ class ShakingTable(Table):
             first, second = (f"shaking.{key}" for key in given[:2])
             raise InputError("scenario.only_one", second, name=second, other=first)
         if self.record is None:
-            for key in ("component", "unit", "dt"):
-                if getattr(self, key) is not None and not isinstance(self.suite, str):
+            for key in ("component", "unit", "dt", "remove_mean"):
+                if getattr(self, key) not in (None, False) and not isinstance(self.suite, str):
                     name = f"shaking.{key}"
                     raise InputError("scenario.without_record", name, name=name)
             if self.across is not None:
@@ -355,7 +358,8 @@ class ShakingTable(Table):
         if self._in_python is not None:
             return self._in_python
         if isinstance(self.suite, str):
-            return read_suite(folder / self.suite, self.component, self.unit, dt=self.dt)
+            options = {"dt": self.dt, "remove_mean": self.remove_mean}
+            return read_suite(folder / self.suite, self.component, self.unit, **options)
         return (self.suite or SuiteTable()).suite()
 
     def _member(self, folder: Path) -> Motion:
@@ -366,16 +370,18 @@ class ShakingTable(Table):
         return suite[number - 1]
 
     def _recorded(self, record: str, folder: Path) -> Motion:
-        motion = read_shaking(folder / record, self.component, self.unit, dt=self.dt)
-        if self.across is None and not isinstance(self.vertical, str):
+        several = self.across is not None or isinstance(self.vertical, str)
+        options: dict[str, Any] = {"dt": self.dt, "remove_mean": self.remove_mean, "several": several}
+        motion = read_shaking(folder / record, self.component, self.unit, **options)
+        if not several:
             return motion
         _refuse_vertical(motion, "record", record)
         parts = {name: motion.component(name) for name in motion.components if name != "x"}
         if self.across is not None:
-            parts["y"] = read_shaking(folder / self.across, unit=self.unit, dt=self.dt)
+            parts["y"] = read_shaking(folder / self.across, unit=self.unit, **options)
             _refuse_vertical(parts["y"], "across", self.across)
         if isinstance(self.vertical, str):
-            parts["z"] = read_vertical(folder / self.vertical, self.unit, dt=self.dt)
+            parts["z"] = read_vertical(folder / self.vertical, self.unit, **options)
         return Motion.combine(motion, parts.get("y"), parts.get("z"), motion.name)
 
 

@@ -13,6 +13,7 @@ from stayput.cli.flags import (
     ComponentOption,
     MotionArgument,
     QuietOption,
+    RemoveMeanOption,
     TimeStepOption,
     UnitOption,
     intensity_value,
@@ -44,6 +45,7 @@ def info(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    remove_mean: RemoveMeanOption = False,
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
@@ -51,7 +53,7 @@ def info(
     """Run ``stayput motion info``."""
     from stayput.motion.measures import Intensities, SpectralMeasures
 
-    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt, remove_mean=remove_mean)
     intensities = Intensities.of(record)
     rows = {name: (peaks, SpectralMeasures.of(record, name)) for name, peaks in record.peaks().items()}
     if json:
@@ -174,6 +176,7 @@ def plot(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    remove_mean: RemoveMeanOption = False,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
@@ -183,7 +186,7 @@ def plot(
     motion, out = _motion_and_output(motion, out, x)
     check_target(out, PLOT_SUFFIXES)
     check_apart((out,), _inputs(motion, x, y, z))
-    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt, remove_mean=remove_mean)
 
     from stayput.report.names import motion_label
     from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
@@ -201,6 +204,7 @@ def spectrum(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    remove_mean: RemoveMeanOption = False,
     damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
     out: Annotated[
         Path | None,
@@ -221,7 +225,7 @@ def spectrum(
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
     check_apart((out, plot), _inputs(motion, x, y, z))
-    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt, remove_mean=remove_mean)
     instead = to_output({"--out": out})
 
     def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
@@ -285,6 +289,7 @@ def convert(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    remove_mean: RemoveMeanOption = False,
     only: Annotated[str | None, typer.Option(metavar="x|y|z", help="cli_help.only")] = None,
     step: Annotated[float | None, typer.Option(help="cli_help.step")] = None,
     scale: Annotated[float | None, typer.Option(help="cli_help.factor")] = None,
@@ -303,7 +308,7 @@ def convert(
     ending = _ending(out, form)
     if scale is not None and intensity is not None:
         raise one_of_two("--scale", f"{scale:g}", "--intensity", repr(intensity))
-    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt, remove_mean=remove_mean)
     if intensity is not None:
         record = record.to_intensity(intensity_value(intensity))
     if scale is not None:
@@ -355,6 +360,7 @@ def _read(
     component: str | None,
     unit: str | None,
     dt: float | None,
+    remove_mean: bool,
 ) -> Motion:
     """Return the motion of the argument or of ``--x``; see `motion_of`.
 
@@ -366,4 +372,4 @@ def _read(
     given, named = along(motion, x, "MOTION")
     if given is None:
         raise InputError("cli.no_motion", "MOTION", name="MOTION")
-    return motion_of(given, named, y=y, z=z, component=component, unit=unit, dt=dt)
+    return motion_of(given, named, y=y, z=z, component=component, unit=unit, dt=dt, remove_mean=remove_mean)

@@ -12,6 +12,7 @@ from stayput.cli.completion import families, intensity_classes, words
 from stayput.cli.flags import (
     ComponentOption,
     QuietOption,
+    RemoveMeanOption,
     TimeStepOption,
     UnitOption,
     band_of,
@@ -58,6 +59,7 @@ def suite(
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
+    remove_mean: RemoveMeanOption = False,
     target: Annotated[
         str | None,
         typer.Option(help="cli_help.target"),
@@ -98,7 +100,7 @@ def suite(
     from stayput.motion.suites import read_suite, synthetic_suite
 
     if records is not None:
-        motions = read_suite(records, component, unit, dt=dt)
+        motions = read_suite(records, component, unit, dt=dt, remove_mean=remove_mean)
     else:
         motions = synthetic_suite(family, count, seed)
     if wanted is not None:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from stayput.errors import InputError, InputWarning, warn, warnings_to, within
+from stayput.motion.baseline import checked_record
 from stayput.motion.channels import (
     is_vertical,
     labels_phrase,
@@ -53,6 +54,14 @@ class Reader(Protocol):
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
+_STATED_OTHERWISE = (
+    "motion.another_unit",
+    "motion.column_another_unit",
+    "motion.another_time_step",
+    "motion.time_column_step",
+)
+"""Refusals of a unit or a time step that is not the one that the file states."""
+
 READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns)
 """The readers, in the order in which they are asked whether a file is theirs.
 
@@ -66,11 +75,13 @@ def read_motion(
     unit: str | None = None,
     *,
     dt: float | None = None,
+    remove_mean: bool = False,
 ) -> Motion:
     """Read a record in any of the formats of `READERS`, recognised by its content.
 
-    Nothing is guessed and nothing is corrected: samples are as in the file, in m/s². Only a K-NET record
-    has its offset taken off, as its own header's peak does, and a channel that points down is turned up.
+    Nothing is guessed, and nothing is corrected that is not asked for: samples are as in the file, in m/s².
+    Only a K-NET record has its offset taken off, as its own header's peak does, and a channel that points
+    down is turned up.
 
     Parameters
     ----------
@@ -86,18 +97,23 @@ def read_motion(
         state it, and refused where it contradicts the file.
     dt : float, optional
         Time step [s]: likewise.
+    remove_mean : bool
+        Whether the mean of each component is taken off, as for a record with an offset, or with gravity in
+        its vertical component. The motion's source says what was taken off.
 
     Raises
     ------
     InputError
-        The file cannot be read, is damaged or contradicts itself, or lacks its unit or time step.
+        The file cannot be read, is damaged or contradicts itself, or lacks its unit or time step; the mean
+        of a component is gravity.
 
     Warns
     -----
     InputWarning
         It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
         file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
-        floor, channels seem to be missing.
+        floor, channels seem to be missing; a component has an offset (see
+        `stayput.motion.baseline.oscillates_about_offset`), or the time step is longer than 0.1 s.
 
     Examples
     --------
@@ -113,7 +129,7 @@ def read_motion(
             _warn_of_name(path, channels)
         return component
 
-    return _read(path, asked, unit, dt)
+    return _read(path, asked, unit, dt, remove_mean)
 
 
 def read_shaking(
@@ -122,13 +138,17 @@ def read_shaking(
     unit: str | None = None,
     *,
     dt: float | None = None,
+    remove_mean: bool = False,
+    several: bool = False,
 ) -> Motion:
     """Read a record that shakes furniture sideways: a vertical channel is not taken for a horizontal one.
 
     Parameters
     ----------
-    path, component, unit, dt
+    path, component, unit, dt, remove_mean
         As for `read_motion`.
+    several : bool
+        Whether the file is one of several: ``unit`` and ``dt`` are for those that do not state their own.
 
     Raises
     ------
@@ -142,25 +162,30 @@ def read_shaking(
             _warn_of_name(path, channels)
         return component
 
-    return _read(path, asked, unit, dt)
+    return _read(path, asked, unit, dt, remove_mean, several)
 
 
 def read_vertical(
-    path: str | os.PathLike[str], unit: str | None = None, *, dt: float | None = None
+    path: str | os.PathLike[str],
+    unit: str | None = None,
+    *,
+    dt: float | None = None,
+    remove_mean: bool = False,
+    several: bool = False,
 ) -> Motion:
     """Read a file's vertical channel, or its only one where its direction is not stated, as x of a motion.
 
     Parameters
     ----------
-    path, unit, dt
-        As for `read_motion`.
+    path, unit, dt, remove_mean, several
+        As for `read_shaking`.
 
     Raises
     ------
     InputError
         Likewise; or there is no vertical channel, or more than one.
     """
-    return _read(path, _vertical_of, unit, dt)
+    return _read(path, _vertical_of, unit, dt, remove_mean, several)
 
 
 def _vertical_of(channels: Sequence[Channel]) -> str:
@@ -185,6 +210,8 @@ def _read(
     choose: Callable[[Sequence[Channel]], str | None],
     unit: str | None,
     dt: float | None,
+    remove_mean: bool,
+    several: bool = False,
 ) -> Motion:
     if unit is not None:
         unit_factor(unit)
@@ -200,9 +227,9 @@ def _read(
     try:
         with warnings_to(warnings.append):
             check_end(text)
-            channels = reader.read(text, unit, dt)
+            channels = _channels(reader, text, unit, dt, several)
             fields = motion_fields(channels, choose(channels), reader.FORMAT, name=Path(path).stem)
-            motion = Motion(**fields)
+            motion = checked_record(Motion(**fields), remove_mean=remove_mean)
     except InputError as error:
         raise error.at(title) from None
     if motion.floor:
@@ -210,3 +237,14 @@ def _read(
     for warning in warnings:
         warn(warning.at(title))
     return replace(motion, synthetic="synthetic" in text[:_HEAD].lower())
+
+
+def _channels(reader: Reader, text: str, unit: str | None, dt: float | None, several: bool) -> list[Channel]:
+    """Return the channels; of several files one that states another unit or time step keeps its own."""
+    try:
+        return reader.read(text, unit, dt)
+    except InputError as error:
+        if not several or error.code not in _STATED_OTHERWISE:
+            raise
+        unit, dt = (None, dt) if error.field == "unit" else (unit, None)
+        return _channels(reader, text, unit, dt, several)

@@ -2,7 +2,8 @@
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z. Lines that begin
 with "#", "%" or "//" are comments. One line of headings may stand above the numbers: the column that is
-headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A comment that says
+headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. One without
+it that counts the samples, 1, 2, 3, …, is no time: ``dt`` must be given beside it. A comment that says
 "unit: m/s²" states the unit, and each heading that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the
 caller must do it otherwise.
 """
@@ -13,15 +14,16 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from stayput.errors import InputError, without_control
 from stayput.motion.channels import Channel
 from stayput.motion.readers.fields import Numbers
 from stayput.motion.readers.header import regular_step, stated_unit, time_step
-from stayput.motion.readers.headings import are_headings, column_factors, read_headings, split
+from stayput.motion.readers.headings import are_headings, column_factors, is_time, read_headings, split
 from stayput.motion.readers.text import chunks
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
 FORMAT = "columns of numbers"
@@ -115,7 +117,13 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         return [Channel("", factors[0] * table[:, 0], time_step(None, dt), location=place)]
     labels = headings.names or _LABELS[count]
     time = headings.time or 0
-    step = regular_step(headings.time_factor * table[:, time])
+    times = headings.time_factor * table[:, time]
+    counted = times[0].is_integer() and np.array_equal(times, times[0] + np.arange(len(times)))
+    if counted and not (headings.texts and is_time(headings.texts[time])):
+        if dt is None:
+            raise InputError("motion.time_counts", "dt", first=times[0], second=times[1], option="dt")
+        times *= dt
+    step = regular_step(times)
     # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
     if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
         raise InputError("motion.time_column_step", "dt", given=dt, step=step)

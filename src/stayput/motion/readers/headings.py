@@ -153,6 +153,11 @@ def read_headings(line: str, count: int, row_below: str | None) -> Headings:
     return Headings(texts, time, _time_factor(texts[time]), names)
 
 
+def is_time(text: str) -> bool:
+    """Return whether a heading says that its column is the time."""
+    return bool(_TIME.match(text) or _OF_TIME.search(text))
+
+
 def _listed(texts: Sequence[str]) -> Phrase:
     english, japanese = zip(*map(excerpt, texts), strict=True)
     return ", ".join(english), "、".join(japanese)

@@ -319,6 +319,7 @@ def read_suite(
     unit: str | None = None,
     *,
     dt: float | None = None,
+    remove_mean: bool = False,
     name: str | None = None,
 ) -> Suite:
     """Read a suite of records, in all the formats of `read_motion`.
@@ -331,8 +332,10 @@ def read_suite(
     source : path, or iterable of paths
         A folder, whose files are taken in the order of their names, all but hidden ones and Markdown; or
         the files themselves, in this order.
-    component, unit, dt
+    component, remove_mean
         As for `read_motion`, for every file; a vertical channel beside horizontal ones is refused.
+    unit, dt
+        As for `read_motion`, for the files that do not state theirs.
     name : str, optional
         Default: the folder's name.
 
@@ -363,13 +366,13 @@ def read_suite(
         files, title = [Path(file) for file in list_of("source", source, (str, os.PathLike))], "records"
     if not files:
         raise InputError("motion.suite_no_files", name=title)
-    motions = [_read(file, component, unit, dt) for file in files]
+    motions = [_read(file, component, unit, dt=dt, remove_mean=remove_mean) for file in files]
     return Suite(tuple(motions), title if name is None else name)
 
 
-def _read(file: Path, component: str | None, unit: str | None, dt: float | None) -> Motion:
+def _read(file: Path, component: str | None, unit: str | None, **options: Any) -> Motion:
     try:
-        return read_shaking(file, component, unit, dt=dt)
+        return read_shaking(file, component, unit, **options, several=True)
     except InputError as error:
         if file.name in str(error):
             raise
