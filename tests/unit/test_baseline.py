@@ -134,7 +134,7 @@ def test_an_assessment_warns_too(tmp_path):
         (tmp_path / "scene.toml").write_text(
             SCENARIO.format(record="offset.csv", more=more), encoding="utf-8"
         )
-        (tmp_path / "pieces.csv").write_text("id,depth [m],height [m],mass [kg]\na,0.3,1.8,90\n", encoding="utf-8")
+        (tmp_path / "pieces.csv").write_text("id,depth [m],height [m],mass [kg]\na,0.3,1.8,90\n")
         out = tmp_path / f"out {warned}"
         code, output = cli(
             "assess", tmp_path / "pieces.csv", "--scenario", tmp_path / "scene.toml", "--out", out

@@ -84,7 +84,7 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
             warn(InputWarning("motion.gravity", "z", component=name, mean=mean, option=option))
         elif oscillates_about_offset(a, motion.dt):
             velocity = abs(mean) * motion.duration
-            about = {"component": name, "mean": mean, "velocity": velocity, "option": option}
+            about: dict[str, Any] = {"component": name, "mean": mean, "velocity": velocity, "option": option}
             warn(InputWarning("motion.offset", option, **about))
 
 

@@ -285,8 +285,7 @@ class ShakingTable(Table):
         else:
             ground = Suite((self._ground(folder),))
         if self.building is not None and self.storey is not None:
-            floors = self.building.building().floor_motions(ground, [self.storey])
-            ground = Suite(tuple(floor for (floor,) in floors), ground.name)
+            ground = self.building.building().floor_motion(ground, self.storey)
         return Suite(tuple(self._with_vertical(motion) for motion in ground), ground.name)
 
     def ground(self, folder: Path) -> Suite:
@@ -348,7 +347,7 @@ class ShakingTable(Table):
 
     def _under_furniture(self, ground: Motion) -> Motion:
         if self.building is not None and self.storey is not None:
-            ground = self.building.floor_motion(ground, self.storey)
+            ground = self.building.building().floor_motion(ground, self.storey)
         return self._with_vertical(ground)
 
     def _with_vertical(self, motion: Motion) -> Motion:
@@ -358,8 +357,9 @@ class ShakingTable(Table):
         if self._in_python is not None:
             return self._in_python
         if isinstance(self.suite, str):
-            options = {"dt": self.dt, "remove_mean": self.remove_mean}
-            return read_suite(folder / self.suite, self.component, self.unit, **options)
+            return read_suite(
+                folder / self.suite, self.component, self.unit, dt=self.dt, remove_mean=self.remove_mean
+            )
         return (self.suite or SuiteTable()).suite()
 
     def _member(self, folder: Path) -> Motion:
