@@ -132,7 +132,7 @@ class Floor:
     def __repr__(self) -> str:
         if self.surface and self == Floor.of(self.surface):
             return f"Floor.of({self.surface!r})"
-        return brief(self)
+        return brief(self, first=2)
 
     def __post_init__(self) -> None:
         check_fields(self)

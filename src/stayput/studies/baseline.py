@@ -211,7 +211,7 @@ def _dataset(
             "loss_model": ("published", [one.velocity for one in LOSS_MODEL], over),
             "formula": (
                 "published",
-                [kaneko_hayashi_velocity(one.width, one.height) for one in LOSS_MODEL],
+                [kaneko_hayashi_velocity(Body(one.width, one.height, 1.0)) for one in LOSS_MODEL],
                 over,
             ),
             "share": (
