@@ -23,7 +23,10 @@ SIZES = [(0.3, 1.8), (0.4, 1.8), (0.6, 1.9), (0.68, 1.82), (1.0, 2.0)]
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
 def test_tie_is_needed_from_the_rocking_acceleration_on(width: float, height: float) -> None:
-    body, limit = Body(width, height), rocking_acceleration(Body(width, height, 100.0)) / STANDARD_GRAVITY
+    body, limit = (
+        Body(width, height, 100.0),
+        rocking_acceleration(Body(width, height, 100.0)) / STANDARD_GRAVITY,
+    )
     assert holding_force(body, 0.999 * limit) == 0.0
     assert holding_force(body, 1.001 * limit) > 0.0
     high, low = (holding_force(body, 2.0 * limit, z) for z in (height, 0.5 * height))

@@ -34,7 +34,7 @@ def test_a_carcass_is_not_heavier_than_the_loaded_piece():
 
 
 def test_the_base_is_as_wide_as_its_corners_are_apart():
-    body = Body(0.5, 1.6, base_heights=(0.0, -0.01), base_insets=(0.03, 0.05), cg_offset=(0.02, 0.0))
+    body = Body(0.5, 1.6, 100.0, base_heights=(0.0, -0.01), base_insets=(0.03, 0.05), cg_offset=(0.02, 0.0))
     (left, _), (right, _), *_ = body.corners
     assert body.base_width == pytest.approx(right - left) == pytest.approx(0.42)
-    assert Body(0.5, 1.6).base_width == 0.5
+    assert Body(0.5, 1.6, 100.0).base_width == 0.5

@@ -195,13 +195,13 @@ def test_insets_and_heights_of_a_planar_body_become_feet():
 
 def test_a_settlement_that_no_floor_has_is_refused():
     with pytest.raises(InputError, match="settlement") as refused:
-        Solid.of(Body(0.4, 1.6), 0.8, settlement=-1e-3)
+        Solid.of(Body(0.4, 1.6, 100.0), 0.8, settlement=-1e-3)
     assert refused.value.field == "settlement"
 
 
 def test_a_planar_body_without_a_length_is_refused():
     with pytest.raises(InputError, match="no length across the shaking") as refused:
-        Solid.of(Body(0.4, 1.6))
+        Solid.of(Body(0.4, 1.6, 100.0))
     assert refused.value.field == "length"
 
 

@@ -74,7 +74,7 @@ def test_ishiyamas_limit_lies_below_half_of_all(width: float, height: float) -> 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
 def test_simulated_body_starts_to_rock_at_wests_acceleration(width: float, height: float) -> None:
-    body, room = sp.Body(width, height), sp.Room(sp.Floor(3.0, 3.0))
+    body, room = sp.Body(width, height, 100.0), sp.Room(sp.Floor(3.0, 3.0))
     a = rocking_acceleration(sp.Body(width, height, 100.0))
     for factor, rocks in ((0.995, False), (1.005, True)):
         motion = sp.Motion(dt=0.01, x=np.full(60, factor * a))
