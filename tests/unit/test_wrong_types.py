@@ -51,7 +51,7 @@ def fields(kind: Any, **given: Any) -> tuple[Callable[..., Any], dict[str, Any]]
 
 
 GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
-    fields(sp.Body, width=0.4, height=1.8),
+    fields(sp.Body, width=0.4, height=1.8, mass=100.0),
     (sp.Body.from_parts, SIZE | {"parts": [sp.Part(10.0, 0.0, 0.9, 0.4, 1.8)]}),
     (sp.Body.bookcase, SIZE | {"mass": 10.0, "loads": [5.0], "load_width": 0.3}),
     fields(sp.Part, mass=1.0, x=0.0, z=0.5),
