@@ -37,11 +37,11 @@ def load_solvers() -> None:
     from stayput.mechanics.runner import shaking, trace
     from stayput.simulation.flat_fields import case_columns
 
-    (case,) = case_columns(Body(0.4, 1.6), Room(), State(), 9.81)
+    (case,) = case_columns(Body(0.4, 1.6, 100.0), Room(), State(), 9.81)
     motion = shaking(np.zeros(2), None, 0.01, 0)
     trace(case, motion)
     trace_with_devices(case, no_elements(1), motion)
-    simulate(Body(0.4, 1.6, length=0.8), Room(), Motion(dt=0.01, x=np.zeros(2)), dimensions=3)
+    simulate(Body(0.4, 1.6, 100.0, length=0.8), Room(), Motion(dt=0.01, x=np.zeros(2)), dimensions=3)
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -191,7 +191,7 @@ class InputError(_Told, ValueError):
     --------
     >>> import stayput as sp
     >>> try:
-    ...     sp.Body(width=-0.4, height=1.8)
+    ...     sp.Body(width=-0.4, height=1.8, mass=100.0)
     ... except sp.InputError as error:
     ...     print(error)
     ...     print(error.field)

@@ -28,6 +28,7 @@ SHAKING = [
     (("--motion", "sine:1,1,0"), "--motion: the duration is 0;", "--motionの継続時間が0に"),
     (("--dt", "0"), "--dt is 0;", "--dtが0に"),
     (("--dt", "0.01"), "--dt is given without a record", "--dtは揺れの方向の記録"),
+    (("--remove-mean",), "--remove-mean is given without a record", "--remove-meanは揺れの方向の記録"),
     (("--unit", "gal"), "--unit is given without a record", "--unitは揺れの方向の記録"),
     (("--component", "x"), "--component is given without a record", "--componentは揺れの方向の記録"),
     (("--columns", "t=1,x=2"), "--columns is given without a record", "--columnsは揺れの方向の記録"),

@@ -86,6 +86,11 @@ def test_import_is_light() -> None:
     assert seconds - bare < 2.0
 
 
+def test_the_module_of_measures_is_there_at_once_and_loads_when_it_is_used() -> None:
+    code = "import sys, stayput as sp; a = 'stayput.measures' in sys.modules; print(a, sp.measures.Belt.kind)"
+    assert run_python("-c", code)[0].split() == ["False", "belt"]
+
+
 def test_every_public_name_resolves() -> None:
     for name in stayput.__all__:
         assert getattr(stayput, name) is not None, name

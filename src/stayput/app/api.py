@@ -70,6 +70,10 @@ UPLOAD_FORM: dict[str, Any] = {
                         "unit": {"type": "string", "maxLength": 20, "description": "Where it states none."},
                         "dt": {"type": "number", "description": "Time step [s], where it states none."},
                         "component": {"type": "string", "maxLength": 60, "description": "Channel of x."},
+                        "remove_mean": {
+                            "type": "boolean",
+                            "description": "Whether the mean of each component is taken off.",
+                        },
                     },
                 }
             }

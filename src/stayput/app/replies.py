@@ -206,7 +206,7 @@ class DoubtReply(Reply):
 
     message: str
     message_ja: str | None = Field(description="The same in Japanese, where the page needs it.")
-    field: str | None = Field(description="What would say it: unit, component.")
+    field: str | None = Field(description="What would say it: unit, component, remove_mean.")
 
 
 class ChannelReply(Reply):

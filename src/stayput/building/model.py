@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from numbers import Real
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, TypeVar, overload
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.channels import of_the_ground
 from stayput.motion.processing import refine
 from stayput.motion.record import Motion
+from stayput.motion.suites.suite import Suite
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -224,17 +225,24 @@ class ShearModel:
             {name: component.energy for name, component in histories.items() if component.energy is not None},
         )
 
-    def floor_motion(self, motion: Motion, storey: int) -> Motion:
-        """Return the motion of the floor on which the furniture of a storey stands.
+    @overload
+    def floor_motion(self, motion: Motion, storey: int) -> Motion: ...
+    @overload
+    def floor_motion(self, motion: Suite, storey: int) -> Suite: ...
+    def floor_motion(self, motion: Motion | Suite, storey: int) -> Motion | Suite:
+        """Return the motion of the floor on which the furniture of a storey stands; a suite's, as a suite.
 
         Parameters
         ----------
-        motion : Motion
-            The ground's motion.
+        motion : Motion or Suite
+            The ground's motion, or motions.
         storey : int
             From 1; the roof is the number of storeys + 1.
         """
         self.place(storey)
+        if isinstance(motion, Suite):
+            floors = self.floor_motions(motion, (storey,))
+            return replace(motion, motions=tuple(floor for (floor,) in floors))
         return self._floor_motions(self._ground(motion), (storey,))[0]
 
     def floor_motions(

@@ -184,6 +184,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Of SAC and miniSEED, the code of the sensor where a station has several; -- of none.",
         "SACとminiSEEDで、観測点に地震計が複数あるときに使うもののロケーションコード（コードなしは--）",
     ),
+    "remove_mean": (
+        "Take the mean off each component of a record: an instrument's offset, or gravity in the vertical one.",
+        "記録の各成分から平均（計器のオフセット、上下動に含まれる重力加速度）を除く",
+    ),
     "scale": (
         "Factor on the motion; in the place of a strength that the file states.",
         "揺れに掛ける倍率。ファイルにある強さの指定に代わる",

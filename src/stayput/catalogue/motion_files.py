@@ -127,6 +127,41 @@ TEXTS: dict[str, tuple[str, str]] = {
             "それを入力してください。"
         ),
     ),
+    "time_counts": (
+        (
+            "The time column counts {first:g}, {second:g}, …, as a number of samples does; {option} must be given [s], "
+            "1 where these are seconds."
+        ),
+        (
+            "時刻の列が{first:g}、{second:g}、…と1ずつ増えていて、データの番号のようです。"
+            "時間刻み（{option}）を秒単位で指定してください（秒であれば1）。"
+        ),
+    ),
+    "long_step": (
+        "The time step is {dt:g} s, by which nothing faster than {frequency:g} Hz is seen; check the time column or dt.",
+        "時間刻みが{dt:g}秒で、{frequency:g} Hzより速い揺れが記録に現れません。時刻の列か時間刻みを確かめてください。",
+    ),
+    "gravity": (
+        (
+            "The mean acceleration of {component} is {mean:.4g} m/s², which is gravity; a motion is without it: its "
+            "mean must be taken off ({option})."
+        ),
+        (
+            "{component}成分の加速度の平均が{mean:.4g} m/s²で、重力加速度が含まれています。"
+            "重力を除いた加速度が必要です。平均を除いてください（{option}）。"
+        ),
+    ),
+    "offset": (
+        (
+            "The acceleration of {component} oscillates about {mean:.4g} m/s², which would leave the floor moving at "
+            "{velocity:.3g} m/s; where that is the instrument's offset, take the mean off ({option})."
+        ),
+        (
+            "{component}成分の加速度が{mean:.4g} m/s²を中心に振動しており、最後に床が{velocity:.3g} m/sで"
+            "動き続けることになります。計器のオフセットであれば、平均を除いてください（{option}）。"
+        ),
+    ),
+    "less_mean": (", less the mean of each component", "、各成分の平均を除去"),
     "time_not_growing": (
         "The time runs from {start:g} s to {end:g} s; it must grow.",
         "時刻が{start:g}秒から{end:g}秒になっています。時刻は増えていかなければなりません。",

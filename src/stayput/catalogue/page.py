@@ -165,6 +165,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "file_unit": ("Unit", "単位"),
     "file_dt": ("Time step [s]", "時間刻み [s]"),
     "file_component": ("Channel", "チャンネル"),
+    "file_remove_mean": ("Take the mean off each component", "各成分から平均を除く"),
     "sendAgain": ("Send again", "もう一度送る"),
     "withoutRecord": ("Without this record", "この記録を使わない"),
     "recordAlt": ("The record's acceleration over time", "記録の加速度の時間変化"),

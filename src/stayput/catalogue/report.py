@@ -372,7 +372,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "gap_text": ("{gap:.3g} cm away", "すき間 {gap:.3g} cm"),
     "height_text": ("{height:g} m high", "高さ {height:g} m"),
     "strength": ("Strength of the ground's shaking", "地面の揺れの強さ"),
-    "motions_read": ("{count}, read from {name}", "{count}本（{name}から読込み）"),
+    "motions_read": ("{count}, read from {name}{mean}", "{count}本（{name}から読込み{mean}）"),
     "motions_synthetic": (
         "{count} synthetic ones ({family}): computed, not recorded",
         "模擬地震動{count}本（{family}）：計算で作ったもので、観測記録ではありません",

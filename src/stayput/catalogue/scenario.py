@@ -177,6 +177,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motions were given in Python and are not in this file.",
         "地震動はPythonで指定されたもので、このファイルには含まれません。",
     ),
+    "building_in_python": (
+        "The building was given in Python, and this file does not say all of it.",
+        "建物はPythonで指定されたもので、このファイルには一部しか書かれていません。",
+    ),
     "measures_in_python": (
         "The measures were given in Python and are not in this file.",
         "対策はPythonで指定されたもので、このファイルには含まれません。",

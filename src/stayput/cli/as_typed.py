@@ -42,6 +42,7 @@ SET_BY: dict[str, tuple[str, ...]] = {
     "skip_lines": ("shaking.skip_lines", "skip_lines"),
     "decimal_comma": ("shaking.decimal_comma", "decimal_comma"),
     "location": ("shaking.location", "location"),
+    "remove_mean": ("shaking.remove_mean", "remove_mean"),
     "scale": ("shaking.scale",),
     "intensity": ("shaking.intensity", "intensity"),
     "pga": ("shaking.pga",),

@@ -47,6 +47,7 @@ RECORD_FLAGS: dict[str, Any] = {
     "skip_lines": Annotated[int | None, typer.Option("--skip-lines", help="cli_help.skip_lines")],
     "decimal_comma": Annotated[bool, typer.Option("--decimal-comma", help="cli_help.decimal_comma")],
     "location": Annotated[str | None, typer.Option("--location", help="cli_help.location")],
+    "remove_mean": Annotated[bool, typer.Option("--remove-mean", help="cli_help.remove_mean")],
 }
 """The flags that say how a record is read, by the keys of a shaking table that they set."""
 

@@ -98,7 +98,7 @@ class AntiSlipSheet(OtherFriction):
     >>> import stayput as sp
     >>> from stayput.measures import AntiSlipSheet
     >>> for measures in ([], [AntiSlipSheet()]):  # it slides no more, and rocks the more
-    ...     run = sp.simulate(sp.Body(0.6, 1.8), sp.Room(), sp.near_fault(), measures)
+    ...     run = sp.simulate(sp.Body(0.6, 1.8, 100.0), sp.Room(), sp.near_fault(), measures)
     ...     print(f"{100 * run.peak_slide:.0f} cm, {run.peak_tilt:.2f} rad")
     17 cm, 0.13 rad
     0 cm, 0.18 rad
@@ -140,7 +140,7 @@ class FeltGlides(Glides):
     >>> import stayput as sp
     >>> from stayput.measures import FeltGlides
     >>> for width in (0.3, 0.4):  # m: it slides where width over height is above the friction
-    ...     run = sp.simulate(sp.Body(width, 1.8), sp.Room(), sp.near_fault(), [FeltGlides()])
+    ...     run = sp.simulate(sp.Body(width, 1.8, 100.0), sp.Room(), sp.near_fault(), [FeltGlides()])
     ...     print(f"{width / 1.8:.2f} against {run.room.floor.static_friction}: {run.outcome}")
     0.17 against 0.2: overturned
     0.22 against 0.2: slid
@@ -168,7 +168,7 @@ class SlidingGlides(Glides):
     --------
     >>> import stayput as sp
     >>> from stayput.measures import SlidingGlides
-    >>> slender = sp.Body(width=0.3, height=1.8)
+    >>> slender = sp.Body(width=0.3, height=1.8, mass=100.0)
     >>> run = sp.simulate(slender, sp.Room(), sp.near_fault(), [SlidingGlides()])
     >>> print(f"{run.outcome}, {100 * run.peak_slide:.0f} cm: so much room it needs")
     slid, 36 cm: so much room it needs
@@ -200,7 +200,7 @@ class FreeCasters(OtherFriction):
     >>> import stayput as sp
     >>> from stayput.measures import FreeCasters
     >>> room = sp.Room(left_wall=sp.Wall(0.1), right_wall=sp.Wall(0.3))
-    >>> run = sp.simulate(sp.Body(0.6, 1.2), room, sp.near_fault(), [FreeCasters()])
+    >>> run = sp.simulate(sp.Body(0.6, 1.2, 100.0), room, sp.near_fault(), [FreeCasters()])
     >>> hits = [event for event in run.events if event.kind is sp.EventKind.WALL_IMPACT]
     >>> [(round(hit.time, 1), round(hit.slide, 1)) for hit in hits]  # it rolls from wall to wall [s, m]
     [(7.0, -0.1), (7.4, 0.3), (7.8, -0.1)]
@@ -235,7 +235,7 @@ class LockedCasters(OtherFriction):
     >>> import stayput as sp
     >>> from stayput.measures import FreeCasters, LockedCasters
     >>> for casters in (FreeCasters(), LockedCasters()):
-    ...     run = sp.simulate(sp.Body(0.7, 1.2), sp.Room(), sp.near_fault(), [casters])
+    ...     run = sp.simulate(sp.Body(0.7, 1.2, 100.0), sp.Room(), sp.near_fault(), [casters])
     ...     print(f"{casters.label[0]}: {run.outcome}, {100 * run.peak_slide:.0f} cm")
     Casters, free: slid, 43 cm
     Casters, locked: slid, 9 cm

@@ -88,7 +88,7 @@ class Floor:
     Examples
     --------
     >>> import stayput as sp
-    >>> box, shaking = sp.Body(width=0.5, height=1.0), sp.near_fault().scaled(0.6)
+    >>> box, shaking = sp.Body(width=0.5, height=1.0, mass=100.0), sp.near_fault().scaled(0.6)
     >>> for floor in (sp.Floor.of("PTFE glide"), sp.Floor.of("vinyl"), sp.Floor(0.5, 0.4)):
     ...     slide = sp.simulate(box, sp.Room(floor), shaking).peak_slide
     ...     print(f"friction {floor.static_friction}, {floor.kinetic_friction}: {100 * slide:.0f} cm")
@@ -136,7 +136,7 @@ class Floor:
     def __repr__(self) -> str:
         if self.surface and self == Floor.of(self.surface):
             return f"Floor.of({self.surface!r})"
-        return brief(self)
+        return brief(self, first=2)
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -273,7 +273,7 @@ class Wall:
     Examples
     --------
     >>> import stayput as sp
-    >>> body, shaking = sp.Body(width=0.4, height=1.8), sp.near_fault()
+    >>> body, shaking = sp.Body(width=0.4, height=1.8, mass=100.0), sp.near_fault()
     >>> for gap in (0.05, 0.2):  # m: near enough to stop it on its way, or too far
     ...     print(gap, sp.simulate(body, sp.Room(left_wall=sp.Wall(gap)), shaking).outcome)
     0.05 rocked
@@ -316,7 +316,7 @@ class Ceiling:
     Examples
     --------
     >>> import stayput as sp
-    >>> wardrobe = sp.Body(width=0.6, height=2.35)  # 2.43 m across: it jams below the ceiling
+    >>> wardrobe = sp.Body(width=0.6, height=2.35, mass=100.0)  # 2.43 m across: it jams below the ceiling
     >>> strong = sp.near_fault().component("x").scaled(2.2)
     >>> for ceiling in (None, sp.Ceiling(height=2.4)):
     ...     print(sp.simulate(wardrobe, sp.Room(sp.Floor(1.0, 1.0), ceiling=ceiling), strong).outcome)
@@ -357,7 +357,7 @@ class Room:
     Examples
     --------
     >>> import stayput as sp
-    >>> body, shaking = sp.Body(width=0.4, height=2.3), sp.near_fault().component("x")
+    >>> body, shaking = sp.Body(width=0.4, height=2.3, mass=100.0), sp.near_fault().component("x")
     >>> for clear in (0.2, 0.8, 3.0):  # from the piece, its back to a wall, to the wall opposite [m]
     ...     room = sp.Room(left_wall=sp.Wall(gap=0.0), right_wall=sp.Wall(gap=clear))
     ...     print(clear, sp.simulate(body, room, shaking).outcome)

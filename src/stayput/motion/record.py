@@ -13,6 +13,7 @@ import numpy as np
 from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
+from stayput.motion.baseline import check_baseline, checked_record
 from stayput.motion.channels import Listing, common_length, motion_fields, of_the_ground, warn_of_vertical
 from stayput.motion.integrals import Peaks
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
@@ -162,7 +163,7 @@ class Motion:
 
     @classmethod
     def given(cls, value: object, name: str = "motion") -> Self:
-        """Return a motion that was given as one, or refuse what is none with how to make one of it.
+        """Return a motion, warning of an offset in arrays; or refuse what is none with how to make one of it.
 
         Raises
         ------
@@ -170,6 +171,8 @@ class Motion:
             It is something else: bare samples have neither a time step nor a unit.
         """
         if isinstance(value, cls):
+            if value.listing is None and not value.synthetic:  # neither checked when it was read nor computed
+                check_baseline(value)
             return value
         if isinstance(value, str | PathLike):
             raise InputError("motion.only_a_path", name, name=name, value=repr(str(cast("object", value))))
@@ -288,12 +291,7 @@ class Motion:
         return plot_motion(self, title=title, language=check_language(language))
 
     def write(self, path: str | Path) -> Path:
-        """Write the motion to a file: columns (.csv, all components) or PEER AT2 (.at2, x alone).
-
-        Parameters
-        ----------
-        path : str or Path
-            The file; its ending says the format.
+        """Write the motion to a file by its ending: columns (.csv, all components) or PEER (.at2, x alone).
 
         Raises
         ------
@@ -420,10 +418,7 @@ class Motion:
     def baseline_corrected(self, order: int = 1) -> Motion:
         """Return the motion less a polynomial of time, fitted to the velocity by least squares.
 
-        Parameters
-        ----------
-        order : int
-            Of the polynomial taken from the acceleration: 0 a constant, 1 a line, up to 5.
+        The order is that of what is taken from the acceleration: 0 a constant, 1 a line, up to 5.
         """
         if order not in range(6):
             raise InputError("motion.baseline_order", "order", order=order)
@@ -463,6 +458,7 @@ class Motion:
             synthetic=any(motion.synthetic for motion in given.values()),
             source=f"{sources}{cut}",
             floor=x.floor,
+            listing=x.listing,
         )
 
     @classmethod
@@ -474,6 +470,7 @@ class Motion:
         component: str | None = None,
         name: str | None = None,
         location: str | None = None,
+        remove_mean: bool = False,
     ) -> Motion:
         """Make a motion of an ObsPy Stream (or of traces), for the formats that ObsPy reads.
 
@@ -483,8 +480,8 @@ class Motion:
             One complete trace a channel, all of one station, one start and one time step.
         unit : str
             Unit of the traces' numbers as they stand; ``stats.calib`` is *not* applied.
-        component : str, optional
-            Channel that becomes x, by its code or direction; default the first horizontal one.
+        component, remove_mean
+            As for `read_motion`.
         name : str, optional
             Default: network and station.
         location : str, optional
@@ -493,8 +490,10 @@ class Motion:
         Raises
         ------
         InputError
-            Gaps, different starts or steps, several stations or sensors, an unknown unit or component.
+            Gaps, different starts or steps, several stations or sensors, an unknown unit or component, a mean
+            that is gravity.
         """
         channels = channels_of_traces(traces, unit, name, location)
         warn_of_vertical(channels, component)
-        return cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))
+        motion = cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))
+        return checked_record(motion, remove_mean=remove_mean)

@@ -147,11 +147,14 @@ class ShakingTable(Table):
     component: Text | None = Field(
         default=None, description="Which of the record's horizontal channels is along the shaking."
     )
-    unit: Text | None = Field(
-        default=None, description="The record's unit, where its file does not state it."
-    )
+    unit: Text | None = Field(default=None, description="The unit of a record whose file does not state it.")
     dt: float | None = of(
-        sine, "dt", default=None, description="The record's time step, where its file does not state it."
+        sine, "dt", default=None, description="The time step of a record whose file does not state it."
+    )
+    remove_mean: bool = Field(
+        default=False,
+        description="Whether the mean of each component of a record is taken off: an instrument's offset, "
+        "or gravity in the vertical one.",
     )
     columns: Text | None = Field(
         default=None,
@@ -304,8 +307,7 @@ class ShakingTable(Table):
         else:
             ground = Suite((self._ground(folder),))
         if self.building is not None and self.storey is not None:
-            floors = self.building.building().floor_motions(ground, [self.storey])
-            ground = Suite(tuple(floor for (floor,) in floors), ground.name)
+            ground = self.building.building().floor_motion(ground, self.storey)
         return Suite(tuple(self._with_vertical(motion) for motion in ground), ground.name)
 
     def ground(self, folder: Path) -> Suite:
@@ -371,7 +373,7 @@ class ShakingTable(Table):
 
     def _under_furniture(self, ground: Motion) -> Motion:
         if self.building is not None and self.storey is not None:
-            ground = self.building.floor_motion(ground, self.storey)
+            ground = self.building.building().floor_motion(ground, self.storey)
         return self._with_vertical(ground)
 
     def _with_vertical(self, motion: Motion) -> Motion:
@@ -396,16 +398,17 @@ class ShakingTable(Table):
         return cast("ReadingOptions", self.model_dump(include=OPTIONS, exclude_none=True))
 
     def _recorded(self, record: str, folder: Path) -> Motion:
-        motion = read_shaking(folder / record, self.component, self.unit, **self._reading)
-        if self.across is None and not isinstance(self.vertical, str):
+        several = self.across is not None or isinstance(self.vertical, str)
+        motion = read_shaking(folder / record, self.component, self.unit, several=several, **self._reading)
+        if not several:
             return motion
         _refuse_vertical(motion, "record", record)
         parts = {name: motion.component(name) for name in motion.components if name != "x"}
         if self.across is not None:
-            parts["y"] = read_shaking(folder / self.across, unit=self.unit, **self._reading)
+            parts["y"] = read_shaking(folder / self.across, unit=self.unit, several=True, **self._reading)
             _refuse_vertical(parts["y"], "across", self.across)
         if isinstance(self.vertical, str):
-            parts["z"] = read_vertical(folder / self.vertical, self.unit, **self._reading)
+            parts["z"] = read_vertical(folder / self.vertical, self.unit, several=True, **self._reading)
         return Motion.combine(motion, parts.get("y"), parts.get("z"), motion.name)
 
 

@@ -113,7 +113,7 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
     if not math.isfinite(median):
         return
     body = verdict.scenario.furniture.body()
-    formula = kaneko_hayashi_velocity(body.width, body.height)
+    formula = kaneko_hayashi_velocity(body)
     low = LOSS_MODEL_RATIO * formula
     yield phrase(
         "verification.field",

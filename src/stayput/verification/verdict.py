@@ -126,10 +126,9 @@ class Estimates:
     def of(cls, body: Body, floors: FloorMotions, scenario: Scenario, threads: int | None) -> Estimates:
         """Return the estimates of a scenario's body under the motions of a level."""
         gravity, shaking = scenario.gravity, scenario.shaking
-        b, h = body.width, body.height
         a, v = floors.measures[PFA], floors.measures[PFV]
-        a0, v0 = rocking_acceleration(b, h, gravity), ishiyama_velocity(b, h, gravity)
-        ratios = [kaneko_hayashi(b, h, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
+        a0, v0 = rocking_acceleration(body, gravity), ishiyama_velocity(body, gravity)
+        ratios = [kaneko_hayashi(body, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
         building = shaking.building
         storey, storeys = (1, 1) if building is None else (shaking.storey or 1, building.highest() - 1)
         return cls(

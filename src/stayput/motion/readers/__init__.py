@@ -22,6 +22,7 @@ from stayput.errors import (
     whole_within,
     within,
 )
+from stayput.motion.baseline import checked_record
 from stayput.motion.channels import (
     is_vertical,
     labels_phrase,
@@ -66,6 +67,14 @@ class Reader(Protocol):
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
+_STATED_OTHERWISE = (
+    "motion.another_unit",
+    "motion.column_another_unit",
+    "motion.another_time_step",
+    "motion.time_column_step",
+)
+"""Refusals of a unit or a time step that is not the one that the file states."""
+
 READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, of_columns)
 """The readers, in the order in which they are asked whether a file is theirs.
 
@@ -81,8 +90,9 @@ def read_motion(
 ) -> Motion:
     """Read a record in any of the formats of `READERS`, recognised by its content.
 
-    Nothing is guessed and nothing is corrected: samples are as in the file, in m/s². Only a K-NET record
-    has its offset taken off, as its own header's peak does, and a channel that points down is turned up.
+    Nothing is guessed, and nothing is corrected that is not asked for: samples are as in the file, in m/s².
+    Only a K-NET record has its offset taken off, as its own header's peak does, and a channel that points
+    down is turned up.
 
     Parameters
     ----------
@@ -107,11 +117,15 @@ def read_motion(
         Whether the numbers have a comma in the place of the point.
     location : str, optional
         Of SAC and miniSEED, the code of the sensor where a station has several; "--" of none.
+    remove_mean : bool
+        Whether the mean of each component is taken off, as for a record with an offset, or with gravity in
+        its vertical component. The motion's source says what was taken off.
 
     Raises
     ------
     InputError
-        The file cannot be read, is damaged or contradicts itself, or lacks its unit or time step.
+        The file cannot be read, is damaged or contradicts itself, or lacks its unit or time step; the mean
+        of a component is gravity.
 
     Warns
     -----
@@ -119,7 +133,8 @@ def read_motion(
         It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
         file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
         floor, channels seem to be missing, columns of other quantities are left out, the sensor is in a
-        borehole.
+        borehole; a component has an offset (see `stayput.motion.baseline.oscillates_about_offset`), or the
+        time step is longer than 0.1 s.
 
     Examples
     --------
@@ -135,6 +150,8 @@ def read_shaking(
     path: str | os.PathLike[str],
     component: str | None = None,
     unit: str | None = None,
+    *,
+    several: bool = False,
     **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a record that shakes furniture sideways: a vertical channel is not taken for a horizontal one.
@@ -143,31 +160,38 @@ def read_shaking(
     ----------
     path, component, unit, options
         As for `read_motion`.
+    several : bool
+        Whether the file is one of several: ``unit`` and ``dt`` are for those that do not state their own.
 
     Raises
     ------
     InputError
         Likewise; or ``component`` names a vertical channel of a file that has horizontal ones.
     """
-    return motion_of([read_file(path, unit, **options)], along(component, refuse_vertical))
+    file = read_file(path, unit, several=several, **options)
+    return motion_of([file], along(component, refuse_vertical))
 
 
 def read_vertical(
-    path: str | os.PathLike[str], unit: str | None = None, **options: Unpack[ReadingOptions]
+    path: str | os.PathLike[str],
+    unit: str | None = None,
+    *,
+    several: bool = False,
+    **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a file's vertical channel, or its only one where its direction is not stated, as x of a motion.
 
     Parameters
     ----------
-    path, unit, options
-        As for `read_motion`.
+    path, unit, several, options
+        As for `read_shaking`.
 
     Raises
     ------
     InputError
         Likewise; or there is no vertical channel, or more than one.
     """
-    return motion_of([read_file(path, unit, **options)], _vertical_of)
+    return motion_of([read_file(path, unit, several=several, **options)], _vertical_of)
 
 
 def along(
@@ -227,6 +251,8 @@ class ReadFile(NamedTuple):
         What is doubtful about it.
     synthetic : bool
         Whether it says that it was computed.
+    remove_mean : bool
+        Whether the mean is taken off each component of the motion that is made of it.
     """
 
     path: Path
@@ -234,6 +260,7 @@ class ReadFile(NamedTuple):
     channels: list[Channel]
     warnings: list[InputWarning]
     synthetic: bool
+    remove_mean: bool
 
     @contextmanager
     def naming(self) -> Generator[None]:
@@ -255,8 +282,10 @@ def read_file(
     skip_lines: int = 0,
     decimal_comma: bool = False,
     location: str | None = None,
+    remove_mean: bool = False,
+    several: bool = False,
 ) -> ReadFile:
-    """Read a file's channels; arguments and errors as for `read_motion`."""
+    """Read a file's channels; arguments and errors as for `read_shaking`."""
     comma = instance_of("decimal_comma", decimal_comma, bool)
     skipped = whole_within("skip_lines", skip_lines, 0, MOST_SKIPPED, field="skip_lines")
     chosen = chosen_columns(columns)
@@ -272,7 +301,7 @@ def read_file(
     synthetic = "synthetic" in text[:_HEAD].lower()
     if binary is not None:
         form = seismogram.FORMATS[binary]
-        read = partial(seismogram.read, path, binary, unit, dt, location)
+        read = partial(seismogram.read, path, binary, location=location)
         unused = {"columns": chosen, "skip_lines": skipped, "decimal_comma": comma}
     else:
         text = _without_lines(text, skipped)
@@ -283,19 +312,35 @@ def read_file(
             raise _not_read(path, other)
         form, unused = reader.FORMAT, {"location": location}
         read = partial(of_columns.read, chosen=chosen) if chosen else reader.read
-        read = partial(read, text, unit, dt)
-    file = ReadFile(Path(path), form, [], [], synthetic)
+        read = partial(read, text)
+    file = ReadFile(Path(path), form, [], [], synthetic, remove_mean)
     try:
         with file.naming():
             for name in (name for name, value in unused.items() if value):
                 raise InputError("motion.not_of_format", name, name=name, format=form)
             check_end(text)
-            file.channels.extend(read())
+            file.channels.extend(_channels(read, unit, dt, several))
     except InputError as error:
         if other and error.field is None:
             raise _not_read(path, other) from None
         raise
     return file
+
+
+def _channels(
+    read: Callable[[str | None, float | None], list[Channel]],
+    unit: str | None,
+    dt: float | None,
+    several: bool,
+) -> list[Channel]:
+    """Return the channels; of several files one that states another unit or time step keeps its own."""
+    try:
+        return read(unit, dt)
+    except InputError as error:
+        if not several or error.code not in _STATED_OTHERWISE:
+            raise
+        unit, dt = (None, dt) if error.field == "unit" else (unit, None)
+        return _channels(read, unit, dt, several)
 
 
 def _not_read(path: str | os.PathLike[str], other: str | None) -> InputError:
@@ -336,6 +381,7 @@ def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], s
         if component is None and len(files) == 1:
             _warn_of_name(first.path, channels)
         motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
+        motion = checked_record(motion, remove_mean=first.remove_mean)
         if motion.floor:
             warn(upper_floor_warning(motion.floor))
     for warning in (warning for file in files for warning in file.warnings):

@@ -28,6 +28,7 @@ class ReadingOptions(TypedDict, total=False):
     skip_lines: int
     decimal_comma: bool
     location: str | None
+    remove_mean: bool
 
 
 OPTIONS = set(ReadingOptions.__annotations__)

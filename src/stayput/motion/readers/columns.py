@@ -3,10 +3,11 @@
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z; or ``columns``
 says which are these. Velocities and displacements, by their headings, are left out beside accelerations.
 Lines that begin with "#", "%", "//" or "!" are comments. Titles, a line of headings and a row of units may
-stand above the numbers: the column that is headed "time" or "t" is the time, in s or "[ms]"; without such a
-heading the first is. A comment may state the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²";
-each heading states that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it
-otherwise. Above one column the number of samples and the time step may stand: "4000 0.02".
+stand above the numbers: the column that is headed "time" or "t" is the time, in s or "[ms]"; without such
+a heading the first is, unless it counts the samples, 1, 2, 3, …: then ``dt`` must be given. A comment may
+state the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each heading states that of its
+column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise. Above one column the number
+of samples and the time step may stand: "4000 0.02".
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
 from stayput.motion.channels import Channel, is_direction, labels_phrase
@@ -23,6 +26,7 @@ from stayput.motion.readers.header import regular_step, stated_unit, time_step
 from stayput.motion.readers.headings import (
     Headings,
     column_factors,
+    is_time,
     is_title,
     other_quantities,
     read_headings,
@@ -34,7 +38,6 @@ from stayput.motion.readers.text import chunks
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    import numpy as np
     from numpy.typing import NDArray
 
 FORMAT = "columns of numbers"
@@ -161,7 +164,13 @@ def read(
         raise InputError("motion.column_one_row")
     time = None if timeless else headings.time or 0
     if time is not None:
-        step = regular_step(headings.time_factor * table[:, time])
+        times = headings.time_factor * table[:, time]
+        counts = times[0].is_integer() and np.array_equal(times, times[0] + np.arange(len(times)))
+        if counts and not (headings.texts and is_time(headings.texts[time])):
+            if dt is None:
+                raise InputError("motion.time_counts", "dt", first=times[0], second=times[1], option="dt")
+            times = dt * times
+        step = regular_step(times)
         # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
         if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
             raise InputError("motion.time_column_step", "dt", given=dt, step=step)

@@ -280,6 +280,11 @@ def _times(texts: Sequence[str]) -> list[int]:
     return times or [i for i, text in enumerate(texts) if _OF_TIME.search(text)]
 
 
+def is_time(text: str) -> bool:
+    """Return whether a heading says that its column is the time."""
+    return bool(_TIME.match(text) or _OF_TIME.search(text))
+
+
 def _listed(texts: Sequence[str]) -> Phrase:
     english, japanese = zip(*map(excerpt, texts), strict=True)
     return ", ".join(english), "、".join(japanese)

@@ -54,7 +54,7 @@ def format_of(path: str | os.PathLike[str]) -> str | None:
 
 
 def read(
-    path: str | os.PathLike[str], form: str, unit: str | None, dt: float | None, location: str | None
+    path: str | os.PathLike[str], form: str, unit: str | None, dt: float | None, *, location: str | None
 ) -> list[Channel]:
     """Return the file's channels.
 

@@ -77,7 +77,7 @@ def records_in(
             continue
         try:
             with naming(path):
-                file = read_file(path, unit, **options)
+                file = read_file(path, unit, several=True, **options)
         except InputError as error:
             if error.code not in _NO_ACCELERATION:
                 raise

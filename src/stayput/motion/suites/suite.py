@@ -339,8 +339,10 @@ def read_suite(
     source : path, or iterable of paths
         A folder, whose files are taken in the order of their names, all but hidden ones and Markdown; or
         the files themselves, in this order.
-    component, unit, dt, columns, skip_lines, decimal_comma, location
+    component, columns, skip_lines, decimal_comma, location, remove_mean
         As for `read_motion`, for every file; a vertical channel beside horizontal ones is refused.
+    unit, dt
+        As for `read_motion`, for the files that do not state theirs.
     name : str, optional
         Default: the folder's name.
 
@@ -372,7 +374,7 @@ def read_suite(
         title, motions = "records", list[Motion]()
         for file in map(Path, list_of("source", source, (str, os.PathLike))):
             with naming(file):
-                motions.append(read_shaking(file, component, unit, **options))
+                motions.append(read_shaking(file, component, unit, several=True, **options))
     if not motions:
         raise InputError("motion.suite_no_files", name=title)
     return Suite(tuple(motions), title if name is None else name)
