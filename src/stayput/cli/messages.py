@@ -131,9 +131,6 @@ _IN_FLAGS = {
 }
 """Sentences about records, and those that name the flags to give."""
 
-_OF_OPTIONS = ("motion.time_counts", "motion.gravity", "motion.offset")
-"""Sentences about records whose ``option`` is that of a flag."""
-
 _IN_COMMANDS = {
     "scenario.of_several": "cli.one_piece_alone",
     "scenario.of_a_room": "cli.one_piece_alone",
@@ -143,10 +140,8 @@ _IN_COMMANDS = {
 
 def _said_as(told: Told, codes: Mapping[str, str]) -> Told:
     """Return a refusal or a warning so that it names the flags and commands of the command line."""
-    code, values = codes.get(told.code), told.values
-    if codes is not _IN_COMMANDS and told.code in _OF_OPTIONS:
-        code, values = told.code, values | {"option": f"--{values['option'].replace('_', '-')}"}
-    return told if code is None else type(told)(code, told.field, context=told.context, **values)
+    code = codes.get(told.code)
+    return told if code is None else type(told)(code, told.field, context=told.context, **told.values)
 
 
 def _flags_of(command: Any) -> set[str]:
