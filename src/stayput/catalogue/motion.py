@@ -1,9 +1,11 @@
-"""Motions and suites; the sentences about their files stand in `stayput.catalogue.motion_files`."""
+"""Motions and suites; the sentences about their files stand in `motion_files` and `motion_formats`."""
 
 from stayput.catalogue.motion_files import TEXTS as FILE_TEXTS
+from stayput.catalogue.motion_formats import TEXTS as FORMAT_TEXTS
 
 TEXTS: dict[str, tuple[str, str]] = {
     **FILE_TEXTS,
+    **FORMAT_TEXTS,
     # What numbers and names are called, for the refusals of `stayput.catalogue.common`.
     "name_motion_dt": ("Motion dt", "地震動の時間刻み"),
     "name_motion_scale": ("Motion scale", "地震動の倍率"),
