@@ -435,7 +435,7 @@ RENADIC = (
         (b"\x1f\x8b\x08\x00\x00", "compressed archive; it must be unpacked", "圧縮ファイルです"),
         (archive("[Content_Types].xml", "xl/workbook.xml"), "save its sheet as CSV", "CSV形式で保存した"),
         (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\x00", "save its sheet as CSV", "表計算ソフトのファイルです"),
-        (b"\x00\x01\x02", "binary; it must be text", "テキスト、SAC、miniSEEDのいずれでもありません"),
+        (b"\x00\x01\x02", "binary; it must be text", "テキスト、「SAC」、「miniSEED」のいずれでもありません"),
         (SMC, "in the format USGS SMC, which is not read", "「USGS SMC」形式のファイルで"),
         (RENADIC + "1 2 3\n" * 9, "in the format RENADIC", "「RENADIC」形式のファイルで"),
         ("UNCORRECTED ACCELEROGRAM DATA\nX\n" + "1 2 3\n" * 9, "in the format CSMIP V1", "「CSMIP V1」"),

@@ -36,7 +36,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "(read other formats with ObsPy and use Motion.from_obspy)."
         ),
         (
-            "「{path}」はテキスト、SAC、miniSEEDのいずれでもありません。地震記録のファイルを選んでください"
+            "「{path}」はテキスト、「SAC」、「miniSEED」のいずれでもありません。地震記録のファイルを選んでください"
             "（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡してください）。"
         ),
     ),

@@ -395,6 +395,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Marks: what the simulations gave; lines: the nearest rising shares; shaded: where they may lie (95 %).",
         "印は計算で得られた割合、線は増加のみを仮定した当てはめ、塗った部分は95%の範囲です。",
     ),
+    "thinking": ("Working it out …", "計算しています…"),
     "everydayTitle": ("And without an earthquake?", "地震がないときは"),
     "drawers": ("Drawers that can be open at once", "同時に開けられる引き出しの数"),
     "drawerLoad": (
