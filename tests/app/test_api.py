@@ -167,7 +167,7 @@ def test_a_table_of_a_run_has_the_floor_and_the_devices(client: httpx.Client) ->
 def test_answers_are_compressed_where_they_are_taken_so(client: httpx.Client) -> None:
     asked = {"scene": SCENE, "measures": BRACKET}
     packed = client.post("/api/v1/simulate", json=asked, headers={"accept-encoding": "br, gzip"})
-    plain = client.post("/api/v1/simulate", json=asked, headers={"accept-encoding": "gzip;q=0, identity"})
+    plain = client.post("/api/v1/simulate", json=asked, headers={"accept-encoding": "identity"})
     assert packed.headers["content-encoding"] == "gzip"
     assert "content-encoding" not in plain.headers
     assert packed.json() == plain.json()

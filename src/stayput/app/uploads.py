@@ -67,7 +67,7 @@ async def read_upload(request: Request, limits: Limits) -> Upload:
             _text(form.get("unit")),
             None if dt is None else _step(dt),
             _text(form.get("component")),
-            _text(form.get("remove_mean")) == "true",
+            _text(form.get("remove_mean")) in ("true", "1", "yes", "on"),
         )
     finally:
         await form.close()

@@ -221,8 +221,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "フォームにファイルがありません。「file」という名前で送ってください。",
     ),
     "form_unknown_field": (
-        "The form has an unknown field; it may have file, unit, dt, component.",
-        "フォームに不明な項目があります。使えるのはfile、unit、dt、componentです。",
+        "The form has an unknown field; it may have file, unit, dt, component, remove_mean.",
+        "フォームに不明な項目があります。使えるのはfile、unit、dt、component、remove_meanです。",
     ),
     "empty_file": ("The file is empty; it must hold a record.", "ファイルが空です。"),
     "dt_not_a_number": ("dt must be a number [s].", "時間刻みは秒単位の数値で入力してください。"),

@@ -430,6 +430,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "フォルダ「{name}」の次のファイルは使いません：{files}。",
     ),
     "no_acceleration": ("{files}{more} (no acceleration)", "{files}{more}（加速度ではない）"),
+    "ground": ("the ground", "地面"),
+    "two_floors": (
+        "The {component} motion is of {other} and the x motion of {of}; both must be of the same place.",
+        "{component}成分は{other}の揺れ、x成分は{of}の揺れです。同じ場所の記録にしてください。",
+    ),
+    "vertical_only": ("{files}{more} (vertical alone)", "{files}{more}（上下動のみ）"),
     "in_borehole": ("{files}{more} (borehole)", "{files}{more}（地中の記録）"),
     "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
     "and_more": (" and {count} more", "など（ほか{count}件）"),

@@ -330,6 +330,14 @@ TEXTS: dict[str, tuple[str, str]] = {
             "「time, NS, EW, UD」のように、時刻と各列の方向を1つずつ書いてください。"
         ),
     ),
+    "column_order_unread": (
+        "The file names directions in {line}, from which the order of the columns is not understood; state it by {option}.",
+        "ファイルには{line}と方向が書かれていますが、列の順序を読み取れません。{option}で列を指定してください。",
+    ),
+    "column_unit_factor": (
+        "The heading {column} states the unit {unit}, with a factor; the numbers must be in a unit without one.",
+        "列の見出し{column}の単位{unit}には倍率が付いています。倍率のない単位の数値にしてください。",
+    ),
     "column_line": (
         "The line {line} stands between the headings and the numbers; only the units of the columns may.",
         "見出しと数値の間に{line}という行があります。ここには各列の単位だけを書けます。",

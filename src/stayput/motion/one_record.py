@@ -32,13 +32,16 @@ def check_one_record(parts: Mapping[str, Motion]) -> None:
     Raises
     ------
     InputError
-        The time steps differ; the files state another event, station or sensor, or directions that cannot
-        be those of the components; or two have the same samples.
+        The time steps differ; one is of the ground and another of a floor; the files state another event,
+        station or sensor, or directions that cannot be those of the components; or two have the same samples.
     """
     x = parts["x"]
     for name, motion in parts.items():
         if not math.isclose(motion.dt, x.dt, rel_tol=1e-6):
             raise InputError("motion.motion_dt_differs", name, component=name, dt=motion.dt, x_dt=x.dt)
+        if motion.floor != x.floor:
+            of, other = (one.floor or phrase("motion.ground") for one in (x, motion))
+            raise InputError("motion.two_floors", name, component=name, of=of, other=other)
     recorded = {name: motion for name, motion in parts.items() if not motion.synthetic}
     for (first, a), (second, b) in combinations(recorded.items(), 2):
         if np.array_equal(a.x, b.x):

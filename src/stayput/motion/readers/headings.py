@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
-from stayput.motion.channels import is_direction
+from stayput.motion.channels import is_direction, is_vertical
 from stayput.motion.readers.header import UNIT_OF_TIME, acceleration_unit, mentioned_unit, quantity_of
 from stayput.motion.units import UNIT_NAMES, known_unit, unit_factor
 
@@ -31,6 +31,11 @@ _TRANSVERSE = re.compile(r"T(?![A-Za-z])")
 _LONGITUDINAL = re.compile(r"[LR](?![A-Za-z])")
 _BRACKET = re.compile(r"[(\[]([^()\[\]]{1,40})[)\]]")
 _LIKE_A_UNIT = re.compile(r"[^\W\d_]\S{0,5}|\S*[/%^²]\S*")  # "kip", "km/h2"; not "filtered"
+_FACTOR = re.compile(
+    r"[x×*·]?\s*[0-9.][0-9.^e+\-−]*\s*[x×*·]?\s*(?P<after>[^\d\s].*)"
+    r"|(?P<before>.*?)\s*[x×*]\s*[0-9][0-9.^e+\-−]*",
+    re.IGNORECASE,
+)
 _NEGATIVE = re.compile(r"\([-−]\)")
 _LONGEST_NAME = 40
 
@@ -47,6 +52,7 @@ _NUMBERED = re.compile(
 _COMPONENT = re.compile(r"(?:comp(?:onent)?|channel|direction|成分|方向) ?[:=：] ?(.*)", re.IGNORECASE)
 _TITLE = re.compile(r"[\"'(\[]?[^\W\d_]{2,}|[0-9/.\-]+ +[^\W\d_]{3,}")
 _RULE = re.compile(r"[-=_+|,; \t]*[-=_]{3}[-=_+|,; \t]*")
+_WORD = re.compile(r"(?<![A-Za-z0-9.°])[A-Za-z]+(?![A-Za-z0-9])")
 _NUMERIC = re.compile(r"[+\-]?\.?[0-9][0-9.eE+\-]*")
 
 _FULL_WIDTH = re.compile("[\u3000-\u30ff\u4e00-\u9fff\uff01-\uff5e]")
@@ -55,12 +61,14 @@ _FULL_WIDTH = re.compile("[\u3000-\u30ff\u4e00-\u9fff\uff01-\uff5e]")
 _JAPANESE = (
     (re.compile("^秒$"), "sec"),
     (re.compile("ミリ秒"), "ms"),
-    (re.compile("(?:経過)?時間|時刻|秒数"), "time"),
+    (re.compile("(?:経過)?(?:時間|时间)|時刻|秒数"), "time"),
     (re.compile("秒"), "s"),
     (re.compile("(?:データ|サンプル)?番号"), "no"),
     (re.compile("南北"), "NS"),
     (re.compile("東西"), "EW"),
-    (re.compile("上下|鉛直"), "UD"),
+    (re.compile("上下|鉛直|垂直|縦揺れ"), "UD"),
+    (re.compile("东西"), "EW"),
+    (re.compile("水平|横揺れ"), "H"),
     (re.compile("(?<=[A-Za-z])(?:方向|成分|軸|動)"), ""),
     (re.compile("ガル"), "gal"),
     (re.compile("カイン"), "kine"),
@@ -194,6 +202,8 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     if len(texts) != count:
         if ordered or (_states_columns(texts) and _all_names(texts)):
             raise InputError("motion.column_order", columns=_listed(texts), count=count)
+        if count > 2 and (unread := _unread_order(lines)):
+            raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
         return Headings(names=named)
     if negative := next(filter(_NEGATIVE.search, texts), None):
         raise InputError("motion.column_negative", column=excerpt(negative))
@@ -201,6 +211,8 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     first = names[0] if names else texts[0]
     names = names if any(map(is_direction, names)) else named or names
     alike = bool(times) and (times[0] == 0 or _mark(lines[place]) == _mark(row))
+    if count > 2 and not any(map(is_vertical, names)) and (unread := _unread_order(lines)):
+        raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
     if not (ordered or titles or alike):
         return Headings(names=names)
     if count == 1:
@@ -210,6 +222,8 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     if not times and (is_direction(first) or _COUNTED.fullmatch(texts[0]) or _is_motion(texts[0])):
         raise InputError("motion.column_no_time", column=excerpt(texts[0]))
     time = times[0] if times else 0
+    if count > 2 and not names:  # of headings that are not understood any may be the vertical
+        raise InputError("motion.column_order", columns=_listed(texts), count=count)
     return Headings(tuple(texts), time, _time_factor(texts[time]), names)
 
 
@@ -233,6 +247,24 @@ def _stated_order(lines: Sequence[str], count: int) -> list[str]:
     if max(numbered, default=0) != len(numbered) or not (_states_columns(texts) or len(texts) == 1):
         raise InputError("motion.column_order", columns=_listed(texts), count=count)
     return texts
+
+
+def _unread_order(lines: Sequence[str]) -> str | None:
+    """Return a line that names the vertical beside a horizontal direction, or lines that do so together.
+
+    Letters beside figures are left out, as they may be of a place: "35.1 N".
+    """
+    said: list[list[str]] = []
+    for line in lines:
+        plain = _in_english(unicodedata.normalize("NFKC", line) if _FULL_WIDTH.search(line) else line)
+        words = [word for word in _WORD.findall(plain) if is_direction(word)]
+        said.append([] if {"x", "y", "z"}.issuperset(map(str.lower, words)) else words)
+        if {True, False} <= set(map(is_vertical, said[-1])):
+            return line
+    # One direction a line: names of one letter stand in too many comments.
+    named = [word for words in said for word in words if len(word) > 1]
+    upright = next((word for word in named if is_vertical(word)), None)
+    return ", ".join(dict.fromkeys(named)) if upright and not all(map(is_vertical, named)) else None
 
 
 def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[list[str], int]:
@@ -295,8 +327,20 @@ def _is_motion(text: str) -> bool:
 
 
 def _unit_in(text: str) -> str | None:
-    """Return the unit of acceleration in a heading, or that is one."""
+    """Return the unit of acceleration in a heading, or that is one; None of one with a factor."""
+    if _unit_with_factor(text):
+        return None
     return next(filter(known_unit, (*_BRACKET.findall(text), text)), None) or mentioned_unit(text)
+
+
+def _unit_with_factor(text: str) -> str | None:
+    """Return what stands in a heading's brackets as "0.1 gal", "X 1000" or "10^-2 m/s2"."""
+    for content in _BRACKET.findall(text):
+        found = _FACTOR.fullmatch(content.strip())
+        unit = found and (found["after"] or found["before"])
+        if found and (known_unit(unit) if unit else mentioned_unit(text)):
+            return content
+    return None
 
 
 def _time_factor(text: str) -> float:
@@ -375,6 +419,9 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
     """Return the unit in a heading, which neither the comments nor the caller may contradict."""
     unit = _unit_in(text)
     if unit is None:
+        if factor := _unit_with_factor(text):
+            column, name = excerpt(text), excerpt(factor)
+            raise InputError("motion.column_unit_factor", "unit", column=column, unit=name)
         if quantity := next(filter(None, map(quantity_of, (text, *_BRACKET.findall(text)))), None):
             name = phrase(f"motion.{quantity}")
             raise InputError("motion.column_quantity", column=excerpt(text), quantity=name)

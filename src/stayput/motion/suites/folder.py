@@ -65,7 +65,8 @@ def records_in(
     Warns
     -----
     InputWarning
-        Files are left out: velocities and displacements, boreholes, tables and pictures.
+        Files are left out: velocities and displacements, boreholes, records of the vertical alone, tables and
+        pictures.
     """
     records: dict[Hashable, list[ReadFile]] = {}
     left_out: dict[str, list[str]] = {}
@@ -87,6 +88,9 @@ def records_in(
             left_out.setdefault("in_borehole", []).append(path.name)
         else:
             records.setdefault(_record_of(file) or path, []).append(file)
+    for key, files in list(records.items()):
+        if all(is_vertical(channel.label) for file in files for channel in file.channels):
+            left_out.setdefault("vertical_only", []).extend(file.path.name for file in records.pop(key))
     if left_out:
         english, japanese = zip(*(_listed(kind, names) for kind, names in left_out.items()), strict=True)
         files = "; ".join(english), "、".join(japanese)
