@@ -279,7 +279,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         (
             "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、"
-            "どれがそれらの列かを{option}で指定してください。"
+            "どれがそれらの列かを「{option}」で指定してください。"
         ),
     ),
     "column_row": (
@@ -332,7 +332,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "column_order_unread": (
         "The file names directions in {line}, from which the order of the columns is not understood; state it by {option}.",
-        "ファイルには{line}と方向が書かれていますが、列の順序を読み取れません。{option}で列を指定してください。",
+        "ファイルには{line}と方向が書かれていますが、列の順序を読み取れません。「{option}」で列を指定してください。",
     ),
     "column_unit_factor": (
         "The heading {column} states the unit {unit}, with a factor; the numbers must be in a unit without one.",
