@@ -80,6 +80,9 @@ from stayput.mechanics.sampling import public_mode, record_sample
 from stayput.mechanics.settling import settling_rate
 from stayput.mechanics.transitions import handle_impacts, relax_event_thresholds, update_mode
 
+REBOUND_WITH_DEVICES = math.sqrt(1e3)
+"""Factor on the rate at which a bounce has ended, where a body has devices: stiff ones make events crowd."""
+
 
 @inner
 def initialize_state(case, contacts, s):
@@ -116,6 +119,7 @@ def _initialize_devices(case, s, held, dt):
     work.step_limit = dt
     work.slack_factor = 1.0
     work.crowded_events = work.failed = work.facets = 0
+    s.settle_rate *= REBOUND_WITH_DEVICES
     set_up_elements(held.elements, held.links, held.devices, case, s)
 
 

@@ -23,7 +23,7 @@ GAP_TOLERANCE = 1e-10
 
 RIGHT_ANGLE = math.pi / 2
 
-MIN_REBOUND, SMALL_REBOUND = 1e-10, 1e-7
+MIN_REBOUND, SMALL_REBOUND = 1e-10, 1e-6
 """Rebound heights, as a part of the base length, below which a bounce has ended, or may have; see `settling`.
 """
 

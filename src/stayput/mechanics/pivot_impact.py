@@ -57,7 +57,8 @@ def pivot_on_landing(contacts, touch, case, s, motion):
     q = -1.0 / (case.inertia + sigma * sigma + kappa * kappa)
     law = (True, case.inertia, q, con.mu_static, 0.0, 1.0)
     f, g, alpha = margins(law, sigma, kappa, s.omega, a, G, 0.0)
-    opens = gap_rate(contacts[s.closed - 1], s) > settling_rate(contacts, touch, case, s, motion)
+    rate = gap_rate(contacts[s.closed - 1], s)
+    opens = rate > s.small_rate or rate > settling_rate(contacts, touch, case, s, motion)
     if opens and min(f, g) > NEAR_LIMIT * case.gravity:
         s.i, s.d, s.j, s.dj, s.closed, s.alpha = new, 0, -1, 0, s.hit, alpha
         set_pivot_velocity(con, s)

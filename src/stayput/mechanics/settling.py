@@ -25,10 +25,10 @@ def settling_rate(contacts, touch, case, s, motion):
         return s.settle_rate
     left, right = contacts[A_FLOOR], contacts[B_FLOOR]
     rate = max(gap_rate(left, s), gap_rate(right, s))
-    slips = max(abs(slip_rate(left, s)), abs(slip_rate(right, s))) > STICK_RATE
-    if slips or not s.settle_rate < rate <= s.small_rate or not _die_out(contacts, case, s, motion, rate):
+    if not s.settle_rate < rate <= s.small_rate:
         return s.settle_rate
-    return s.small_rate
+    slips = max(abs(slip_rate(left, s)), abs(slip_rate(right, s))) > STICK_RATE
+    return s.settle_rate if slips or not _die_out(contacts, case, s, motion, rate) else s.small_rate
 
 
 @inner
@@ -46,7 +46,7 @@ def _die_out(contacts, case, s, motion, rate):
             kept = max(kept, contacts[c].restitution)
         c += 1
     mu = min(case.static_friction, left.mu_static, right.mu_static)
-    omega = rate / (sigma_b - sigma_a)
+    omega = 2.0 * rate / (sigma_b - sigma_a)  # twice, since the rebounds follow the mean only roughly
     ax, az = motion.ax, motion.az
     h = motion.dt - s.tau
     a, _, G, _ = loads(case, ax, az, case.scale / motion.dt, s.k, s.tau)
@@ -54,7 +54,8 @@ def _die_out(contacts, case, s, motion, rate):
         a1, G1 = case.scale * ax[k], case.gravity + case.scale * az[k]
         am, Gm = 0.5 * (a + a1), 0.5 * (G + G1)
         alpha_a, alpha_b = (-sigma_a * Gm - kappa_a * am) / about_a, (sigma_b * Gm + kappa_b * am) / about_b
-        if min(alpha_a, alpha_b) <= 0.0 or abs(a) > mu * G or abs(a1) > mu * G1:
+        tips = min(alpha_a, alpha_b, -sigma_a * G1 - kappa_a * a1, sigma_b * G1 + kappa_b * a1) <= 0.0
+        if tips or abs(a) > mu * G or abs(a1) > mu * G1:
             return False
         omega -= h * (1.0 - kept) * alpha_a * alpha_b / (alpha_a + alpha_b)
         if omega <= 0.0:
