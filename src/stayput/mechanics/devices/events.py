@@ -208,9 +208,9 @@ def _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h):
         if others >> c & 1 and work.gap[c] < excursion:
             g0, v0, c0 = _gap_rates(contacts, s, work, c, y0, k0, base[1], base[2])
             g1, v1, c1 = _gap_rates(contacts, s, work, c, y1, k1, s.sin, s.cos)
-            t, level = first_closing(g0, v0, c0, g1, v1, c1, h)
+            t, _ = first_closing(g0, v0, c0, g1, v1, c1, h)
             if 0.0 <= t < first:
-                first, contact, work.level[c] = t, c, level
+                first, contact = t, c
         c += 1
     return first, contact
 
