@@ -107,3 +107,9 @@ def test_the_peak_of_an_excursion_that_turns_in_the_step_it_began_in(seed):
     coarse, fine = (sp.simulate(body, place, m).peak_tilt for m in (motion, finer(motion, 64)))
     assert 0.0 < fine < 4e-4
     assert coarse == pytest.approx(fine, rel=1e-6)
+
+
+def test_a_leaning_slip_that_stops_and_goes_on_within_a_step_is_stopped_there():
+    """Its friction turns over: the body ends where it does under the same record on a finer grid."""
+    body, place, motion = beside_a_wall(2568)
+    assert same(results(body, place, motion), results(body, place, finer(motion)))
