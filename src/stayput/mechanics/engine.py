@@ -119,7 +119,6 @@ def _initialize_devices(case, s, held, dt):
     work.step_limit = dt
     work.slack_factor = 1.0
     work.crowded_events = work.failed = work.facets = 0
-    s.settle_rate *= REBOUND_WITH_DEVICES
     set_up_elements(held.elements, held.links, held.devices, case, s)
 
 
@@ -310,7 +309,10 @@ def _run_held_case(case, scratch, s, held, motion, settings, output):
     if no_element_left(held.links):
         _run_case(case, scratch, s, None, motion, settings, output)
         return
+    settle_rate = s.settle_rate
+    s.settle_rate *= REBOUND_WITH_DEVICES
     if _run_case(case, scratch, s, held, motion, settings, output):
+        s.settle_rate = settle_rate
         _continue_case(case, scratch, s, None, motion, settings, output)
     for n in range(held.devices.shape[0]):
         for i in range(2):
