@@ -15,17 +15,17 @@ EXTRAS := formats,app,inventory
 ALONE  := $(PYTHON) -c 'import fcntl, subprocess, sys; file = open("Makefile"); \
   fcntl.flock(file, fcntl.LOCK_EX); sys.exit(subprocess.call(sys.argv[1:]))'
 
-.PHONY: help install demo test coverage soak lint bench bench-app bench-inventory wasm docs lock release-notes clean
+.PHONY: help install demo test coverage soak peers lint bench bench-app bench-inventory docs lock release-notes clean
 
 help:
 	@echo "make demo     which measure keeps a bookcase standing: the verdict, a report (out/)"
 	@echo "make test     every test"
 	@echo "make soak     input made to break what reads it, for MINUTES=10 or as long as asked"
 	@echo "make coverage every test, and which lines of Python and of the page they run (out/coverage)"
+	@echo "make peers    pelicun and OpenQuake read our fragility curves, in an environment of their own (out/peers)"
 	@echo "make lint     ruff, formatting, types"
 	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices, verifications, starts"
 	@echo "make bench-app, make bench-inventory   the server under load and the page in Chromium; tables of furniture"
-	@echo "make wasm     the mechanics as WebAssembly (out/kernel.wasm), and what a case costs there"
 	@echo "make docs     documentation pages (docs/_build/html)"
 	@echo "make release-notes   the newest version's part of CHANGELOG.md, or that of VERSION=0.1.0"
 	@echo "make install  the core in $(VENV)    make lock  fresh requirements.lock    make clean"
@@ -37,12 +37,12 @@ demo: $(STAMP)-core
 	$(BIN)/stayput verify examples/bookcase.toml --report out/bookcase.html
 
 test: $(STAMP)-test
-	@$(BIN)/python tests/app/chromium.py
+	@$(BIN)/python tests/prerequisites.py
 	$(BIN)/python -m pytest -n auto --dist worksteal $(PYTEST_ARGS)
 
 # The page's own coverage is written by the tests that open it, and counted afterwards.
 coverage: $(STAMP)-test
-	@$(BIN)/python tests/app/chromium.py
+	@$(BIN)/python tests/prerequisites.py
 	@rm -rf out/coverage && mkdir -p out/coverage/page
 	PAGE_COVERAGE="$(CURDIR)/out/coverage/page" $(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-report=term:skip-covered \
 	  --cov-report=html $(PYTEST_ARGS)
@@ -79,12 +79,6 @@ bench-app: $(STAMP)-test
 bench-inventory: $(STAMP)-test
 	$(BIN)/python benchmarks/inventory.py $(BENCH_ARGS)
 
-wasm: $(STAMP)-test
-	@$(BIN)/python tests/app/chromium.py
-	@mkdir -p out
-	$(BIN)/python -m stayput.webassembly out/kernel.wasm
-	$(BIN)/python benchmarks/webassembly.py out/kernel.wasm
-
 docs: $(STAMP)-docs
 	$(BIN)/python -m sphinx -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html
 	@echo "docs/_build/html/index.html"
@@ -112,6 +106,13 @@ $(STAMP)-core $(STAMP)-test $(STAMP)-lint $(STAMP)-docs: | $(VENV)/bin/python
 	@$(ALONE) sh -c "test -e $@ || { echo Installing into $(VENV) ...; \
 	  $(PIP) install --quiet --no-compile -c requirements.lock $(WHAT) && touch $@; }"
 	-@$(BIN)/python -m compileall -q -j 0 -x '/tests?/' $(VENV)/lib >/dev/null 2>&1
+
+# The dependency group says why they need an environment of their own.
+peers: | $(VENV)/.pip
+	$(PYTHON) -m venv out/peers
+	out/peers/bin/python -m pip install --quiet --upgrade "$(PIP_WITH_GROUPS)"
+	out/peers/bin/python -m pip install --quiet -e . --group peers
+	out/peers/bin/python -m pytest tests/validation/test_fragility_exports.py
 
 lock:
 	@set -e; dir=$$(mktemp -d); trap 'rm -rf "$$dir"' EXIT; \

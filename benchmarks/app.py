@@ -135,8 +135,6 @@ def answers(address: str) -> Table:
         ("presets", "/api/v1/presets", None),
         ("simulate, without and with", "/api/v1/simulate", {"scene": SCENE, "measures": HELD}),
         ("the same on the 20th floor", "/api/v1/simulate", {"scene": UPSTAIRS, "measures": HELD}),
-        ("map of size and intensity", "/api/v1/size-map", {"scene": SCENE}),
-        ("the same with brackets", "/api/v1/size-map", {"scene": SCENE, "measures": HELD}),
     ]
     with client_of(address) as client:
         for name, path, body in asked:

@@ -59,7 +59,7 @@ def digest(results: dict[str, Any]) -> int:
 def run(most: int) -> Table:
     """Run everything up to ``most`` cases; return the table."""
     motion = work.record()
-    case = sp.Case(sp.Body(1.0, 1.0), sp.Room(right_wall=sp.Wall(1e3, 0.3, 0.3)), motion)
+    case = sp.Case(sp.Body(1.0, 1.0, 100.0), sp.Room(right_wall=sp.Wall(1e3, 0.3, 0.3)), motion)
     table = Table(title="simulate_many, mixed cases", title_justify="left")
     for heading in (
         "cases",

@@ -211,6 +211,7 @@ def whole(folder: Path) -> list[dict[str, Any]]:
 def kinds(folder: Path) -> list[dict[str, Any]]:
     """Time of a run of a full bookcase by what holds it, on one thread, the best of three."""
     import stayput as sp
+    from stayput.inventory.records import record_type
     from stayput.inventory.scenarios import read_scenarios
     from stayput.inventory.store import measures_spec, piece_spec
     from stayput.inventory.units import evaluate
@@ -222,6 +223,7 @@ def kinds(folder: Path) -> list[dict[str, Any]]:
     ground = Ground(stated.ground)
     floor = PreparedFloor.of(ground.acting, ground.factors(6.25, 1.0))
     settings = Settings.of(stated.scenario, len(stated.ground), 0.1)
+    outcome = record_type(settings.motions, settings.samples)
     room = sp.Room(left_wall=sp.Wall(0.05), ceiling=sp.Ceiling(2.4))
     unit = [(0, piece_spec(sp.Body(0.3, 1.8, 200.0), room))]
     found = []
@@ -230,7 +232,7 @@ def kinds(folder: Path) -> list[dict[str, Any]]:
         times: list[float] = []
         for _ in range(3):
             began = time.process_time()
-            _, runs, _ = evaluate(unit, spec, floor, settings)
+            _, runs, _ = evaluate(unit, spec, floor, settings, outcome)
             times.append(1e3 * (time.process_time() - began) / runs)
         found.append({"measure": kind or "none", "CPU ms a run": min(times), "load": load()})
     return found

@@ -58,7 +58,6 @@ def opened(browser: Browser, address: str, *, verify: bool) -> tuple[Page, float
     page = browser.new_page(viewport={"width": 1280, "height": 900}, locale="en-GB")
     if not verify:
         page.route("**/verify", lambda route: None)
-        page.route("**/size-map", lambda route: None)
     page.goto(address)
     page.wait_for_selector("html[data-drawn]", state="attached")
     return page, float(page.get_attribute("html", "data-drawn") or "nan")

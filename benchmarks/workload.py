@@ -41,7 +41,7 @@ class Drawn:
         """Return its row of the kernel's table."""
         wall = None if self.gap is None else sp.Wall(self.gap, restitution=0.3, friction=0.3)
         room = sp.Room(sp.Floor(self.static, self.kinetic), right_wall=wall)
-        row = case_columns(sp.Body(self.width, self.height), room, State(), STANDARD_GRAVITY)
+        row = case_columns(sp.Body(self.width, self.height, 100.0), room, State(), STANDARD_GRAVITY)
         row["scale"] = self.scale
         return row
 

@@ -7,7 +7,7 @@ import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
-import chromium
+import prerequisites
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -112,7 +112,7 @@ def _taken(browser: Browser, address: str, picture: Picture, path: Path) -> None
 
 def write(folder: Path) -> None:
     """Write each screenshot, and what a page includes to show it."""
-    program = chromium.found()
+    program = prerequisites.find_chromium()
     if program is not None:
         from playwright.sync_api import sync_playwright
 

@@ -8,7 +8,13 @@ from typing import Any
 
 HERE = Path(__file__).parent
 TESTS = HERE.parent / "tests"
-sys.path[:0] = [str(HERE), str(HERE.parent / "benchmarks"), str(TESTS / "validation"), str(TESTS / "app")]
+sys.path[:0] = [
+    str(HERE),
+    str(HERE.parent / "benchmarks"),
+    str(TESTS),
+    str(TESTS / "validation"),
+    str(TESTS / "app"),
+]
 
 import inventories  # noqa: E402
 import pages  # noqa: E402

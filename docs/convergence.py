@@ -47,7 +47,7 @@ class Curve:
 def _curve(
     name: str, event: int, friction: float, samples: NDArray[np.float64], dt: float, tilt: float
 ) -> Curve:
-    body, room = sp.Body(0.4, 1.6), sp.Room(sp.Floor(friction, friction))
+    body, room = sp.Body(0.4, 1.6, 100.0), sp.Room(sp.Floor(friction, friction))
     case = case_columns(body, room, State(tilt=tilt), G)[0]
 
     def run(**settings: float) -> Traced:

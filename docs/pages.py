@@ -22,7 +22,7 @@ import validation_run
 import stayput as sp
 from stayput.model.furniture import FURNITURE, Preset
 from stayput.model.parameters import parameters
-from stayput.motion.readers import READERS
+from stayput.motion.readers import READERS, seismogram
 from stayput.scenario.messages import kinds
 from stayput.simulation.results import QUANTITIES
 from stayput.vocabulary import also_called
@@ -35,7 +35,7 @@ MECHANICS = ROOT / "src" / "stayput" / "mechanics"
 def formats() -> str:
     """Return the table of formats; the text is the first paragraph of each reader's docstring."""
     rows = []
-    for reader in READERS:
+    for reader in (*READERS, seismogram):
         about = (inspect.getdoc(importlib.import_module(reader.__name__)) or "").split("\n\n")[0]  # type: ignore[attr-defined]
         rows.append(
             [f"**{reader.FORMAT}**", " ".join(about.split()).partition(": ")[2] or " ".join(about.split())]
@@ -47,7 +47,7 @@ def surfaces() -> str:
     """Return the table of surface presets."""
     rows = [
         [name, ", ".join(also_called([name])), f"{static:g}", f"{kinetic:g}", f"{1e3 * settlement:g}"]
-        for name, (static, kinetic, settlement) in sp.SURFACES.items()
+        for name, (static, kinetic, settlement, _) in sp.SURFACES.items()
     ]
     return validation_run.markdown(
         ["surface", "also called", "static", "kinetic", "sinks in [mm]"], rows, "llrrr"

@@ -119,7 +119,7 @@ def full_sine() -> Iterator[Row]:
 
     def overturns(a: float) -> bool:
         motion = sp.sine(a * G, 2.0, 0.5, dt=1e-3, quiet=12.0)
-        return simulate(sp.Body(0.4, 1.8), STICKING, motion).overturned
+        return simulate(sp.Body(0.4, 1.8, 100.0), STICKING, motion).overturned
 
     edges = (("overturns from [g]", 0.45479, 0.40, 0.60), ("safe again from [g]", 1.29455, 1.2, 1.33))
     for name, known, low, high in (*edges, ("overturns again from [g]", 1.36757, 1.33, 1.5)):
@@ -194,7 +194,7 @@ def sliding() -> Iterator[Row]:
     A block too squat to rock slides A(A − μ)gt²/(2μ) after a rectangular pulse (Newmark 1965), and to and fro
     by (2Ag/ω²)√(1 − (πμ/2A)²) in a steady sine (Westermo and Udwadia 1983).
     """
-    squat, case = sp.Body(2.0, 0.4), "2 m × 0.4 m"
+    squat, case = sp.Body(2.0, 0.4, 100.0), "2 m × 0.4 m"
     run = simulate(squat, room(0.3), sp.pulse("rectangular", 0.6 * G, duration=0.3, quiet=2.0, dt=1e-4))
     known = 0.6 * (0.6 - 0.3) * G * 0.3**2 / (2.0 * 0.3)
     yield Row(case, "slip after 0.6 g for 0.3 s, μ = 0.3 [m]", CLOSED, known, abs(run.residual_slide), 1e-3)

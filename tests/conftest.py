@@ -10,11 +10,15 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
+import prerequisites
 from stayput.execution import cores
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
 
 os.environ["LC_ALL"] = "C.UTF-8"  # commands speak the language of the locale
 
@@ -33,17 +37,35 @@ def load_solvers() -> None:
     from stayput.mechanics.runner import shaking, trace
     from stayput.simulation.flat_fields import case_columns
 
-    (case,) = case_columns(Body(0.4, 1.6), Room(), State(), 9.81)
+    (case,) = case_columns(Body(0.4, 1.6, 100.0), Room(), State(), 9.81)
     motion = shaking(np.zeros(2), None, 0.01, 0)
     trace(case, motion)
     trace_with_devices(case, no_elements(1), motion)
-    simulate(Body(0.4, 1.6, length=0.8), Room(), Motion(dt=0.01, x=np.zeros(2)), dimensions=3)
+    simulate(Body(0.4, 1.6, 100.0, length=0.8), Room(), Motion(dt=0.01, x=np.zeros(2)), dimensions=3)
 
 
 @pytest.fixture(scope="session", autouse=True)
 def solvers() -> None:
     """Load the solvers before the first test of each process."""
     load_solvers()
+
+
+@pytest.fixture
+def japanese_font() -> None:
+    """Require a font with Japanese letters: where there is none, pictures show an ellipsis instead."""
+    if not prerequisites.has_japanese_font():
+        prerequisites.do_without(prerequisites.FONT)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Give all skips for want of one prerequisite the same place: the summary has one line for them."""
+    report = yield
+    if report.skipped and isinstance(report.longrepr, tuple):
+        reason = report.longrepr[2].removeprefix("Skipped: ")
+        if reason in prerequisites.ABSENT.values():
+            report.longrepr = (prerequisites.__file__, 1, reason)
+    return report
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

@@ -1,6 +1,7 @@
 # The public names, each once: `stayput.__init__` loads one from here when it is first used, and type
 # checkers read it. A name that is added here is public.
 
+from . import measures as measures
 from .building import Building as Building
 from .building import Isolation as Isolation
 from .building import ShearModel as ShearModel
@@ -10,6 +11,11 @@ from .contents.spill import Spill as Spill
 from .contents.spill import spill as spill
 from .errors import InputError as InputError
 from .errors import InputWarning as InputWarning
+from .estimates import OverturningRatio as OverturningRatio
+from .estimates import kaneko_hayashi as kaneko_hayashi
+from .estimates import kaneko_hayashi_branch as kaneko_hayashi_branch
+from .estimates import kaneko_hayashi_median as kaneko_hayashi_median
+from .estimates import kaneko_hayashi_velocity as kaneko_hayashi_velocity
 from .everyday import Everyday as Everyday
 from .everyday import tip_over as tip_over
 from .fallen import Fallen as Fallen

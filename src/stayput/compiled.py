@@ -28,8 +28,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.machine_code import MachineCode
-
 P = ParamSpec("P")
 T = TypeVar("T")
 
@@ -110,58 +108,29 @@ class Entry:
                 array[...] = copy
 
     def _load(self, kinds: tuple[Any, ...]) -> Callable[..., int]:
-        code = self._machine_code(kinds)
+        from stayput.machine_code import MachineCode
+
+        # it is made of the sources in the folders of all functions that it names, and of theirs
+        own = Path(self.py_func.__code__.co_filename).parent
+        others = {Path(named.__code__.co_filename).parent for named in _named_in(self.py_func, set())} - {own}
+        code = MachineCode(f"{self.__module__}.{self.__name__}", kinds, (own, *sorted(others)))
         address = code.load()
         if address is None:
             for announce in _announcements:
                 announce()
             _announcements.clear()
+            from stayput.intermediate_code import bitcode
             from stayput.machine_code import uninterrupted
 
             with self._progress() as begun:
-                bitcode = self._compile(kinds, begun)
-                address = uninterrupted(lambda: code.add(bitcode))
+                compiled = bitcode(self.py_func, tuple(map(_numba_type, kinds)), begun)
+                address = uninterrupted(lambda: code.add(compiled))
         values: list[Any] = []
         for kind in kinds:
             _append_types(kind, values)
         call = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *values)(address)
         self._loaded[kinds] = call
         return call
-
-    def _machine_code(self, kinds: tuple[Any, ...]) -> MachineCode:
-        from stayput.machine_code import MachineCode
-
-        # it is made of the sources in the folders of all functions that it names, and of theirs
-        own = Path(self.py_func.__code__.co_filename).parent
-        others = {Path(named.__code__.co_filename).parent for named in _named_in(self.py_func, set())} - {own}
-        return MachineCode(f"{self.__module__}.{self.__name__}", kinds, (own, *sorted(others)))
-
-    def intermediate_code(self, kinds: tuple[Any, ...]) -> bytes:
-        """Return what it is compiled to, for another target than this machine.
-
-        Parameters
-        ----------
-        kinds : tuple
-            What `kind_of` tells of the arguments.
-
-        Returns
-        -------
-        bytes
-            A module of LLVM's intermediate code for this machine, as bitcode. Its one external function takes
-            a place for a returned value and one for an exception, neither of them used, then the arguments;
-            of each array two null pointers, the number of items, the size of one, the address, the shape and
-            the strides.
-        """
-        code = self._machine_code(kinds).intermediate_code()
-        if code is None:
-            with self._progress() as begun:
-                code = self._compile(kinds, begun)
-        return code
-
-    def _compile(self, kinds: tuple[Any, ...], begun: Callable[[Callable[..., Any]], None]) -> bytes:
-        from stayput.intermediate_code import bitcode
-
-        return bitcode(self.py_func, tuple(map(_numba_type, kinds)), begun)
 
     @contextmanager
     def _progress(self) -> Generator[Callable[[Callable[..., Any]], None]]:

@@ -191,7 +191,7 @@ class InputError(_Told, ValueError):
     --------
     >>> import stayput as sp
     >>> try:
-    ...     sp.Body(width=-0.4, height=1.8)
+    ...     sp.Body(width=-0.4, height=1.8, mass=100.0)
     ... except sp.InputError as error:
     ...     print(error)
     ...     print(error.field)
@@ -262,8 +262,12 @@ def unknown(
     known: Iterable[str],
     field: str | None = None,
     also: Iterable[str] = (),
+    listed: Phrase | None = None,
 ) -> InputError:
-    """Return the refusal of a name that is none of those known, nor of ``also``, which is not listed."""
+    """Return the refusal of a name that is none of those known, nor of ``also``, which is not listed.
+
+    ``listed`` has the known names in both languages, where those of Japanese may be given too.
+    """
     names = list(known)
     hint = near_miss(value, [*names, *also]) if isinstance(value, str) else ""
     return InputError(
@@ -272,7 +276,7 @@ def unknown(
         name=_called(name),
         value=repr(value),
         hint=hint,
-        known=", ".join(map(repr, names)),
+        known=listed or ", ".join(map(repr, names)),
     )
 
 

@@ -1,7 +1,8 @@
 """Quick estimates of overturning by formulas, to stand beside a simulation.
 
 All are for a uniform rectangle of width B (along the shaking) and height H that does not slide, without
-walls or devices. Units are SI; the sources' centimetres are converted.
+walls or devices: of a body they take these two sizes alone, neither its mass nor its centre of gravity. Units
+are SI; the sources' centimetres are converted.
 """
 
 from __future__ import annotations
@@ -9,7 +10,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from stayput.errors import InputError, finite, within
+from stayput.errors import InputError, finite, instance_of, within
+from stayput.model.body import Body
 from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
 
 LOSS_MODEL_RATIO = 0.79
@@ -24,40 +26,40 @@ SCATTER = 0.5
 and contact together (common knowledge, not re-checked)."""
 
 
-def _ratio(width: float, height: float, gravity: float = STANDARD_GRAVITY) -> float:
-    """Return B/H, after checks of both and of g."""
+def _ratio(body: Body, gravity: float = STANDARD_GRAVITY) -> float:
+    """Return B/H, after checks of both arguments."""
+    instance_of("body", body, Body)
     GRAVITY.check(gravity)
-    within("model.estimate_width", width, 0.01, 100.0, "m")
-    within("model.estimate_height", height, 0.01, 100.0, "m")
-    return width / height
+    return body.width / body.height
 
 
-def rocking_acceleration(width: float, height: float, gravity: float = STANDARD_GRAVITY) -> float:
+def rocking_acceleration(body: Body, gravity: float = STANDARD_GRAVITY) -> float:
     """Return the floor's acceleration a₀ = (B/H) g at which rocking starts [m/s²].
 
     Statics, attributed to West (Milne 1885). A body whose friction is below B/H slides instead.
 
     Parameters
     ----------
-    width, height : float
-        B and H [m].
+    body : Body
+        What stands.
     gravity : float
         g [m/s²].
 
     Raises
     ------
     InputError
-        A size or a gravity out of range.
+        A gravity out of range.
 
     Examples
     --------
-    >>> round(rocking_acceleration(0.4, 1.8), 3)
+    >>> from stayput import Body
+    >>> round(rocking_acceleration(Body(0.4, 1.8, mass=100.0)), 3)
     2.179
     """
-    return _ratio(width, height, gravity) * gravity
+    return _ratio(body, gravity) * gravity
 
 
-def ishiyama_velocity(width: float, height: float, gravity: float = STANDARD_GRAVITY) -> float:
+def ishiyama_velocity(body: Body, gravity: float = STANDARD_GRAVITY) -> float:
     """Return the floor's velocity v₀ = 0.4 √(8gR(1 − cos α) / (3 cos²α)) needed to overturn [m/s].
 
     With R half the diagonal and tan α = B/H (Ishiyama 1982). Overturning needs both this velocity and
@@ -66,37 +68,36 @@ def ishiyama_velocity(width: float, height: float, gravity: float = STANDARD_GRA
 
     Parameters
     ----------
-    width, height : float
-        B and H [m].
+    body : Body
+        What stands.
     gravity : float
         g [m/s²].
 
     Raises
     ------
     InputError
-        A size or a gravity out of range.
+        A gravity out of range.
 
     Examples
     --------
-    >>> round(ishiyama_velocity(0.4, 1.8), 3)
+    >>> from stayput import Body
+    >>> round(ishiyama_velocity(Body(0.4, 1.8, mass=100.0)), 3)
     0.31
     """
-    alpha = math.atan(_ratio(width, height, gravity))
-    r = 0.5 * math.hypot(width, height)
+    alpha = math.atan(_ratio(body, gravity))
+    r = 0.5 * math.hypot(body.width, body.height)
     # 1 − cos α, without the loss of digits
     raised = 2.0 * math.sin(0.5 * alpha) ** 2
     return 0.4 * math.sqrt(8.0 * gravity * r * raised / (3.0 * math.cos(alpha) ** 2))
 
 
-def ishiyama_overturns(
-    width: float, height: float, pga: float, pgv: float, gravity: float = STANDARD_GRAVITY
-) -> bool:
+def ishiyama_overturns(body: Body, pga: float, pgv: float, gravity: float = STANDARD_GRAVITY) -> bool:
     """Return whether overturning is possible: both peaks reach Ishiyama's limits.
 
     Parameters
     ----------
-    width, height : float
-        B and H [m].
+    body : Body
+        What stands.
     pga, pgv : float
         Peak acceleration [m/s²] and velocity [m/s] of the floor.
     gravity : float
@@ -105,13 +106,11 @@ def ishiyama_overturns(
     Raises
     ------
     InputError
-        A size or a peak out of range.
+        A peak out of range.
     """
     within("model.peak_acceleration", pga, 0.0, math.inf, "m/s²")
     within("model.peak_velocity", pgv, 0.0, math.inf, "m/s")
-    return pga >= rocking_acceleration(width, height, gravity) and pgv >= ishiyama_velocity(
-        width, height, gravity
-    )
+    return pga >= rocking_acceleration(body, gravity) and pgv >= ishiyama_velocity(body, gravity)
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +127,13 @@ class OverturningRatio:
         Fe = A/(2πV) of the motion [Hz].
     branch_frequency : float
         Fb from which on the velocity counts, not the acceleration [Hz].
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> found = sp.kaneko_hayashi(sp.Body(0.4, 1.8, mass=100.0), pga=2.0, pgv=0.6)
+    >>> found.equivalent_frequency < found.branch_frequency  # the acceleration counts
+    True
     """
 
     ratio: float
@@ -136,30 +142,38 @@ class OverturningRatio:
     branch_frequency: float
 
 
-def kaneko_hayashi_branch(width: float, height: float) -> float:
+def kaneko_hayashi_branch(body: Body) -> float:
     """Return the frequency Fb = (1.56/√H)(1 + B/H)^−1.5 at which the two branches meet [Hz].
-
-    Raises
-    ------
-    InputError
-        A size or a gravity out of range.
-    """
-    ratio = _ratio(width, height)
-    return 1.56 / math.sqrt(height) * (1.0 + ratio) ** -1.5
-
-
-def kaneko_hayashi_median(
-    width: float, height: float, frequency: float, gravity: float = STANDARD_GRAVITY
-) -> float:
-    """Return the peak acceleration A₅₀ at which half of such pieces overturn [m/s²].
-
-    A₅₀ = g (B/H)(1 + B/H) up to Fb, and 2π Fe (B/√H)(1 + B/H)^2.5 above it (Kaneko and Hayashi 2004;
-    coefficients common knowledge, not re-checked). Above Fb it is a limit on the velocity alone.
 
     Parameters
     ----------
-    width, height : float
-        B and H [m].
+    body : Body
+        What stands.
+
+    References
+    ----------
+    Kaneko and Hayashi (2004), see `kaneko_hayashi`.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> round(sp.kaneko_hayashi_branch(sp.Body(0.4, 1.8, mass=100.0)), 2)
+    0.86
+    """
+    ratio = _ratio(body)
+    return 1.56 / math.sqrt(body.height) * (1.0 + ratio) ** -1.5
+
+
+def kaneko_hayashi_median(body: Body, frequency: float, gravity: float = STANDARD_GRAVITY) -> float:
+    """Return the peak acceleration A₅₀ at which half of such pieces overturn [m/s²].
+
+    A₅₀ = g (B/H)(1 + B/H) up to Fb, and 2π Fe (B/√H)(1 + B/H)^2.5 above it (Kaneko and Hayashi 2004, see
+    `kaneko_hayashi`). Above Fb it is a limit on the velocity alone.
+
+    Parameters
+    ----------
+    body : Body
+        What stands.
     frequency : float
         Equivalent frequency Fe of the floor's motion [Hz].
     gravity : float
@@ -168,47 +182,48 @@ def kaneko_hayashi_median(
     Raises
     ------
     InputError
-        A size or a frequency out of range.
+        A frequency out of range.
 
     Examples
     --------
-    >>> round(kaneko_hayashi_median(0.4, 1.8, 0.5), 2), round(kaneko_hayashi_median(0.4, 1.8, 2.0), 2)
-    (2.66, 6.19)
+    >>> import stayput as sp
+    >>> bookcase = sp.Body(0.4, 1.8, mass=100.0)
+    >>> [round(sp.kaneko_hayashi_median(bookcase, frequency), 2) for frequency in (0.5, 2.0)]
+    [2.66, 6.19]
     """
-    ratio = _ratio(width, height, gravity)
+    ratio = _ratio(body, gravity)
     fe = within("model.equivalent_frequency", frequency, 0.0, 1000.0, "Hz")
-    if fe <= kaneko_hayashi_branch(width, height):
+    if fe <= kaneko_hayashi_branch(body):
         return gravity * ratio * (1.0 + ratio)
-    return 2.0 * math.pi * fe * kaneko_hayashi_velocity(width, height)
+    return 2.0 * math.pi * fe * kaneko_hayashi_velocity(body)
 
 
-def kaneko_hayashi_velocity(width: float, height: float) -> float:
+def kaneko_hayashi_velocity(body: Body) -> float:
     """Return the peak velocity V₅₀ = (B/√H)(1 + B/H)^2.5 at which half of such pieces overturn [m/s].
 
     The branch above Fb of `kaneko_hayashi_median`, where the velocity alone counts.
 
     Parameters
     ----------
-    width, height : float
-        B and H [m].
+    body : Body
+        What stands.
 
-    Raises
-    ------
-    InputError
-        A size or a gravity out of range.
+    References
+    ----------
+    Kaneko and Hayashi (2004), see `kaneko_hayashi`.
 
     Examples
     --------
-    >>> round(kaneko_hayashi_velocity(0.4, 1.8), 3)
+    >>> import stayput as sp
+    >>> round(sp.kaneko_hayashi_velocity(sp.Body(0.4, 1.8, mass=100.0)), 3)
     0.492
     """
-    ratio = _ratio(width, height)
-    return width / math.sqrt(height) * (1.0 + ratio) ** 2.5
+    ratio = _ratio(body)
+    return body.width / math.sqrt(body.height) * (1.0 + ratio) ** 2.5
 
 
 def kaneko_hayashi(
-    width: float,
-    height: float,
+    body: Body,
     pga: float,
     pgv: float,
     gravity: float = STANDARD_GRAVITY,
@@ -221,8 +236,8 @@ def kaneko_hayashi(
 
     Parameters
     ----------
-    width, height : float
-        B and H [m].
+    body : Body
+        What stands.
     pga, pgv : float
         Peak acceleration A [m/s²] and velocity V [m/s] of the floor, larger than 0.
     gravity : float
@@ -233,13 +248,26 @@ def kaneko_hayashi(
     Raises
     ------
     InputError
-        A size, a peak or ζ out of range.
+        A peak or ζ out of range.
+
+    References
+    ----------
+    Kaneko, M. and Hayashi, Y. (2004). A proposal for simple equations to express a relation between
+    overturning ratios of rigid bodies and input excitations. 13th World Conference on Earthquake Engineering.
+    The coefficients are common knowledge and were not re-checked against the paper.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> found = sp.kaneko_hayashi(sp.Body(0.4, 1.8, mass=100.0), pga=8.0, pgv=0.6)
+    >>> print(f"{found.ratio:.0%} overturn; half do at {found.median:.1f} m/s²")
+    65% overturn; half do at 6.6 m/s²
     """
     a, v, zeta = (finite(name, value) for name, value in (("PGA", pga), ("PGV", pgv), ("ζ", scatter)))
     for name, value, unit in (("PGA", a, " m/s²"), ("PGV", v, " m/s"), ("ζ", zeta, "")):
         if not value > 0.0:
             raise InputError("model.not_positive", name=name, value=value, unit=unit)
     fe = a / (2.0 * math.pi * v)
-    median = kaneko_hayashi_median(width, height, fe, gravity)
+    median = kaneko_hayashi_median(body, fe, gravity)
     ratio = 0.5 * math.erfc(-math.log(a / median) / (zeta * math.sqrt(2.0)))
-    return OverturningRatio(ratio, median, fe, kaneko_hayashi_branch(width, height))
+    return OverturningRatio(ratio, median, fe, kaneko_hayashi_branch(body))

@@ -16,6 +16,7 @@ from stayput.model.room import Room
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
+from stayput.motion.channels import of_the_ground
 from stayput.motion.suites import Suite, synthetic_suite
 
 if TYPE_CHECKING:
@@ -158,6 +159,8 @@ def intensity_from_fallen(
     suite = (
         synthetic_suite("crustal", 40, number) if motions is None else instance_of("motions", motions, Suite)
     )
+    for motion in suite:
+        of_the_ground(motion, "fallen")
     drawn = draws(len(suite), count, number)
     cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in kinds]
     hazard = Hazard(suite, vertical=vertical)

@@ -15,7 +15,6 @@ import secrets
 import stat
 import sys
 import tempfile
-import zlib
 from concurrent.futures import Future
 from contextlib import suppress
 from functools import cache
@@ -64,16 +63,6 @@ class MachineCode:
 
     def load(self) -> int | None:
         """Load it from disk; return its address, or None where there is none that is whole and up to date."""
-        parts = self._read()
-        return None if parts is None else _address(parts[0], parts[1].decode())
-
-    def intermediate_code(self) -> bytes | None:
-        """Return the intermediate code that it was made of, if it is on disk."""
-        parts = self._read()
-        return None if parts is None else zlib.decompress(parts[2])
-
-    def _read(self) -> tuple[bytes, bytes, bytes] | None:
-        """Read the machine code, its function's name, and the compressed intermediate code."""
         for folder in _folders(self._folder):
             try:
                 content = (folder / self._file).read_bytes()
@@ -83,12 +72,12 @@ class MachineCode:
                 continue
             stamp, _, content = content[_DIGEST:].partition(b"\0")
             if stamp == self._stamp:
-                symbol, size, rest = content.split(b"\0", 2)
-                return rest[: int(size)], symbol, rest[int(size) :]
+                symbol, _, code = content.partition(b"\0")
+                return _address(code, symbol.decode())
         return None
 
     def add(self, bitcode: bytes) -> int:
-        """Make machine code of intermediate code, keep both on disk if that is possible, and load it.
+        """Make machine code of intermediate code, keep it on disk if that is possible, and load it.
 
         Parameters
         ----------
@@ -103,8 +92,7 @@ class MachineCode:
         module = llvm.parse_bitcode(bitcode)
         symbol = _optimize(module)
         code = _machine().emit_object(module)
-        head = b"\0".join((self._stamp, symbol.encode(), str(len(code)).encode(), code))
-        packed = head + zlib.compress(bitcode)
+        packed = b"\0".join((self._stamp, symbol.encode(), code))
         self._save(hashlib.sha256(packed).digest() + packed)
         return _address(code, symbol)
 

@@ -1,10 +1,13 @@
-"""CSV that is safe to open in a spreadsheet, which runs a text that looks like a formula."""
+"""CSV that is safe to open in a spreadsheet, which runs texts that look like formulas; names of columns."""
 
 from __future__ import annotations
 
 import csv
 import io
+import re
 from typing import TYPE_CHECKING
+
+from stayput.errors import InputError, quoted
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -38,3 +41,33 @@ def csv_text(names: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
     lines.writerow(map(harmless, names))
     lines.writerows(map(harmless, row) for row in rows)
     return text.getvalue()
+
+
+_NEXT_PAIR = re.compile(r",(?=[^,=]*=)")
+"""The comma before a pair; another one is in a table's name of a column."""
+
+
+def named_columns(text: str, otherwise: str, field: str = "columns") -> list[tuple[str, str]]:
+    """Return the names and the columns of a text such as "width=奥行,height=高さ[cm]".
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    otherwise : str
+        Id of the sentence that refuses a part of it.
+    field : str
+        What the text is of.
+
+    Raises
+    ------
+    InputError
+        A part that has no name or no column.
+    """
+    pairs: list[tuple[str, str]] = []
+    for part in _NEXT_PAIR.split(text):
+        name, _, column = (side.strip() for side in part.partition("="))
+        if not (name and column):
+            raise InputError(otherwise, field, name=field, value=quoted(part))
+        pairs.append((name, column))
+    return pairs

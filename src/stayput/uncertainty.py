@@ -194,7 +194,7 @@ class Uncertainty:
     ...     "room.floor.static_friction": sp.Uniform(0.3, 0.4),
     ...     "room.floor.kinetic_friction": sp.Uniform(0.2, 0.3),
     ... }
-    >>> case = sp.Case(sp.Body(width=0.9, height=1.0), sp.Room(), sp.near_fault())
+    >>> case = sp.Case(sp.Body(width=0.9, height=1.0, mass=100.0), sp.Room(), sp.near_fault())
     >>> slides = sp.simulate_many(case, sp.Uncertainty(unknown).sample(64, seed=1))["peak_slide"]
     >>> np.quantile(slides, [0.1, 0.5, 0.9]).round(2).tolist()  # m
     [0.18, 0.21, 0.26]

@@ -89,13 +89,16 @@ def _spelled(kind: str, *tables: Mapping[str, tuple[str, str]]) -> dict[str, str
     return words | OTHER_NAMES[kind]
 
 
-_SPELLED = {
-    "preset": _spelled("preset", names.FURNITURE, names.PIECES),
-    "floor": _spelled("floor", names.SURFACES),
-    "contents": _spelled("contents", names.CONTENTS),
-    "structure": _spelled("structure", names.STRUCTURES),
-    "intensity": _spelled("intensity", names.INTENSITIES),
+_NAMES = {
+    "preset": (names.FURNITURE, names.PIECES),
+    "floor": (names.SURFACES,),
+    "contents": (names.CONTENTS,),
+    "structure": (names.STRUCTURES,),
+    "intensity": (names.INTENSITIES,),
 }
+"""The catalogue's names of each kind; of two for one key, the first."""
+
+_SPELLED = {kind: _spelled(kind, *tables) for kind, tables in _NAMES.items()}
 
 WORDS: dict[str, dict[str, str]] = {
     kind: {plain_word(word): key for word, key in reversed(words.items())} for kind, words in _SPELLED.items()
@@ -129,6 +132,13 @@ def also_called(presets: Iterable[str]) -> list[str]:
     ]
 
 
+def listed(presets: Collection[str]) -> Phrase:
+    """Return the names of presets of one kind in English and Japanese; any other names as they are."""
+    tables = next((tables for tables in _NAMES.values() if set[str]().union(*tables).issuperset(presets)), ())
+    japanese = {key: label for table in reversed(tables) for key, (_, label) in table.items()}
+    return ", ".join(map(repr, presets)), ", ".join(repr(japanese.get(key, key)) for key in presets)
+
+
 def preset_meant(
     kind: str, name: str | Phrase, given: object, known: Collection[str], field: str | None = None
 ) -> str:
@@ -154,5 +164,5 @@ def preset_meant(
     """
     word = meant(kind, given)
     if not isinstance(word, str) or word not in known:
-        raise unknown(name, given, known, field, also_called(known))
+        raise unknown(name, given, known, field, also_called(known), listed(known))
     return word

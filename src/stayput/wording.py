@@ -32,13 +32,13 @@ def check_language(language: str) -> str:
     return language
 
 
-def brief(value: Any) -> str:
-    """Return a dataclass as Python makes it: its first field, and others that differ from their defaults."""
+def brief(value: Any, first: int = 1) -> str:
+    """Return a dataclass as Python makes it: its first fields, and others that differ from their defaults."""
     told: list[str] = []
     for one in fields(value):
         own = getattr(value, one.name)
         usual = one.default_factory() if callable(one.default_factory) else one.default
-        if one.compare and (own != usual or not told):
+        if one.compare and (own != usual or len(told) < first):
             told.append(f"{one.name}={own:.6g}" if isinstance(own, float) else f"{one.name}={own!r}")
     return f"{type(value).__name__}({', '.join(told)})"
 

@@ -6,11 +6,12 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-import chromium
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
+
+import prerequisites
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
@@ -35,9 +36,9 @@ FEW = 4
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    path = chromium.found()
+    path = prerequisites.find_chromium()
     if path is None:
-        (pytest.fail if chromium.wanted() else pytest.skip)(chromium.ABSENT)
+        prerequisites.do_without(prerequisites.BROWSER)
     with (
         sync_playwright() as playwright,
         playwright.chromium.launch(executable_path=path, args=FLAGS) as found,
@@ -160,7 +161,6 @@ def opened(
         page.route("**/api/v1/verify", _short)
     else:
         page.route("**/api/v1/verify", lambda route: None)  # it is never answered
-        page.route("**/api/v1/size-map", lambda route: None)
     for pattern, answer in (routes or {}).items():
         page.route(pattern, answer)
     with ExitStack() as ending:

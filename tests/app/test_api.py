@@ -164,24 +164,10 @@ def test_a_table_of_a_run_has_the_floor_and_the_devices(client: httpx.Client) ->
         assert found == pytest.approx(list(values[: len(found)]), rel=1e-8, abs=1e-12), name
 
 
-def test_a_map_says_why_a_size_is_not_possible(client: httpx.Client) -> None:
-    scene = {**SCENE, "shaking": {"suite": {"count": 2}, "intensity": 6.0}}
-    asked = {"scene": scene, "measures": [{"type": "belt"}]}
-    found = client.post("/api/v1/size-map", json=asked).json()
-    refused = found["refused"]
-    assert any(refused)
-    assert not all(refused)
-    for row, why in zip(found["overturned"], refused, strict=True):
-        assert (set(row) == {None}) == (why is not None)
-        if why is not None:
-            assert "must be between floor and ceiling" in why["message"]
-            assert "床と天井の間" in why["message_ja"]
-
-
 def test_answers_are_compressed_where_they_are_taken_so(client: httpx.Client) -> None:
     asked = {"scene": SCENE, "measures": BRACKET}
     packed = client.post("/api/v1/simulate", json=asked, headers={"accept-encoding": "br, gzip"})
-    plain = client.post("/api/v1/simulate", json=asked, headers={"accept-encoding": "gzip;q=0, identity"})
+    plain = client.post("/api/v1/simulate", json=asked, headers={"accept-encoding": "identity"})
     assert packed.headers["content-encoding"] == "gzip"
     assert "content-encoding" not in plain.headers
     assert packed.json() == plain.json()
@@ -201,38 +187,6 @@ def test_a_scene_as_a_scenario_file(client: httpx.Client) -> None:
     read = sp.Scenario.parse(tomllib.loads(answer.text))
     assert read.furniture == sp.Scenario.parse(SCENE).furniture
     assert read.measures[0].measures == (MEASURES["belt"](),)
-
-
-def test_a_map_of_size_against_intensity(client: httpx.Client) -> None:
-    scene = {**SCENE, "shaking": {"builtin": "near-fault", "intensity": 6.0}}
-    found = client.post("/api/v1/size-map", json={"scene": scene, "axis": "width"}).json()
-    shares = found["overturned"]
-    assert len(shares) == len(found["width_m"]) == len(found["size"])
-    assert all(len(row) == len(found["intensity"]) for row in shares)
-    assert set(found["height_m"]) == {1.8}
-    assert found["here"] == {"intensity": 6.0, "width_m": 0.3, "height_m": 1.8}
-    narrow, wide = sum(shares[0]), sum(shares[-1])
-    assert narrow > wide
-    assert sum(row[0] for row in shares) < sum(row[-1] for row in shares)
-
-
-def test_the_own_piece_in_the_map_falls_about_as_often_as_in_the_verdict(client: httpx.Client) -> None:
-    scene: dict[str, Any] = {
-        "furniture": {"preset": "cupboard", "width": 0.4, "height": 1.8, "mass": 100.0},
-        "room": {"floor": "carpet", "left_wall": {"gap": 0.02}},
-        "shaking": {"suite": {"family": "mixed"}, "intensity": 5.75},
-    }
-    found = client.post("/api/v1/size-map", json={"scene": scene}).json()
-    shown = found["overturned"][found["size"].index(1.0)][found["intensity"].index(5.75)]
-    told = sp.verify(sp.Scenario.parse(scene), levels=()).without.probabilities["overturned"]
-    assert told.low - 0.03 < shown < told.high + 0.03  # the map has a tenth of the runs
-    assert found["runs"] == 40
-
-
-def test_pieces_higher_than_the_room_are_not_in_the_map(client: httpx.Client) -> None:
-    found = client.post("/api/v1/size-map", json={"scene": SCENE}).json()
-    for height, row in zip(found["height_m"], found["overturned"], strict=True):
-        assert (row[0] is None) == (height > 2.4)
 
 
 def test_a_verification_is_done_as_a_job(client: httpx.Client) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
 import signal
 import socket
@@ -14,6 +13,7 @@ from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
+from urllib.parse import urljoin
 
 import httpx
 import pytest
@@ -21,13 +21,15 @@ from serving import COMPILING, SCENE
 from typer.testing import CliRunner
 
 from stayput.app.addresses import address_of, bind
-from stayput.app.pages import WORDS, tables
+from stayput.app.pages import words
 from stayput.cli import app
 from stayput.errors import InputError
 from waiting import PATIENCE, wait_until
 
 if TYPE_CHECKING:
     from collections.abc import Generator
+
+    from stayput.catalogue import Language
 
 ROOT = Path(__file__).parents[2]
 APP = ROOT / "src/stayput/app"
@@ -164,7 +166,7 @@ def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
     }
     files |= {f"stayput/report/canvas/{file.name}" for file in CANVAS.iterdir()}
     assert files <= names
-    assert {"stayput/app/page/index.html", "stayput/app/templates/api.html"} <= names
+    assert {"stayput/app/page/index.html", "stayput/app/templates/page_parts.html"} <= names
     assert "stayput/app/templates/page_parts.html" in names
     code = (
         "from stayput.app import pages;"
@@ -184,7 +186,7 @@ def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> N
     contents = {f"/{file.name}": file.read_bytes() for file in PAGE.iterdir()}
     contents |= {f"/room/{file.name}": file.read_bytes() for file in (APP / "room_page").iterdir()}
     assert {"/index.html", "/room/index.html"} <= contents.keys()
-    for path, content in {**contents, WORDS: b""}.items():
+    for path, content in contents.items():
         answer = client.get(path)
         assert answer.status_code == 200
         if path.endswith(".html"):  # with what both pages have put into it
@@ -192,8 +194,11 @@ def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> N
             assert answer.text.endswith("</html>\n")
             assert 'id="theme"' in answer.text
             assert not set("{}") & set(answer.text)
-        elif path != WORDS:
-            assert answer.content == content
+            modules = re.findall(r'<link rel="modulepreload" href="([^"]+)">', answer.text)
+            assert len(modules) > 40
+            assert all(client.get(urljoin(path, module)).status_code == 200 for module in modules)
+            continue
+        assert answer.content == content
         assert answer.headers["content-type"].startswith(kinds.get(Path(path).suffix, ""))
         assert answer.headers["cache-control"] == "no-cache"
         again = client.get(path, headers={"if-none-match": answer.headers["etag"]})
@@ -201,35 +206,18 @@ def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> N
         assert again.content == b""
 
 
-@pytest.mark.parametrize("language", ["en", "ja"])
-def test_the_page_is_one_file_beside_one_script_that_is_kept(client: httpx.Client, language: str) -> None:
-    spoken = {"accept-language": f"{language}-XX, fr;q=0.5"}
-    page = client.get("/", headers=spoken)
-    assert page.headers["cache-control"] == "no-cache"
-    assert page.headers["vary"] == "Accept-Encoding, Accept-Language"
-    assert f'<html lang="{language}">' in page.text
-    assert ("See it shake" in page.text, "揺らしてみる" in page.text) == (language == "en", language == "ja")
-    again = client.get("/", headers={**spoken, "if-none-match": page.headers["etag"]})
-    assert (again.status_code, again.content) == (304, b"")
-    (name,) = re.findall(r'<script type="module" src="([^"]+)"></script>', page.text)
-    script = client.get(f"/{name}")
-    assert hashlib.sha256(script.content).hexdigest().startswith(name.split("-")[-1].removesuffix(".js"))
-    assert script.headers["content-type"].startswith("text/javascript")
-    assert script.headers["cache-control"] == "public, max-age=31536000, immutable"
-    assert script.headers["content-encoding"] == "gzip"
-    plain = client.get(f"/{name}", headers={"accept-encoding": "identity"})
-    assert "content-encoding" not in plain.headers
-    assert plain.content == script.content
-    others = re.findall(r"words-[a-z]+-[0-9a-f]+\.json", script.text)
-    assert len(others) == 2
-    for other in others:
-        words = client.get(f"/{other}")
-        assert words.headers["cache-control"].endswith("immutable")
-        assert words.json() == tables("")["ja" if "-ja-" in other else "en"]
-
-
-def test_a_page_for_readers_of_other_languages_is_in_english(client: httpx.Client) -> None:
-    assert '<html lang="en">' in client.get("/", headers={"accept-language": "fr, de;q=0.5"}).text
+@pytest.mark.parametrize(
+    ("asked", "language"), [("ja-XX, fr;q=0.5", "ja"), ("fr, de;q=0.5", "en"), ("", "en")]
+)
+def test_the_words_come_in_the_language_of_the_browser(
+    client: httpx.Client, asked: str, language: Language
+) -> None:
+    answer = client.get("/words_table.js", headers={"accept-language": asked})
+    assert answer.headers["content-type"].startswith("text/javascript")
+    assert answer.headers["cache-control"] == "no-cache"
+    assert "Accept-Language" in answer.headers["vary"]
+    assert f"TABLES = {{ {language}: {words(language)} }}" in answer.text
+    assert client.get(f"/words-{language}.json").text == words(language)
 
 
 @pytest.mark.parametrize(

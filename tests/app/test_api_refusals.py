@@ -72,7 +72,7 @@ def in_japanese(answer: httpx.Response) -> str:
     told = problem["message_ja"]
     assert told, problem["message"]
     assert told.endswith("。") or "：" in told
-    plain = re.sub(r"^a\.csv \(columns of numbers\)：|「.*?」|m/s²|gal", "", told)
+    plain = re.sub(r"^a\.csv \(columns of numbers\)：|「.*?」|[cm]?m/s²|in/s²|ft/s²|gal|mg", "", told)
     assert not re.search("[A-Za-z]{2,}|[{}]", plain), told
     return told
 
@@ -118,12 +118,6 @@ BODIES: dict[str, tuple[str, dict[str, Any], str, str]] = {
     "less than allowed": ("verify", {"slide_limit_m": -1.0}, "must be at least 0", "0以上を指定"),
     "more than allowed": ("room", {"lease_s": 1e5}, "must be at most 3600", "3600以下を指定"),
     "no switch": ("room", {"changes": "often"}, "must be true or false", "trueかfalseを指定"),
-    "another axis": (
-        "size-map",
-        {"axis": "depth"},
-        "must be one of 'height', 'width', 'size'",
-        "のいずれかを指定",
-    ),
     "no list": ("verify", {"measures": 3}, "must be a list", "リストを指定"),
     "too many": ("verify", {"measures": [{}] * 9}, "must be a list of at most 8", "8個までのリストを指定"),
     "no table": ("room", {"scene": 3}, "must be a table", "テーブルを指定"),

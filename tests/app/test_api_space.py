@@ -260,7 +260,6 @@ def test_pieces_that_are_refused(client: httpx.Client) -> None:
 
 
 def test_what_is_not_offered_in_space(client: httpx.Client) -> None:
-    refused(client, "size-map", {"scene": SPACE}, "scene.dimensions")
     inside = {**SPACE, "contents": {"kind": "books"}}
     for path in ("simulate", "verify"):
         refused(client, path, {"scene": inside}, "scene.contents")

@@ -75,7 +75,7 @@ def bomb() -> bytes:
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (bomb(), "binary"),
+        (bomb(), "compressed archive"),
         (b"", "empty"),
         (b"   \n", "empty"),
         ("0.0,nan\n0.01,1\n", "finite"),
@@ -156,7 +156,7 @@ def test_the_folder_goes_with_the_server() -> None:
 def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.Client) -> None:
     clear = upload(client, RECORD, unit="m/s²").json()
     assert (clear["warnings"], clear["floor"]) == ([], "")
-    rows = "".join(f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(1500))
+    rows = "".join(f"{0.01 * i:.2f},{2 * (i % 7 - 3)},{i % 5 - 2},{i % 3 - 1}\n" for i in range(1500))
     text = "# acceleration (gal)\n# t,NS,EW,UD\n" + rows
     answer = upload(client, text, "floor12.csv", unit="g").json()
     assert answer["floor"] == "floor 12"
@@ -169,6 +169,22 @@ def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.C
     assert any("6 g" in (one["message_ja"] or "") for one in answer["warnings"])
     assert any("ヘッダーには「gal」" in (one["message_ja"] or "") for one in answer["warnings"])
     assert client.get(f"/api/v1/motions/{answer['id']}").json()["warnings"] == answer["warnings"]
+
+
+def test_a_record_with_gravity_is_taken_less_its_mean(client: httpx.Client) -> None:
+    text = "t,x,y,z\n" + "".join(f"{0.01 * i:.2f},{np.sin(0.2 * i):.5f},0,-9.81\n" for i in range(1500))
+    asked = upload(client, text, unit="m/s²")
+    assert (asked.status_code, asked.json()["field"]) == (422, "remove_mean")
+    assert "重力加速度が含まれています" in asked.json()["message_ja"]
+    found = upload(client, text, unit="m/s²", remove_mean="true").json()
+    assert found["shaking"]["remove_mean"] is True
+    assert "mean removed [m/s²]: x " in found["source"]
+    scene = {**SCENE, "shaking": found["shaking"]}
+    assert "remove_mean = true" in client.post("/api/v1/scenario/toml", json={"scene": scene}).text
+    assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200
+    rows = "".join(f"{0.01 * i:.2f},{2.0 + np.sin(0.2 * i):.5f}\n" for i in range(1500))
+    offset = upload(client, rows, unit="m/s²").json()
+    assert [one["field"] for one in offset["warnings"]] == ["remove_mean"]
 
 
 def test_a_refusal_says_what_the_unit_may_be_and_what_else_is_missing(client: httpx.Client) -> None:
@@ -229,8 +245,7 @@ def test_errors_name_the_user_s_file_and_no_folder_of_the_server() -> None:
         assert told["state"] == "failed"
         (folder / found["id"]).unlink()
         answers = [
-            client.post(f"/api/v1/{path}", json={"scene": scene})
-            for path in ("simulate", "size-map", "simulate/csv")
+            client.post(f"/api/v1/{path}", json={"scene": scene}) for path in ("simulate", "simulate/csv")
         ]
         messages = [told["error"]["message"], *(answer.json()["message"] for answer in answers)]
         for message in messages:

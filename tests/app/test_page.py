@@ -297,15 +297,17 @@ def test_a_record_is_chosen_scaled_and_left(browser: Browser, server: Running, t
         assert "record" not in asked["scene"]["shaking"]
 
 
+DROP = """(place, text) => {
+  const carried = new DataTransfer();
+  carried.items.add(new File([text], "numbers.txt"));
+  place.dispatchEvent(new DragEvent("drop", { dataTransfer: carried, bubbles: true, cancelable: true }));
+}"""
+
+
 def test_a_record_is_dropped_and_its_unit_asked_for(browser: Browser, server: Running) -> None:
     numbers = "\n".join(f"{100 * (i % 7 - 3)}" for i in range(2000))
-    drop = """(place, text) => {
-      const carried = new DataTransfer();
-      carried.items.add(new File([text], "numbers.txt"));
-      place.dispatchEvent(new DragEvent("drop", { dataTransfer: carried, bubbles: true, cancelable: true }));
-    }"""
     with opened(browser, server, allowed=("422",)) as it:
-        it.page.eval_on_selector("#drop", drop, numbers)
+        it.page.eval_on_selector("#drop", DROP, numbers)
         it.page.wait_for_selector("#unit")
         assert it.page.locator("#uploaded [role=alert]").is_visible()
         it.page.select_option("#unit", "gal")
@@ -313,6 +315,23 @@ def test_a_record_is_dropped_and_its_unit_asked_for(browser: Browser, server: Ru
         asked, answer = it.simulated(lambda: it.page.click("text=Send again"))
         assert asked["scene"]["shaking"]["record"]
         assert answer["motion"]["pga_m_s2"] == pytest.approx(3.0)
+
+
+@pytest.mark.parametrize(("up", "refused"), [(-9.81, True), (2.0, False)])
+def test_the_mean_of_a_record_is_taken_off(
+    browser: Browser, server: Running, up: float, refused: bool
+) -> None:
+    rows = (f"{0.01 * i:.2f},{i % 7 - 3},0,{up + 0.01 * (i % 3 - 1):.2f}" for i in range(1400))
+    text = "\n".join(["t,x (m/s2),y (m/s2),z (m/s2)", *rows])
+    with opened(browser, server, allowed=("422",)) as it:
+        it.page.eval_on_selector("#drop", DROP, text)
+        button = "text=Send again" if refused else "#uploaded button:has-text('Take the mean off')"
+        it.page.wait_for_selector(button)
+        assert ("gravity" if refused else "oscillates") in it.text("#uploaded .refusal")
+        asked, _ = it.simulated(lambda: it.page.click(button))
+        assert asked["scene"]["shaking"]["remove_mean"] is True
+        it.page.wait_for_selector(button, state="detached")
+        assert "remove_mean" in it.page.url
 
 
 def test_a_phone_shows_one_screen_at_a_time(browser: Browser, server: Running) -> None:

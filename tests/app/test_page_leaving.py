@@ -39,20 +39,14 @@ def test_a_page_that_is_left_takes_its_verification_along(
 def test_what_was_asked_for_comes_before_what_was_not(browser: Browser, server: Running) -> None:
     with opened(browser, server, verify=True) as it:
         it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-        it.page.wait_for_selector("#whatif[data-state=done]", timeout=COMPILING)
-        asked: list[tuple[str, bool | None]] = []
+        asked: list[bool] = []
         it.page.on(
             "request",
-            lambda one: (
-                one.url.endswith(("/verify", "/size-map"))
-                and asked.append((one.url.rsplit("/", 1)[1], one.post_data_json.get("compare_usual")))
-            ),
+            lambda one: one.url.endswith("/verify") and asked.append(one.post_data_json["compare_usual"]),
         )
         it.page.click("#verify", timeout=COMPILING)
-        it.page.wait_for_selector("#whatif[data-state=done]", timeout=COMPILING)
-        it.page.wait_for_selector("#map[data-old=false] svg", timeout=COMPILING)
-        assert asked[:2] == [("verify", False), ("verify", True)]  # the verdict, the ranking
-        assert sorted(asked[2:]) == [("size-map", None), ("verify", False)]  # the map, another floor
+        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+        assert asked == [False, True]  # the verdict, the ranking
 
 
 def test_a_job_that_the_server_has_lost_is_begun_again(browser: Browser, server: Running) -> None:
@@ -123,12 +117,10 @@ def test_back_shows_the_screen_before_on_a_phone(browser: Browser, server: Runni
         assert it.page.get_attribute("#steps [aria-current]", "data-screen") == "see"
 
 
-def test_care_speed_building_and_floor_are_remembered(browser: Browser, server: Running) -> None:
+def test_care_speed_and_building_are_remembered(browser: Browser, server: Running) -> None:
     with opened(browser, server) as it:
         it.page.select_option("#samples", "400")
         it.page.select_option("#speed", "0.25")
-        it.page.fill("#whatif-floor", "12")
-        it.page.press("#whatif-floor", "Tab")
         it.simulated(lambda: it.page.get_by_label("In a building").check())
         it.simulated(lambda: it.page.get_by_role("slider", name="Storeys of the building").fill("14"))
         it.simulated(lambda: it.page.get_by_role("slider", name="On storey").fill("9"))
@@ -138,7 +130,6 @@ def test_care_speed_building_and_floor_are_remembered(browser: Browser, server: 
         it.settle()
         assert it.page.input_value("#samples") == "400"
         assert it.page.input_value("#speed") == "0.25"
-        assert it.page.input_value("#whatif-floor") == "12"
         asked, _ = it.simulated(lambda: it.page.get_by_label("In a building").check())
         assert asked["scene"]["shaking"]["storey"] == 9
         assert asked["scene"]["shaking"]["building"]["storeys"] == 14

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from browsing import Opened
-    from playwright.sync_api import Browser, Route
+    from playwright.sync_api import Browser
     from serving import Running
 
     from stayput.verification import Verdict
@@ -34,8 +34,6 @@ def finished(it: Opened) -> dict:
     ) as found:
         it.page.click("#verify", timeout=COMPILING)  # it is there once the first verification has ended
     it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-    it.page.wait_for_selector("#whatif[data-state=done]", timeout=COMPILING)
-    it.page.wait_for_selector("#map svg", timeout=COMPILING)
     return found.value.json()["result"]
 
 
@@ -82,23 +80,6 @@ def test_the_curves_say_where_the_scene_is(verified: tuple[Opened, dict]) -> Non
     assert f"{verdict['intensity']:.2f}" in it.page.get_attribute("#fragility svg.chart", "aria-label")
 
 
-def test_the_twentieth_floor(verified: tuple[Opened, dict]) -> None:
-    it, _ = verified
-    assert it.text("#whatif").startswith("On storey 20 of a building with 25")
-    assert "With screwed L-brackets it would be" in it.text("#whatif")
-
-
-def test_the_map_has_the_users_piece(verified: tuple[Opened, dict]) -> None:
-    it, _ = verified
-    assert it.page.locator("#map .you").count() == 1
-    assert "your piece" in it.page.text_content("#map svg.chart")
-    assert it.page.locator("#map .cell").count() > 50
-    before = it.page.inner_html("#map")
-    with it.page.expect_response("**/size-map"):
-        it.page.locator("#map-which").get_by_label("With the measures").check()
-    it.wait("before => document.getElementById('map').innerHTML !== before", before)
-
-
 def test_another_language_keeps_everything(verified: tuple[Opened, dict]) -> None:
     it, verdict = verified
     address = it.page.evaluate("location.hash")
@@ -111,29 +92,11 @@ def test_another_language_keeps_everything(verified: tuple[Opened, dict]) -> Non
         assert it.page.evaluate("location.hash") == address
         assert "倒れます" in it.text("#verdict")
         assert verdict["options"][0]["reason"]["ja"] in it.text("#ranking")
-        assert "20階では" in it.text("#whatif")
         assert it.text("#presets [aria-pressed=true]").startswith("本棚")
         assert "lang=ja" in it.page.get_attribute("#report", "href")
         assert len(it.asked) == asked  # nothing had to be worked out again
     finally:
         it.speak("en")
-
-
-def test_what_is_still_worked_out_changes_its_language_too(browser: Browser, server: Running) -> None:
-    with opened(browser, server, verify=True) as it:
-
-        def but_the_other_floor(route: Route) -> None:
-            if "storey" not in route.request.post_data_json["scene"]["shaking"]:
-                route.fallback()
-
-        it.page.route("**/api/v1/verify", but_the_other_floor)
-        it.go("understand")
-        it.page.wait_for_selector("#whatif[data-state=running]", timeout=COMPILING)
-        assert it.text("#whatif") == "Working it out …"
-        it.speak("ja")
-        assert it.text("#whatif") == "計算しています…"
-        it.speak("en")
-        assert it.text("#whatif") == "Working it out …"
 
 
 def saved(it: Opened, selector: str) -> tuple[str, str]:

@@ -23,7 +23,7 @@ def test_the_server_is_said_to_compile_only_while_it_does(
 ) -> None:
     page = browser.new_page(locale="en-GB")
     page.route("**/api/v1/ping", lambda route: route.fulfill(json={"ready": ready, "version": "0"}))
-    for never in ("simulate", "room", "verify", "size-map"):
+    for never in ("simulate", "room", "verify"):
         page.route(f"**/api/v1/{never}", lambda route: None)
     page.goto(f"{server.address}/{address}")
     page.locator("#wait", has_text=said).wait_for(state="visible")

@@ -95,7 +95,7 @@ def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     path = tmp_path / "a"
     path.write_text("1")
     monkeypatch.setattr(reader, "read_shaking", read_shaking)
-    task = reader.ReadingTask(str(path), None, None, None, 9, 10_000, 600.0, 9.0)
+    task = reader.ReadingTask(str(path), None, None, None, False, 9, 10_000, 600.0, 9.0)
     assert reader.read(task).warnings == ("It is very strong.",)
 
 

@@ -11,7 +11,7 @@ import pytest
 from serving import client_of, running
 
 import stayput as sp
-from stayput.app import jobs, memory, room_api
+from stayput.app import room_api
 from stayput.app.presets import ROOM_SCENE
 from stayput.report.room.data import room_data
 from waiting import wait_until
@@ -81,16 +81,6 @@ def test_the_run_that_is_proposed_is_one_of_what_happens_most(room_client: httpx
     calm = {**scene, "shaking": {**scene["shaking"], "intensity": 3.0}}
     shown = room_client.post("/api/v1/simulate", json={"scene": calm, "measures": []}).json()["in_room"]
     assert shown == {"hits": [], "blocked": [], "shut_in": []}
-
-
-def test_freed_memory_is_given_back_after_a_job(
-    room_client: httpx.Client, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    given = list[str]()
-    monkeypatch.setattr(jobs, "give_freed_back", lambda: given.append("back"))
-    ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM, "changes": False}).json())
-    wait_until(lambda: given == ["back"])
-    memory.give_freed_back()  # wherever there is such a thing, and where there is none
 
 
 def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client) -> None:

@@ -1,4 +1,4 @@
-"""What a reader keeps of a room: charts, films, programs, and small records in its link."""
+"""What a reader keeps of a room: films, its file, and small records in its link."""
 
 # ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
@@ -12,8 +12,6 @@ from browsing import browser  # noqa: F401
 from PIL import Image
 from room_judge import Judge, after, judged, room_page
 from serving import client_of
-from test_figures import JAPANESE, executed, numbers
-from test_figures import done as done_of_one_piece
 from test_page_links import LOST, forget, small_record, small_vertical
 from test_room_api import ROOM, ended
 
@@ -28,8 +26,6 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser
     from serving import Running
 
-CHARTS = ["room_plan", "room_hits", "room_changes"]
-
 
 @pytest.fixture(scope="module")
 def job(server: Running) -> dict[str, Any]:
@@ -37,93 +33,6 @@ def job(server: Running) -> dict[str, Any]:
         made = ended(client, client.post("/api/v1/room", json={"scene": ROOM}).json())
     assert made["state"] == "done", made["error"]
     return made
-
-
-@pytest.mark.parametrize("name", CHARTS)
-def test_charts_of_a_room_say_what_they_are_of(client: httpx.Client, job: dict[str, Any], name: str) -> None:
-    address = f"/api/v1/jobs/{job['id']}/figures/{name}"
-    drawn = client.get(f"{address}.svg")
-    for part in ("seed 1", f"stayput {sp.__version__}", job["result"]["verdict"]["en"], "[plan]"):
-        assert part in drawn.text
-    assert client.get(f"{address}.svg").content == drawn.content
-    assert client.get(f"{address}.pdf", params={"lang": "ja"}).content.startswith(b"%PDF-")
-    about, rows = numbers(client.get(f"{address}.csv", params={"lang": "ja"}).content)
-    assert JAPANESE.search(about[0])
-    assert job["result"]["verdict"]["ja"] in about[1]
-    scenario = sp.RoomScenario.parse(tomllib.loads("\n".join(about[about.index("") :])))
-    assert scenario == sp.RoomScenario.parse(ROOM)
-    assert rows
-
-
-def test_the_numbers_of_charts_are_those_of_the_verdict_on_the_room(
-    client: httpx.Client, job: dict[str, Any]
-) -> None:
-    tables = {
-        name: numbers(client.get(f"/api/v1/jobs/{job['id']}/figures/{name}.csv").content)[1]
-        for name in CHARTS
-    }
-    result = job["result"]
-    places = [row for row in tables["room_hits"] if not row["piece"]]
-    shown = [(one["name"], one["hit"]) for one in result["places"]]
-    changed = [one["hit"] for one in result["changes"]]
-    for rows, chances in (
-        (places, [chance for _, chance in shown]),
-        (tables["room_changes"], [result["hit"], *changed]),
-    ):
-        for row, chance in zip(rows, chances, strict=True):
-            for end, key in (("", "estimate"), ("_low", "low"), ("_high", "high")):
-                assert float(row[f"hit{end}"]) == pytest.approx(chance[key], rel=1e-8)
-    for row, change in zip(tables["room_changes"][1:], result["changes"], strict=True):
-        for event in ("hit", "shut_in", "overturned"):
-            for key in (event, f"{event}_change"):
-                told = row[key] if change[key] is None else float(row[key])
-                assert told == (
-                    "" if change[key] is None else pytest.approx(change[key]["estimate"], rel=1e-8)
-                )
-    verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), progress=False)
-    cells = tables["room_plan"]
-    assert sum(float(row["fell"]) for row in cells) == pytest.approx(
-        sum(piece.fell.sum() for piece in verdict.pieces)
-    )
-    first = cells[0]
-    i, j = (int(float(first[key]) / 0.05) for key in ("x_m", "y_m"))
-    assert float(first["stood"]) == pytest.approx(verdict.pieces[0].stood[i, j])
-
-
-def test_the_program_of_a_room_says_what_each_change_is_and_brings(
-    client: httpx.Client, job: dict[str, Any], capsys: pytest.CaptureFixture[str]
-) -> None:
-    program = client.post("/api/v1/scenario/python", json={"scene": ROOM}).text
-    capsys.readouterr()
-    exec(compile(program, "room.py", "exec"), {})
-    lines = capsys.readouterr().out.splitlines()
-    for change in job["result"]["changes"]:
-        first = lines.index(change["label"]["en"])
-        shown = [("somebody is hit", "hit"), ("somebody is shut in", "shut_in")]
-        shown += [("the piece overturns", "overturned")] if change["overturned"] else []
-        for line, (words, key) in zip(lines[first + 1 :], shown, strict=False):
-            label, _, values = line.strip().partition(": ")
-            chance = change[key]
-            assert (label, [float(value) for value in values.split()]) == (
-                words,
-                [chance["estimate"], chance["low"], chance["high"]],
-            )
-
-
-def test_charts_are_there_for_their_own_verdicts_alone(client: httpx.Client, job: dict[str, Any]) -> None:
-    answer = client.get(f"/api/v1/jobs/{job['id']}/figures/ranking.svg")
-    assert answer.status_code == 409
-    assert "of a room" in answer.json()["message"]
-    other = done_of_one_piece(client, curves=False, compare_usual=False)
-    answer = client.get(f"/api/v1/jobs/{other['id']}/figures/room_plan.svg")
-    assert answer.status_code == 409
-    assert "verification of a room" in answer.json()["message"]
-
-
-def test_histories_of_a_room_can_be_kept(client: httpx.Client) -> None:
-    answer = client.post("/api/v1/simulate/figure", params={"kind": "csv"}, json={"scene": ROOM})
-    assert answer.status_code == 200
-    assert numbers(answer.content)[1]
 
 
 def test_a_short_film_of_a_room_says_the_verdict(
@@ -147,45 +56,34 @@ def test_a_short_film_of_a_room_says_the_verdict(
     assert "家具を支えません" in page
 
 
-def test_the_program_and_the_file_of_a_room_give_the_page_s_numbers_to_the_bit(
+def test_the_file_of_a_room_gives_the_page_s_numbers_to_the_bit(
     client: httpx.Client, job: dict[str, Any]
 ) -> None:
     asked = {"scene": ROOM, "measures": []}
-    made = executed(client, asked)
     file = sp.RoomScenario.parse(tomllib.loads(client.post("/api/v1/scenario/toml", json=asked).text))
     told = client.post("/api/v1/simulate", json=asked).json()["without"]["pieces"]
-    for run in (made["run"], file.run()):
-        assert [one["peak_tilt_rad"] for one in told] == run.peak_tilt.tolist()
-    for verdict in (made["verdict"], sp.verify_room(file, progress=False)):
-        for key, mine in (("places", verdict.places), ("changes", verdict.changes)):
-            for shown, one in zip(job["result"][key], mine, strict=True):
-                hit = (one.hit.estimate, one.hit.low, one.hit.high)
-                assert (shown["hit"]["estimate"], shown["hit"]["low"], shown["hit"]["high"]) == hit
+    assert [one["peak_tilt_rad"] for one in told] == file.run().peak_tilt.tolist()
+    verdict = sp.verify_room(file, progress=False)
+    for key, mine in (("places", verdict.places), ("changes", verdict.changes)):
+        for shown, one in zip(job["result"][key], mine, strict=True):
+            hit = (one.hit.estimate, one.hit.low, one.hit.high)
+            assert (shown["hit"]["estimate"], shown["hit"]["low"], shown["hit"]["high"]) == hit
 
 
-def test_the_page_keeps_the_program_the_film_and_the_charts(browser: Browser, server: Running) -> None:
+def test_the_page_keeps_the_film(browser: Browser, server: Running) -> None:
     judge, seen = Judge(), list[str]()
     with room_page(browser, server, judge) as it:
 
         def drawn(route: Any) -> None:
             seen.append(route.request.url)
-            route.fulfill(status=200, content_type="image/svg+xml", body="<svg/>")
+            route.fulfill(status=200, content_type="video/mp4", body="film")
 
-        it.page.route("**/figures/*", drawn)
         it.page.route("**/simulate/film*", drawn)
-        for name in CHARTS:
-            with it.page.expect_download() as found:
-                it.page.locator(f"[data-figure={name}] button").first.click()
-            assert found.value.suggested_filename == f"stayput_{name}.svg"
         for button in ("#film", "#html"):
             with it.page.expect_download():
                 it.page.click(button)
             assert "job=" in seen[-1]
         assert "seconds=10" in seen[-2]
-        it.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-        it.page.click("#python")
-        it.wait("() => document.getElementById('kept').textContent.includes('clipboard')")
-        assert "sp.verify_room(scenario" in it.page.evaluate("() => navigator.clipboard.readText()")
 
 
 def sent(it: Opened, judge: Judge, path: Path) -> dict[str, Any]:

@@ -20,9 +20,12 @@ WIDE = {"width": 1920, "height": 1080}
 SCREENS = ("scene", "see", "understand", "keep")
 
 
+@pytest.mark.parametrize("wider", [0.0, 0.12], ids=["own font", "a font with wider letters"])
 @pytest.mark.parametrize("size", [DESK, WIDE, PHONE, SIDE], ids=["desk", "wide", "phone", "side"])
-def test_the_plan_is_the_main_thing(browser: Browser, server: Running, size: Any) -> None:
+def test_the_plan_is_the_main_thing(browser: Browser, server: Running, size: Any, wider: float) -> None:
     with room_page(browser, server, Judge(), size=size) as it:
+        it.page.add_style_tag(content=f"body {{ letter-spacing: {wider}em; }}")
+        it.page.evaluate("() => new Promise(requestAnimationFrame)")
         palette, plan, sheet = (it.box(name) for name in ("#palette", "#plan", ".sheet"))
         bottom = size["height"] if size["width"] > 1000 else it.box("#steps")["y"]
         assert plan["y"] + plan["height"] <= bottom

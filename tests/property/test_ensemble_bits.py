@@ -16,7 +16,7 @@ MOTIONS = [
 ]
 
 
-CASE = sp.Case(sp.Body(1.0, 1.0), sp.Room(), MOTIONS[0])
+CASE = sp.Case(sp.Body(1.0, 1.0, 100.0), sp.Room(), MOTIONS[0])
 
 ROW = st.fixed_dictionaries(
     {

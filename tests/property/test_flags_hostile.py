@@ -35,6 +35,9 @@ FLAGS = {
         "--dt": "0.01",
         "--unit": "gal",
         "--component": "x",
+        "--columns": "t=1,x=2",
+        "--skip-lines": "2",
+        "--location": "00",
     },
     "building": {
         "--storeys": "3",

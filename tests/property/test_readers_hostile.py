@@ -4,8 +4,10 @@ Any other motion comes with a warning. The files are written here, in each forma
 are cut, mixed up and overwritten.
 """
 
+import io
 import re
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -110,9 +112,32 @@ def columns():
     )
 
 
-FORMATS = {f.__name__: f().encode("cp932") for f in (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns)}
-UNITS = {"columns": "gal"}
-COUNTED = {"peer", "knet", "esm", "csmip", "cosmos"}  # their headers state how many samples there are
+def ordered():
+    """Columns whose order a comment states, the vertical first."""
+    head = "#AmplitudeUnit:  gal. DCoffset(corr)\n#DataSequence: Time U(+); N(+); E(+)\n#Data: 4F10.3\n"
+    return head + "".join(f"{i / 100:.2f} {a / 2:.3f} {a:.3f} {-a:.3f}\n" for i, a in enumerate(WAVE))
+
+
+def titled():
+    """Columns of quoted cells below titles, headings and a row of units."""
+    head = 'Quake of May\nStation: T1\n"Time","NS","EW","UD"\n"(s)","(gal)","(gal)","(gal)"\n'
+    return head + "".join(f'"{i / 100:.2f}","{a:.3f}","{-a:.3f}","{a / 2:.3f}"\n' for i, a in enumerate(WAVE))
+
+
+def counted():
+    """One column below the number of its samples and the time step."""
+    return f"Quake of May\n{N} 0.01\n" + _block(WAVE, "%.3f", 1)
+
+
+def swapped_case():
+    """ESM with its header in small letters and wider spacing."""
+    return esm().lower().replace(": ", " : ")
+
+
+WRITERS = (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns, ordered, titled, counted, swapped_case)
+FORMATS = {write.__name__: write().encode("cp932") for write in WRITERS}
+UNITS = {"columns": "gal", "counted": "gal"}
+COUNTED = {"peer", "knet", "esm", "csmip", "cosmos", "counted", "swapped_case"}  # they state how many samples
 
 
 @pytest.fixture(scope="module")
@@ -193,6 +218,7 @@ ONCE = {  # the time step, where a format states it once: nothing else tells tha
     "peer": r"DT= (\.01000)",
     "jma": r"RATE= (100)Hz",
     "cosmos": r"-999\.000000 +(10\.000000)",
+    "counted": r"96 (0\.01)",
 }
 
 
@@ -293,6 +319,10 @@ def _first(name):
         "csmip": "(UNITS: CM/SEC/SEC)",
         "cosmos": "Format=(1E15.6)",
         "columns": "y, z",
+        "ordered": "4F10.3",
+        "titled": '"(gal)"\n',
+        "counted": "0.01\n",
+        "swapped_case": "data_type",
     }[name]
 
 
@@ -304,6 +334,9 @@ def test_any_bytes(file, content):
 
 HEADS = [
     "",
+    "#DataSequence: Time U(+); N(+)\n",
+    "Component: UD\nTime,NS,EW\ns,gal,gal\n",
+    "9 0.01\n",
     "time [ms],NS [gal],EW [m/s2],UD [g]\n",
     "# t; NS (gal); EW (cm/s); UD (mm)\n",
     "NPTS= 3, DT= .01\n",
@@ -323,3 +356,21 @@ HEADS = [
 )
 def test_any_text_after_any_head(file, content, head):
     _read(file, "columns", (head + content).encode())
+
+
+@given(
+    form=st.sampled_from(["MSEED", "SAC"]),
+    places=st.lists(st.tuples(st.integers(0, 10**6), st.integers(0, 255)), min_size=1, max_size=8),
+    kept=st.floats(0.0, 1.0) | st.just(1.0),
+)
+def test_damaged_seismograms_are_read_or_refused(file, form, places, kept):
+    obspy = pytest.importorskip("obspy", reason="ObsPy is not installed")
+    written = io.BytesIO()
+    trace = obspy.Trace((100.0 * WAVE).astype(np.int32), {"station": "T", "channel": "HNE", "delta": 0.01})
+    trace.write(written, format=form)
+    content = bytearray(written.getvalue())
+    for place, byte in places:
+        content[place % len(content)] = byte
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        _read(file, "columns", bytes(content[: max(1, round(kept * len(content)))]))

@@ -11,7 +11,7 @@ from stayput.mechanics.runner import Shaking, Traced, shaking, trace
 from stayput.simulation.flat_fields import case_columns
 
 G = 9.81
-BLOCK = sp.Body(0.4, 1.6)
+BLOCK = sp.Body(0.4, 1.6, 100.0)
 STICKING = sp.Room(sp.Floor(3.0, 3.0))
 
 

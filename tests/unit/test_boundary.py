@@ -15,13 +15,13 @@ from stayput.simulation.boundary import (
 
 SCALE = "motion.scale"
 WAVE = sp.sine(9.81, 2.0, 0.5, quiet=10.0, dt=2.5e-3)
-CASE = sp.Case(sp.Body(0.4, 1.8), sp.Room(sp.Floor(3.0, 3.0)), WAVE, gravity=9.81)
+CASE = sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(sp.Floor(3.0, 3.0)), WAVE, gravity=9.81)
 ISLAND = [0.4548, 1.2946, 1.3676]
 
 
 def falls(case, scale, **body):
     """Whether one run falls."""
-    shape = {"width": case.body.width, "height": case.body.height} | body
+    shape = {"width": case.body.width, "height": case.body.height, "mass": case.body.mass} | body
     run = sp.simulate(sp.Body(**shape), case.room, case.motion.scaled(scale), gravity=case.gravity)
     return run.overturned
 

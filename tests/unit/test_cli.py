@@ -405,7 +405,7 @@ def test_motion_suite_made_and_read_again(tmp_path):
         (["--fit", "guess"], "--fit is 'guess'"),
         (["--band", "5"], "--band is '5'"),
         (["--records", "nowhere"], "no folder"),
-        (["--intensity", "12"], "Intensity is 12"),
+        (["--intensity", "12"], "--intensity is 12"),
     ],
 )
 def test_motion_suite_refuses_before_it_writes(tmp_path, monkeypatch, arguments, message):

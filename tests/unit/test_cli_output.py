@@ -55,8 +55,50 @@ def test_where_nothing_can_be_said_the_exit_code_says_it():
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a shell closes the output")
-def test_a_closed_output_is_as_good_as_none():
-    line = ["sh", "-c", '"$@" >&-', "sh", *PROGRAM, "simulate", *BODY]
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "The output could not be written: it is closed."),
+        ("ja", "出力を書き込めませんでした（閉じられています）。"),
+    ],
+)
+@pytest.mark.parametrize("also", ["", "<&-"])
+def test_a_closed_output_loses_the_result_and_is_said(language, said, also):
+    line = ["sh", "-c", f'"$@" >&- {also}', "sh", *PROGRAM, "simulate", *BODY, "--lang", language]
+    done = subprocess.run(line, stderr=subprocess.PIPE, text=True, encoding="utf-8", check=False)
+    assert (done.returncode, done.stderr) == (2, f"{said}\n")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a shell closes the output")
+def test_a_command_that_prints_nothing_needs_no_output(tmp_path):
+    convert = ["motion", "convert", "near-fault", str(tmp_path / "a.csv"), "--quiet"]
+    line = ["sh", "-c", '"$@" >&-', "sh", *PROGRAM, *convert]
     done = subprocess.run(line, stderr=subprocess.PIPE, text=True, check=False)
-    assert done.stderr == ""
-    assert done.returncode == 0
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a shell closes the output")
+@pytest.mark.parametrize("there", ["2>&-", "2>/dev/full"])
+def test_a_result_does_not_need_standard_error(there):
+    plain = given(["simulate", *BODY], stdout=subprocess.PIPE)
+    line = ["sh", "-c", f'"$@" {there}', "sh", *PROGRAM, "simulate", *BODY]
+    done = subprocess.run(line, stdout=subprocess.PIPE, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, plain.stdout)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a shell closes the input")
+@pytest.mark.parametrize(
+    ("arguments", "flag"),
+    [(["simulate", "-"], "SCENARIO"), (["simulate", "--motion", "-"], "--motion")],
+)
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "{flag} is -, standard input, which could not be read: it is closed."),
+        ("ja", "{flag}が-（標準入力）になっていますが、読み込めませんでした（閉じられています）。"),
+    ],
+)
+def test_a_closed_input_is_refused(arguments, flag, language, said):
+    line = ["sh", "-c", '"$@" <&-', "sh", *PROGRAM, *arguments, "--lang", language]
+    done = subprocess.run(line, capture_output=True, text=True, encoding="utf-8", check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", f"{said.format(flag=flag)}\n")

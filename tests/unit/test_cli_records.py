@@ -188,6 +188,7 @@ def plain_columns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     rows = [f"{0.01 * i:.2f},{value}" for i, value in enumerate(values)]
     (tmp_path / "up.csv").write_text("\n".join(["time,UD[gal]", *rows]), encoding="utf-8")
     (tmp_path / "a.csv").write_text("\n".join(["time,acc[gal]", *rows]), encoding="utf-8")
+    (tmp_path / "b.csv").write_text("\n".join(["time,acc[g]", *rows]), encoding="utf-8")
 
 
 @pytest.mark.parametrize("lang", ["en", "ja"])
@@ -212,9 +213,11 @@ def test_a_record_across_says_what_it_counts_for(lang: str) -> None:
     def told(*arguments: str) -> str:
         return CliRunner().invoke(app, ["simulate", *arguments, "--lang", lang]).stderr
 
-    assert "--dimensions 3" in told("--x", "a.csv", "--y", "a.csv")
-    assert "--dimensions" not in told("--x", "a.csv", "--z", "a.csv")
-    assert "--dimensions" not in told("--x", "a.csv", "--y", "a.csv", "--dimensions", "3", "--length", "0.9")
+    assert "--dimensions 3" in told("--x", "a.csv", "--y", "b.csv")
+    assert "--dimensions" not in told("--x", "a.csv", "--z", "b.csv")
+    assert "--dimensions" not in told("--x", "a.csv", "--y", "b.csv", "--dimensions", "3", "--length", "0.9")
+    twice = told("--x", "a.csv", "--y", "a.csv")
+    assert ("components are the same record" if lang == "en" else "同じ記録") in twice
     for flag in ("--y", "--z"):
         for motion in ((), ("--motion", "near-fault")):
             refused = told(flag, "a.csv", *motion)

@@ -14,7 +14,7 @@ import pytest
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.cli import app
+from stayput.cli import app, streams
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -210,3 +210,17 @@ def test_letters_that_the_terminal_lacks_are_written_out(here: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert "Traceback" not in done.stderr
     assert "\\u" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [("en", "--motion is -, standard input, which has more than 9 bytes"), ("ja", "9バイトを超えて")],
+)
+def test_an_input_without_an_end_is_refused(
+    monkeypatch: pytest.MonkeyPatch, language: str, said: str
+) -> None:
+    monkeypatch.setattr(streams, "MOST_INPUT", 9)
+    monkeypatch.setattr(streams, "_CHUNK", 4)
+    result = cli("simulate", "--motion", "-", "--lang", language, given="0 " * 1000)
+    assert result.exit_code == 2
+    assert said in result.stderr

@@ -13,7 +13,7 @@ from stayput.execution import Call, DaskExecutor, Shared
 pytest.importorskip("dask.distributed", reason="Dask is not installed")
 pytestmark = pytest.mark.processes
 
-CASE = sp.Case(sp.Body(0.4, 1.8), sp.Room(right_wall=sp.Wall(0.1)), sp.near_fault())
+CASE = sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(right_wall=sp.Wall(0.1)), sp.near_fault())
 AXES = {
     "body.width": np.linspace(0.2, 0.6, 30),
     "room.right_wall.gap": np.linspace(0.0, 0.3, 20),

@@ -66,6 +66,8 @@ class Program:
 def run_program(folder: Path, said: Path, environment: dict[str, str]) -> None:
     os.environ.update(environment)
     tempfile.tempdir = None
+    # a source of the same size that is written within a second of the last one has its bytecode
+    sys.dont_write_bytecode = True
     sys.path.insert(0, str(folder))
     with redirect_stdout(StringIO()) as output, redirect_stderr(StringIO()) as warnings:
         runpy.run_module("small.caller", run_name="__main__")

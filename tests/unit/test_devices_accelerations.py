@@ -10,7 +10,7 @@ from stayput.mechanics.columns import H_SLIDE_RATE
 from stayput.mechanics.devices import accelerations
 from stayput.mechanics.devices.runner import trace_with_devices
 
-FLAT = sp.Body(1.0, 0.5)
+FLAT = sp.Body(1.0, 0.5, 100.0)
 
 
 @njit

@@ -31,7 +31,7 @@ def test_margins_that_are_negative_at_the_end_of_a_search_are_scaled_to_minus_on
 
 def test_the_peak_force_is_found_between_the_samples():
     """A body slides into a spring and turns back: the peak is v √(k/m), between two coarse samples."""
-    body, room = sp.Body(1.0, 0.5), sp.Room(sp.Floor(0.0, 0.0))
+    body, room = sp.Body(1.0, 0.5, 100.0), sp.Room(sp.Floor(0.0, 0.0))
     rows = plate((0.0, 0.0))
     rows["stiffness"][:, 0] = 0.0
     rows["slack_plus"][:, 0] = rows["slack_minus"][:, 0] = np.inf

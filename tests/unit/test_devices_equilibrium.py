@@ -25,7 +25,7 @@ def test_rest_ends_where_the_load_leaves_the_cone_and_stretches_no_device(stiffn
 def test_a_preload_adds_to_what_friction_holds():
     """A pole pressed between body and ceiling adds its force to the weight: rest lasts to μ(g + P)."""
     mu, preload = 0.2, 3.0
-    body = sp.Body(0.8, 0.8)
+    body = sp.Body(0.8, 0.8, 100.0)
     rows = plate((0.0, 0.4), cos=-1.0, sin=0.0)
     rows["slack_plus"], rows["stiffness"][:, 1] = np.inf, 0.0
     rows["slack_minus"][:, 0] = -preload / 1000.0

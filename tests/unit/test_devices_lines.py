@@ -122,7 +122,7 @@ def random_rows(rng: np.random.Generator, kind: str) -> tuple[np.ndarray, np.nda
 def test_rows_of_lines_follow_the_elements(kind, seed):
     rng = np.random.default_rng(seed)
     rows, links = random_rows(rng, kind)
-    case = case_columns(sp.Body(width=0.4, height=1.8), sp.Room(), sp.State(), 9.81)[0]
+    case = case_columns(sp.Body(width=0.4, height=1.8, mass=100.0), sp.Room(), sp.State(), 9.81)[0]
     theta, omega = rng.uniform(-0.3, 0.3), rng.uniform(-1.0, 1.0)
     sin, cos = math.sin(theta), math.cos(theta)
     corner = int(rng.integers(4)) if seed % 2 else -1

@@ -18,7 +18,7 @@ from stayput.mechanics.runner import run_cases, shaking
 from stayput.model.state import State
 from stayput.simulation.flat_fields import case_columns
 
-CASE = case_columns(sp.Body(0.4, 1.8), sp.Room(), State(), 9.80665)
+CASE = case_columns(sp.Body(0.4, 1.8, 100.0), sp.Room(), State(), 9.80665)
 MOTION = shaking(4.0 * np.sin(0.05 * np.arange(400)), None, 0.01, 0)
 
 
@@ -120,7 +120,7 @@ def test_a_failure_is_an_event():
     weak = bracket()
     weak["limit_plus"] = 0.5
     weak["limit_minus"] = 0.5
-    strong = case_columns(sp.Body(0.4, 1.8), sp.Room(sp.Floor(0.2, 0.15)), State(), 9.80665)[0]
+    strong = case_columns(sp.Body(0.4, 1.8, 100.0), sp.Room(sp.Floor(0.2, 0.15)), State(), 9.80665)[0]
     found = trace_with_devices(strong, weak, MOTION)
     failure = next(event for event in found.run.events if list(sp.EventKind)[event.kind] == "device failure")
     assert failure.time == found.devices["failure_time"][0]

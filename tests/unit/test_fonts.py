@@ -19,10 +19,6 @@ from stayput.report.plot import plot_run
 JAPANESE = "本棚とポール"
 
 
-def has_japanese():
-    return fonts._other(frozenset(JAPANESE)) is not None
-
-
 @pytest.fixture
 def bare_machine(monkeypatch):
     """A machine with no fonts but Matplotlib's own."""
@@ -47,7 +43,7 @@ def test_what_the_own_font_has_is_drawn_with_it_alone():
     assert families == {tuple(mpl.rcParams["font.family"])}
 
 
-@pytest.mark.skipif(not has_japanese(), reason="no font with Japanese letters on this machine")
+@pytest.mark.usefixtures("japanese_font")
 def test_japanese_is_drawn_where_a_font_has_it(tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("error")  # Matplotlib's of missing glyphs among them

@@ -304,6 +304,11 @@ def test_open_ends_are_said() -> None:
     assert peak.low == 0.0
     assert "(at most " in peak.text
     assert "cm/s" in peak.text
+    few = fragility_curve(Trials.from_counts(PFV, [0.1, 0.2, 0.4], [3, 3, 4], [7, 7, 7])).capacity(0.5)
+    assert few.texts == (
+        f"{PFV.text(few.estimate)} (interval wider than what was run)",
+        f"{PFV.text(few.estimate)}（区間は計算した範囲より広い）",
+    )
 
 
 def test_tiny_and_lopsided_samples_never_break() -> None:

@@ -35,6 +35,7 @@ def test_curves_and_what_has_none_are_drawn(tmp_path: Path) -> None:
     assert {"5-upper", "6-lower", "6-upper"} <= {text.get_text() for text in axis.texts}
 
 
+@pytest.mark.usefixtures("japanese_font")
 def test_the_classes_along_the_top_are_named_in_japanese() -> None:
     figure = plot_fragility([_curve("bare", [2, 15, 33, 39])], language="ja")
     (axis,) = figure.axes

@@ -1,7 +1,9 @@
 """Presets of furniture: sizes of the table they were taken from."""
 
+import numpy as np
 import pytest
 
+import stayput as sp
 from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
 
@@ -34,7 +36,29 @@ def test_a_carcass_is_not_heavier_than_the_loaded_piece():
 
 
 def test_the_base_is_as_wide_as_its_corners_are_apart():
-    body = Body(0.5, 1.6, base_heights=(0.0, -0.01), base_insets=(0.03, 0.05), cg_offset=(0.02, 0.0))
+    body = Body(0.5, 1.6, 100.0, base_heights=(0.0, -0.01), base_insets=(0.03, 0.05), cg_offset=(0.02, 0.0))
     (left, _), (right, _), *_ = body.corners
     assert body.base_width == pytest.approx(right - left) == pytest.approx(0.42)
-    assert Body(0.5, 1.6).base_width == 0.5
+    assert Body(0.5, 1.6, 100.0).base_width == 0.5
+
+
+def test_a_mass_is_asked_for_wherever_a_body_is_made():
+    with pytest.raises(TypeError, match="mass"):
+        sp.Body(0.4, 1.8)  # pyright: ignore[reportCallIssue]
+    for furniture in (
+        {"width": 0.4, "height": 1.8},
+        [{"name": "box", "width": 0.4, "length": 0.9, "height": 1.8}],
+    ):
+        kind = sp.Scenario if isinstance(furniture, dict) else sp.AssemblyScenario
+        with pytest.raises(sp.InputError, match="mass") as refused:
+            kind.parse({"furniture": furniture, "shaking": {"builtin": "near-fault"}})
+        assert "mass" in refused.value.told("ja")
+
+
+def test_a_body_without_devices_moves_alike_whatever_its_mass():
+    room = sp.Room(left_wall=sp.Wall(0.05))
+    runs = [
+        sp.simulate(sp.Body(0.4, 1.8, mass), room, sp.near_fault().component("x")) for mass in (1.0, 100.0)
+    ]
+    assert runs[0].outcome == runs[1].outcome
+    np.testing.assert_allclose(runs[0].tilt, runs[1].tilt, atol=1e-9)

@@ -10,7 +10,7 @@ import verdict_cases
 
 import stayput as sp
 from stayput.app.verification import verdict_reply
-from stayput.measures import MEASURES, GelMats, LBracket, parameters
+from stayput.measures import MEASURES, GelMats, LBracket, LockedCasters, parameters
 from stayput.measures.parameters import GRADE_OF, MEANINGS, Grade
 from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
@@ -38,6 +38,8 @@ def test_a_grade_is_that_of_the_weakest_input_that_decides():
     assert grade(option(), scenario({"preset": "bookcase"})) is Grade.C
     assert grade(option(MEASURES["anti_slip_sheet"]()), scenario()) is Grade.B
     assert grade(option(GelMats()), scenario()) is Grade.C
+    assert grade(option(LockedCasters()), scenario()) is Grade.C
+    assert grade(option(), scenario(room={"floor": "locked caster"})) is Grade.C
     assert {one.label[0] for one in weakest(option(LBracket()), scenario())} == {
         "screwed L-brackets: strength of one"
     }

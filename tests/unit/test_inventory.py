@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import json
 import math
-import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -22,13 +21,11 @@ from stayput.cli.assess import assess as command
 from stayput.inventory import assess
 from stayput.inventory.assess import memory_of
 from stayput.inventory.report import storey_map
-from stayput.inventory.results import choose
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.summary import Total
-from stayput.inventory.words import expected, further, printed
+from stayput.inventory.words import expected, printed
 from stayput.measures import MEASURES, element_rows, hold
 from stayput.model.state import State
-from stayput.montecarlo.counting import EVENTS
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
 from stayput.simulation.flat_fields import case_columns
 from stayput.verification import verify
@@ -291,97 +288,12 @@ def test_a_precision_stops_where_it_is_reached(tmp_path):
     assert done.runs == still["runs"] + shaky["runs"]
 
 
-def test_costs_choose_what_is_worth_them():
-    records = chances([0.5, 0, 0, 0], [0.1, 0, 0, 0], [0.05, 0, 0, 0])
-    sizes = [0, 1, 1]
-    assert choose(records, sizes, None, None).best == 2
-    chosen = choose(records, sizes, [100.0, 1000.0], 10_000.0)
-    assert (chosen.best, chosen.by_cost) == (2, 1)
-    assert chosen.gain == pytest.approx(3900.0)
-    assert choose(records, sizes, [1e6, 1e6], 10_000.0).by_cost == 0
-    assert choose(records, sizes, [100.0, 1000.0], None).by_cost == 1
-    records["chances"][1:, 0, 0] = 0.6
-    assert choose(records, sizes, [100.0, 1000.0], None).best == 0
-
-
-def chances(*rows):
-    """Records of options by the probabilities of the events, in the order of `EVENTS`."""
-    from stayput.inventory.records import RECORD
-
-    records = np.zeros(len(rows), RECORD)
-    for record, row in zip(records, rows, strict=True):
-        record["chances"][:, 0] = row
-    return records
-
-
-@pytest.mark.parametrize(
-    ("without", "held", "best"),
-    [
-        ((1.0, 0.7, 1.0, 0.0), (1.0, 0.3, 1.0, 0.0), 0),  # it overturns all the same
-        ((0.6, 0.6, 0.0, 0.0), (0.6, 0.1, 0.0, 0.0), 0),
-        ((0.6, 0.9, 0.0, 0.0), (0.6, 0.1, 0.0, 0.0), 1),  # of those that stand fewer slide
-        ((0.0, 0.9, 0.0, 0.0), (0.0, 0.1, 0.0, 0.0), 1),
-        ((0.3, 0.9, 0.0, 0.0), (0.301, 0.35, 0.0, 0.0), 0),  # alike in the ranking, but not less
-        ((0.5, 0.5, 0.5, 0.0), (0.4, 1.0, 1.0, 1.0), 1),
-        ((0.0, 0.0, 0.5, 0.0), (0.0, 0.0, 0.4, 0.2), 0),
-        ((math.nan,) * 4, (math.nan,) * 4, 0),
-        ((0.3, 0.3, 0.0, 0.0), (math.nan,) * 4, 0),
-    ],
-)
-def test_a_measure_is_best_only_where_it_helps(without, held, best):
-    named = dict(zip(("overturned", "slid", "hit_wall", "device_failed"), range(4), strict=True))
-    rows = [[row[named[event]] for event in EVENTS] for row in (without, held)]
-    assert choose(chances(*rows), [0, 1], None, None).best == best
-
-
-def test_where_no_measure_helps_results_summary_report_and_screen_say_so(tmp_path):
-    scenario = city(tmp_path, CITY.replace("6.0", "7.0"))
-    file = table(tmp_path, ["a,0.2,1.8,80,wedge", "b,0.3,1.8,80,wedge"], "id,width,height,mass,measures")
-    app = typer.Typer()
-    app.command()(command)
-    arguments = [str(file), "--scenario", str(scenario), "--out", str(tmp_path / "out")]
-    told = CliRunner().invoke(app, arguments)
-    assert "; none of the compared measures helps any of them." in told.output
-    rows = pq.read_table(tmp_path / "out" / "pieces").to_pylist()
-    assert [row["overturned"] for row in rows] == [1.0, 1.0]
-    assert [row["best"] for row in rows] == ["none", "none"]
-    assert pq.read_table(tmp_path / "out" / "summary.parquet")["pieces_helped"].to_pylist() == [0]
-    page = (tmp_path / "out" / "report.html").read_text()
-    assert "None of the compared measures helps any of them." in page
-    assert len(re.findall(r"<td[^>]*>none helps</td><td></td>", page)) == 2
-
-
-def test_a_piece_that_never_overturns_needs_no_measure(tmp_path):
-    file = table(tmp_path, ["a,2,0.2,80,wedge"], "id,width,height,mass,measures")
-    quiet = city(tmp_path, CITY.replace("6.0", "3.0"))
-    done = assess(file, quiet, tmp_path / "out", progress=False)
-    total = done.summary.events["city"]
-    assert (total.safe, total.helped, total.pieces) == (1, 0, 1)
-    assert printed(total, "city", "en")[0].endswith("; none of them needs a measure.")
-    assert further(total, "en").startswith("No measure is needed for 1 piece")
-    assert '<td class="words">needs none</td>' in (tmp_path / "out" / "report.html").read_text()
-    assert "対策不要" in (tmp_path / "out" / "report.ja.html").read_text(encoding="utf-8")
-    for name in ("summary.csv", "rejects.csv"):  # by the mark a spreadsheet knows UTF-8
-        assert (tmp_path / "out" / name).read_bytes().startswith(b"\xef\xbb\xbf")
-
-
-@pytest.mark.parametrize(
-    ("total", "told"),
-    [
-        (Total(1, 4, 2.0, 2.0), "None of the compared measures helps any of them."),
-        (Total(2, 4, 2.0, 2.0, safe=1), "None of the compared measures helps any of the others."),
-        (Total(2, 4, 2.0, 1.0, helped=1, safe=1), "helps 1 of the others, and none helps the rest."),
-        (Total(2, 4, 2.0, 1.0, helped=3, safe=1), "hardly ever happen."),
-    ],
-)
-def test_what_helps_the_others_is_said(total, told):
-    assert further(total, "en").endswith(told)
-
-
 def test_the_report_rounds_as_the_terminal_does():
-    total = Total(rows=1, pieces=10, fallen=8.2, fallen_best=0.4, helped=10)
-    assert expected(total, "en").startswith("8.2 of 10 pieces are expected to overturn (82 %)")
-    assert "on each, 0.4 (" in expected(total, "en")
+    ends = {"fallen_low": 7.1, "fallen_high": 9.3, "fallen_best_low": 0.1, "fallen_best_high": 0.9}
+    total = Total(rows=1, pieces=10, fallen=8.2, fallen_best=0.4, **ends)
+    assert expected(total, "en").startswith("8.2 of 10 pieces are expected to overturn: 82 % (71 to 93 %)")
+    assert "clearly helps, 0.4: 4 % (1 to 9 %)." in expected(total, "en")
+    assert expected(total, "ja").startswith("10点のうち8.2点が転倒する見込みです：82%（71～93%）。")
     assert "8.2 of 10 pieces" in printed(total, "x", "en")[0]
 
 

@@ -7,7 +7,7 @@ import re
 
 import pyarrow.parquet as pq
 import pytest
-from inventories import city
+from inventories import CITY, city
 
 import stayput as sp
 from stayput.catalogue import TEXTS
@@ -26,7 +26,7 @@ from stayput.model.room import SURFACES
 from stayput.vocabulary import WORDS
 
 
-def read(folder, text, columns=None, encoding="utf-8", name="inventory.csv"):
+def read(folder, text, columns=None, encoding="utf-8", name="inventory.csv", scenario=CITY):
     """Rows of a plan, its rejects, the bodies of its pieces and its facts."""
     file = folder / name
     file.write_bytes(text.encode(encoding))
@@ -35,7 +35,7 @@ def read(folder, text, columns=None, encoding="utf-8", name="inventory.csv"):
     facts = make_plan(
         Workspace(space),
         file,
-        read_scenarios(city(folder)),
+        read_scenarios(city(folder, scenario)),
         2**24,
         lambda count: None,
         columns=read_columns(columns),
@@ -100,15 +100,14 @@ def test_semicolons_go_with_decimal_commas(tmp_path):
         "b;0,450;1,800;80;;;1,200\nc;0.45;1.8;80;;;1.200\nd;0.45;1.8;1.800;;;\ne;0,45;1,8;80,5;;;12,5 €\n"
     )
     rows, rejects, (first, *_), facts = read(tmp_path, text)
+    assert [row["value"] for row in rows] == [1200.5, 12.5]
     assert sizes(first) == (0.45, 1.8, 80.5)
     assert first.cg_offset == (0.01, -0.1)
-    assert rows[0]["value"] == 1200.5
     assert facts["read as"] == "UTF-8 with semicolons"
     assert {row["id"]: row["reason"].split(" is ")[0] for row in rejects} == {
         "b": "value",  # 1.2 or 1200
         "c": "value",
         "d": "mass",
-        "e": "value",
     }
 
 
@@ -330,7 +329,33 @@ def test_reasons_name_the_column_of_the_table(tmp_path):
     first, second = (row["reason"] for row in rejects)
     assert first.startswith("Column '奥行(mm)': width is 'x'")
     assert second.startswith("Column '重量(kg)': ")
-    assert rejects[0]["reason_ja"].startswith("列'奥行(mm)'：")
+    assert rejects[0]["reason_ja"].startswith("列「奥行(mm)」：奥行が'x'になっています。")
+
+
+BAD_CELLS = {
+    "数量": ["0", "0.5", "x"], "奥行(mm)": ["x", "0", "=A1", "1.800"], "高さ(mm)": ["", "9e9"],
+    "重量(kg)": ["-1"], "階": ["PH1", "9", ""], "建物": ["塔", ""], "床": ["草", "0.3;0.4", "0.3"],
+    "壁": ["紙"], "すき間(m)": ["-1", ""], "収納物": ["石"], "緯度": ["91", ""], "番号": ["1", "x" * 300],
+    "価格": ["-1"], "対策": ["のり", "l_bracket;l_bracket"], "費用": ["1;2", "-1"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("heading", BAD_CELLS)
+def test_japanese_reasons_know_no_key_of_a_column(tmp_path, heading):
+    good = dict.fromkeys(BAD_CELLS, "") | {
+        "番号": "1", "奥行(mm)": "300", "高さ(mm)": "1800", "重量(kg)": "60", "階": "3", "建物": "5 RC",
+        "すき間(m)": "0.1", "壁": "concrete", "緯度": "35", "経度": "135", "対策": "l_bracket",
+    }  # fmt: skip
+    bad = [good | {"番号": f"b{n}", heading: cell} for n, cell in enumerate(BAD_CELLS[heading])]
+    bare = CITY.replace("back_wall = { gap = 0.05 }\n", "")
+    text = "\n".join(",".join(row.values()) for row in [dict(zip(good, good, strict=True)), good, *bad])
+    _, rejects, *_ = read(tmp_path, text, "measures=対策,costs=費用", scenario=bare)
+    assert len(rejects) == len(bad)
+    keys = re.compile(rf"(?<![\w.])({'|'.join(COLUMNS)})(?![\w.])", re.ASCII)
+    for row in rejects:
+        own_words = re.sub("'[^']*'", "", row["reason_ja"]).partition("シナリオの[shaking]")[0]
+        assert not keys.search(own_words), own_words
+        assert row["reason"].count(": ") >= 1, row["reason"]  # after the column of the table
 
 
 @pytest.mark.parametrize("ending", ["toml", "json", "text", "mapping"])
@@ -375,6 +400,12 @@ def test_a_mapping_says_which_column_is_which(tmp_path, ending):
 def test_a_wrong_mapping_is_refused(tmp_path, columns, reason):
     with pytest.raises(sp.InputError, match=reason):
         read(tmp_path, "id,preset,奥行,高さ(cm)\na,chest,450,180\n", columns)
+
+
+def test_a_comma_may_be_in_the_name_of_a_column(tmp_path):
+    mapping = read_columns("width=Tiefe (mm),value=Preis, netto,ignore=a, b")
+    assert mapping.pairs == (("width", "Tiefe (mm)"), ("value", "Preis, netto"))
+    assert mapping.ignored == ("a, b",)
 
 
 def test_another_mapping_is_another_assessment(tmp_path):

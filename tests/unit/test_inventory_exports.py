@@ -15,8 +15,9 @@ from inventories import city, digests, rows_of_results, table
 
 import stayput as sp
 from stayput.inventory import assess
-from stayput.inventory.report import RAMP
+from stayput.inventory.report import RAMP, UNTOLD
 from stayput.inventory.style import style
+from stayput.report.palette import rgb
 
 pyogrio = pytest.importorskip("pyogrio")
 
@@ -83,11 +84,13 @@ def test_the_style_has_a_colour_for_each_share():
     renderer = page.find("renderer-v2")
     ranges = [(float(r.get("lower")), float(r.get("upper"))) for r in renderer.iter("range")]
     assert ranges[0][0] == 0.0
+    assert ranges.pop() == (-1.0, -1.0)  # not enough runs to tell: grey, not the colour of the safest
     assert ranges[-1][1] == 1.0
     assert all(a[1] == b[0] for a, b in pairwise(ranges))
     symbols = {symbol.get("name") for symbol in renderer.iter("symbol")}
     assert symbols == {r.get("symbol") for r in renderer.iter("range")}
-    assert renderer.get("attr") == "overturned"
+    assert renderer.get("attr") == """if("finding" = 'too_few_runs', -1, "overturned")"""
+    assert f"{','.join(map(str, rgb(UNTOLD)))},255" in style()
     assert len(RAMP) == len(ranges)
 
 

@@ -17,7 +17,10 @@ from forks import start
 from inventories import city, digests, pieces, table
 
 import stayput as sp
+from stayput.execution import ThreadExecutor
 from stayput.inventory import assess
+from stayput.inventory.store import Store
+from stayput.inventory.work import Costs, Work
 from stayput.inventory.workspace import OWN, Workspace, entries
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="kill -9 is of POSIX")
@@ -212,3 +215,37 @@ def test_two_commands_are_not_in_one_folder(inputs, done):
         fcntl.flock(file, fcntl.LOCK_EX)
         with pytest.raises(sp.InputError, match="Another command"):
             assess(*inputs, done, progress=False)
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, RuntimeError])
+@pytest.mark.parametrize(
+    ("kind", "place"), [(Work, "_store_outcome"), (ThreadExecutor, "_wait"), (ThreadExecutor, "_start")]
+)
+def test_what_reads_the_plan_is_closed_before_it(tmp_path, monkeypatch, error, kind, place):
+    """However the work ends, and while its traceback still holds all that it was doing."""
+    order: list[str] = []
+    units_at, close = Store.units_at, Store.close
+
+    def watched(self, site):
+        order.append("reading")
+        try:
+            yield from units_at(self, site)
+        finally:
+            order.append("read")
+
+    def failing(self, *arguments):
+        if "reading" in order:
+            raise error
+        return original(self, *arguments)
+
+    original = getattr(kind, place)
+    monkeypatch.setattr(Store, "units_at", watched)
+    monkeypatch.setattr(Store, "close", lambda self: (order.append("closed"), close(self))[1])
+    monkeypatch.setattr(kind, place, failing)
+    monkeypatch.setattr(Costs, "wanted", lambda *_: 0.0)  # a task for each unit
+    file = table(tmp_path, [f"p{n},,0.{n},1.8,50" for n in range(30, 70)], "id,preset,width,height,mass")
+    order.clear()
+    with pytest.raises(error) as held:
+        assess(file, city(tmp_path), tmp_path / "out", threads=1, progress=False)
+    assert order[-3:] == ["reading", "read", "closed"]
+    assert held.tb is not None

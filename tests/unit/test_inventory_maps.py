@@ -55,9 +55,9 @@ def floors(monkeypatch):
     """What shakes the pieces of a run, in order."""
     work, seen = sys.modules["stayput.inventory.work"], {}
 
-    def spy(units, measures, floor, sampling, of=work.evaluate):
+    def spy(units, measures, floor, sampling, kind, of=work.evaluate):
         seen[id(floor)] = floor
-        return of(units, measures, floor, sampling)
+        return of(units, measures, floor, sampling, kind)
 
     monkeypatch.setattr(work, "evaluate", spy)
     return seen

@@ -6,12 +6,16 @@ import bz2
 import gzip
 import lzma
 import math
+import os
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 from inventories import city, digests, rows_of_results, table
 
 import stayput as sp
+from stayput.catalogue import say
 from stayput.fragility import PGA, PGV, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.places import GroundLevel, unwrapped
@@ -172,8 +176,8 @@ HOSTILE = {
     "a line": ({"size": (1, 4)}, "2 by 2 at least"),
     "too few numbers": ({"size": (3, 3)}, "it has 24 numbers; it must have 54"),
     "too many numbers": ({"rows": [*ROWS, ROWS[0]]}, "more numbers than places"),
-    "words": ({"rows": [*ROWS[:3], (136, 35, "x", 1, 1, 1)]}, "could not convert"),
-    "an underscore": ({"rows": [*ROWS[:3], (136, 35, "8_0", 1, 1, 1)]}, "underscore"),
+    "words": ({"rows": [*ROWS[:3], (136, 35, "x", 1, 1, 1)]}, "more than numbers"),
+    "an underscore": ({"rows": [*ROWS[:3], (136, 35, "8_0", 1, 1, 1)]}, "more than numbers"),
     "no places": ({"rows": [row[2:] for row in ROWS], "fields": dict.fromkeys(("PGA", "PGV", "MMI", "X"), "")}, "LON and LAT"),
     "no grid": ({"rows": [ROWS[0], ROWS[1], (135.5, 35, 1, 1, 1, 1), ROWS[3]]}, "no regular grid"),
     "a place twice": ({"rows": [ROWS[0], ROWS[1], ROWS[0], ROWS[1]]}, "no regular grid"),
@@ -189,6 +193,54 @@ def test_hostile_grids_are_refused(tmp_path, name):
     given, reason = HOSTILE[name]
     with pytest.raises(sp.InputError, match=reason):
         read_shakemap(grid(tmp_path, **{"rows": ROWS, **given}))
+
+
+SPECIFIED = r"<grid_specification[^>]*/>"
+DAMAGE = {
+    "no specification": (SPECIFIED, "", "with a grid_specification"),
+    "no specification, no numbers": (rf"{SPECIFIED}|(?<=<grid_data>)[^<]*", "", "with a grid_specification"),
+    "no numbers": (r"<grid_data>[^<]*</grid_data>", "", "it has 0 numbers; it must have"),
+    "no size": ('nlon="2"', "", "nlon is ''; it must be a whole number"),
+    "a size in words": ('nlat="2"', 'nlat="two"', "nlat is 'two'; it must be a whole number"),
+    "a size of many digits": ('nlon="2"', f'nlon="{"9" * 5000}"', "nlon is '9+…'; it must be a whole number"),
+    "a size below zero": ('"2"', '"-2"', "-2 by -2 places"),
+    "no index": ('index="1"', "", "index is ''"),
+    "a broken index": ('index="1"', 'index="1.5"', "index is '1.5'"),
+    "no name": ('name="LAT"', "", "LON and LAT"),
+    "an unknown encoding": ("UTF-8", "klingon", "unknown encoding: klingon"),
+    "a multi-byte encoding": ("UTF-8", "Shift_JIS", "multi-byte"),
+    "an encoding of bytes": ("UTF-8", "base64", "not a text encoding"),
+    "an encoding that is none": ("UTF-8", "undefined", "undefined"),
+    "an entity": ("135 36", "&a; 36", "undefined entity"),
+    "a null character": ("135 36", "135\0 36", "not well-formed"),
+    "a decimal comma": ("135 36", "135,0 36", "more than numbers"),
+    "a latitude that is none": ("135 36", "135 nan", "no latitudes and longitudes"),
+    "half of it": (r"(?s)136 36.*", "", "no element found"),
+    "another element": ("<grid_data>", "<grid_data><x>5</x>", "more numbers than places"),
+    "twice": (r"(?s)(<grid_data>.*</grid_data>)", r"\1\1", "more numbers than places"),
+    "a late field": ("</grid_data>", '</grid_data><grid_field index="9" name="X"/>', "numbers; it must have"),
+    "a page of a browser": (r"(?s)<\?xml.*", "<html>Not found</html>", "it must be a shakemap_grid"),
+    "nothing in it": (r"(?s)(?<=\?>).*", "", "no element found"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+@pytest.mark.parametrize("name", DAMAGE)
+@pytest.mark.parametrize("uncertain", [False, True])
+def test_damaged_grids_are_refused_in_a_sentence(tmp_path, name, uncertain, language):
+    pattern, other, reason = DAMAGE[name]
+    rows = [(lon, lat, 0.5, 0.6, 0.7) for lon, lat, *_ in ROWS]
+    damaged = grid(tmp_path, rows, DEVIATIONS, "a.xml") if uncertain else grid(tmp_path, ROWS, name="a.xml")
+    damaged.write_text(re.sub(pattern, other, damaged.read_text("utf-8")), "utf-8")
+    with pytest.raises(sp.InputError) as refused:
+        read_shakemap(*((grid(tmp_path, ROWS), "PGV", damaged) if uncertain else (damaged,)))
+    told = refused.value.told(language)
+    assert "a.xml" in told
+    assert told.count("\n") == 0
+    if language == "en":
+        assert re.search(reason, told)
+    elif "encod" not in name:  # sentences of the parser of XML are English
+        assert told.endswith("。")
 
 
 @pytest.mark.parametrize("encoding", ["UTF-16LE", "UTF-16BE", "UTF-8"])
@@ -209,6 +261,55 @@ def test_a_map_that_is_compressed_is_refused(tmp_path, pack):
     for given in ((file,), (plain, None, file)):
         with pytest.raises(sp.InputError, match=r"grid\.xml\.gz' is compressed; unpack it first"):
             read_shakemap(*given)
+
+
+ON_POSIX = pytest.mark.skipif(os.name != "posix", reason="pipes and devices with names are those of POSIX")
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "The {name} is {path}; it must be a file."),
+        ("ja", "{name}が{path}になっています。ファイルを指定してください。"),
+    ],
+)
+@pytest.mark.parametrize("given", ["inventory", "shakemap", "uncertainty"])
+@pytest.mark.parametrize(
+    "kind", [pytest.param("pipe", marks=ON_POSIX), pytest.param("device", marks=ON_POSIX), "folder"]
+)
+def test_what_is_no_file_is_refused_and_not_read(tmp_path, given, kind, language, said):
+    """A device such as /dev/zero never ends, and a pipe waits for who writes to it."""
+    path = {"device": Path("/dev/zero"), "pipe": tmp_path / "pipe", "folder": tmp_path / "folder"}[kind]
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "folder":
+        path.mkdir()
+    files = {
+        "inventory": table(tmp_path, ["p,chest"], "id,preset"),
+        "shakemap": grid(tmp_path, ROWS),
+        given: path,
+    }
+    with pytest.raises(sp.InputError) as refused:
+        assess(scenario=city(tmp_path), out=tmp_path / "out", **files)
+    called = say(f"inventory.the_{given.replace('shakemap', 'shake_map')}", language)
+    assert refused.value.told(language) == said.format(name=called, path=repr(str(path)))
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("name", ["map.csv", "grid.xml"])
+def test_a_map_that_is_too_large_is_refused_before_it_is_read(tmp_path, name):
+    path = tmp_path / name
+    with path.open("wb") as file:
+        file.truncate(2**40)  # of which the disk holds nothing
+    inventory = table(tmp_path, ["p,chest"], "id,preset")
+    for read in (
+        read_shakemap,
+        lambda path: assess(inventory, city(tmp_path), tmp_path / "o", shakemap=path),
+    ):
+        with pytest.raises(
+            sp.InputError, match=r"has 1,099,511,627,776 bytes; it must have 1,073,741,824 at most"
+        ):
+            read(path)
 
 
 @pytest.mark.parametrize("content", ["<", "<a/>", "<shakemap_grid></shakemap_grid>", "<shakemap_grid>" * 5])
@@ -326,3 +427,36 @@ def test_results_do_not_depend_on_threads_with_scatter(tmp_path):
         for n in (1, 2)
     ]
     assert found[0] == found[1]
+
+
+DEVIATED = [
+    (135, 36, 0.5, 0.5, 0.3),
+    (136, 36, 0.5, 0.5, 0.3),
+    (135, 35, 0.5, 0.5, 0.3),
+    (136, 35, 0.5, 0.5, 0.3),
+]
+
+
+@pytest.mark.parametrize(
+    ("said", "other", "named"),
+    [('event_id="x"', 'event_id="us70"', "us70, version 1"), ('version="1"', 'version="2"', "x, version 2")],
+)
+def test_the_uncertainty_of_another_event_or_version_is_refused(tmp_path, said, other, named):
+    map_file, file = grid(tmp_path, ROWS), grid(tmp_path, DEVIATED, DEVIATIONS, "uncertainty.xml")
+    assert read_shakemap(map_file, uncertainty=file).at(36.0, 135.0).scatter > 0.0
+    file.write_text(file.read_text().replace(said, other, 1))
+    with pytest.raises(
+        sp.InputError, match=f"is of 'x, version 1' and the uncertainty .* of '{named}'"
+    ) as refused:
+        read_shakemap(map_file, uncertainty=file)
+    assert "grid.xml" in str(refused.value)
+    assert "uncertainty.xml" in str(refused.value)
+    assert "同じ地震の同じ版でなければ" in refused.value.told("ja")
+
+
+def test_an_uncertainty_without_an_event_is_warned_of(tmp_path):
+    map_file, file = grid(tmp_path, ROWS), grid(tmp_path, DEVIATED, DEVIATIONS, "uncertainty.xml")
+    file.write_text(file.read_text().replace(' event_id="x" shakemap_version="1"', "", 1))
+    with pytest.warns(sp.InputWarning, match="do not both say of which event they are") as heard:
+        read_shakemap(map_file, uncertainty=file)
+    assert "同じ地震のものかどうか" in heard[0].message.told("ja")

@@ -38,7 +38,6 @@ def row(**cells):
 
 # ruff: noqa: E501 - a case a line
 REJECTED = {
-    "no id": (row(preset="chest"), "id is missing"),
     "unit in a cell": (row(id="x", width="40 ken", height="1", mass="1"), "width is '40 ken'; it must be a plain number in m, without its unit"),
     "decimal comma": (row(id="x", width='"0,4"', height="1", mass="1"), "width is '0,4'; it must be a plain number"),
     "thousands": (row(id="x", preset="chest", value='"90,00"'), "value is '90,00'"),
@@ -60,6 +59,9 @@ REJECTED = {
     "storeys": (row(id="x", preset="chest", building="0 RC", storey="1"), "building.storeys is 0"),
     "storey above the roof": (row(id="x", preset="chest", building="office", storey="9"), "storey is 9; it must be between 1 and 5"),
     "half a storey": (row(id="x", preset="chest", building="office", storey="1.5"), "whole number"),
+    "no storey of a name": (row(id="x", preset="chest", building="office", storey="PH1"), "storey is 'PH1'; it must be a number, 1 on the ground, or such as 3F, M2F, B1 or RF"),
+    "storey of nought": (row(id="x", preset="chest", building="office", storey="0"), "storey is 0; it must be between 1 and 5, the roof, or a basement from B1 to B9"),
+    "decimal comma between commas": (row(id="x", width='"0,4"', height="1", mass="1"), "a comma is a decimal one where semicolons stand between the columns"),
     "no storey": (row(id="x", preset="chest", building="office"), "storey is missing"),
     "no building": (row(id="x", preset="chest", storey="2"), "building is missing"),
     "no such measure": (row(id="x", preset="chest", measures="glue"), "measures has 'glue'"),
@@ -98,8 +100,8 @@ def test_a_bad_row_is_rejected_with_its_reason(tmp_path, name):
 
 
 REFUSED = {
-    "merged header": ("Piece,,,Place,\nid,preset,width,building,storey\n", "header merged"),
-    "no header": ("p1,chest\n", "must name every column"),
+    "merged header": ("Piece,,,Place,\nid,preset,width,building,storey\n", "seem to stand in row 2"),
+    "no header": ("p1,chest\n", "No heading of the first row is known"),
     "bars": ("id|preset\np|chest\n", "semicolons or tabs must be between"),
     "unit that is none of a size": ("id,preset,Mass (cm)\np,chest,40\n", "a unit that is unknown for it"),
     "endless cell": ("id,preset\np," + "c" * (2**24 + 1) + "\n", "goes beyond 16,777,216 characters"),
@@ -224,7 +226,7 @@ def test_a_broken_sheet_is_refused(tmp_path, sheet):
 
 
 def test_a_merged_header_of_a_workbook_is_refused(tmp_path):
-    with pytest.raises(sp.InputError, match="header merged"):
+    with pytest.raises(sp.InputError, match="seem to stand in row 2"):
         plan(tmp_path, excel(tmp_path, [["Piece", None, "Place"], ["id", "preset", "storey"]]))
 
 
@@ -254,8 +256,9 @@ def test_parquet_is_read_with_its_types(tmp_path):
     file = tmp_path / "inventory.parquet"
     pq.write_table(pa.table(columns), file)
     facts, rejects = plan(tmp_path, file)
-    assert facts["pieces"] == 1
-    assert [row["row"] for row in rejects] == [3, 4, 5]
+    assert facts["pieces"] == 2
+    assert facts["empty cells"] == {"id": 1}
+    assert [row["row"] for row in rejects] == [3, 5]
     assert "width is nan" in rejects[0]["reason"]
 
 

@@ -28,7 +28,7 @@ LAYERS = (
     {"progress", "execution", "uncertainty", "compiled"},
     {"mechanics", "model"},
     {"motion"},
-    {"building", "measures", "estimates", "everyday", "standards", "webassembly"},
+    {"building", "measures", "estimates", "everyday", "standards"},
     {"simulation", "fragility"},
     {"contents"},
     {"montecarlo", "scenario"},

@@ -94,7 +94,9 @@ def test_a_calm_run_is_far_from_a_fall():
 
 
 def test_the_overturning_tilt_is_that_of_the_nearer_corner():
-    leaning = case_columns(sp.Body(0.4, 1.6, cg_offset=(0.1, 0.0)), sp.Room(), State(), STANDARD_GRAVITY)
+    leaning = case_columns(
+        sp.Body(0.4, 1.6, 100.0, cg_offset=(0.1, 0.0)), sp.Room(), State(), STANDARD_GRAVITY
+    )
     assert overturning_tilts(leaning) == pytest.approx(np.arctan(0.1 / 0.8))
 
 

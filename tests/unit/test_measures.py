@@ -259,7 +259,7 @@ def test_the_anchor_of_a_belt_is_on_the_wall_at_its_angle():
 def test_where_a_point_of_the_body_is_at_rest():
     assert at_rest(BODY, (-0.1, 1.0)) == pytest.approx((-0.1, 1.0), abs=1e-15)
     back, front = 0.002, -0.005
-    tilted = sp.Body(0.4, 1.8, base_heights=(back, front))
+    tilted = sp.Body(0.4, 1.8, 100.0, base_heights=(back, front))
     left, right = at_rest(tilted, (-0.2, back)), at_rest(tilted, (0.2, front))
     assert left[1] == pytest.approx(0.0, abs=1e-15)
     assert right[1] == pytest.approx(0.0, abs=1e-15)
@@ -278,7 +278,7 @@ def test_a_wedge_tilts_the_body_back_by_a_degree():
 @pytest.mark.parametrize("gap", [0.0, 0.005, 0.02, 0.03, 0.2])
 def test_a_wedge_leaves_the_base_where_it_is(gap):
     """Its back stays off the wall by the gap; the top leans back until it meets the wall, and no farther."""
-    body, place = sp.Body(0.3, 1.8), sp.Room(left_wall=sp.Wall(gap), right_wall=sp.Wall(0.4))
+    body, place = sp.Body(0.3, 1.8, 100.0), sp.Room(left_wall=sp.Wall(gap), right_wall=sp.Wall(0.4))
     held = hold(body, place, [WedgeStopper()])
     (back, _), (front, _), (top, _), _ = standing_corners(held.body, sp.State())
     left, right = wall_faces(held.body, held.room)

@@ -45,7 +45,7 @@ def tables():
 @pytest.mark.parametrize("mu", [0.0, 0.1, 0.24, 0.26, 0.8])
 @pytest.mark.parametrize("offset", [0.0, 0.05])
 def test_a_body_rests_below_friction_and_slenderness(mu, offset):
-    body = sp.Body(0.4, 1.6, cg_offset=(offset, 0.0))
+    body = sp.Body(0.4, 1.6, 100.0, cg_offset=(offset, 0.0))
     (case,) = case_columns(body, sp.Room(sp.Floor(mu, mu)), sp.State(), G)
     exists, low, high = cone(case, *tables())
     assert exists
@@ -54,7 +54,7 @@ def test_a_body_rests_below_friction_and_slenderness(mu, offset):
 
 
 def test_rocking_starts_where_the_sticking_corner_alone_is_consistent():
-    (case,) = case_columns(sp.Body(0.4, 1.6), sp.Room(sp.Floor(0.6, 0.6)), sp.State(), G)
+    (case,) = case_columns(sp.Body(0.4, 1.6, 100.0), sp.Room(sp.Floor(0.6, 0.6)), sp.State(), G)
     sticks, _, opens = active_sets(case, *tables(), -0.4 * G, G)
     ok, fx, fz, moment = sticks
     assert ok
@@ -67,7 +67,7 @@ def test_rocking_starts_where_the_sticking_corner_alone_is_consistent():
 
 
 def test_slide_rock_starts_where_the_slipping_corner_alone_is_consistent():
-    (case,) = case_columns(sp.Body(0.4, 1.6), sp.Room(sp.Floor(0.26, 0.26)), sp.State(), G)
+    (case,) = case_columns(sp.Body(0.4, 1.6, 100.0), sp.Room(sp.Floor(0.26, 0.26)), sp.State(), G)
     (sticks, *_), (slips, _, _, moment), _ = active_sets(case, *tables(), -0.4 * G, G)
     assert not sticks
     assert slips
@@ -75,6 +75,6 @@ def test_slide_rock_starts_where_the_slipping_corner_alone_is_consistent():
 
 
 def test_without_weight_every_contact_opens():
-    (case,) = case_columns(sp.Body(0.4, 1.6), sp.Room(), sp.State(), G)
+    (case,) = case_columns(sp.Body(0.4, 1.6, 100.0), sp.Room(), sp.State(), G)
     assert active_sets(case, *tables(), 0.0, -1.0)[2]
     assert math.isclose(case["gravity"], G)

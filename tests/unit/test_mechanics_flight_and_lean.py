@@ -29,7 +29,7 @@ def test_a_flight_ends_where_a_corner_reaches_the_ceiling():
 def test_a_frictionless_body_slides_down_a_wall_as_a_ladder_does():
     """Floor and wall without friction: energy is conserved while both corners slide."""
     room = sp.Room(sp.Floor(0.0, 0.0), right_wall=sp.Wall(0.4, 0.0, 0.0))
-    body = sp.Body(0.1, 2.0)
+    body = sp.Body(0.1, 2.0, 100.0)
     start = math.asin((0.4) / 2.0)  # about the tilt at which the top meets the wall
     run = traced(steady(0.0, 1.5), body=body, room=room, tilt=0.9 * start, tilt_rate=0.2)
     assert sp.EventKind.WALL_IMPACT in kinds(run)
@@ -39,7 +39,7 @@ def test_a_frictionless_body_slides_down_a_wall_as_a_ladder_does():
 
 def test_a_body_leans_at_rest_where_friction_holds_it():
     room = sp.Room(sp.Floor(0.8, 0.8), right_wall=sp.Wall(0.2, 0.0, 0.8))
-    run = traced(steady(0.0, 3.0), body=sp.Body(0.1, 2.0), room=room, tilt=0.09)
+    run = traced(steady(0.0, 3.0), body=sp.Body(0.1, 2.0, 100.0), room=room, tilt=0.09)
     assert list(sp.Outcome)[run.outcome] is sp.Outcome.LEANING
     assert modes(run)[-1] is sp.Mode.LEAN
     assert np.ptp(run.history[-50:, H_TILT]) == 0.0

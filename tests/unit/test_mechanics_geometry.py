@@ -12,7 +12,7 @@ from stayput.mechanics import geometry
 from stayput.model.state import standing_corners
 from stayput.simulation.flat_fields import case_columns
 
-BODY = sp.Body(0.4, 1.6, cg_offset=(0.03, -0.1))
+BODY = sp.Body(0.4, 1.6, 100.0, cg_offset=(0.03, -0.1))
 ROOM = sp.Room(left_wall=sp.Wall(0.5), right_wall=sp.Wall(0.6), ceiling=sp.Ceiling(1.9))
 
 

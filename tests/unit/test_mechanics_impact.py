@@ -11,7 +11,7 @@ from stayput.mechanics import columns as col
 from stayput.mechanics import geometry, impact, modes
 from stayput.simulation.flat_fields import case_columns
 
-BODY = sp.Body(0.4, 1.6)
+BODY = sp.Body(0.4, 1.6, 100.0)
 
 
 @njit
@@ -104,7 +104,7 @@ def test_no_impact_creates_energy():
         wall = sp.Wall(0.0, rebound, rub)
         floor = sp.Floor(grip, grip, normal_restitution=rng.choice([0.0, 0.5, 1.0]))
         room = sp.Room(floor, left_wall=wall, right_wall=wall, ceiling=sp.Ceiling(3.0, rebound, grip))
-        body = sp.Body(rng.uniform(0.2, 1.5), rng.uniform(0.3, 2.0))
+        body = sp.Body(rng.uniform(0.2, 1.5), rng.uniform(0.3, 2.0), 100.0)
         case = case_columns(body, room, sp.State(), 9.81)[0]
         velocity, closed = tuple(rng.normal(size=3)), int(rng.integers(1, 256))
         assert struck(case, *tables(), 0, closed, rng.uniform(-1.2, 1.2), velocity) <= 1.0 + 1e-9

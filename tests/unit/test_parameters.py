@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 NEEDED: dict[Any, dict[str, Any]] = {
     Part: {"mass": 1.0, "x": 0.0, "z": 0.5},
-    sp.Body: {"width": 0.4, "height": 1.8},
+    sp.Body: {"width": 0.4, "height": 1.8, "mass": 100.0},
     sp.Floor: {},
     sp.Wall: {"gap": 0.1},
     sp.Ceiling: {"height": 2.4},

@@ -118,6 +118,7 @@ def test_a_body_is_drawn_to_scale_with_its_measures(ax: Axes):
     plotted(Figure().subplots(), ROOM.plot)
 
 
+@pytest.mark.usefixtures("japanese_font")
 def test_a_verdict_is_drawn_in_both_languages(verdict: sp.Verdict):
     for language, label in (("en", "Without measures"), ("ja", "対策なし")):
         axes = plotted(Figure().subplots(), verdict.plot, language=language)

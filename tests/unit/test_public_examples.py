@@ -46,7 +46,7 @@ PUBLIC = {
         for module, name in sorted(
             PAGES | {(place.__name__, name) for place in PLACES for name in place.__all__}
         )
-        if name not in DICTIONARIES
+        if name not in DICTIONARIES and f"{module}.{name}" != measures.__name__
     }.items()
 }
 

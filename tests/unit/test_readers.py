@@ -51,11 +51,11 @@ def test_unreadable_file(tmp_path):
         (b"", "empty"),
         (b" \r\n\t\n", "empty"),
         (b"\x00\x01\x02\x03 1 2 3", "binary"),
-        (b"PK\x03\x04 zipped", "binary"),
-        ("1\n2\n".encode("utf-16"), "binary"),
+        (b"PK\x03\x04 zipped", "archive; it must be unpacked"),
+        ("1\n2\n".encode("utf-16-le"), "binary"),
         (b"1 " * 6000, "a line of 12000 characters"),
         (b"Dear Sir,\nplease find no numbers here.\n", "no known format"),
-        (b"<html><body>404</body></html>", "no known format"),
+        (b"<html><body>404</body></html>", "in the format HTML, which is not read"),
     ],
 )
 def test_files_that_are_no_record(tmp_path, content, message):
@@ -95,7 +95,9 @@ def test_units(unit, size):
     assert unit_factor(unit) == size
 
 
-@pytest.mark.parametrize("unit", ["", "counts", "m/s", "cm", "cm/s", "ft/s2", "mg", "ggal", 5, None])
+@pytest.mark.parametrize(
+    "unit", ["", "counts", "m/s", "cm", "cm/s", "ft/s", "mgal", "g/10", "G (X 1000)", "ggal", 5, None]
+)
 def test_unknown_units(unit):
     with pytest.raises(InputError, match="must be one of m/s²"):
         unit_factor(unit)

@@ -1,9 +1,11 @@
 """Columns of numbers: what counts as a record, and what is refused."""
 
+import re
+
 import numpy as np
 import pytest
 
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning
 from stayput.motion import read_motion
 
 
@@ -99,7 +101,7 @@ def test_dt_that_agrees_with_the_time_column(read):
         ("0 1\n5 2\n10 3\n", {"unit": "gal"}, "time step"),
         ("20\n" + "0.1\n" * 20, {"unit": "gal", "dt": 0.01}, "looks like a count"),
         ("0\n9e6\n", {"unit": "gal", "dt": 0.01}, "10000"),
-        ("time,acc\nthen,words\n0,1\n", {"unit": "gal"}, "no known format"),
+        ("time,acc\nthen,words\n0,1\n", {"unit": "gal"}, "line 'then,words' stands between the headings"),
     ],
 )
 def test_columns_that_are_refused(read, text, kwargs, message):
@@ -201,7 +203,36 @@ def test_headings_that_are_refused(read, names, message):
 )
 def test_velocity_and_displacement_are_never_read_as_acceleration(read, heading, quantity, unit):
     with pytest.raises(InputError, match=f"says {quantity}; .* must be an acceleration"):
-        read(f"t,{heading},EW [m/s2],UD [m/s2]\n{ROWS}", unit=unit)
+        read("\n".join([f"t,{heading}", *(row.rsplit(",", 2)[0] for row in ROWS.splitlines())]), unit=unit)
+    with pytest.warns(InputWarning, match="left out"):
+        motion = read(f"t,{heading},EW [m/s2],UD [m/s2]\n{ROWS}", unit=unit)
+    assert list(motion.components) == ["x", "z"]
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        "time,acceleration,velocity,displacement",
+        "Time (s);Vel (cm/s);Accel;Disp (cm)",
+        "t\ta\tv\td",
+        "# t [s], v, a, d",
+        "時間(秒),加速度,速度(kine),変位(cm)",
+    ],
+)
+def test_velocity_and_displacement_beside_the_acceleration_are_left_out_and_told(read, names):
+    mark = next(mark for mark in ";\t," if mark in names)
+    place = [re.match("a|加", name.strip(), re.IGNORECASE) is not None for name in names.split(mark)].index(
+        True
+    )
+    rows = "".join(f"{mark.join(row)}\n" for row in (["0.00", *"123"], ["0.01", *"456"], ["0.02", *"789"]))
+    with pytest.warns(InputWarning, match="velocities or displacements and are left out") as told:
+        motion = read(f"{names}\n{rows}", unit="m/s²")
+    assert motion.x.tolist() == [place, place + 3, place + 6]
+    assert list(motion.components) == ["x"]
+    (warning,) = (one.message for one in told if one.message.code == "motion.columns_left_out")
+    others = [name.strip(" #") for i, name in enumerate(names.split(mark)) if i not in (0, place)]
+    assert names.isascii() is all(name in str(warning) for name in others)
+    assert "速度や変位の列" in warning.told("ja")
 
 
 @pytest.mark.parametrize("heading", ["time [ms]", "t (msec)", "time_ms", "Zeit [ms]"])

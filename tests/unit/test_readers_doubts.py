@@ -153,10 +153,10 @@ def test_an_upper_floor_is_known_and_told(read, text, name):
     assert "recorded on floor 42" in motion.source
     assert sum("not a motion of the ground" in sentence for sentence in told) == 1
     assert motion.scaled(2.0).floor == "floor 42"
-    assert sp.Motion.combine(motion, z=motion).floor == "floor 42"
+    assert sp.Motion.combine(motion).floor == "floor 42"
 
 
-def test_a_floor_that_goes_through_a_building_is_told():
+def test_a_floor_that_goes_through_a_building_is_refused():
     building = sp.Building(5)
     ground = sp.sine(2.0, 1.0, duration=2.0)
     with warnings.catch_warnings():
@@ -170,7 +170,9 @@ def test_a_floor_that_goes_through_a_building_is_told():
         lambda: building.respond(floor),
     )
     for call in calls:
-        with pytest.warns(InputWarning, match=r"is of storey 4 of a building and goes through the 5-storey"):
+        with pytest.raises(
+            sp.InputError, match=r"is of storey 4 of a building; a building stands on the ground"
+        ):
             call()
 
 

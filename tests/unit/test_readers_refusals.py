@@ -16,7 +16,7 @@ ARRAY = "".join(csmip_channel(i, f"{90 * i} DEG", WAVE) for i in (1, 2, 3))
     ("text", "given", "field", "japanese"),
     [
         ("hello\n", {}, None, "対応している形式のファイルではありません"),
-        ("\x00\x01", {}, None, "テキストのファイルではありません"),
+        ("\x00\x01", {}, None, "テキスト、「SAC」、「miniSEED」のいずれでもありません"),
         (TIMES, {}, "unit", "加速度の単位がファイルに書かれていません。次から選んでください：m/s²、cm/s²"),
         (
             "# acc_gal\n" + TIMES,

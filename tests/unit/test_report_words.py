@@ -56,6 +56,13 @@ def test_the_record_has_units_and_null_for_a_time_that_is_not():
     }  # fmt: skip
 
 
+@pytest.mark.parametrize("run", [rocking(), falling(), falling(-1.0)])
+def test_a_run_ends_with_its_last_sample_event_or_overturning(run):
+    record = summary(run)
+    times = [record["overturn_time_s"] or 0.0, run.time[-1], *(event["time_s"] for event in record["events"])]
+    assert record["end_time_s"] == max(times)
+
+
 def test_a_ceiling_hit_is_not_a_wall_hit():
     hit = dataclasses.replace(falling().events[1], kind=EventKind.CEILING_IMPACT)
     run = dataclasses.replace(rocking(), events=(hit, hit), wall_impacts=2)

@@ -5,13 +5,10 @@ import io
 from dataclasses import replace
 
 import pytest
-from matplotlib.figure import Figure
-from test_room_report import NEVER, made
+from test_room_report import made
 
 from stayput.catalogue import say
 from stayput.cli.verify_room import print_room
-from stayput.report.charts.chart import ChartSource
-from stayput.report.charts.rooms import changes_chart
 from stayput.rooms.words import change_label
 
 
@@ -35,33 +32,6 @@ def test_the_csv_says_what_each_change_brings():
     place = change_label(moved.change, verdict, "en")
     assert [row["event"] for row in rows if row["of"] == place] == ["hit_with", "shut_in_with"]
     assert {row["change"] for row in rows if not row["event"].endswith("_with")} == {""}
-
-
-def test_the_chart_of_changes_shows_the_worst_that_happens():
-    verdict = made()
-    source = ChartSource((), "", 1, "en")
-    quiet = replace(verdict, hit=NEVER)
-    still = replace(quiet, shut_in=NEVER)
-    for one, axis, widths in (
-        (verdict, "Hit [%]", [verdict.hit, *(change.hit for change in verdict.changes)]),
-        (quiet, "Shut in [%]", [verdict.shut_in, *(change.shut_in for change in verdict.changes)]),
-        # the piece as it stands, and with the only change of a piece
-        (
-            still,
-            "Overturned [%]",
-            [verdict.pieces[0].probabilities["overturned"], verdict.changes[0].overturned[0]],
-        ),
-    ):
-        chart = changes_chart(one, source)
-        figure = Figure()
-        chart.draw(figure)
-        (drawn,) = figure.axes
-        assert drawn.get_xlabel() == axis
-        bars = [bar.get_width() for bar in drawn.patches]
-        assert bars == pytest.approx([100.0 * chance.estimate for chance in widths])
-        assert len(chart.columns["overturned_change_low"]) == 1 + len(verdict.changes)
-        assert chart.columns["shut_in_high"][1] == verdict.changes[0].shut_in.high
-        assert chart.columns["overturned"][2] is None
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])

@@ -33,6 +33,11 @@ def test_what_is_set_is_shown_as_python_makes_it(value: Any):
     assert "None" not in repr(value)
 
 
+@pytest.mark.parametrize("pair", [(0.4, 0.3), (0.5, 0.4), (0.4, 0.2)])
+def test_a_floor_shows_both_coefficients(pair: tuple[float, float]):
+    assert repr(sp.Floor(*pair)) == "Floor(static_friction={}, kinetic_friction={})".format(*pair)
+
+
 def test_a_run_shows_its_outcome_and_peaks(run: sp.Run):
     assert run.outcome.value in repr(run)
     assert len(repr(run)) < 300

@@ -11,7 +11,7 @@ from stayput.mechanics.runner import run_cases, shaking
 from stayput.simulation.flat_fields import case_columns
 
 STILL = sp.Motion(0.01, np.zeros(200))
-WEDGED = sp.Body(0.3, 1.2, base_heights=(0.0, -0.05))
+WEDGED = sp.Body(0.3, 1.2, 100.0, base_heights=(0.0, -0.05))
 REST = WEDGED.resting_tilt
 
 
@@ -39,7 +39,7 @@ def test_a_start_just_below_a_right_angle_falls_at_once(contact):
 @pytest.mark.parametrize("field", ["tilt", "tilt_rate", "slide", "slide_rate", "inertia", "static_friction"])
 def test_what_is_not_a_number_never_stands(law, field):
     """Inputs are checked before; should a number be lost all the same, the run has failed."""
-    columns = case_columns(sp.Body(0.4, 1.6), sp.Room(), sp.State(tilt=0.05), 9.81)
+    columns = case_columns(sp.Body(0.4, 1.6, 100.0), sp.Room(), sp.State(tilt=0.05), 9.81)
     columns[field] = math.nan
     motion = shaking(np.sin(np.arange(300) * 0.1), None, 0.01, law)
     (outcome,) = run_cases(columns, motion, max_events=1000)["outcome"]
@@ -50,12 +50,12 @@ def test_what_is_not_a_number_never_stands(law, field):
 def test_a_body_of_any_friction_does_not_slip(mu):
     """A researcher who wants no slip gives a large coefficient: rocking is that of reference bodies."""
     motion = sp.sine(amplitude=3.0, frequency=2.0, duration=6.0)
-    sticks = sp.simulate(sp.Body(0.4, 1.6), sp.Room(sp.Floor(3.0, 3.0)), motion)
-    run = sp.simulate(sp.Body(0.4, 1.6), sp.Room(sp.Floor(mu, mu)), motion)
+    sticks = sp.simulate(sp.Body(0.4, 1.6, 100.0), sp.Room(sp.Floor(3.0, 3.0)), motion)
+    run = sp.simulate(sp.Body(0.4, 1.6, 100.0), sp.Room(sp.Floor(mu, mu)), motion)
     assert run.peak_slide == pytest.approx(0.0, abs=1e-12)
     assert run.tilt == pytest.approx(sticks.tilt, abs=1e-12)
     thrown = sp.simulate(
-        sp.Body(0.4, 1.6), sp.Room(sp.Floor(mu, mu)), motion, initial=sp.State(slide_rate=0.5)
+        sp.Body(0.4, 1.6, 100.0), sp.Room(sp.Floor(mu, mu)), motion, initial=sp.State(slide_rate=0.5)
     )
     assert thrown.outcome is not sp.Outcome.FAILED
     with pytest.raises(sp.InputError, match="friction"):
@@ -69,7 +69,7 @@ def strip(mu, kinetic, **fields):
 
 def test_friction_of_a_strip_never_drives_a_base_under_the_paper_s_rules():
     """Flat on a strip a base is held by at least what slows its slide, so friction cannot push it along."""
-    body, motion = sp.Body(0.53, 0.74), sp.near_fault().component("x")
+    body, motion = sp.Body(0.53, 0.74, 100.0), sp.near_fault().component("x")
     run = sp.simulate(body, sp.Room(strip(0.56, 0.49, restitution=0.7)), motion, contact="paper")
     bare = sp.simulate(body, sp.Room(sp.Floor(0.56, 0.49, restitution=0.7)), motion, contact="paper")
     assert run.peak_slide <= bare.peak_slide + 0.01
@@ -88,7 +88,7 @@ def test_a_strip_beside_a_wall_ends_under_the_paper_s_rules():
         mu = rng.uniform(0.03, 0.8)
         floor = strip(mu, mu * rng.uniform(0.6, 1.0), restitution=rng.choice([1.0, 0.7]))
         wall = sp.Wall(rng.choice([0.0, 0.005, 0.02, 0.2]), rng.choice([0.0, 0.3, 0.6]), 0.3)
-        body = sp.Body(rng.uniform(0.2, 0.8), rng.uniform(0.5, 2.0))
+        body = sp.Body(rng.uniform(0.2, 0.8), rng.uniform(0.5, 2.0), 100.0)
         rows.append(case_columns(body, sp.Room(floor, left_wall=wall), sp.State(), 9.80665)[0])
     motion = sp.near_fault()
     results = run_cases(np.array(rows), shaking(motion.x, None, motion.dt, 1), max_events=5000)
@@ -101,7 +101,7 @@ def test_the_largest_slide_is_that_of_any_time_also_off_the_floor():
     motion = sp.near_fault().component("x").trimmed(0.0, 12.0)
     inside = 0
     for _ in range(150):
-        body = sp.Body(rng.uniform(0.38, 0.46), rng.uniform(0.35, 0.46), cg_offset=(0.0, 0.089))
+        body = sp.Body(rng.uniform(0.38, 0.46), rng.uniform(0.35, 0.46), 100.0, cg_offset=(0.0, 0.089))
         walls = (sp.Wall(rng.uniform(0.03, 0.1), 0.0, 0.2) for _ in range(2))
         place = sp.Room(sp.Floor(0.85, 0.75), *walls)
         run = sp.simulate(body, place, motion.scaled(rng.uniform(1.5, 2.5)))

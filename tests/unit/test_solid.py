@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 import pickle
 from collections import Counter
-from dataclasses import replace
+from dataclasses import FrozenInstanceError, replace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from stayput import Body, Solid
 from stayput.errors import InputError
@@ -194,13 +195,13 @@ def test_insets_and_heights_of_a_planar_body_become_feet():
 
 def test_a_settlement_that_no_floor_has_is_refused():
     with pytest.raises(InputError, match="settlement") as refused:
-        Solid.of(Body(0.4, 1.6), 0.8, settlement=-1e-3)
+        Solid.of(Body(0.4, 1.6, 100.0), 0.8, settlement=-1e-3)
     assert refused.value.field == "settlement"
 
 
 def test_a_planar_body_without_a_length_is_refused():
     with pytest.raises(InputError, match="no length across the shaking") as refused:
-        Solid.of(Body(0.4, 1.6))
+        Solid.of(Body(0.4, 1.6, 100.0))
     assert refused.value.field == "length"
 
 
@@ -262,16 +263,20 @@ def test_a_solid_is_a_value():
     assert cone != "cone"
     assert replace(cone, mass=8.0).mass == 8.0
     assert replace(cone, feet=None) == Solid.cone(0.5, 0.2, 0.8, 7.0)
-    for array in (
-        again.vertices,
-        again.inertia,
-        again.centre_of_gravity,
-        again.feet,
-        again.rims,
-        *again.faces,
-    ):
+    for array in (*again.principal, *again.faces):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 0.0
+    arrays = (again.vertices, again.inertia, again.centre_of_gravity, again.feet, again.rims, again.normals)
+    for array in (*arrays, again.up_at_rest):
+        array[0] = 0.1  # a copy
+    assert again == cone
+    assert again.up_at_rest.tolist() == [0.0, 0.0, 1.0]
+    np.testing.assert_array_equal(again.normals, cone.normals)
+    with pytest.raises(FrozenInstanceError):
+        again.vertices = cone.vertices
+    turn = Rotation.from_rotvec([0.3, 0.2, 0.1])
+    for points in (cone.centre_of_gravity, cone.vertices, cone.feet, cone.normals, cone.up_at_rest):
+        np.testing.assert_allclose(turn.apply(points), points @ turn.as_matrix().T, atol=1e-12)
     assert repr(cone) == "Solid(0.5 × 0.5 × 0.8 m, 7 kg, 64 corners, 34 faces)"
 
 

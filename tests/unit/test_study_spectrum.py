@@ -20,7 +20,7 @@ def study():
 
 def body_of(alpha, period):
     R = 3.0 * 9.80665 / (4.0 * (2.0 * math.pi / period) ** 2)
-    return sp.Body(2.0 * R * math.sin(alpha), 2.0 * R * math.cos(alpha))
+    return sp.Body(2.0 * R * math.sin(alpha), 2.0 * R * math.cos(alpha), 100.0)
 
 
 def record(scale):

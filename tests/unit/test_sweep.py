@@ -23,7 +23,7 @@ from waiting import PATIENCE
 WALLED = sp.Room(sp.Floor(0.4, 0.3), right_wall=sp.Wall(0.1))
 PULSE = sp.pulse("ricker", 6.0, frequency=1.0, quiet=3.0, dt=0.01)
 SHORT = sp.sine(5.0, 1.5, 3.0, dt=0.01)
-CASE = sp.Case(sp.Body(0.4, 1.6), WALLED, PULSE)
+CASE = sp.Case(sp.Body(0.4, 1.6, 100.0), WALLED, PULSE)
 RESULTS = [q.name for q in QUANTITIES if q.name not in ("outcome", "events", "overturned")]
 
 
@@ -45,7 +45,7 @@ def test_a_sweep_holds_what_single_runs_say():
             for scale in axes["motion.scale"]:
                 point = data.sel({"body.width": width, "room.right_wall.gap": gap, "motion.scale": scale})
                 room = sp.Room(WALLED.floor, right_wall=sp.Wall(gap))
-                same(point, sp.simulate(sp.Body(width, 1.6), room, PULSE.scaled(scale)))
+                same(point, sp.simulate(sp.Body(width, 1.6, 100.0), room, PULSE.scaled(scale)))
     assert data["peak_slide"].attrs["units"] == data["body.width"].attrs["units"] == "m"
     assert data["outcome"].attrs["flag_meanings"].split() == [
         outcome.replace(" ", "_") for outcome in OUTCOMES
@@ -56,7 +56,9 @@ def test_paths_in_a_tuple_go_together():
     data = sp.sweep(CASE, {("body.width", "body.height"): ([0.3, 0.5], [1.2, 2.0]), "motion.scale": [1.0]})
     assert dict(data.sizes) == {"body.width": 2, "motion.scale": 1}
     assert list(data["body.height"].values) == [1.2, 2.0]
-    same(data.isel({"body.width": 1, "motion.scale": 0}), sp.simulate(sp.Body(0.5, 2.0), WALLED, PULSE))
+    same(
+        data.isel({"body.width": 1, "motion.scale": 0}), sp.simulate(sp.Body(0.5, 2.0, 100.0), WALLED, PULSE)
+    )
 
 
 def word_of(about, number):
@@ -142,7 +144,7 @@ def test_every_number_of_a_case_can_change():
 
 
 def test_objects_can_be_values():
-    bodies = [sp.Body(0.3, 1.8), sp.Body.bookcase(0.4, 1.8, 20.0, [30.0, 5.0])]
+    bodies = [sp.Body(0.3, 1.8, 100.0), sp.Body.bookcase(0.4, 1.8, 20.0, [30.0, 5.0])]
     floors = [sp.Floor.of("carpet"), sp.Floor.of("vinyl")]
     walls = [None, sp.Wall(0.05, friction=0.6)]
     data = sp.sweep(CASE, {"body": bodies, "room.floor": floors, "room.right_wall": walls})
@@ -193,7 +195,7 @@ def test_histories_are_those_of_single_runs_and_nan_after_the_end():
         ({("body.width", "body.height"): ([0.3, 0.4], [1.0])}, "must have as many"),
         ({("body.width", "body.height"): ([0.3],)}, "one list for each path"),
         ({("body.width",): ([0.3],), "body.width": [0.4]}, "is on two axes"),
-        ({"body": [sp.Body(1, 1)], "body.width": [0.4]}, "is on two axes"),
+        ({"body": [sp.Body(1, 1, 100.0)], "body.width": [0.4]}, "is on two axes"),
         ({("body.width", "body.width"): ([0.3], [0.4])}, "twice"),
         ({"motion": [3]}, "of type Motion"),
         ({"room.right_wall": ["brick"]}, "of type Wall"),
@@ -247,7 +249,7 @@ def test_ctrl_c_stops_soon():
     """Long before the sweep would have ended, which the program says from what a hundredth of it takes."""
     program = """
 import time, numpy as np, stayput as sp
-case = sp.Case(sp.Body(0.4, 1.6), sp.Room(), sp.near_fault())
+case = sp.Case(sp.Body(0.4, 1.6, 100.0), sp.Room(), sp.near_fault())
 for count in (2, 10_000):
     began = time.perf_counter()
     sp.sweep(case, {"motion.scale": np.linspace(0.5, 1.5, count)}, threads=2)

@@ -16,9 +16,9 @@ from verdict_cases import SCENARIO, made
 
 import stayput as sp
 from stayput.building import STRUCTURES
-from stayput.catalogue import names, runs
+from stayput.catalogue import names, phrase, runs, say
 from stayput.catalogue.report import TEXTS
-from stayput.fragility import INTENSITY_MEASURES, probability
+from stayput.fragility import INTENSITY_MEASURES, Trials, fragility_curve, probability
 from stayput.measures import MEASURES, Belt
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
@@ -304,3 +304,28 @@ def test_curves_are_written_for_loss_tools(tmp_path, key, heading, nrml):
             assert float(row["probability"]) == float(curve.probability(float(row[heading])))
     rows = [row for row in csv.DictReader(files[1].open(encoding="utf-8-sig")) if row["option"] == "none"]
     assert [int(row["overturned"]) for row in rows] == [level.probability.fell for level in curve.levels]
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "felt_glides is in pelicun.csv by its points, and taken to fall for certain above 100 cm/s. "),
+        ("ja", "フェルトパッドはpelicun.csvに曲線上の点で書き出し、100 cm/sを超えると必ず"),
+    ],
+)
+@pytest.mark.parametrize("fitted", [True, False])
+def test_a_curve_that_no_lognormal_fits_is_written_by_its_points(tmp_path, language, said, fitted):
+    measure = INTENSITY_MEASURES["PGV"]
+    fell, levels = [0, 6, 11, 12, 12, 13, 25, 38, 40], np.geomspace(0.1, 1.0, 9)
+    plateau = fragility_curve(Trials.from_counts(measure, levels, fell, [40] * 9), "felt_glides")
+    unfitted = plateau if fitted else replace(plateau, lognormal=None)
+    why = plateau.lognormal.texts if fitted else phrase("fragility.no_lognormal")
+    verdict = verdict_cases.made()
+    glides = next(result for result in verdict.options if result.option.name == "felt_glides")
+    options = [replace(o, curves={measure: unfitted}) if o is glides else o for o in verdict.options]
+    files, noted = write_curves(
+        replace(verdict, options=tuple(options)), measure, tmp_path / "curves", language
+    )
+    assert any(note.startswith(said) and note.endswith(say(why, language)) for note in noted)
+    rows = {row["ID"]: row["LS1-Family"] for row in csv.DictReader(files[3].open(encoding="utf-8"))}
+    assert rows["felt_glides"] == "multilinear_CDF"

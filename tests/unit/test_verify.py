@@ -287,3 +287,26 @@ def test_levels_reach_from_slight_to_the_strongest():
     assert LEVELS[-1] > 6.5
     assert set(EVENTS) == {OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED}
     assert "l_bracket" in MEASURES
+
+
+@pytest.mark.parametrize(
+    ("count", "told"),
+    [
+        (
+            3,
+            (
+                "stays upright without any measure in these runs; up to 72 % is not ruled out.",
+                "転倒しません（今回の計算の範囲では。72%までの可能性は否定できません）。",
+            ),
+        ),
+        (80, ("stays upright without any measure.", "対策なしで転倒しません。")),
+    ],
+)
+def test_a_piece_is_safe_by_the_end_of_the_interval_alone(count, told):
+    low = {"furniture": {"width": 2.0, "height": 0.2, "mass": 80.0}}
+    shaking = {"intensity": 3.0, "suite": {"family": "crustal", "count": count}}
+    verdict = verify(
+        sp.Scenario.parse({**low, "shaking": shaking, "uncertainty": {"samples": count}}), levels=()
+    )
+    for language, end in zip(("en", "ja"), told, strict=True):
+        assert verdict.sentence(language).endswith(end)

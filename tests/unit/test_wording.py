@@ -227,8 +227,8 @@ def test_an_own_name_stands_for_the_whole_set():
 
 def test_counts():
     assert [counted(n, "run") for n in (0, 1, 2, 1000)] == ["0 runs", "1 run", "2 runs", "1,000 runs"]
-    lone = storey_map({("a", 1): Total(1, 1, 0.0004, 0.0, None, None, 0)}, False, "map")
-    assert "% of 1 piece<" in lone
+    lone = storey_map({("a", 1): Total(rows=1, pieces=1, fallen=0.0004, fallen_high=0.2)}, False, "map")
+    assert "% (0 to 20 %) of 1 piece<" in lone
     assert "&lt;0.1" in lone
     assert "of 2 pieces<" in storey_map({("a", 1): Total(1, 2, 1.0, 0.0)}, False, "map")
 

@@ -51,7 +51,7 @@ def fields(kind: Any, **given: Any) -> tuple[Callable[..., Any], dict[str, Any]]
 
 
 GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
-    fields(sp.Body, width=0.4, height=1.8),
+    fields(sp.Body, width=0.4, height=1.8, mass=100.0),
     (sp.Body.from_parts, SIZE | {"parts": [sp.Part(10.0, 0.0, 0.9, 0.4, 1.8)]}),
     (sp.Body.bookcase, SIZE | {"mass": 10.0, "loads": [5.0], "load_width": 0.3}),
     fields(sp.Part, mass=1.0, x=0.0, z=0.5),
@@ -121,14 +121,17 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     (sp.holding_force, {"body": BODY, "coefficient": 1.0, "height": 1.2} | GRAVITY),
     (sp.anchor_tension, {"body": BODY, "coefficient": 1.0, "spacing": 0.3, "anchors": 2} | GRAVITY),
     (sp.asce43_sliding, {"motion": MOTION, "friction": 0.5} | GRAVITY),
-    (estimates.rocking_acceleration, SIZE | GRAVITY),
-    (estimates.ishiyama_velocity, SIZE | GRAVITY),
-    (estimates.ishiyama_overturns, SIZE | PEAKS | GRAVITY),
-    (estimates.kaneko_hayashi, SIZE | PEAKS | GRAVITY | {"scatter": 0.5}),
-    (estimates.kaneko_hayashi_median, SIZE | GRAVITY | {"frequency": 1.0}),
-    (estimates.kaneko_hayashi_velocity, SIZE),
+    (estimates.rocking_acceleration, {"body": BODY} | GRAVITY),
+    (estimates.ishiyama_velocity, {"body": BODY} | GRAVITY),
+    (estimates.ishiyama_overturns, {"body": BODY} | PEAKS | GRAVITY),
+    (estimates.kaneko_hayashi, {"body": BODY} | PEAKS | GRAVITY | {"scatter": 0.5}),
+    (estimates.kaneko_hayashi_median, {"body": BODY} | GRAVITY | {"frequency": 1.0}),
+    (estimates.kaneko_hayashi_velocity, {"body": BODY}),
     (sp.read_scenario, {"path": "none.toml"}),
-    (sp.read_motion, {"path": "none.csv"}),
+    (
+        sp.read_motion,
+        {"path": "none.csv", "columns": "x=1", "skip_lines": 1, "decimal_comma": True, "location": "00"},
+    ),
     (sp.read_suite, {"source": ["none.csv"]}),
     (sp.read_target, {"path": "none.csv"}),
     (sp.write_nrml, {"curves": CURVES, "path": "none.txt"}),

@@ -25,9 +25,9 @@ STICKING = sp.Floor(3.0, 3.0)
 both_laws = pytest.mark.parametrize("law", ["coulomb", "paper"])
 
 
-def block(b: float, h: float, **more: object) -> sp.Body:
-    """Body of half sizes b and h."""
-    return sp.Body(2.0 * b, 2.0 * h, **more)
+def block(b: float, h: float, mass: float = 100.0, **more: object) -> sp.Body:
+    """Body of half sizes b and h; without devices its mass has no effect."""
+    return sp.Body(2.0 * b, 2.0 * h, mass, **more)
 
 
 def room(static: float, kinetic: float | None = None, **more: object) -> sp.Room:

@@ -19,7 +19,7 @@ from stayput.simulation.flat_fields import case_columns
 DT = 0.2  # s, of the record
 STEPS = [DT / n for n in (2, 4, 8, 16)]
 TIME = np.arange(16) * DT
-BODY = sp.Body(0.5, 1.6, cg_offset=(0.03, -0.1))
+BODY = sp.Body(0.5, 1.6, 100.0, cg_offset=(0.03, -0.1))
 IMPACT, SLIP, STICK = (
     list(sp.EventKind).index(sp.EventKind(kind)) for kind in ("floor impact", "slip", "stick")
 )

@@ -33,7 +33,7 @@ def ramp(to, seconds):
 
 def test_preload_adds_to_the_friction_of_the_floor():
     """The floor bears g + P; sliding starts at μ(g + P), and the ceiling adds μ_c P once its shoe slips."""
-    body, mu, P = sp.Body(1.0, 0.5), 0.3, 4.0
+    body, mu, P = sp.Body(1.0, 0.5, 100.0), 0.3, 4.0
     found = held(body, room(mu), ramp(8.0, 80.0), pole((0.0, 0.25), P), tolerance=1e-9)
     starts = next(event.time for event in found.run.events if event.kind == 0)
     assert 0.1 * starts == pytest.approx(mu * (G + P), rel=1e-6)
@@ -90,7 +90,11 @@ def test_the_shoe_of_a_pole_slips_by_friction():
     """On a smooth floor the ceiling's friction alone stops the body: v²/(2 μ P), beside the shoe's spring."""
     P, mu, v, shear = 5.0, 0.3, 0.7, 4000.0
     found = held(
-        sp.Body(4.0, 0.5), room(0.0), still(2.0), pole((0.0, 0.25), P, mu=mu, shear=shear), slide_rate=v
+        sp.Body(4.0, 0.5, 100.0),
+        room(0.0),
+        still(2.0),
+        pole((0.0, 0.25), P, mu=mu, shear=shear),
+        slide_rate=v,
     )
     limit = mu * P
     farthest = (0.5 * v * v - 0.5 * limit**2 / shear) / limit + limit / shear
@@ -102,7 +106,7 @@ def test_a_pole_is_lost_where_its_head_has_walked_by_the_width_of_its_pad():
     """½v² = ½S²/k + S w + ½v₁²: on a smooth floor the body slides on at v₁ from there, S = μ P."""
     P, mu, v, shear, pad = 5.0, 0.3, 0.7, 4000.0, 0.05
     head = pole((0.0, 0.25), P, mu=mu, shear=shear, ultimate=(0.0, pad))
-    found = held(sp.Body(4.0, 0.5), room(0.0), still(0.3, 0.001), head, slide_rate=v)
+    found = held(sp.Body(4.0, 0.5, 100.0), room(0.0), still(0.3, 0.001), head, slide_rate=v)
     limit, device = mu * P, found.devices[0]
     assert device["failure"] == el.DROPPED_OUT
     rate = math.sqrt(v * v - limit**2 / shear - 2.0 * limit * pad)
@@ -112,7 +116,7 @@ def test_a_pole_is_lost_where_its_head_has_walked_by_the_width_of_its_pad():
     stuck = math.asin(limit / shear * math.sqrt(shear) / v) / math.sqrt(shear)
     assert device["failure_time"] == pytest.approx(stuck + (start - rate) / limit, rel=1e-6)
     wider = pole((0.0, 0.25), P, mu=mu, shear=shear, ultimate=(0.0, 1.01 * 0.5 * v * v / limit))
-    again = held(sp.Body(4.0, 0.5), room(0.0), still(1.0), wider, slide_rate=v)
+    again = held(sp.Body(4.0, 0.5, 100.0), room(0.0), still(1.0), wider, slide_rate=v)
     assert again.devices["failure"][0] == el.HOLDS
 
 
@@ -142,7 +146,7 @@ def test_a_pole_that_walks_to_and_fro_is_lost_by_where_it_is():
     t = np.arange(0.0, 4.0, 0.005)
     motion = sp.Motion(0.005, (1.0 + 1.5 * t) * np.sin(2.0 * math.pi * 1.5 * t))
     head = pole((0.0, 0.25), P, mu=mu, shear=shear, ultimate=(0.0, pad))
-    found = held(sp.Body(4.0, 0.5), room(0.0), motion, head)
+    found = held(sp.Body(4.0, 0.5, 100.0), room(0.0), motion, head)
     time, _, path = walked(motion, P, mu, shear, pad)
     assert path > 1.5 * pad
     assert found.devices["failure"][0] == el.DROPPED_OUT
@@ -154,7 +158,7 @@ def test_a_preload_beyond_the_weight_lifts_a_body():
     for pull, flies in ((0.9 * G, False), (1.1 * G, True)):
         lift = planar((0.0, 0.0), CEILING, stiffness=K, slack_minus=np.inf, slack_plus=0.0)
         lift["cos"], lift["slack_minus"][:, 0], lift["slack_plus"][:, 0] = 1.0, -pull / K, np.inf
-        found = held(sp.Body(1.0, 0.5), room(0.4), constant(0.0, 0.5), lift)
+        found = held(sp.Body(1.0, 0.5, 100.0), room(0.4), constant(0.0, 0.5), lift)
         assert (found.run.outcome == 2) is flies
         if flies:
             assert found.run.history[:, 1].max() == pytest.approx(0.25 + 2 * (pull - G) / K, rel=1e-5)

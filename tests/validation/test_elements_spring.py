@@ -10,7 +10,7 @@ from setups import G, room, still
 import stayput as sp
 from devices import CEILING, RIGHT, SLIDE, SLIDE_RATE, axial, held, planar
 
-BODY = sp.Body(1.0, 0.5)
+BODY = sp.Body(1.0, 0.5, 100.0)
 SMOOTH = room(0.0)
 K = 40.0  # N/(kg m)
 
@@ -121,7 +121,7 @@ def test_shear_of_a_ceiling_piece():
     spring = planar(
         (0.0, 0.25), CEILING, stiffness=(0.0, K), slack_plus=(np.inf, 0.0), slack_minus=(np.inf, 0.0)
     )
-    heavy = sp.Body(4.0, 0.5)
+    heavy = sp.Body(4.0, 0.5, 100.0)
     found = held(heavy, SMOOTH, still(2.0), spring, slide=0.05)
     time = 0.01 * np.arange(201)
     assert found.run.history[:, SLIDE] == pytest.approx(oscillator(time, 0.05, 0.0), abs=1e-8)
@@ -130,7 +130,7 @@ def test_shear_of_a_ceiling_piece():
 
 def test_a_hanging_body_swings_as_the_equations_say():
     """Flight on a tie: two bodies' worth of freedom, integrated independently with finite rotation."""
-    body, anchor = sp.Body(0.4, 0.6), (0.3, 2.0)
+    body, anchor = sp.Body(0.4, 0.6, 100.0), (0.3, 2.0)
     tie = axial((0.1, 0.3), anchor, length=1.0, stiffness=300.0, damping=1.0)
     inertia = body.inertia_about_cg / body.mass
 

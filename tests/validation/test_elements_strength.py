@@ -16,7 +16,7 @@ from stayput.mechanics.runner import shaking
 from stayput.simulation.flat_fields import case_columns
 
 SMOOTH = room(0.0)
-BODY = sp.Body(1.0, 0.5)
+BODY = sp.Body(1.0, 0.5, 100.0)
 K = 40.0
 
 
@@ -80,7 +80,7 @@ def pads(body, shear, pull, **fields):
 
 def test_pads_hold_a_static_load_to_their_shear_strength():
     """A low body under a slowly growing load: floor friction and both pads together, then all is lost."""
-    body, mu, shear = sp.Body(1.0, 0.4), 0.2, 0.6
+    body, mu, shear = sp.Body(1.0, 0.4, 100.0), 0.2, 0.6
     gentle = sp.Motion(0.01, np.linspace(0.0, 6.0, 6001))
 
     def failure(scale):
@@ -144,7 +144,7 @@ def test_an_isolator_stops_at_the_end_of_its_stroke(gap):
         slack_plus=(np.inf, gap),
         slack_minus=(np.inf, gap),
     )
-    found = held(sp.Body(4.0, 0.5), room(mu), still(1.0, 0.001), stop, slide_rate=v)
+    found = held(sp.Body(4.0, 0.5, 100.0), room(mu), still(1.0, 0.001), stop, slide_rate=v)
     rate = math.sqrt(v * v - 2 * mu * G * gap)
     deepest = (-mu * G + math.hypot(mu * G, rate * math.sqrt(k))) / k
     assert found.run.peak_slide == pytest.approx(gap + deepest, rel=1e-6)

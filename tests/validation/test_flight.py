@@ -37,7 +37,7 @@ def risen(motion: sp.Motion, time: float, start: float) -> tuple[float, float]:
 MOTION = shaken_up([0.0, -20.0, -20.0, 0.0], 0.05, 60)
 
 
-@pytest.mark.parametrize("body", [block(0.2, 0.8), sp.Body(0.5, 0.5, cg_offset=(0.1, 0.1))])
+@pytest.mark.parametrize("body", [block(0.2, 0.8), sp.Body(0.5, 0.5, 100.0, cg_offset=(0.1, 0.1))])
 def test_a_floor_that_drops_leaves_the_body_behind(body):
     run = simulate(body, room(0.4), MOTION)
     leaves = first(run, sp.EventKind.LIFT_OFF)

@@ -14,10 +14,10 @@ from setups import STICKING, G, block, both_laws, impacts, simulate
 import stayput as sp
 
 BODIES = {
-    "uniform": sp.Body(0.4, 1.6),
-    "eccentric": sp.Body(0.4, 1.6, cg_offset=(0.04, 0.1)),
-    "heavy base": sp.Body(0.5, 1.8, cg_offset=(-0.08, -0.4), inertia=30.0),
-    "front wedge": sp.Body(0.4, 1.6, cg_offset=(0.02, 0.0), base_heights=(0.0, -0.005)),
+    "uniform": sp.Body(0.4, 1.6, 100.0),
+    "eccentric": sp.Body(0.4, 1.6, 100.0, cg_offset=(0.04, 0.1)),
+    "heavy base": sp.Body(0.5, 1.8, 100.0, cg_offset=(-0.08, -0.4), inertia=30.0),
+    "front wedge": sp.Body(0.4, 1.6, 100.0, cg_offset=(0.02, 0.0), base_heights=(0.0, -0.005)),
 }
 
 

@@ -97,7 +97,7 @@ def test_a_long_pulse_overturns_at_the_level_branch_without_its_last_factor():
     body = body_of("cupboard")
     push = sp.Motion(dt=0.01, x=np.concatenate((np.ones(1500), np.zeros(500))))
     shakings = Shakings("push", np.nan, (push, push.flipped()))
-    formula = kaneko_hayashi_median(body.width, body.height, float(shakings.frequencies[0]))
+    formula = kaneko_hayashi_median(body, float(shakings.frequencies[0]))
     uplift = 9.80665 * body.width / body.height / formula
     found = overturning(body, STATED.room, shakings, uplift * np.array([0.9, 0.99, 1.01, 1.1]))
     assert found.shares.tolist() == [0.0, 0.0, 1.0, 1.0]

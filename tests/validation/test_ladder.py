@@ -17,7 +17,7 @@ from setups import G, constant, events, first, simulate, still, turned
 
 import stayput as sp
 
-BODIES = {"plank": sp.Body(0.05, 2.0), "bookcase": sp.Body(0.3, 1.8, cg_offset=(0.02, -0.2))}
+BODIES = {"plank": sp.Body(0.05, 2.0, 100.0), "bookcase": sp.Body(0.3, 1.8, 100.0, cg_offset=(0.02, -0.2))}
 
 
 def gap_for(body: sp.Body, tilt: float) -> float:
@@ -102,7 +102,7 @@ def test_a_sliding_ladder(name, floor, wall):
 
 
 def test_a_frictionless_ladder_leaves_the_wall_at_two_thirds_of_its_height():
-    body, tilt = sp.Body(0.001, 3.0), 0.4
+    body, tilt = sp.Body(0.001, 3.0, 100.0), 0.4
     run = simulate(body, leaning_room(body, tilt, 0.0, 0.0, 0.0), still(2.0), tilt=tilt)
     release = first(run, sp.EventKind.WALL_RELEASE)
     assert math.cos(release.tilt) / math.cos(tilt) == pytest.approx(2 / 3, abs=1e-3)

@@ -37,7 +37,7 @@ def test_half_sine_overturns(law, ratio, reference):
 
 
 def after_the_sine(part: float, law: str) -> sp.Run:
-    return simulate(sp.Body(0.4, 1.8), ON_STICKING, one_sine(part, 0.5, 10.0), law)
+    return simulate(sp.Body(0.4, 1.8, 100.0), ON_STICKING, one_sine(part, 0.5, 10.0), law)
 
 
 @both_laws

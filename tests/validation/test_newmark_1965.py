@@ -10,7 +10,7 @@ from setups import G, both_laws, constant, first, room, simulate
 
 import stayput as sp
 
-WIDE = sp.Body(1.0, 0.5)  # does not rock below 2 g
+WIDE = sp.Body(1.0, 0.5, 100.0)  # does not rock below 2 g
 
 
 @both_laws

@@ -23,7 +23,7 @@ NEAR = 1e-9
 def test_collision_with_the_floor(law, e, ratio):
     """Eq. 3.14: θ̇' = (J_G + mr² cos 2α)/(J_G + mr²)·e·θ̇."""
     b = 0.3
-    body = sp.Body(b, b / ratio)
+    body = sp.Body(b, b / ratio, 100.0)
     place = sp.Room(sp.Floor(3.0, 3.0, restitution=e))
     run = simulate(body, place, still(0.02), law, tilt=1e-7, tilt_rate=-1.0)
     r, alpha = 0.5 * math.hypot(b, b / ratio), math.atan(ratio)
@@ -70,7 +70,7 @@ def test_collision_of_the_base_with_a_wall(e_w):
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_sliding_starts_beyond_mu_g(side):
     place = sp.Room(sp.Floor(0.2, 0.1, 0.4, 0.3))
-    body = sp.Body(0.339, 1.0)
+    body = sp.Body(0.339, 1.0, 100.0)
     holds = simulate(body, place, constant(side * 0.2 * G * (1 - NEAR), 1.0), "paper")
     assert holds.outcome is sp.Outcome.RESTED
     slides = simulate(body, place, constant(side * 0.2 * G * (1 + NEAR), 1.0), "paper")
@@ -83,7 +83,7 @@ def test_rocking_starts_beyond_b_over_h_g_while_it_slides(side):
     """With Table 4.2's coefficients it slides first, and then rocks under the rotational ones."""
     place = sp.Room(sp.Floor(0.2, 0.1, 0.4, 0.3))
     ramp = sp.Motion(0.5, [0.0, side * 0.5 * G])
-    run = simulate(sp.Body(0.339, 1.0), place, ramp, "paper")
+    run = simulate(sp.Body(0.339, 1.0, 100.0), place, ramp, "paper")
     assert [e.kind for e in run.events[:2]] == [sp.EventKind.SLIP, sp.EventKind.UPLIFT]
     assert [e.time for e in run.events[:2]] == pytest.approx([0.2, 0.339], abs=1e-12)
     assert run.events[1].mode in (sp.Mode.ROCK, sp.Mode.SLIDE_ROCK)
@@ -94,7 +94,7 @@ def test_rocking_starts_beyond_b_over_h_g_while_it_slides(side):
 def test_eqs_3_12_and_3_13(law):
     """Rocking: J θ̈ = −mgr sin(α−θ) ∓ mẍ_G r cos(α−θ), as the rate grows from the first instants."""
     b, h, dt = 0.4, 1.4, 1e-4
-    body = sp.Body(b, h)
+    body = sp.Body(b, h, 100.0)
     r, alpha = 0.5 * math.hypot(b, h), math.atan(b / h)
     J = body.inertia_about_cg + body.mass * r**2
     for side in (1.0, -1.0):
@@ -120,7 +120,7 @@ def turned_over(b: float, motion: sp.Motion, gap: float | None) -> bool:
     floor = sp.Floor(0.2, 0.1, 0.4, 0.3, restitution=0.6)
     wall = None if gap is None else sp.Wall(gap, restitution=0.6)
     return sp.simulate(
-        sp.Body(b, b / 0.339), sp.Room(floor, left_wall=wall), motion, contact="paper", gravity=G
+        sp.Body(b, b / 0.339, 100.0), sp.Room(floor, left_wall=wall), motion, contact="paper", gravity=G
     ).overturned
 
 

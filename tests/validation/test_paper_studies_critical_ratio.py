@@ -119,7 +119,7 @@ def test_the_edge_is_the_first_amplitude_that_turns_it_over():
     """`mechanics` no. 5: one full sine, 0.4 × 1.8 m: over from 0.45479 g, safe from 1.29455 to 1.36757 g."""
     g = 9.81
     case = sp.Case(
-        sp.Body(0.4, 1.8), sp.Room(sp.Floor(3.0, 3.0)), sp.sine(g, 2.0, 0.5, quiet=10.0), gravity=g
+        sp.Body(0.4, 1.8, 100.0), sp.Room(sp.Floor(3.0, 3.0)), sp.sine(g, 2.0, 0.5, quiet=10.0), gravity=g
     )
     scales = np.linspace(0.2, 1.5, 66)
     edges = first_overturning(case, {"body.mass": [100.0]}, scales[None, :])
@@ -134,7 +134,7 @@ def test_the_edge_is_the_first_amplitude_that_turns_it_over():
 def test_single_runs_flip_at_the_edge(table, number):
     """It may flip back just above: edges of rocking can be ragged at every scale."""
     row = rows_of(table, part="main").iloc[number]
-    body = sp.Body(row["ratio"] * 1.4, 1.4)
+    body = sp.Body(row["ratio"] * 1.4, 1.4, 100.0)
     room = sp.Room(sp.Floor(3.0, 3.0, restitution=0.3))
     wave = sp.sine(1.0, row["frequency"], 10.0, np.pi / 2, dt=0.01 / row["frequency"])
 

@@ -20,7 +20,7 @@ from stayput.studies.friction_runs import (
     unit_sine,
 )
 
-G = sp.Case(sp.Body(0.5, 1.0), sp.Room(), sp.sine(1.0, 1.0, 1.0)).gravity
+G = sp.Case(sp.Body(0.5, 1.0, 100.0), sp.Room(), sp.sine(1.0, 1.0, 1.0)).gravity
 COSINE = (90.0,)
 
 

@@ -19,7 +19,7 @@ from stayput.simulation.flat_fields import case_columns
 from stayput.studies.contents import contents
 
 PIECE = sp.Body(0.45, 1.8, 100.0)
-SQUAT = sp.Body(1.0, 0.02)
+SQUAT = sp.Body(1.0, 0.02, 100.0)
 """A body that slides and does not tip."""
 
 
@@ -38,24 +38,26 @@ def on_a_shelf(moved: Carrier, height: float, right: float = 0.0, slope: float =
 
 def fixed(motion: sp.Motion, slope: float = 0.0) -> sp.Motion:
     """Return the motion of a shelf that moves with the floor."""
-    return on_a_shelf(carrier(sp.Body(3.0, 1.0), sp.Room(STICKING), motion), 0.7, slope=slope)
+    return on_a_shelf(carrier(sp.Body(3.0, 1.0, 100.0), sp.Room(STICKING), motion), 0.7, slope=slope)
 
 
 def test_a_rectangular_pulse_on_a_fixed_shelf():
     """Newmark's block: A(A−μ)g t²/(2μ)."""
     pulse = sp.pulse("rectangular", 0.6 * G, 0.3, dt=1e-4, quiet=0.5)
-    run = simulate(sp.Body(1.0, 0.5), sp.Room(sp.Floor(0.3, 0.3)), fixed(pulse))
+    run = simulate(sp.Body(1.0, 0.5, 100.0), sp.Room(sp.Floor(0.3, 0.3)), fixed(pulse))
     assert run.peak_slide == pytest.approx(0.264870, abs=1e-6)
 
 
 def test_a_harmonic_on_a_fixed_shelf():
     """Westermo and Udwadia's block: (2Ag/ω²)√(1−(πμ/2A)²) from peak to peak."""
     shaking = fixed(sp.sine(0.5 * G, 1.0, 30.0, phase=math.pi / 2, dt=1e-3))
-    run = simulate(sp.Body(1.0, 0.5), sp.Room(sp.Floor(0.2, 0.2)), shaking)
+    run = simulate(sp.Body(1.0, 0.5, 100.0), sp.Room(sp.Floor(0.2, 0.2)), shaking)
     assert np.ptp(run.slide[-1000:]) == pytest.approx(0.193314, rel=1e-3)
 
 
-@pytest.mark.parametrize("body", [sp.Body(0.08, 0.28), sp.Body(0.2, 0.1), sp.Body(0.15, 0.21)])
+@pytest.mark.parametrize(
+    "body", [sp.Body(0.08, 0.28, 100.0), sp.Body(0.2, 0.1, 100.0), sp.Body(0.15, 0.21, 100.0)]
+)
 def test_a_block_on_a_fixed_shelf_is_one_on_the_floor_to_the_bit(body):
     motion = sp.near_fault().resampled(0.0025)
     room = sp.Room(sp.Floor(0.3, 0.25), left_wall=sp.Wall(0.05, 0.2))
@@ -163,7 +165,7 @@ def test_a_slider_on_a_rocking_shelf(height, right, mu, tilt, along, frequency, 
     assert not moved.overturned
     assert np.abs(moved.tilt[::4][: len(tilts)] - tilts).max() < 2e-3
     shelf = on_a_shelf(moved, height, right)
-    run = simulate(sp.Body(0.2, 0.002), sp.Room(sp.Floor(mu, mu)), shelf)
+    run = simulate(sp.Body(0.2, 0.002, 100.0), sp.Room(sp.Floor(mu, mu)), shelf)
     far = np.abs(slides) > WAY
     end = int(far.argmax()) if far.any() else len(slides)
     ours = run.slide[::4][:end]
@@ -177,7 +179,7 @@ FIXED = replace(CASE, measures=(sp.MEASURES["l_bracket"](),))
 
 def test_pallet_loads_stay_on_a_shelf_inclined_by_three_and_a_half_degrees():
     """Sideris and Filiatrault (2010): friction 0.37 to 0.45; tan 3.5° = 0.061, and nothing is shed."""
-    rack = sp.Case(sp.Body(3.0, 1.0), sp.Room(STICKING), constant(0.0, 5.0))
+    rack = sp.Case(sp.Body(3.0, 1.0, 100.0), sp.Room(STICKING), constant(0.0, 5.0))
     loads = sp.Contents("pallet loads", shelves=1, height=0.5, slope=-math.radians(3.5))
     assert sp.spill(rack, loads).share_out == 0.0
     shaken = replace(rack, motion=sp.sine(0.25 * 9.80665, 2.0, 10.0))

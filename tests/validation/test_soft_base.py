@@ -68,7 +68,7 @@ def test_landings_have_the_ratio_of_angular_momentum_about_their_place(
     alpha = math.atan2(a, z)
     floor = sp.Floor(STICKING, STICKING, landing_place=place)
     still = sp.Motion(dt=0.0005, x=np.zeros(6000))
-    run = sp.simulate(sp.Body(2 * a, 2 * z), sp.Room(floor), still, initial=sp.State(tilt=0.5 * alpha))
+    run = sp.simulate(sp.Body(2 * a, 2 * z, 100.0), sp.Room(floor), still, initial=sp.State(tilt=0.5 * alpha))
     raised = np.cos(alpha - np.concatenate(([0.5 * alpha], peaks(run)))) - math.cos(alpha)
     K = (a * a + z * z) / 3.0 + z * z
     ratio = (K - place * a * a) / (K + place * a * a)
@@ -83,7 +83,7 @@ def test_landings_inside_the_base_never_create_energy() -> None:
     still = sp.Motion(dt=0.002, x=np.zeros(2000))
     for _ in range(60):
         b, h = rng.uniform(0.2, 1.2), rng.uniform(0.4, 2.0)
-        body = sp.Body(b, h, cg_offset=(rng.uniform(-0.3, 0.3) * b, rng.uniform(-0.2, 0.2) * h))
+        body = sp.Body(b, h, 100.0, cg_offset=(rng.uniform(-0.3, 0.3) * b, rng.uniform(-0.2, 0.2) * h))
         mu = rng.choice([0.05, 0.2, 0.5, 2.0])
         floor = sp.Floor(mu, mu, landing_place=rng.uniform(0.0, 0.6))
         alpha = min(body.slenderness)
@@ -172,7 +172,7 @@ def test_a_soft_body_overturns_as_early_as_its_rigid_base(
     The damping is 0.3 of the critical one; the landing places are those of free rocking on the springs.
     """
     inertia = (a * a + z * z) / 3.0
-    body = sp.Body(2.0 * a, 2.0 * z)
+    body = sp.Body(2.0 * a, 2.0 * z, 100.0)
     by_law, by_ideal = [], []
     for motion in (*sp.synthetic_suite("crustal", 3, 3), *sp.synthetic_suite("near-fault", 3, 4)):
         shaking = motion.component("x").padded(0.0, 3.0)
@@ -229,4 +229,4 @@ def test_a_piece_on_feet_meets_the_wall_with_its_side() -> None:
 )
 def test_insets_that_carry_nothing_are_refused(insets: tuple[float, ...], part: str) -> None:
     with pytest.raises(sp.InputError, match=part):
-        sp.Body(0.5, 1.0, cg_offset=(0.1, 0.0), base_insets=insets)  # type: ignore[arg-type]
+        sp.Body(0.5, 1.0, 100.0, cg_offset=(0.1, 0.0), base_insets=insets)  # type: ignore[arg-type]

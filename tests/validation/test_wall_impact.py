@@ -81,7 +81,7 @@ def velocities_after(
 @pytest.mark.parametrize("tilt", [0.5, 0.62, 0.8])
 def test_a_falling_body_turns_back_on_a_sticking_fulcrum(e_w, tilt):
     """Beyond α the floor can hold the foot: θ̇' = −e_w θ̇, by the moment of momentum about it."""
-    landing = hit(sp.Body(0.1, 2.0), tilt, 1.0, STICKING, sp.Wall(0.0, e_w, 0.0))
+    landing = hit(sp.Body(0.1, 2.0, 100.0), tilt, 1.0, STICKING, sp.Wall(0.0, e_w, 0.0))
     rate = math.sqrt(1.0 + 2 * BEFORE * 9.81)  # near enough; gravity hardly acts over 1e-7 rad
     assert landing.tilt_rate == pytest.approx(-e_w * rate, abs=2e-6)
     assert landing.slide_rate == pytest.approx(0.0, abs=1e-9)
@@ -91,7 +91,7 @@ def test_a_falling_body_turns_back_on_a_sticking_fulcrum(e_w, tilt):
 @pytest.mark.parametrize("tilt", [0.05, 0.15])
 def test_a_body_below_alpha_is_thrown_off_the_floor(e_w, tilt):
     """The floor cannot pull: one impulse, at the top corner, by Newton's restitution."""
-    body = sp.Body(0.5, 1.6)
+    body = sp.Body(0.5, 1.6, 100.0)
     assert tilt < body.slenderness[1]
     (_, bz), (_, dz) = turned(body.corners[1], tilt), turned(body.corners[3], tilt)
     inertia = body.inertia_about_cg / body.mass
@@ -107,7 +107,8 @@ def test_a_body_below_alpha_is_thrown_off_the_floor(e_w, tilt):
 @pytest.mark.parametrize("floor", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("tilt", [0.1, 0.35, 0.6, 1.0])
 @pytest.mark.parametrize(
-    "body", [sp.Body(0.1, 2.0), sp.Body(0.4, 1.6), sp.Body(0.5, 1.0, cg_offset=(0.1, -0.2))]
+    "body",
+    [sp.Body(0.1, 2.0, 100.0), sp.Body(0.4, 1.6, 100.0), sp.Body(0.5, 1.0, 100.0, cg_offset=(0.1, -0.2))],
 )
 def test_impulses_at_floor_and_wall(body, tilt, floor, wall):
     rate = 2.0
@@ -140,7 +141,7 @@ def test_impulses_at_floor_and_wall(body, tilt, floor, wall):
 def test_a_sliding_base_comes_back(e_w):
     """A low body that slides flat into the wall: v' = −e_w v, and no turning."""
     place = sp.Room(sp.Floor(0.3, 0.3), right_wall=sp.Wall(0.05, e_w, 0.3))
-    run = simulate(sp.Body(1.6, 0.4), place, still(1.0), slide_rate=1.0)
+    run = simulate(sp.Body(1.6, 0.4, 100.0), place, still(1.0), slide_rate=1.0)
     landing = first(run, sp.EventKind.WALL_IMPACT)
     assert landing.slide == pytest.approx(0.05, abs=1e-10)
     speed = math.sqrt(1.0 - 2 * 0.3 * 9.81 * 0.05)

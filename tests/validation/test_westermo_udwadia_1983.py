@@ -12,7 +12,7 @@ from setups import G, both_laws, room, simulate
 
 import stayput as sp
 
-WIDE = sp.Body(1.0, 0.5)
+WIDE = sp.Body(1.0, 0.5, 100.0)
 
 
 @both_laws

@@ -23,7 +23,7 @@ FACTOR = E / (1.0 - 1.5 * math.sin(ALPHA) ** 2)
 
 def their_block() -> sp.Body:
     R = 3.0 * G / (4.0 * P**2)
-    return sp.Body(2.0 * R * math.sin(ALPHA), 2.0 * R * math.cos(ALPHA))
+    return sp.Body(2.0 * R * math.sin(ALPHA), 2.0 * R * math.cos(ALPHA), 100.0)
 
 
 @pytest.mark.parametrize("law", ["coulomb", "paper"])
@@ -73,7 +73,7 @@ def test_the_study_shows_the_bands():
 def test_island_of_one_sine_of_half_a_second():
     motion = sp.sine(G, 2.0, 0.5, dt=1e-3, quiet=10.0)
     found = trace_boundary(
-        sp.Case(sp.Body(0.4, 1.8), sp.Room(STICKING), motion, gravity=G), np.arange(0.2, 2.0, 0.05)
+        sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(STICKING), motion, gravity=G), np.arange(0.2, 2.0, 0.05)
     )
     assert found["amplitude"].values == pytest.approx([0.45479, 1.29455, 1.36757], rel=5e-4)
 

@@ -10,12 +10,9 @@ from starlette.responses import Response
 
 import stayput
 from stayput.app.action_plan_api import add_action_plan
-from stayput.app.differences import with_differences
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
-from stayput.app.figure_routes import add_figures
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
-from stayput.app.python_code import scene_python
 from stayput.app.replies import (
     MotionReply,
     PingReply,
@@ -28,20 +25,17 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
     EverydayRequest,
     Name,
     ReadRequest,
-    RunsRequest,
     ShakingRequest,
     SimulateRequest,
-    SizeMapRequest,
     TomlRequest,
     VerifyRequest,
 )
 from stayput.app.room_api import add_rooms
-from stayput.app.run_replies import SimulateReply, SizeMapReply
+from stayput.app.run_replies import SimulateReply
 from stayput.app.running import simulated
 from stayput.app.scenes import several_pieces
 from stayput.app.service import Service, json_response, problems
 from stayput.app.shaking import shaking_reply
-from stayput.app.size_map import size_map
 from stayput.app.space_replies import SpaceSimulateReply
 from stayput.app.space_running import simulated_in_space, simulated_pieces
 from stayput.app.uploads import read_upload
@@ -56,7 +50,6 @@ from stayput.verification import Verdict, verify
 from stayput.verification.compare import curve_levels
 
 if TYPE_CHECKING:
-    import threading
     from collections.abc import Callable
 
     from stayput.scenario import Scenario
@@ -77,6 +70,10 @@ UPLOAD_FORM: dict[str, Any] = {
                         "unit": {"type": "string", "maxLength": 20, "description": "Where it states none."},
                         "dt": {"type": "number", "description": "Time step [s], where it states none."},
                         "component": {"type": "string", "maxLength": 60, "description": "Channel of x."},
+                        "remove_mean": {
+                            "type": "boolean",
+                            "description": "Whether the mean of each component is taken off.",
+                        },
                     },
                 }
             }
@@ -99,7 +96,6 @@ def api(service: Service) -> APIRouter:
     add_rooms(router, service)
     add_action_plan(router, service)
     _add_motions(router, service)
-    add_figures(router, service)
     return router
 
 
@@ -132,22 +128,6 @@ def _add_general(router: APIRouter, service: Service) -> None:
         return await service.workers.run(work)
 
     @router.post(
-        "/scenario/python",
-        response_class=Response,
-        tags=["general"],
-        responses={200: {"content": {"text/x-python": {}}}, **problems(400, 413, 422, 503)},
-    )
-    async def python(body: SimulateRequest) -> Response:
-        """Return a scene, of one piece or several, as a program that gives the same numbers to the bit."""
-
-        def work() -> Response:
-            scenario = service.stated(body.scene, body.measures)
-            text = scene_python(scenario, scene_toml(scenario, service.motions), stayput.__version__)
-            return attachment(text, "scenario.py", "text/x-python; charset=utf-8")
-
-        return await service.workers.run(work)
-
-    @router.post(
         "/scenario/read", response_model=SceneReply, tags=["general"], responses=problems(400, 413, 422, 503)
     )
     async def read(body: ReadRequest) -> Response:
@@ -168,7 +148,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post(
         "/simulate", response_model=SimulateReply | SpaceSimulateReply, tags=["runs"], responses=refusals
     )
-    async def simulate(body: RunsRequest) -> Response:
+    async def simulate(body: SimulateRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work() -> Response:
@@ -179,7 +159,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
                 run = simulated if scenario.dimensions == 2 else simulated_in_space
                 reply = run(scenario)
             reply.motion.name = service.motions.named(reply.motion.name)
-            return json_response(reply, change=with_differences if body.histories == "differences" else None)
+            return json_response(reply)
 
         workers = service.slow if several_pieces(body.scene) else service.workers
         return await workers.run(work)
@@ -244,17 +224,6 @@ def _add_runs(router: APIRouter, service: Service) -> None:
             return json_response(shaking_reply(service.shaken(body.scene, [])))
 
         return await service.workers.run(work)
-
-    @router.post("/size-map", response_model=SizeMapReply, tags=["runs"], responses=refusals)
-    async def map_of_sizes(body: SizeMapRequest, request: Request) -> Response:
-        """Return which pieces of this kind overturn in which shaking; it stops when the client has left."""
-
-        def work(client_left: threading.Event) -> Response:
-            scenario = service.scene(body.scene, body.measures)
-            threads = service.limits.threads
-            return json_response(size_map(scenario, body.axis, threads, lambda: not client_left.is_set()))
-
-        return await service.while_awaited(service.slow, request, work)
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:

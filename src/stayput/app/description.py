@@ -1,14 +1,11 @@
-"""The description of the API (OpenAPI 3.1), with the schemas of scenes and measures, and as a plain page."""
+"""The description of the API (OpenAPI 3.1), with the schemas of scenes and measures."""
 
 from __future__ import annotations
 
 from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
-from jinja2 import Environment, PackageLoader
 from pydantic import TypeAdapter
-from starlette.responses import HTMLResponse, Response
-from starlette.routing import Route
 
 from stayput.app.requests import STANDS_FOR
 from stayput.scenario import AssemblyScenario, Scenario
@@ -19,7 +16,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from fastapi import FastAPI
-    from starlette.requests import Request
 
 REFERENCE = "#/components/schemas/{model}"
 """Where a schema stands."""
@@ -65,47 +61,3 @@ def _placed(node: Any) -> Any:
     if STANDS_FOR in table:
         return {"$ref": REFERENCE.format(model=table[STANDS_FOR])}
     return {key: _placed(value) for key, value in table.items()}
-
-
-def docs_route(app: FastAPI) -> Route:
-    """Return the route of the page that describes the API, with nothing loaded from elsewhere."""
-    loader = PackageLoader("stayput.app", "templates")
-    template = Environment(loader=loader, autoescape=True).get_template("api.html")
-
-    async def serve(_request: Request) -> Response:
-        return HTMLResponse(template.render(api=app.openapi(), name=_name, kind=kind_of))
-
-    return Route("/api/docs", serve)
-
-
-def _name(reference: str) -> str:
-    return reference.rsplit("/", 1)[-1]
-
-
-def kind_of(node: dict[str, Any]) -> list[tuple[str, str | None]]:
-    """Return a schema's kind in words, as pieces of text with the name of the schema each links to."""
-    if "$ref" in node:
-        name = _name(node["$ref"])
-        return [(name, name)]
-    for key in ("anyOf", "oneOf"):
-        if key in node:
-            parts = [part for inner in node[key] for part in [(" or ", None), *kind_of(inner)]]
-            return parts[1:]
-    if "const" in node:
-        return [(repr(node["const"]), None)]
-    if "enum" in node:
-        return [("one of " + ", ".join(map(repr, node["enum"])), None)]
-    if node.get("type") == "array":
-        if "prefixItems" in node:
-            parts = [part for inner in node["prefixItems"] for part in [(", ", None), *kind_of(inner)]][1:]
-            return [("[", None), *parts, ("]", None)]
-        return [("list of ", None), *kind_of(node.get("items", {}))]
-    return [(_bounds(node), None)]
-
-
-def _bounds(node: dict[str, Any]) -> str:
-    words = str(node.get("type", "anything"))
-    low, high = node.get("minimum"), node.get("maximum")
-    if low is not None and high is not None:
-        words += f" from {low:g} to {high:g}"
-    return f"{words} {node['unit']}" if node.get("unit") else words

@@ -13,7 +13,6 @@ import time
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
-from stayput.app.memory import give_freed_back
 from stayput.app.refusals import RefusedError, refused, unprinted
 from stayput.app.turns import CLIENT, NOBODY, Client, Turns
 from stayput.errors import InputError
@@ -246,8 +245,6 @@ class Jobs:
             self._end(job, "failed", error=InputError("app.verification_failed"))
         else:
             self._end(job, "done", verdict=verdict)
-        finally:
-            give_freed_back()
 
     def _let_others(self, job: Job) -> None:
         """Wait where others wait and the job has had its slice.

@@ -21,16 +21,8 @@ class Limits:
         Largest body of an upload, the form around the file included [bytes].
     seconds : float
         Longest time in which a body must have come [s].
-    header_seconds : float
-        Longest time for the headers of a request, and for a body to begin [s].
-    slowest : float
-        A body must come at least so fast from then on [bytes/s].
-    connections, connections_per_client : int
-        Most connections, and most of one client.
-    requests_per_client : int
-        Most requests of one client that are answered at a time.
-    uploads, uploads_per_client : int
-        Most uploads that are on their way, and most of one client.
+    connections : int
+        Most connections and requests at a time.
     duration : float
         Longest motion [s].
     samples_of_motion : int
@@ -84,13 +76,7 @@ class Limits:
     body: int = 256 * 1024
     upload: int = 16 * MEBIBYTE
     seconds: float = 60.0
-    header_seconds: float = 10.0
-    slowest: float = 4096.0
     connections: int = 256
-    connections_per_client: int = 128
-    requests_per_client: int = 64
-    uploads: int = 8
-    uploads_per_client: int = 4
     duration: float = 600.0
     samples_of_motion: int = 200_000
     film: float = 120.0

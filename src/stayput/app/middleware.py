@@ -1,21 +1,17 @@
-"""Middleware: host, origin, size and client of every request; headers and compression of every answer."""
+"""Middleware: host, origin and size of every request; headers of every answer."""
 
 from __future__ import annotations
 
 import asyncio
-import gzip
 import ipaddress
 import logging
 import re
 import socket
-from collections import Counter
 from typing import TYPE_CHECKING
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import ClientDisconnect
 
-from stayput.app.bodies import RequestBody, Uploads, drain
-from stayput.app.connections import client_of
 from stayput.app.refusals import RefusedError, error_response, refused
 from stayput.app.turns import CLIENT, CLIENT_HEADER, LONGEST_CLIENT, Client
 from stayput.errors import InputError
@@ -62,7 +58,7 @@ class Guard:
     app : ASGIApp
         What comes next.
     limits : Limits
-        Sizes and times of bodies.
+        Sizes of bodies.
     host : str
         The address that the server is bound to.
     """
@@ -71,8 +67,6 @@ class Guard:
         self._app = app
         self._limits = limits
         self._names = {"localhost", host.lower(), socket.gethostname().lower()}
-        self._uploads = Uploads(limits)
-        self._at_work: Counter[str] = Counter()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, or refuse it."""
@@ -103,24 +97,33 @@ class Guard:
             return
         is_upload = scope["path"].rstrip("/") == UPLOADS and scope["method"] == "POST"
         most = self._limits.upload if is_upload else self._limits.body
+        address = scope["client"][0] if scope["client"] else ""
+        CLIENT.set(Client(address, headers.get(CLIENT_HEADER, "")[:LONGEST_CLIENT]))
         too_large = refused(413, "app.body_too_large", most=most)
         stated = headers.get("content-length", "")
-        if stated.isdigit() and int(stated[:20]) > most:
-            await drain(receive)
+        if stated.isdigit() and int(stated[:20]) > 4 * most:
             await too_large.response()(scope, receive, answer)
             return
-        client = client_of(scope["client"] and scope["client"][0])
-        body = RequestBody(receive, self._limits, most, too_large)
-        if self._at_work[client] >= self._limits.requests_per_client:
-            busy = refused(503, "app.many_requests", retry_after=2)
-            await busy.response()(scope, receive, answer)
-            return
-        self._at_work[client] += 1
-        CLIENT.set(Client(client, headers.get(CLIENT_HEADER, "")[:LONGEST_CLIENT]))
+        seen, complete, deadline = 0, False, asyncio.get_running_loop().time() + self._limits.seconds
+
+        async def counted() -> Message:
+            nonlocal seen, complete
+            try:
+                async with asyncio.timeout_at(None if complete else deadline):
+                    message = await receive()
+            except TimeoutError:
+                raise refused(408, "app.body_too_slow") from None
+            complete = not message.get("more_body", False)
+            seen += len(message.get("body", b""))
+            if seen > most:
+                while message.get("more_body") and seen < 4 * most:  # so that the client sees the answer
+                    message = await receive()
+                    seen += len(message.get("body", b""))
+                raise too_large
+            return message
+
         try:
-            if is_upload:
-                self._uploads.add(body, client)
-            await self._app(scope, body.receive, answer)
+            await self._app(scope, counted, answer)
         except RefusedError as refusal:
             await refusal.response()(scope, receive, answer)
         except ClientDisconnect:
@@ -130,11 +133,6 @@ class Guard:
                 raise
             _log.exception("%s %s failed", scope["method"], scope["path"])
             await error_response(500, InputError("app.failed"))(scope, receive, answer)
-        finally:
-            self._uploads.remove(body)
-            self._at_work[client] -= 1
-            if not self._at_work[client]:
-                del self._at_work[client]
 
     def _is_ours(self, host: str | None) -> bool:
         """Return whether a Host header can only mean this server: a known name, or an address as such.
@@ -158,65 +156,3 @@ def _host_of(origin: str) -> str | None:
     """Return the host and port of an Origin header, or None where it has none or is no origin."""
     match = _ORIGIN.fullmatch(origin)
     return match["host"].lower() if match else None
-
-
-SHORTEST_COMPRESSED = 1000
-"""Shorter bodies are sent as they are [bytes]."""
-
-GZIP_LEVEL = 4
-"""Level of gzip: three times faster than 6, and answers are 2 % larger."""
-
-COMPRESSED_KINDS = ("text/", "application/json", "application/toml", "image/svg+xml")
-"""Kinds of content that are worth it."""
-
-
-class Compression:
-    """Middleware that compresses responses in one part; those in several parts pass unchanged."""
-
-    def __init__(self, app: ASGIApp) -> None:
-        self._app = app
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, and compress its answer."""
-        if scope["type"] != "http" or not takes_gzip(Headers(scope=scope)):
-            await self._app(scope, receive, send)
-            return
-        start: Message | None = None
-
-        async def answer(message: Message) -> None:
-            nonlocal start
-            if message["type"] == "http.response.start":
-                start = message
-                return
-            if start is not None:
-                if message["type"] == "http.response.body" and not message.get("more_body", False):
-                    await _compress(start, message)
-                await send(start)
-                start = None
-            await send(message)
-
-        await self._app(scope, receive, answer)
-
-
-def takes_gzip(headers: Headers) -> bool:
-    """Return whether a client accepts gzip with a weight above zero."""
-    for coding in headers.get("accept-encoding", "").lower().split(","):
-        name, _, weight = coding.partition(";")
-        if name.strip() == "gzip":
-            return weight.replace(" ", "") not in ("q=0", "q=0.0", "q=0.00", "q=0.000")
-    return False
-
-
-async def _compress(start: Message, body: Message) -> None:
-    """Change an answer's body and headers in place, where it is worth it."""
-    headers = MutableHeaders(scope=start)
-    if "content-encoding" in headers or not headers.get("content-type", "").startswith(COMPRESSED_KINDS):
-        return
-    headers.add_vary_header("Accept-Encoding")
-    content: bytes = body.get("body", b"")
-    if len(content) < SHORTEST_COMPRESSED:
-        return
-    packed = await asyncio.to_thread(gzip.compress, content, GZIP_LEVEL, mtime=0)
-    headers["Content-Encoding"] = "gzip"
-    headers["Content-Length"] = str(len(packed))
-    body["body"] = packed

@@ -114,7 +114,12 @@ class Motions:
         """
         label, size, name = safe_label(upload.name), len(upload.data), secrets.token_hex(16)
         path = self.folder / name
-        options: dict[str, Any] = {"unit": upload.unit, "dt": upload.dt, "component": upload.component}
+        options: dict[str, Any] = {
+            "unit": upload.unit,
+            "dt": upload.dt,
+            "component": upload.component,
+            "remove_mean": upload.remove_mean or None,
+        }
         shaking = {"record": name} | {key: value for key, value in options.items() if value is not None}
         try:
             await asyncio.to_thread(path.write_bytes, upload.data)
@@ -146,13 +151,15 @@ class Motions:
     ) -> StoredMotion:
         """Read a file of the folder in a process of its own, as a scene's shaking asks for it."""
         name = shaking["record"]
-        options = (shaking.get(key) for key in ("component", "unit", "dt"))
+        options = [shaking.get(key) for key in ("component", "unit", "dt")]
 
         def rewrite(text: str) -> str:
             return self.with_file_names(text, {name: label})
 
         try:
-            motion, warnings = await self._readers.read(self.folder / name, *options)
+            motion, warnings = await self._readers.read(
+                self.folder / name, *options, remove_mean="remove_mean" in shaking
+            )
         except InputError as error:
             known = error.rewritten(rewrite)
             raise RefusedError(422, known.about(known.field or about)) from None
@@ -194,7 +201,7 @@ class Motions:
             pga_m_s2=motion.pga,
             pgv_m_s=motion.pgv,
             intensity=intensity,
-            intensity_class=class_of(intensity),
+            intensity_class=None if motion.floor else class_of(intensity),
             expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - stored.last_used)),
             floor=motion.floor,
             warnings=[

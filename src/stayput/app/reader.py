@@ -34,7 +34,7 @@ class ReadingTask:
     ----------
     path : str
         The file.
-    component, unit, dt
+    component, unit, dt, remove_mean
         As `read_shaking` takes them.
     numbers, samples : int
         Most numbers in the file, most samples of the motion.
@@ -46,6 +46,7 @@ class ReadingTask:
     component: str | None
     unit: str | None
     dt: float | None
+    remove_mean: bool
     numbers: int
     samples: int
     duration: float
@@ -77,7 +78,7 @@ def read(task: ReadingTask) -> ReadingResult:
 def _read(task: ReadingTask) -> Motion:
     with open(task.path, "rb") as file:  # noqa: PTH123 - a plain path is all that came
         _check_numbers(file.read(), task.numbers)
-    motion = read_shaking(task.path, task.component, task.unit, dt=task.dt)
+    motion = read_shaking(task.path, task.component, task.unit, dt=task.dt, remove_mean=task.remove_mean)
     if motion.duration > task.duration:
         raise InputError("app.long_motion", value=motion.duration, most=task.duration)
     if len(motion) > task.samples:

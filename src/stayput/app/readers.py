@@ -133,7 +133,13 @@ class ReaderPool:
             self._idle.put(self._new())
 
     async def read(
-        self, path: Path, component: str | None = None, unit: str | None = None, dt: float | None = None
+        self,
+        path: Path,
+        component: str | None = None,
+        unit: str | None = None,
+        dt: float | None = None,
+        *,
+        remove_mean: bool = False,
     ) -> tuple[Motion, tuple[InputWarning, ...]]:
         """Read a record; see `read_shaking`. Return it with the warnings about it.
 
@@ -148,7 +154,7 @@ class ReaderPool:
         if self._busy >= limits.readers + limits.reading_waiting:
             raise refused(503, "app.many_files", retry_after=2)
         most = limits.numbers, limits.samples_of_motion, limits.duration, limits.reading_seconds
-        task = reader.ReadingTask(str(path), component, unit, dt, *most)
+        task = reader.ReadingTask(str(path), component, unit, dt, remove_mean, *most)
         self._busy += 1
         try:
             result = await asyncio.get_running_loop().run_in_executor(self._pool, self._read, task)

@@ -12,7 +12,7 @@ from starlette.responses import Response
 from stayput.app.replies import Problem
 from stayput.catalogue import phrase
 from stayput.errors import LONGEST_SENTENCE, InputError, warnings_to
-from stayput.motion.units import unit_name
+from stayput.motion.units import known_unit
 from stayput.scenario.messages import shown
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def problem(error: InputError | InputWarning) -> Problem:
         message=error.told("en"),
         message_ja=error.told("ja"),
         field=field,
-        perhaps=mentioned and unit_name(mentioned),
+        perhaps=mentioned and known_unit(mentioned),
         also=["dt"] if error.code == "motion.no_unit_nor_step" else [],
     )
 

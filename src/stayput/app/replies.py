@@ -206,7 +206,7 @@ class DoubtReply(Reply):
 
     message: str
     message_ja: str | None = Field(description="The same in Japanese, where the page needs it.")
-    field: str | None = Field(description="What would say it: unit, component.")
+    field: str | None = Field(description="What would say it: unit, component, remove_mean.")
 
 
 class ChannelReply(Reply):
@@ -252,6 +252,6 @@ class ShakingReply(Reply):
 
     intensity: float = Field(description="Median JMA intensity of the motions.")
     deviation: float = Field(description="Standard deviation of their JMA intensities.")
-    intensity_class: str
+    intensity_class: str | None
     sentence: Words = Field(description="The same in words.")
     about: Words | None = Field(description="What was stated, and the source of what it amounts to.")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from fastapi import Path as InPath
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
@@ -51,29 +51,10 @@ class SimulateRequest(Request):
     measures: Measures
 
 
-class RunsRequest(SimulateRequest):
-    """The same, with the form of the histories in the reply."""
-
-    histories: Literal["numbers", "differences"] = Field(
-        default="numbers",
-        description="Differences are shorter; in space numbers are in base 64. See DifferencesReply.",
-    )
-
-
 class ShakingRequest(Request):
     """A scene of which only the shaking is looked at."""
 
     scene: AnySceneData
-
-
-class SizeMapRequest(Request):
-    """A scene whose piece is made larger and smaller, and shaken more and less."""
-
-    scene: SceneData
-    measures: Measures
-    axis: Literal["height", "width", "size"] = Field(
-        default="height", description="What grows: the height, the depth, or both."
-    )
 
 
 class VerifyRequest(Request):

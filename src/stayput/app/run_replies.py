@@ -6,23 +6,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from stayput.app.replies import Problem, Reply, TwoNumbers, Words
-
-
-class DifferencesReply(Reply):
-    """A history as a request with ``"histories": "differences"`` gets it.
-
-    The second differences of whole numbers, which begin at 0 with the difference 0: sum them up twice and
-    divide by 10 to the number of digits. Where the width is more than 1, so many numbers stand for each time.
-    """
-
-    digits: int
-    width: int
-    second_differences: list[int]
-
-
-HistoryData = list[float] | DifferencesReply
-"""A history: numbers, or differences where they were asked for."""
+from stayput.app.replies import Reply, TwoNumbers, Words
 
 
 class BodyReply(Reply):
@@ -69,8 +53,8 @@ class DeviceReply(Reply):
     failure_time_s: float | None
     cause: str | None
     weakest: Words | None = Field(description="What gave way, or would first.")
-    pull_n: HistoryData = Field(description="At the run's times.")
-    shear_n: HistoryData
+    pull_n: list[float] = Field(description="At the run's times.")
+    shear_n: list[float]
 
 
 class ShapeReply(Reply):
@@ -98,11 +82,11 @@ class RunReply(Reply):
     wall_impacts: int
     body: BodyReply
     room: RoomReply
-    time_s: HistoryData
-    x_m: HistoryData = Field(description="Centre of gravity in the room.")
-    z_m: HistoryData
-    tilt_rad: HistoryData
-    slide_m: HistoryData
+    time_s: list[float]
+    x_m: list[float] = Field(description="Centre of gravity in the room.")
+    z_m: list[float]
+    tilt_rad: list[float]
+    slide_m: list[float]
     modes: list[tuple[float, str]] = Field(description="When each mode starts.")
     events: list[EventReply]
     events_total: int = Field(description="How many there were.")
@@ -129,9 +113,9 @@ class MotionOfRun(Reply):
 class FloorReply(Reply):
     """How the floor moves in a picture, over the whole motion."""
 
-    time_s: HistoryData
-    x_m: HistoryData = Field(description="Displacement without its slow drift, times scale_shown.")
-    acceleration_m_s2: HistoryData = Field(description="The largest of each frame, with its sign.")
+    time_s: list[float]
+    x_m: list[float] = Field(description="Displacement without its slow drift, times scale_shown.")
+    acceleration_m_s2: list[float] = Field(description="The largest of each frame, with its sign.")
     scale_shown: float
 
 
@@ -151,8 +135,8 @@ class BuildingReply(Reply):
     storeys: int
     storey: int
     structure: str | None
-    ground_x_m: HistoryData = Field(description="Displacement of the ground, as the floor's.")
-    roof_x_m: HistoryData = Field(description="Displacement of the roof, as the floor's.")
+    ground_x_m: list[float] = Field(description="Displacement of the ground, as the floor's.")
+    roof_x_m: list[float] = Field(description="Displacement of the roof, as the floor's.")
 
 
 class SimulateReply(Reply):
@@ -165,28 +149,3 @@ class SimulateReply(Reply):
     building: BuildingReply | None
     without: RunReply
     with_: RunReply | None = Field(serialization_alias="with")
-
-
-class OwnPieceReply(Reply):
-    """The user's own piece, for its mark in the map."""
-
-    intensity: float | None
-    width_m: float
-    height_m: float
-
-
-class SizeMapReply(Reply):
-    """Share of the runs in which pieces of each size overturn, by intensity."""
-
-    axis: str
-    intensity: list[float]
-    size: list[float] = Field(description="Factors on what grows.")
-    width_m: list[float]
-    height_m: list[float]
-    overturned: list[list[float | None]] = Field(
-        description="By size, then by intensity; null where it is not possible or no run of it ended."
-    )
-    refused: list[Problem | None] = Field(description="By size: why such a piece is not possible.")
-    motions: int
-    runs: int = Field(description="Of each size at each intensity.")
-    here: OwnPieceReply

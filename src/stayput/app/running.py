@@ -155,7 +155,7 @@ def building_reply(
     if table is None or storey is None:
         return None
     structure = None if table.masses is not None else table.structure or "RC"
-    roof = table.floor_motion(ground, table.highest())
+    roof = table.building().floor_motion(ground, table.highest())
     return BuildingReply(
         storeys=table.highest() - 1,
         storey=storey,

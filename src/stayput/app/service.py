@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
@@ -13,7 +11,6 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 from starlette.responses import Response
 
 from stayput.app.jobs import StoppedError
-from stayput.app.memory import give_freed_back
 from stayput.app.refusals import RefusedError, refused, unprinted
 from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import (
@@ -49,10 +46,6 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 
-LONG = 0.5
-"""How long work goes on after which the memory that it has freed is given back [s]."""
-
-
 class Workers:
     """A bounded pool of threads that compute, off the event loop; where clients wait, they take turns.
 
@@ -79,13 +72,8 @@ class Workers:
         """
 
         def quietly() -> T:
-            began = time.monotonic()
-            try:
-                with unprinted():
-                    return work(*args, **kwargs)
-            finally:
-                if time.monotonic() - began > LONG:
-                    give_freed_back()
+            with unprinted():
+                return work(*args, **kwargs)
 
         await self._turn()
         try:
@@ -281,15 +269,6 @@ def json_response(
     reply: Reply,
     status: int = 200,
     headers: dict[str, str] | None = None,
-    change: Callable[[dict[str, Any]], dict[str, Any]] | None = None,
 ) -> Response:
-    """Return a reply as a JSON response; call it on a worker where the reply is large.
-
-    ``change`` makes other plain values of the reply's.
-    """
-    if change is None:
-        text = reply.model_dump_json(by_alias=True)
-    else:
-        changed = change(reply.model_dump(mode="json", by_alias=True))
-        text = json.dumps(changed, ensure_ascii=False, separators=(",", ":"))
-    return Response(text, status, headers, "application/json")
+    """Return a reply as a JSON response; call it on a worker where the reply is large."""
+    return Response(reply.model_dump_json(by_alias=True), status, headers, "application/json")

@@ -40,17 +40,17 @@ def shaking_reply(scenario: Scenario | AssemblyScenario) -> ShakingReply:
     return ShakingReply(
         intensity=middle,
         deviation=deviation,
-        intensity_class=intensity_class(middle),
-        sentence=Words.of(_sentence(middle, deviation)),
+        intensity_class=None if ground.motions.floor else intensity_class(middle),
+        sentence=Words.of(_sentence(middle, deviation, ground.motions.floor)),
         about=None if told is None else Words.of(told),
     )
 
 
-def _sentence(middle: float, deviation: float) -> Phrase:
+def _sentence(middle: float, deviation: float, floor: str) -> Phrase:
     """Return an intensity in words, with the classes within a standard deviation."""
-    low, high = class_phrase(middle - deviation), class_phrase(middle + deviation)
+    low, high = class_phrase(middle - deviation, floor), class_phrase(middle + deviation, floor)
     if deviation < ALIKE:
-        return phrase("earthquake.amounts", at=middle, strength=class_phrase(middle))
+        return phrase("earthquake.amounts", at=middle, strength=class_phrase(middle, floor))
     if low == high:
         return phrase("earthquake.amounts_about", at=middle, deviation=deviation, strength=low)
     return phrase("earthquake.amounts_between", at=middle, deviation=deviation, low=low, high=high)

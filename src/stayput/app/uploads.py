@@ -27,6 +27,7 @@ class Upload(NamedTuple):
     unit: str | None
     dt: float | None
     component: str | None
+    remove_mean: bool
 
 
 async def read_upload(request: Request, limits: Limits) -> Upload:
@@ -40,7 +41,7 @@ async def read_upload(request: Request, limits: Limits) -> Upload:
     if not request.headers.get("content-type", "").lower().startswith("multipart/form-data"):
         raise refused(422, "app.no_form", "file")
     parser = MultiPartParser(
-        request.headers, request.stream(), max_files=1, max_fields=3, max_part_size=LONGEST_FIELD
+        request.headers, request.stream(), max_files=1, max_fields=4, max_part_size=LONGEST_FIELD
     )
     parser.spool_max_size = 2 * limits.upload  # in memory, so that nothing is written under a foreign name
     try:
@@ -53,7 +54,7 @@ async def read_upload(request: Request, limits: Limits) -> Upload:
         file = form.get("file")
         if not isinstance(file, UploadFile):
             raise refused(422, "app.form_no_file", "file")
-        unknown = sorted(set(form) - {"file", "unit", "dt", "component"})
+        unknown = sorted(set(form) - {"file", "unit", "dt", "component", "remove_mean"})
         if unknown:
             raise refused(422, "app.form_unknown_field", "file")
         data = await file.read()
@@ -66,6 +67,7 @@ async def read_upload(request: Request, limits: Limits) -> Upload:
             _text(form.get("unit")),
             None if dt is None else _step(dt),
             _text(form.get("component")),
+            _text(form.get("remove_mean")) in ("true", "1", "yes", "on"),
         )
     finally:
         await form.close()

@@ -189,8 +189,8 @@ class EstimatesReply(Reply):
     possible: float
     overturning_ratio: float
     equipment_loads: list[EquipmentLoadReply]
-    ac156_height_ratio: float = Field(description="z/h of the floor where the piece stands.")
-    ac156_rocking_s_ds_g: float = Field(
+    ac156_height_ratio: float | None = Field(description="z/h of the floor where the piece stands.")
+    ac156_rocking_s_ds_g: float | None = Field(
         description="S_DS from which on a shake-table test by AC156 rocks the piece."
     )
     asce43_sliding_share: float = Field(description="Share of the motions that make it slide by ASCE 43.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 from numbers import Real
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from stayput.building.response import FloorPeaks, FloorResponse
     from stayput.motion import Motion
+    from stayput.motion.suites import Suite
 
 
 _DAMPING = ("", 0.0, 0.5, ("Building damping", "建物の減衰定数"))
@@ -253,8 +254,12 @@ class Building:
         """Return the response of all floors to a motion of the ground: `ShearModel.respond`."""
         return self.model.respond(motion)
 
-    def floor_motion(self, motion: Motion, storey: int) -> Motion:
-        """Return the motion under the furniture of a storey: `ShearModel.floor_motion`."""
+    @overload
+    def floor_motion(self, motion: Motion, storey: int) -> Motion: ...
+    @overload
+    def floor_motion(self, motion: Suite, storey: int) -> Suite: ...
+    def floor_motion(self, motion: Motion | Suite, storey: int) -> Motion | Suite:
+        """Return the motion under the furniture of a storey, of a suite one: `ShearModel.floor_motion`."""
         return self.model.floor_motion(motion, storey)
 
     def floor_motions(

@@ -5,17 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from numbers import Real
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, TypeVar, overload
 
 import numpy as np
 
 from stayput.building.modes import ModalModel, Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
-from stayput.errors import InputError, InputWarning, instance_of, list_of, quoted, warn, whole_within
+from stayput.errors import InputError, instance_of, list_of, whole_within
 from stayput.execution import Call, ThreadExecutor
 from stayput.model.parameters import parameter, parameter_of, quantity
+from stayput.motion.channels import of_the_ground
 from stayput.motion.processing import refine
 from stayput.motion.record import Motion
+from stayput.motion.suites.suite import Suite
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -178,19 +180,8 @@ class ShearModel:
         return component_response(self._modal, a, dt, floors, drifts=drifts)
 
     def _ground(self, motion: Motion) -> Motion:
-        """Return the motion; warn where it is not one of the ground."""
-        motion = Motion.given(motion)
-        if motion.floor:
-            warn(
-                InputWarning(
-                    "building.not_of_the_ground",
-                    "motion",
-                    motion=quoted(motion.name),
-                    floor=motion.floor,
-                    building=self.name,
-                )
-            )
-        return motion
+        """Return the motion; refuse one that is not of the ground."""
+        return of_the_ground(Motion.given(motion), "building")
 
     def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
         """Draw the slowest mode shapes over the height, times their participation factors.
@@ -234,17 +225,24 @@ class ShearModel:
             {name: component.energy for name, component in histories.items() if component.energy is not None},
         )
 
-    def floor_motion(self, motion: Motion, storey: int) -> Motion:
-        """Return the motion of the floor on which the furniture of a storey stands.
+    @overload
+    def floor_motion(self, motion: Motion, storey: int) -> Motion: ...
+    @overload
+    def floor_motion(self, motion: Suite, storey: int) -> Suite: ...
+    def floor_motion(self, motion: Motion | Suite, storey: int) -> Motion | Suite:
+        """Return the motion of the floor on which the furniture of a storey stands; a suite's, as a suite.
 
         Parameters
         ----------
-        motion : Motion
-            The ground's motion.
+        motion : Motion or Suite
+            The ground's motion, or motions.
         storey : int
             From 1; the roof is the number of storeys + 1.
         """
         self.place(storey)
+        if isinstance(motion, Suite):
+            floors = self.floor_motions(motion, (storey,))
+            return replace(motion, motions=tuple(floor for (floor,) in floors))
         return self._floor_motions(self._ground(motion), (storey,))[0]
 
     def floor_motions(

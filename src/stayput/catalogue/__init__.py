@@ -33,7 +33,6 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "cli_help",
         "common",
         "contents",
-        "figures",
         "earthquake",
         "fragility",
         "ground_shaking",

@@ -89,18 +89,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "文字列に不完全な文字があります。Unicodeで指定してください。",
     ),
     # Too much at once
-    "many_requests": (
-        "This machine has too many requests under way; try again in a moment.",
-        "この端末からのリクエストが多すぎます。少し待ってからもう一度お試しください。",
-    ),
-    "many_connections": (
-        "The server has too many connections; try again in a moment.",
-        "サーバーへの接続が多すぎます。少し待ってからもう一度お試しください。",
-    ),
-    "many_uploads": (
-        "Other files are being uploaded; try again in a moment.",
-        "ほかのファイルを受信しています。少し待ってからもう一度お試しください。",
-    ),
     "many_files": (
         "Too many files are waiting to be read; try again in a moment.",
         "読み込みを待っているファイルが多すぎます。少し待ってからもう一度お試しください。",
@@ -233,8 +221,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "フォームにファイルがありません。「file」という名前で送ってください。",
     ),
     "form_unknown_field": (
-        "The form has an unknown field; it may have file, unit, dt, component.",
-        "フォームに不明な項目があります。使えるのはfile、unit、dt、componentです。",
+        "The form has an unknown field; it may have file, unit, dt, component, remove_mean.",
+        "フォームに不明な項目があります。使えるのはfile、unit、dt、component、remove_meanです。",
     ),
     "empty_file": ("The file is empty; it must hold a record.", "ファイルが空です。"),
     "dt_not_a_number": ("dt must be a number [s].", "時間刻みは秒単位の数値で入力してください。"),

@@ -57,15 +57,5 @@ TEXTS: dict[str, tuple[str, str]] = {
         "成分が{component}になっています。この地震動にある成分から選んでください：{known}",
     ),
     # Doubts
-    "not_of_the_ground": (
-        (
-            "The motion {motion} is of {floor} of a building and goes through the {building} as if it were "
-            "of the ground; it should stand for the floor by itself."
-        ),
-        (
-            "地震動{motion}は建物の床（{floor}）の揺れですが、地面の揺れとして{building}に入力しています。"
-            "建物を通さずに床の揺れとして使ってください。"
-        ),
-    ),
 }
 """Texts by their keys: English, Japanese."""

@@ -22,6 +22,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} and {other} are both -, standard input; one of them must be a file.",
         "{flag}と{other}がどちらも-（標準入力）になっています。一方にはファイルを指定してください。",
     ),
+    "input_unread": (
+        "{flag} is -, standard input, which could not be read: {reason}.",
+        "{flag}が-（標準入力）になっていますが、読み込めませんでした（{reason}）。",
+    ),
+    "input_too_large": (
+        "{flag} is -, standard input, which has more than {most:,} bytes; give a file.",
+        "{flag}が-（標準入力）になっていますが、{most:,}バイトを超えています。ファイルを指定してください。",
+    ),
+    "closed": ("it is closed", "閉じられています"),
     "output_twice": (
         "{flag} and {other} both go to standard output; one of them must go to a file, or be left out.",
         "{flag}と{other}の両方が標準出力に書き出されます。一方はファイルに書き出すか、省いてください。",
@@ -57,6 +66,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "samples": (
         "{count} samples every {dt:g} s: {duration:g} s",
         "{dt:g}秒間隔、{count}点、{duration:g}秒間",
+    ),
+    "intensities_of_floor": (
+        (
+            "{intensity:.1f} by JMA's formula for the motion on {name}, not the intensity of the place; "
+            "Sva {sva:.3g} cm/s at long periods"
+        ),
+        (
+            "{name}の床の揺れによる計測震度相当値{intensity:.1f}（その場所の震度ではない）、"
+            "長周期のSva {sva:.3g} cm/s"
+        ),
     ),
     "intensities": (
         (

@@ -53,13 +53,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "fragility": (
         (
             "Write the probability of overturning over the strength of the shaking.\n\n"
-            "The folder gets curves.csv and observed.csv, a figure, pelicun's file of those curves that a "
-            "lognormal fits and, where OpenQuake knows the measure, its NRML file. "
+            "The folder gets curves.csv and observed.csv, a figure, pelicun's file and, where OpenQuake "
+            "knows the measure, its NRML file. "
             "The curves are isotonic: no shape is assumed."
         ),
         (
             "揺れの強さに対する転倒確率（フラジリティ曲線）を書き出す\n\n"
-            "フォルダーには、curves.csvとobserved.csv、図、対数正規分布がよく合う曲線のpelicun用ファイル、"
+            "フォルダーには、curves.csvとobserved.csv、図、pelicun用ファイル、"
             "OpenQuakeが扱える強さの指標であればNRMLファイルができる。"
             "曲線は単調回帰で求め、形は仮定しない。"
         ),
@@ -164,6 +164,29 @@ TEXTS: dict[str, tuple[str, str]] = {
     "dt": (
         "The record's time step [s], where its file does not state it.",
         "記録の時間刻み [s]（ファイルに書かれていない場合）",
+    ),
+    "record_columns": (
+        (
+            "Of columns of numbers, which are the time and the components, by headings or places, such as "
+            "t=1,x=acc,z=4; the others are not read."
+        ),
+        "記録の列のうち、時刻と各成分の列を見出しか番号で指定する（例：t=1,x=acc,z=4）。ほかの列は読まない",
+    ),
+    "skip_lines": (
+        "Lines at the beginning of the record's file to pass over.",
+        "記録のファイルの先頭で読み飛ばす行数",
+    ),
+    "decimal_comma": (
+        "The record's numbers have a decimal comma.",
+        "記録の数値の小数点が「,」である",
+    ),
+    "location": (
+        "Of SAC and miniSEED, the code of the sensor where a station has several; -- of none.",
+        "SACとminiSEEDで、観測点に地震計が複数あるときに使うもののロケーションコード（コードなしは--）",
+    ),
+    "remove_mean": (
+        "Take the mean off each component of a record: an instrument's offset, or gravity in the vertical one.",
+        "記録の各成分から平均（計器のオフセット、上下動に含まれる重力加速度）を除く",
     ),
     "scale": (
         "Factor on the motion; in the place of a strength that the file states.",

@@ -3,6 +3,10 @@
 TEXTS: dict[str, tuple[str, str]] = {
     # measures of intensity
     "jma": ("JMA instrumental intensity", "計測震度"),
+    "floor_jma": (
+        "number by JMA's formula for the motion of the floor, not the intensity of the place",
+        "床の揺れから計算した計測震度相当値（その場所の震度ではない）",
+    ),
     "pga": ("peak ground acceleration", "地面の最大加速度"),
     "pgv": ("peak ground velocity", "地面の最大速度"),
     "pfa": ("peak floor acceleration", "床の最大加速度"),
@@ -86,6 +90,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "capacity_between": ("between {above} and {below}{doubt}", "{above}～{below}{doubt}"),
     "capacity_above": ("> {above}{doubt}", "{above}超{doubt}"),
     "capacity_below": ("< {below}{doubt}", "{below}未満{doubt}"),
+    "ends_not_run": ("interval wider than what was run", "区間は計算した範囲より広い"),
     "ends": ("{low} to {high}", "{low}～{high}"),
     "at_most": ("at most {high}", "{high}以下"),
     "more_than": ("more than {low}", "{low}超"),
@@ -183,11 +188,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The curve {name} is over {measure}; in NRML it must be over {allowed}.",
         "曲線{name}の指標は{measure}です。NRMLで使える指標は{allowed}です。",
     ),
-    "not_lognormal": (
-        "The curve {name} must be lognormal to be written for pelicun. {fit}",
-        "曲線{name}は対数正規分布で表せないため、pelicun用に書き出せません。（{fit}）",
+    "no_lognormal": (
+        "Its falls are too abrupt for a lognormal.",
+        "転倒が急に始まるため、対数正規分布では表せません。",
     ),
-    "no_lognormal": ("It has none.", "対数正規曲線がありません"),
     # Intensity from fallen pieces
     "total": ("Number of pieces", "調べた個数"),
     "fell": ("Number of pieces that fell", "倒れた個数"),
@@ -211,13 +215,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{option} is not in the files for loss tools: one motion has no scatter of motions.",
         "{option}は地震動が1つでばらつきが分からないため、損失評価ツール用のファイルに含まれていません。",
     ),
-    "left_out_abrupt": (
-        "{option} is not in pelicun.csv: its falls are too abrupt for a lognormal.",
-        "{option}は転倒が急に始まり対数正規分布に合わないため、pelicun.csvに含まれていません。",
-    ),
-    "left_out_misfit": (
-        "{option} is not in pelicun.csv. {why}",
-        "{option}はpelicun.csvに含まれていません。{why}",
+    "by_points": (
+        "{option} is in pelicun.csv by its points, and taken to fall for certain above {highest}. {why}",
+        "{option}はpelicun.csvに曲線上の点で書き出し、{highest}を超えると必ず転倒するとみなしています。{why}",
     ),
 }
 """Texts by their keys: English, Japanese."""

@@ -23,6 +23,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{stated}, to which each motion is scaled",
         "{stated}（各地震動をこの値に合わせます）",
     ),
+    "of_floor": (
+        "{strength} (by the motion on {floor}, not of the place)",
+        "{strength}相当（{floor}の床の揺れによる値で、その場所の震度ではない）",
+    ),
     "of_class": ("{strength} ({stated})", "{strength}（{stated}）"),
     "mmi": ("modified Mercalli intensity {value:.3g}", "改正メルカリ震度{value:.3g}"),
     "mmi_source": ("Worden et al. (2012)", "Wordenほか（2012）"),

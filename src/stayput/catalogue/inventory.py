@@ -20,8 +20,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_uncertainty": ("uncertainty of the shake map", "地震動マップの不確かさ"),
     "the_shake_map": ("shake map", "地震動マップ"),
     "not_a_file": (
-        "The inventory is {path}; it must be a file.",
-        "家具一覧が{path}になっています。ファイルを指定してください。",
+        "The {file} is {path}; it must be a file.",
+        "{file}が{path}になっています。ファイルを指定してください。",
     ),
     "a_data_frame": (
         "inventory is a {kind}; it must be a file: write it with to_parquet or to_csv first, and give that file.",
@@ -55,8 +55,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "家具一覧（{path}）が壊れています：{reason}。",
     ),
     "encoding": (
-        "The inventory is {path}; it must be a text in UTF-8, cp932 (Shift_JIS), or UTF-16 with a byte order mark.",
-        "家具一覧（{path}）の文字コードが、UTF-8、cp932（Shift_JIS）、BOM付きUTF-16のいずれでもありません。",
+        (
+            "The inventory is {path}; it must be a text in UTF-8, cp932 (Shift_JIS), or UTF-16 with a byte order "
+            "mark (Excel saves it as CSV UTF-8)."
+        ),
+        (
+            "家具一覧（{path}）の文字コードが、UTF-8、cp932（Shift_JIS）、BOM付きUTF-16のいずれでもありません"
+            "（Excelでは「CSV UTF-8」で保存できます）。"
+        ),
     ),
     "first_row": (
         "The inventory is {path}; its first row must name the columns: {reason}.",
@@ -125,15 +131,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The first row is {row}; commas, semicolons or tabs must be between the columns.",
         "1行目が{row}になっています。列はコンマ、セミコロンまたはタブで区切ってください。",
     ),
-    "no_id": (
-        (
-            "The first row names {names}; it must name every column, id among them "
-            "(is the header merged, or of two rows?)."
-        ),
-        (
-            "1行目にある列名は{names}です。idを含むすべての列名を1行目に書いてください"
-            "（見出しのセルが結合されていたり、2行になっていたりしませんか）。"
-        ),
+    "no_names": (
+        "The first row is empty; it must name the columns.",
+        "1行目が空です。1行目に列名を書いてください。",
     ),
     "nothing": ("nothing", "なし"),
     "column_twice": (
@@ -181,7 +181,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "a building of the scenario, or storeys and structure such as 10 RC",
         "シナリオにある建物、または「10 RC」のように階数と構造",
     ),
-    "column_storey": ("storey, 1 on the ground", "階（1階が1）"),
+    "column_storey": ("storey, 1 on the ground; B1, RF", "階（1階が1、地下はB1、屋上はRF）"),
     "column_measures": (
         "what to compare, as gel_mats;tension_pole+wedge_stopper",
         "比較する対策（gel_mats;tension_pole+wedge_stopperのように）",
@@ -243,26 +243,22 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value}になっています。セミコロンの間には数値を書いてください。",
     ),
     # rows
-    "no_id_in_row": (
-        "id is missing; every row must have one.",
-        "idがありません。すべての行にidが必要です。",
-    ),
     "id_twice": (
-        "id is {id}, which is that of row {row}; every row must have its own.",
-        "idの{id}は{row}行目と同じです。行ごとに異なるidにしてください。",
+        "{name} is {id}, which is that of row {row}; every row must have its own.",
+        "{name}の{id}は{row}行目と同じです。行ごとに異なるものにしてください。",
     ),
     "lat_and_lon": (
         "{name} is missing; lat and lon must be given together.",
-        "{name}がありません。latとlonは両方とも指定してください。",
+        "{name}がありません。緯度と経度は両方とも指定してください。",
     ),
     "wall": ("wall", "wall"),
     "wall_without_gap": (
-        "gap is missing; a wall needs it where the scenario has no wall behind.",
-        "gapがありません。シナリオに背後の壁がないとき、wallには必要です。",
+        "{name} is missing; a wall needs it where the scenario has no wall behind.",
+        "{name}がありません。シナリオに背後の壁がないとき、壁には必要です。",
     ),
     "contents_missing": (
         "contents is missing; {name} needs it where the scenario has none.",
-        "contentsがありません。シナリオに収納物がないとき、{name}には必要です。",
+        "収納物の列がありません。シナリオに収納物がないとき、{name}には必要です。",
     ),
     "place_missing": (
         "{name} is missing; it must be given where there are stations or a shake map.",
@@ -270,47 +266,51 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "costs_count": (
         "costs has {costs} numbers and measures has {measures}; they must be as many.",
-        "costsの数値は{costs}個、measuresは{measures}個です。同じ数にしてください。",
+        "対策の費用は{costs}個、対策は{measures}個です。同じ数にしてください。",
     ),
     "building_missing": (
         (
-            "building is missing; it must be given where a storey is: in a column building, or for all rows as "
+            "{name} is missing; it must be given where a storey is: in a column building, or for all rows as "
             "building and storey under [shaking] of the scenario."
         ),
         (
-            "建物（building）がありません。階（storey）を指定するときは必要です。"
-            "列「建物」（building）に書くか、すべての行に共通ならシナリオの[shaking]にbuildingとstoreyを書いてください。"
+            "{name}がありません。階を指定するときは必要です。"
+            "列「建物」に書くか、すべての行に共通ならシナリオの[shaking]にbuildingとstoreyを書いてください。"
         ),
     ),
     "storey_missing": (
-        "storey is missing; it must be given where a building is.",
-        "階（storey）がありません。建物（building）を指定するときは必要です。",
+        "{name} is missing; it must be given where a building is.",
+        "{name}がありません。建物を指定するときは必要です。",
     ),
     "storey_range": (
-        "storey is {storey}; it must be between 1 and {highest}, the roof.",
-        "storeyが{storey}になっています。1～{highest}（屋上）にしてください。",
+        "{name} is {storey}; it must be between 1 and {highest}, the roof, or a basement from B1 to B{deepest}.",
+        "{name}が{storey}になっています。1～{highest}（屋上）か、B1～B{deepest}（地下）にしてください。",
+    ),
+    "storey": (
+        "{name} is {value}; it must be a number, 1 on the ground, or such as 3F, M2F, B1 or RF.",
+        "{name}が{value}になっています。数値（1階が1）か、3F、3階、中2階、B1、屋上のように書いてください。",
     ),
     "unknown_building": (
-        "building is {value}; it must be {known}, or storeys and structure such as 10 RC.",
-        "buildingが{value}になっています。{known}、または「10 RC」のような階数と構造にしてください。",
+        "{name} is {value}; it must be {known}, or storeys and structure such as 10 RC.",
+        "{name}が{value}になっています。{known}、または「10 RC」のような階数と構造にしてください。",
     ),
     "one_of_the_scenario": ("one of the scenario's ({names})", "シナリオにある建物（{names}）"),
     "one_that_is_named": ("one that the scenario names", "シナリオにある建物"),
     "floor": (
-        "floor is {value}; it must be a surface, or static;kinetic friction.",
-        "floorが{value}になっています。床材、または静止;動摩擦係数にしてください。",
+        "{name} is {value}; it must be a surface, or static;kinetic friction.",
+        "{name}が{value}になっています。床材、または静止;動摩擦係数にしてください。",
     ),
     "unknown_measure": (
-        "measures has {value}; each must be one of {known}.",
-        "measuresに{value}があります。次のいずれかにしてください：{known}。",
+        "{name} has {value}; each must be one of {known}.",
+        "{name}に{value}があります。次のいずれかにしてください：{known}。",
     ),
     "too_many_sets": (
-        "measures has {count} sets; it must have at most {most}.",
-        "measuresに対策の組み合わせが{count}個あります。{most}個以下にしてください。",
+        "{name} has {count} sets; it must have at most {most}.",
+        "{name}に対策の組み合わせが{count}個あります。{most}個以下にしてください。",
     ),
     "measure_twice": (
-        "measures has {value} twice; each must be there once.",
-        "measuresに{value}が2回あります。1回にしてください。",
+        "{name} has {value} twice; each must be there once.",
+        "{name}に{value}が2回あります。1回にしてください。",
     ),
     # scenarios
     "not_used": (

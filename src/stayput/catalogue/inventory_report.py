@@ -10,32 +10,41 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Sums
     "event_heading": ("Event: {event}", "地震：{event}"),
     "expected": (
-        "{fallen} of {pieces} {verb} expected to overturn ({share}){best}.",
-        "{pieces}のうち{fallen}点が転倒する見込みです（{share}）{best}。",
+        "{fallen} of {pieces} {verb} expected to overturn: {share}{best}.",
+        "{pieces}のうち{fallen}点が転倒する見込みです：{share}{best}。",
     ),
     "expected_best": (
-        "; with the best of the compared measures on each, {fallen} ({share})",
-        "。それぞれに最も有効な対策をとると{fallen}点（{share}）です",
-    ),
-    "none_helps": (
-        "None of the compared measures helps any of them.",
-        "比較した対策で効果のあるものはありません。",
-    ),
-    "some_helped": (
-        "One of the compared measures helps {helped} of them, and none helps the others.",
-        "このうち{helped}点には効果のある対策がありますが、残りにはありません。",
+        "; with the best of the compared measures on each that one clearly helps, {fallen}: {share}",
+        "。対策の効果が偶然の差を超えて確認できた家具にその対策をとると{fallen}点：{share}です",
     ),
     "needs_none_counted": (
-        "No measure is needed for {pieces}: without one, overturning and sliding too far hardly ever happen.",
-        "{pieces}は対策なしでも転倒も大きな移動もほとんどせず、対策不要です。",
+        (
+            "No measure is needed for {pieces}: the 95 % intervals of overturning and of sliding too far end below "
+            "{safe} % without one."
+        ),
+        "{pieces}は、対策なしでも転倒と大きな移動の95%区間の上限がいずれも{safe}%未満で、対策不要です。",
     ),
-    "none_helps_the_rest": (
-        "None of the compared measures helps any of the others.",
-        "残りには、比較した対策で効果のあるものはありません。",
+    "helped_counted": (
+        "A compared measure helps {pieces} by more than chance.",
+        "{pieces}には、偶然の差を超えて効果のある対策があります。",
     ),
-    "some_helped_of_the_rest": (
-        "One of the compared measures helps {helped} of the others, and none helps the rest.",
-        "残りのうち{helped}点には効果のある対策がありますが、ほかにはありません。",
+    "may_be_chance_counted": (
+        "For {pieces} a measure does better in these runs, which may be chance: the runs are too few.",
+        "{pieces}には今回の計算で成績のよい対策がありますが、計算数が少なく、偶然の差かもしれません。",
+    ),
+    "not_helped_counted": (
+        "For {pieces} none of the compared measures is seen to help.",
+        "{pieces}では、比較した対策の効果を確認できませんでした。",
+    ),
+    "too_few_runs_counted": (
+        (
+            "For {pieces} there are not enough runs to tell whether a measure is needed: overturning and sliding "
+            "too far hardly happened, but {safe} % is not ruled out, which takes {least} motions at least."
+        ),
+        (
+            "{pieces}は、転倒も大きな移動もほとんど起こりませんでしたが、計算数が足りず、対策の要否を判定できません"
+            "（{safe}%以上となる可能性を否定するには、少なくとも{least}本の地震動が必要です）。"
+        ),
     ),
     "expected_loss": (
         "Expected loss {loss}, with the best measures {best} (where values are given, in their currency).",
@@ -62,8 +71,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "転倒する割合（%）：対策なし",
     ),
     "map_best": (
-        "The same with the best measure on each piece",
-        "転倒する割合（%）：それぞれに最も有効な対策をとったとき",
+        "The same with the best measure on each piece that one clearly helps",
+        "転倒する割合（%）：効果を確認できた対策をとったとき",
     ),
     "left_out": (
         "{buildings}, with fewer pieces expected to overturn, {verb} in summary.csv.",
@@ -71,8 +80,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "no_building": ("no building", "建物の指定なし"),
     "floor": ("{storey}F", "{storey}階"),
+    "basement": ("B{storey}F", "地下{storey}階"),
     "on_ground": ("ground", "地上"),
-    "cell": ("{place}: {share} % of {pieces}", "{place}：{pieces}の{share}%"),
+    "cell": ("{place}: {share} of {pieces}", "{place}：{pieces}の{share}"),
     "place": ("{building}, {floor}", "{building}、{floor}"),
     # The pieces
     "greatest": ("Pieces at greatest risk", "危険度の高い家具"),
@@ -93,23 +103,40 @@ TEXTS: dict[str, tuple[str, str]] = {
     "contents_out_best": ("Contents out with it", "対策後に飛び出す収納物"),
     "best_by_cost": ("Best for its cost", "費用に見合う対策"),
     "loss": ("Expected loss", "損失の見込み"),
-    "no_help": ("none helps", "効果のある対策なし"),
+    "may_be_chance": ("{measure} (may be chance)", "{measure}（偶然の可能性あり）"),
+    "not_helped": ("none seen to help", "効果を確認できた対策なし"),
     "needs_none": ("needs none", "対策不要"),
-    "not_worth": ("none is worth it", "費用に見合うものなし"),
-    "not_possible": ("{name}: not possible. {reason}", "{name}：設置できません。{reason}"),
+    "too_few_runs": ("not enough runs to tell", "計算数が足りず判定できない"),
+    "not_worth": ("none shown to be worth it", "費用に見合うと確認できたものなし"),
+    "not_possible": (
+        "{name}: not possible. {reason} In {rows}.",
+        "{name}：設置できません。{reason}該当：{rows}。",
+    ),
     # Rejects
     "rejected": ("Rows that were not assessed", "評価できなかった行"),
     "rejects_counted": (
         "{rejects} of {rows}; rejects.csv has them all.",
         "{rows}のうち{rejects}行です。すべてrejects.csvにあります。",
     ),
+    "rows_alike": ("{rows} ({places})", "{rows}（{places}行目）"),
+    "such_as": ("such as: {reason}", "例：{reason}"),
+    "reason_of_rows": ("  {rows}: {reason}", "  {rows}：{reason}"),
+    "rows": ("Rows", "行"),
+    "empty_column": ("{column} in {rows}", "{column}（{rows}）"),
+    "empty_cells": (
+        (
+            "Empty cells: {columns}. There a piece is called by its name and its row (the headings are row 1), "
+            "has the preset's size and mass, and counts once."
+        ),
+        "空のセル：{columns}。番号の代わりに品名と行番号（見出しが1行目）、寸法と質量はプリセットの値、数は1とします。",
+    ),
     "reason": ("Reason", "理由"),
     "none": ("None.", "ありません。"),
     # What was done
     "done": ("What was done", "計算の内容"),
     "read": (
-        "{rows} below the header, read as {how}{empty}.",
-        "見出しの下の{rows}を、{how}として読み込みました{empty}。",
+        "{rows} below the header, read as {how}.",
+        "見出しの下の{rows}を、{how}として読み込みました。",
     ),
     "with_tabs": ("{encoding} with tabs", "{encoding}（タブ区切り）"),
     "with_semicolons": ("{encoding} with semicolons", "{encoding}（セミコロン区切り）"),
@@ -118,7 +145,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "sheet {name}; not {others}",
         "シート{name}（ほかのシート{others}は読んでいません）",
     ),
-    "empty_rows": ("; {count} of them empty", "（うち{count}行は空）"),
+    "read_as": ("{how}", "{how}"),
+    "and_empty": ("{how}; {count} of them empty", "{how}（空の{count}行を除く）"),
     "not_used": ("Columns that were not used: {columns}.", "使わなかった列：{columns}。"),
     "scenario": (
         (
@@ -158,6 +186,16 @@ TEXTS: dict[str, tuple[str, str]] = {
             "見込みの数からは、実際の数がどれだけ外れうるかは分かりません。"
         ),
     ),
+    "best_chosen": (
+        (
+            "The best measure is chosen by the runs that score it, which flatters it; sums and maps with the best "
+            "measures count only those that help by more than chance, compared run by run."
+        ),
+        (
+            "最も有効な対策は、成績を示すのと同じ計算から選ぶため、効果がやや大きめに出ます。対策後の合計と地図には、"
+            "計算ごとに比べて偶然の差を超える効果のある対策だけを数えます。"
+        ),
+    ),
     "shake_map": (
         "How strongly the ground shakes comes from a shake map: {map}.",
         "地面の揺れの強さは地震動マップによります：{map}。",
@@ -187,26 +225,20 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{rows}を{how}として読み込み、{pieces}行を評価しました。",
     ),
     "printed_rejects": (
-        "Not assessed: {rows}; rejects.csv says why, row by row.",
-        "評価できなかった行：{rows}。理由は行ごとにrejects.csvに書かれています。",
+        "Not assessed: {rows}; rejects.csv has them all.",
+        "評価できなかった行：{rows}。すべてrejects.csvにあります。",
     ),
     "printed_runs": (
         "{choices}, {units} of them different; {runs}.",
         "組み合わせ{choices}（うち異なるもの{units}通り）、計算{runs}。",
     ),
     "printed_expected": (
-        "{event}: expected to overturn: {fallen} of {pieces} ({share}){best}.",
-        "{event}：転倒の見込みは{pieces}のうち{fallen}点（{share}）{best}。",
+        "{event}: expected to overturn: {fallen} of {pieces}, {share}{best}.",
+        "{event}：転倒の見込みは{pieces}のうち{fallen}点、{share}{best}。",
     ),
-    "printed_best": (", {fallen} with the best measures", "、最も有効な対策をとると{fallen}点"),
-    "printed_none_helps": (
-        "; none of the compared measures helps any of them",
-        "、比較した対策で効果のあるものはなし",
-    ),
-    "printed_needs_none": ("; none of them needs a measure", "、いずれも対策不要"),
-    "printed_none_helps_the_rest": (
-        "; some need no measure, and none of the compared ones helps the others",
-        "、一部は対策不要、残りには比較した対策で効果のあるものなし",
+    "printed_best": (
+        "; {fallen} with the best measures where they clearly help",
+        "、効果を確認できた対策をとると{fallen}点",
     ),
     "printed_inside": (
         "{event}: of what is inside {pieces}, {share} is expected to come out, {best} with the best measures.",

@@ -32,7 +32,49 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The mapping has {name} in {unit}, and the column {header} states another unit; they must agree.",
         "列の対応では{name}の単位が{unit}ですが、列{header}の単位と異なります。同じにしてください。",
     ),
+    # headings
+    "no_known_column": (
+        (
+            'No heading of the first row is known; --columns "{proposal}" says what the columns are, with one of '
+            "{columns} or ignore in the place of each ? (width is the depth, from front to back)."
+        ),
+        (
+            '1行目に分かる見出しがありません。--columns "{proposal}" の?を次のいずれかに置き換えて指定してください：'
+            "{columns}（widthは奥行）。使わない列はignoreとします。"
+        ),
+    ),
+    "headings_below": (
+        (
+            "The headings seem to stand in row {row} ({found}); they must be the first row: "
+            "remove the rows above them."
+        ),
+        "見出しが{row}行目（{found}など）にあるようです。その上の行を削除して、見出しを1行目にしてください。",
+    ),
+    "two_rows_of_headings": (
+        (
+            "Row {row} has headings too ({found}); the headings must be one row, each with its whole name, "
+            "such as Depth (mm)."
+        ),
+        (
+            "{row}行目にも見出し（{found}など）があります。見出しは1行にまとめ、"
+            "「奥行(mm)」のように列名を全部書いてください。"
+        ),
+    ),
+    "merged_headings": (
+        (
+            "Cells {cells} of the sheet are merged over the first row and others; the headings must be one row, "
+            "the first, each with its whole name, such as Depth (mm)."
+        ),
+        (
+            "シートの1行目のセル{cells}が複数行にわたって結合されています。結合を解除し、見出しは1行目だけにまとめ、"
+            "「奥行(mm)」のように列名を全部書いてください。"
+        ),
+    ),
     # what is unclear about columns
+    "doubt_language": (
+        "{headers} are not in English or Japanese (width is the depth, from front to back)",
+        "{headers}などの見出しが日本語でも英語でもありません（widthは奥行です）",
+    ),
     "unclear": (
         (
             'Not all columns are certain; they look like --columns "{proposal}", which must be checked and '
@@ -101,6 +143,37 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The shake map's file is {path}; it must be a ShakeMap grid (XML): {reason}.",
         "地震動マップのファイル{path}は、ShakeMapのグリッド（XML）として読めません：{reason}。",
     ),
+    "grid_size": (
+        "it has {nlon} by {nlat} places; they must be 2 by 2 at least, and {most:,} at most",
+        "地点が{nlon}×{nlat}個あります。2×2個以上、合計{most:,}個以下にしてください",
+    ),
+    "grid_fields": ("it has more than {most} fields", "項目（grid_field）が{most}個を超えています"),
+    "grid_line": ("it has a line that does not end", "終わりのない行があります"),
+    "grid_numbers": ("its grid_data holds more than numbers", "grid_dataに数値でないものがあります"),
+    "grid_more": ("it has more numbers than places", "数値が地点の数より多くあります"),
+    "grid_whole": (
+        "its {name} is {value}; it must be a whole number of at most 9 digits",
+        "{name}が{value}になっています。9桁以下の整数にしてください",
+    ),
+    "grid_kind": (
+        "it must be a shakemap_grid with a grid_specification and the fields LON and LAT, each field once",
+        "grid_specificationと、LONとLATを含む重複しない項目のあるshakemap_gridにしてください",
+    ),
+    "grid_count": (
+        "it has {count} numbers; it must have {due}",
+        "数値が{count}個あります。必要な数は{due}個です",
+    ),
+    "grid_degrees": ("its places are no latitudes and longitudes", "地点が緯度と経度になっていません"),
+    "grid_irregular": ("its places are no regular grid", "地点が規則的な格子になっていません"),
+    "grid_doctype": (
+        "it declares a document type, which may hold anything",
+        "文書型宣言（DOCTYPE）があり、何が含まれるか分かりません",
+    ),
+    "grid_broken": ("{said}", "{said}"),
+    "large_map": (
+        "The shake map's file {path} has {size:,} bytes; it must have {most:,} at most.",
+        "地震動マップのファイル{path}は{size:,}バイトあります。最大{most:,}バイトです。",
+    ),
     "compressed": (
         "The shake map's file {path} is compressed; unpack it first and give what was in it, such as grid.xml.",
         "地震動マップのファイル{path}は圧縮されています。先に展開して、中のファイル（grid.xmlなど）を指定してください。",
@@ -130,6 +203,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The unit of {name} of the uncertainty is {unit!r}; it must be {known}.",
         "不確かさの{name}の単位が「{unit}」になっています。{known}にしてください。",
     ),
+    "other_event": (
+        "The map {path} is of {event} and the uncertainty {other} of {other_event}; they must be of one event and version.",
+        "マップ{path}は{event}、不確かさ{other}は{other_event}のものです。同じ地震の同じ版でなければなりません。",
+    ),
+    "event_unstated": (
+        "The map {path} and the uncertainty {other} do not both say of which event they are; check it.",
+        "マップ{path}と不確かさ{other}から、同じ地震のものかどうかが分かりません。確かめてください。",
+    ),
     "other_grid": (
         "The uncertainty is {path}; its places must be those of the shake map.",
         "不確かさのファイル{path}の地点が、地震動マップの地点と異なります。",
@@ -150,6 +231,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # cells
     "column": ("Column {header}", "列{header}"),
+    "decimal_comma": (
+        " (a comma is a decimal one where semicolons stand between the columns)",
+        "（小数点のコンマは、列をセミコロンで区切った表だけで使えます）",
+    ),
     "comma": (
         (
             "{name} is {value}, of which the mark may be that of decimals or of thousands; "

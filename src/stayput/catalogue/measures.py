@@ -74,6 +74,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "“{measure}” slides like this on hard floors; on a soft one it sinks in and slides less easily",
         "「{measure}」のすべりやすさは硬い床での値です。柔らかい床では沈み込み、滑りにくくなります",
     ),
+    "locks_slip": (
+        (
+            "“{measure}” may roll or slip all the same: in shake-table tests locking did not always lessen how far "
+            "equipment moved"
+        ),
+        (
+            "「{measure}」はロックしても転がったり滑ったりすることがあります"
+            "（振動台実験では、ロックしても移動量が必ずしも減っていません）"
+        ),
+    ),
     "rubber_slips": (
         "“{measure}” grips like this on hard, clean floors; on a soft one it slips with the pile or the weave",
         "「{measure}」の摩擦は硬くきれいな床での値です。柔らかい床では毛足や畳の目に沿って滑ります",

@@ -97,8 +97,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{kind}は2次元では計算できません。次元の指定を省くか、Bodyを指定してください。",
     ),
     # Quick estimates
-    "estimate_width": ("Width", "奥行き"),
-    "estimate_height": ("Height", "高さ"),
     "tie_height": ("Height of the tie", "取付け高さ"),
     "peak_acceleration": ("Peak acceleration", "最大加速度"),
     "peak_velocity": ("Peak velocity", "最大速度"),

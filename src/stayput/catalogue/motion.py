@@ -1,9 +1,11 @@
-"""Motions and suites; the sentences about their files stand in `stayput.catalogue.motion_files`."""
+"""Motions and suites; the sentences about their files stand in `motion_files` and `motion_formats`."""
 
 from stayput.catalogue.motion_files import TEXTS as FILE_TEXTS
+from stayput.catalogue.motion_formats import TEXTS as FORMAT_TEXTS
 
 TEXTS: dict[str, tuple[str, str]] = {
     **FILE_TEXTS,
+    **FORMAT_TEXTS,
     # What numbers and names are called, for the refusals of `stayput.catalogue.common`.
     "name_motion_dt": ("Motion dt", "地震動の時間刻み"),
     "name_motion_scale": ("Motion scale", "地震動の倍率"),
@@ -290,10 +292,83 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "建物の上の階で観測された記録のようです（{floor}）。地面の揺れではありません。",
     ),
+    "not_of_the_ground": (
+        "The motion {motion} is of {floor} of a building; {rule}.",
+        "地震動{motion}は建物の床（{floor}）の揺れです。{rule}。",
+    ),
+    "ground_alone_strength": (
+        (
+            "an intensity, a peak, a spectral acceleration or an earthquake says how strongly the ground shakes, "
+            "so give none and at most a factor (scale), or a motion of the ground"
+        ),
+        (
+            "震度・最大値・応答スペクトル・地震は地面の揺れの強さを表すため、指定しないか倍率（scale）だけにするか、"
+            "地面の揺れの地震動を使ってください"
+        ),
+    ),
+    "ground_alone_suite": (
+        "others beside it are of the ground, so give motions of the ground alone, or of upper floors alone",
+        "一緒に指定された地震動には地面の揺れがあります。地面の揺れだけ、または上の階の揺れだけにしてください",
+    ),
+    "ground_alone_building": (
+        "a building stands on the ground, so give it no building, as the floor's own motion, or a motion of the ground",
+        "建物に入力できるのは地面の揺れだけです。建物を指定せずに床の揺れとして使うか、地面の揺れを使ってください",
+    ),
+    "ground_alone_inventory": (
+        "an inventory takes motions of the ground alone",
+        "家具一覧の評価に使えるのは地面の揺れだけです",
+    ),
+    "ground_alone_fallen": (
+        "an intensity from what fell takes motions of the ground alone",
+        "転倒物からの震度の推定に使えるのは地面の揺れだけです",
+    ),
+    "ground_alone_measure": (
+        "curves over PGA, PGV, Sa or MMI are of the ground, so take PFA, PFV or JMA, or a motion of the ground",
+        "PGA、PGV、Sa、MMIに対する曲線は地面の揺れのものです。PFA、PFV、JMAのいずれかにするか、地面の揺れを使ってください",
+    ),
+    "ground_alone_map": (
+        "the map of sizes is over the JMA intensity of the ground, so give a motion of the ground",
+        "大きさの図の横軸は地面の計測震度です。地面の揺れを使ってください",
+    ),
     "floor_number": ("floor {number}", "{number}階"),
     "storey_number": ("storey {number}", "{number}階"),
     "roof": ("roof", "屋上"),
+    # Components that are put together.
+    "one_record": (
+        "The {first} and {second} components are the same record, {name}; each must have its own.",
+        "{first}成分と{second}成分が同じ記録（{name}）です。別々の成分の記録を指定してください。",
+    ),
+    "two_records": (
+        "The {first} component is of {one} and the {second} component of {other}; they must be of one record.",
+        "{first}成分は{one}、{second}成分は{other}の記録です。同じ地震、観測点、地震計の記録でなければなりません。",
+    ),
+    "origin_unstated": (
+        "The files of the {first} and {second} components do not both say of which record they are; check it.",
+        "{first}成分と{second}成分のファイルから、同じ記録かどうかが分かりません。確かめてください。",
+    ),
+    "one_direction": (
+        "The {first} component points to {one} and the {second} component to {other}; they must be at right angles.",
+        "{first}成分の方向が{one}、{second}成分の方向が{other}です。互いに直交していなければなりません。",
+    ),
+    "wrong_axis": (
+        "The {component} component points to {label}; it must be a {wanted} one.",
+        "{component}成分の方向が{label}です。{wanted}の成分でなければなりません。",
+    ),
+    "vertical": ("vertical", "上下動"),
+    "horizontal": ("horizontal", "水平動"),
     # ObsPy's traces.
+    "several_stations": (
+        "The traces are of the stations {one} and {other}; they must be of one.",
+        "トレースに{one}と{other}の2つの観測点があります。1つの観測点のものだけにしてください。",
+    ),
+    "several_locations": (
+        "The station has {count} sensors, with the locations {known}; {option} must name one of them.",
+        "観測点に地震計が{count}つあります（ロケーション：{known}）。使うものを{option}で指定してください。",
+    ),
+    "no_such_location": (
+        "The location is {location!r}; it must be one of those of the station: {known}.",
+        "ロケーション「{location}」はこの観測点にありません。次から選んでください：{known}",
+    ),
     "no_traces": (
         "The stream has no traces; it must have one a channel.",
         "ObsPyのストリームにトレースがありません。チャンネルごとに1つ必要です。",
@@ -350,6 +425,20 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The suite {name!r} has no files; it must have at least one record.",
         "「{name}」にファイルがありません。地震記録が1つ以上必要です。",
     ),
+    "suite_left_out": (
+        "Of the folder {name!r} these files are left out: {files}.",
+        "フォルダ「{name}」の次のファイルは使いません：{files}。",
+    ),
+    "no_acceleration": ("{files}{more} (no acceleration)", "{files}{more}（加速度ではない）"),
+    "ground": ("the ground", "地面"),
+    "two_floors": (
+        "The {component} motion is of {other} and the x motion of {of}; both must be of the same place.",
+        "{component}成分は{other}の揺れ、x成分は{of}の揺れです。同じ場所の記録にしてください。",
+    ),
+    "vertical_only": ("{files}{more} (vertical alone)", "{files}{more}（上下動のみ）"),
+    "in_borehole": ("{files}{more} (borehole)", "{files}{more}（地中の記録）"),
+    "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
+    "and_more": (" and {count} more", "など（ほか{count}件）"),
     "unknown_family": (
         "The family is {family!r}; it must be one of {known}.",
         "地震の種類が「{family}」になっています。次のいずれかにしてください：{known}",

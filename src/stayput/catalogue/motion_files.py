@@ -32,13 +32,21 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "file_binary": (
         (
-            "The motion file {path!r} is binary; it must be text "
+            "The motion file {path!r} is binary; it must be text, SAC or miniSEED "
             "(read other formats with ObsPy and use Motion.from_obspy)."
         ),
         (
-            "「{path}」はテキストのファイルではありません。地震記録のテキストファイルを選んでください"
+            "「{path}」はテキスト、「SAC」、「miniSEED」のいずれでもありません。地震記録のファイルを選んでください"
             "（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡してください）。"
         ),
+    ),
+    "file_spreadsheet": (
+        "The motion file {path!r} is a workbook of a spreadsheet; it must be text: save its sheet as CSV.",
+        "「{path}」は表計算ソフトのファイルです。シートをCSV形式で保存したファイルを指定してください。",
+    ),
+    "file_archive": (
+        "The motion file {path!r} is a compressed archive; it must be unpacked, and one of its files given.",
+        "「{path}」は圧縮ファイルです。展開してから、中の記録のファイルを指定してください。",
     ),
     "file_long_line": (
         "The motion file {path!r} has a line of {length} characters; {most} are allowed.",
@@ -52,10 +60,28 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion file {path!r} is in no known format; it must be one of {formats}.",
         "「{path}」は対応している形式のファイルではありません。次のいずれかの形式にしてください：「{formats}」",
     ),
+    "other_format": (
+        (
+            "The motion file {path!r} is in the format {format}, which is not read; its acceleration must be saved as "
+            "columns of numbers, or the record had in one of {formats}."
+        ),
+        (
+            "「{path}」は「{format}」形式のファイルで、この形式には対応していません。"
+            "加速度を数値の列として保存するか、次のいずれかの形式の記録を使ってください：「{formats}」"
+        ),
+    ),
     # A file's unit and time step.
     "unknown_unit": (
         "The unit of acceleration is {unit}; it must be one of {known}.",
         "加速度の単位が{unit}になっています。次のいずれかにしてください：{known}",
+    ),
+    "unknown_stated_unit": (
+        "The file states the unit {unit}, which is not known; unit must be given as one of {known}.",
+        "ファイルに書かれている単位{unit}には対応していません。加速度の単位を次から選んでください：{known}",
+    ),
+    "stated_quantity": (
+        "The file states the unit {unit}, that of {quantity}; its numbers must be accelerations.",
+        "ファイルに書かれている単位{unit}は{quantity}の単位です。加速度の記録が必要です。",
     ),
     "no_unit": (
         "The file states no unit; unit must be given as one of {known}.",
@@ -101,6 +127,41 @@ TEXTS: dict[str, tuple[str, str]] = {
             "それを入力してください。"
         ),
     ),
+    "time_counts": (
+        (
+            "The time column counts {first:g}, {second:g}, …, as a number of samples does; {option} must be given [s], "
+            "1 where these are seconds."
+        ),
+        (
+            "時刻の列が{first:g}、{second:g}、…と1ずつ増えていて、データの番号のようです。"
+            "時間刻み（{option}）を秒単位で指定してください（秒であれば1）。"
+        ),
+    ),
+    "long_step": (
+        "The time step is {dt:g} s, by which nothing faster than {frequency:g} Hz is seen; check the time column or dt.",
+        "時間刻みが{dt:g}秒で、{frequency:g} Hzより速い揺れが記録に現れません。時刻の列か時間刻みを確かめてください。",
+    ),
+    "gravity": (
+        (
+            "The mean acceleration of {component} is {mean:.4g} m/s², which is gravity; a motion is without it: its "
+            "mean must be taken off ({option})."
+        ),
+        (
+            "{component}成分の加速度の平均が{mean:.4g} m/s²で、重力加速度が含まれています。"
+            "重力を除いた加速度が必要です。平均を除いてください（{option}）。"
+        ),
+    ),
+    "offset": (
+        (
+            "The acceleration of {component} oscillates about {mean:.4g} m/s², which would leave the floor moving at "
+            "{velocity:.3g} m/s; where that is the instrument's offset, take the mean off ({option})."
+        ),
+        (
+            "{component}成分の加速度が{mean:.4g} m/s²を中心に振動しており、最後に床が{velocity:.3g} m/sで"
+            "動き続けることになります。計器のオフセットであれば、平均を除いてください（{option}）。"
+        ),
+    ),
+    "less_mean": (", less the mean of each component", "、各成分の平均を除去"),
     "time_not_growing": (
         "The time runs from {start:g} s to {end:g} s; it must grow.",
         "時刻が{start:g}秒から{end:g}秒になっています。時刻は増えていかなければなりません。",
@@ -155,10 +216,71 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The header has no {what}; it must state it.",
         "ヘッダーに{what}がありません。",
     ),
+    "decimal_comma": (
+        (
+            "Value {index} of {what} is {value}; it must be a finite decimal number with a point, unless "
+            "{option} says that it has a comma."
+        ),
+        (
+            "{what}の{index}番目の値が{value}になっています。小数点には「.」を使うか、「,」であることを"
+            "{option}で指定してください。"
+        ),
+    ),
+    # What the caller says of a file.
+    "columns_like": (
+        "{name} has {value}; it must be such as t=1,x=2 or t=time,x=NS,y=EW,z=UD: with x, and each once.",
+        "{name}に{value}があります。「t=1,x=2」や「t=time,x=NS,y=EW,z=UD」のように、xを含めて1回ずつ書いてください。",
+    ),
+    "no_such_column": (
+        "The columns say {role}={column}; each must be a column of the file, and another one: {known}.",
+        "列の指定の{role}={column}に当たる列が1つに決まりません。別々の列を次から選んでください：{known}",
+    ),
+    "columns_left_out": (
+        "The columns {columns} are velocities or displacements and are left out; the accelerations are taken.",
+        "速度や変位の列「{columns}」は使いません。加速度の列だけを使います。",
+    ),
+    "not_of_format": (
+        "{name} is given and the file is {format}, which has no use for it; it must be left out.",
+        "{name}が指定されましたが、{format}のファイルには使えません。指定しないでください。",
+    ),
+    "all_skipped": (
+        "{name} is {count}; the file must have more lines.",
+        "{name}が{count}になっています。ファイルの行数より小さくしてください。",
+    ),
+    "component_and_columns": (
+        "{name} is {component!r} beside {other}, which says what x is; it must be one of the two.",
+        "xとする列が{other}で指定されているのに、{name}も「{component}」になっています。どちらか一方にしてください。",
+    ),
+    "no_obspy": (
+        "ObsPy is absent; it must be installed to read {format}: pip install obspy.",
+        "{format}を読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
+    ),
+    "seismogram_unread": (
+        "ObsPy cannot read the file; it must be complete.",
+        "ObsPyでファイルを読み取れません。壊れていないファイルが必要です。",
+    ),
+    "seismogram_cut": (
+        "The last record of the file has {size} bytes; it must have {length} like the others.",
+        "ファイルの最後のレコードが{size}バイトしかありません。ほかと同じ{length}バイトが必要です。",
+    ),
+    "borehole_left_out": (
+        "The channels {channels} are of the borehole below the ground and are left out; the surface's are taken.",
+        "地中（ボアホール）の地震計の成分「{channels}」は使いません。地表の成分を使います。",
+    ),
+    "borehole": (
+        "The sensor of {label!r} is in the borehole, below the ground; for a floor the one at the surface must be taken.",
+        "「{label}」は地中（ボアホール）の地震計の記録です。床の揺れには地表の記録を使ってください。",
+    ),
     # Columns of numbers.
     "column_count": (
-        "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z).",
-        "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）に対応しています。",
+        (
+            "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless {option} "
+            "says which are these."
+        ),
+        (
+            "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、"
+            "どれがそれらの列かを{option}で指定してください。"
+        ),
     ),
     "column_row": (
         "Row {row} has {count} values; it must have {columns} like the first.",
@@ -191,6 +313,39 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The heading {column} states no unit, and the other columns have different ones; it must state its own.",
         "列の見出し{column}に単位がなく、ほかの列の単位は互いに異なります。見出しに単位を書いてください。",
     ),
+    "column_unknown_unit": (
+        "The heading {column} states the unit {unit}, which is not known; unit must be given as one of {known}.",
+        (
+            "列の見出し{column}に書かれている単位{unit}には対応していません。"
+            "加速度の単位を次から選んでください：{known}"
+        ),
+    ),
+    "column_order": (
+        (
+            "The file states its columns as {columns}, and has {count} columns; each must be named once, the time and "
+            "the directions as in 'time, NS, EW, UD'."
+        ),
+        (
+            "ファイルには列が{columns}と書かれていますが、{count}列あります。"
+            "「time, NS, EW, UD」のように、時刻と各列の方向を1つずつ書いてください。"
+        ),
+    ),
+    "column_order_unread": (
+        "The file names directions in {line}, from which the order of the columns is not understood; state it by {option}.",
+        "ファイルには{line}と方向が書かれていますが、列の順序を読み取れません。{option}で列を指定してください。",
+    ),
+    "column_unit_factor": (
+        "The heading {column} states the unit {unit}, with a factor; the numbers must be in a unit without one.",
+        "列の見出し{column}の単位{unit}には倍率が付いています。倍率のない単位の数値にしてください。",
+    ),
+    "column_line": (
+        "The line {line} stands between the headings and the numbers; only the units of the columns may.",
+        "見出しと数値の間に{line}という行があります。ここには各列の単位だけを書けます。",
+    ),
+    "column_negative": (
+        "The column {column} is positive the other way; it must be turned, and its heading written without the sign.",
+        "列{column}は正負の向きが逆です。符号を反転し、見出しの符号を外してください。",
+    ),
     "column_quantity": (
         "The heading {column} says {quantity}; every column but the time must be an acceleration.",
         "列の見出し{column}は{quantity}を表しています。時刻以外の列はすべて加速度でなければなりません。",
@@ -206,185 +361,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "column_time_unit": (
         "The time is headed {column}; it must be in s or ms.",
         "時刻の見出しが{column}になっています。単位は秒またはミリ秒でなければなりません。",
-    ),
-    # COSMOS.
-    "cosmos_no_end": (
-        "The samples have no line End-of-data after them; the file must be complete.",
-        "データの後に「End-of-data」の行がありません。ファイルが途中で切れています。",
-    ),
-    "cosmos_no_header": (
-        "The header has no {kind}-header block; it must have one.",
-        "ヘッダーに「{kind}-header」のブロックがありません。",
-    ),
-    "cosmos_header_count": (
-        "The {kind} header has {count} values; it must have the {stated} it states.",
-        "「{kind}-header」の値が{count}個です。書かれたとおり{stated}個必要です。",
-    ),
-    "cosmos_short_header": (
-        "The real header has {count} values; it must have 64 or more.",
-        "「real-header」の値が{count}個です。64個以上必要です。",
-    ),
-    "cosmos_no_format": (
-        "The line {line} stands where a channel begins; it must state the format.",
-        "チャンネルの最初の行が{line}になっています。ここには形式を書く必要があります。",
-    ),
-    "cosmos_no_layout": (
-        "The line {line} stands before the samples; it must state their number and format.",
-        "データの前の行が{line}になっています。ここにはデータの数と書式を書く必要があります。",
-    ),
-    "no_samples_announced": (
-        "The line {line} announces no samples; it must announce some.",
-        "{line}の行に書かれたデータの数が0です。1以上でなければなりません。",
-    ),
-    "cosmos_another_end": (
-        "A block of {begun} ends as one of {ended}; it must be the same.",
-        "「{begun}」のブロックが「{ended}」として終わっています。同じでなければなりません。",
-    ),
-    "cosmos_duration": (
-        (
-            "The header states about {stated} s and {count} samples every {step:g} s last {duration:g} s; "
-            "they must agree."
-        ),
-        (
-            "ヘッダーに書かれた長さは約{stated}秒ですが、{step:g}秒ごとのデータ{count}個の長さは{duration:g}秒です。"
-            "一致しなければなりません。"
-        ),
-    ),
-    "cosmos_no_acceleration": (
-        "The file has no block of acceleration; it must have at least one.",
-        "ファイルに加速度のブロックがありません。1つ以上必要です。",
-    ),
-    # CSMIP.
-    "csmip_two_numbers": (
-        "Channel {channel} of the file is numbered {numbers}; it must have one number.",
-        "ファイルの{channel}番目のチャンネルに複数の番号があります（{numbers}）。番号は1つでなければなりません。",
-    ),
-    "csmip_directions": (
-        "The header of channel {channel} gives the directions {directions}; {taken} is taken.",
-        "チャンネル{channel}のヘッダーの成分の方向が一致しません（{directions}）。{taken}として使います。",
-    ),
-    "csmip_acceleration_lines": (
-        "Channel {channel} of the file has {count} lines that announce acceleration data; it must have one.",
-        (
-            "ファイルの{channel}番目のチャンネルに、加速度データの始まりを示す行が{count}行あります。"
-            "1行でなければなりません。"
-        ),
-    ),
-    "csmip_lengths": (
-        (
-            "Channel {channel} has {count} samples of acceleration every {step:g} s and {other_count} "
-            "of {kind} "
-            "every {other_step:g} s; they must last as long."
-        ),
-        (
-            "チャンネル{channel}のデータは、加速度が{step:g}秒ごとに{count}個、「{kind}」が{other_step:g}秒ごとに"
-            "{other_count}個です。同じ長さでなければなりません。"
-        ),
-    ),
-    "csmip_no_end": (
-        "The last channel has no end-of-data line /&; the file must be complete.",
-        "最後のチャンネルに終わりの行（/&）がありません。ファイルが途中で切れています。",
-    ),
-    "csmip_channels_missing": (
-        "The header counts {stated} channels and the file has {count}; it may have been cut.",
-        (
-            "ヘッダーによるとチャンネルは{stated}個ですが、ファイルには{count}個しかありません。"
-            "途中で切れているかもしれません。"
-        ),
-    ),
-    # ESM.
-    "esm_no_acceleration": (
-        "The DATA_TYPE is {kind}; it must be 'ACCELERATION'.",
-        "「DATA_TYPE」が{kind}になっています。「ACCELERATION」でなければなりません。",
-    ),
-    "esm_duration": (
-        (
-            "The header's DURATION_S is {stated:g} and NDATA times SAMPLING_INTERVAL_S is {duration:g} s; "
-            "they must agree."
-        ),
-        (
-            "ヘッダーの「DURATION_S」は{stated:g}秒ですが、「NDATA」に「SAMPLING_INTERVAL_S」を掛けると"
-            "{duration:g}秒です。一致しなければなりません。"
-        ),
-    ),
-    # JMA.
-    "jma_no_names": (
-        "The header has no line of component names; it must have one such as NS,EW,UD.",
-        "ヘッダーに成分名の行がありません。「NS,EW,UD」のような行が必要です。",
-    ),
-    "jma_rate": (
-        "The sampling rate is {rate:g} Hz; it must be more than 0 Hz.",
-        "サンプリングレートが{rate:g}Hzになっています。0より大きくなければなりません。",
-    ),
-    "jma_names_repeated": (
-        "The component names are {names}; they must differ.",
-        "成分名が「{names}」になっています。互いに異なる名前が必要です。",
-    ),
-    "jma_unknown_name": (
-        "The component names have {name!r}; they must be among NS, EW, UD.",
-        "成分名に「{name}」があります。「NS」「EW」「UD」のいずれかでなければなりません。",
-    ),
-    # K-NET.
-    "knet_no_obspy": (
-        "ObsPy is absent; it must be installed to read K-NET ASCII: pip install obspy.",
-        "K-NET ASCIIを読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
-    ),
-    "knet_header_unread": (
-        "The header cannot be read ({reason}); it must be the 17 lines of the format.",
-        "ヘッダーを読み取れません（「{reason}」）。形式どおりの17行が必要です。",
-    ),
-    "knet_no_memo": (
-        "The header does not end with Memo. on line 17; it must be the format's 17 lines.",
-        "ヘッダーの17行目が「Memo.」ではありません。形式どおりの17行が必要です。",
-    ),
-    "knet_no_scale": (
-        "The header has no scale factor in gal; it must be like 2000(gal)/8388608.",
-        "ヘッダーにスケールファクター（gal）がありません。2000(gal)/8388608のように書いてください。",
-    ),
-    "knet_not_positive": (
-        "The header's sampling frequency is {rate:g} Hz; it and the scale must be positive.",
-        (
-            "ヘッダーのサンプリング周波数が{rate:g}Hzになっています。"
-            "サンプリング周波数とスケールファクターは正でなければなりません。"
-        ),
-    ),
-    "knet_duration": (
-        "The header states {stated:g} s and the file has {duration:g} s; they must agree.",
-        "ヘッダーに書かれた長さは{stated:g}秒ですが、データは{duration:g}秒です。一致しなければなりません。",
-    ),
-    "knet_offset_count": (
-        "The header line {line} has {count} numbers; it must have {columns}.",
-        "ヘッダーの{line}の行に数値が{count}個あります。{columns}個必要です。",
-    ),
-    "knet_no_date": (
-        "The row {line} has no date and time; each must begin with them.",
-        "{line}の行に日時がありません。各行は日時で始まらなければなりません。",
-    ),
-    "knet_no_offset": (
-        "The header has no line #Offset; it must state what to subtract.",
-        "ヘッダーに「#Offset」の行がありません。差し引く値が必要です。",
-    ),
-    "knet_rate": (
-        "The header's sampling frequency is {rate:g} Hz and the rows' step {step:g} s; they must agree.",
-        (
-            "ヘッダーのサンプリング周波数は{rate:g}Hzですが、データの間隔は{step:g}秒です。"
-            "一致しなければなりません。"
-        ),
-    ),
-    # PEER.
-    "peer_no_npts": (
-        "The header has no NPTS and DT; it must state them.",
-        "ヘッダーに「NPTS」と「DT」がありません。",
-    ),
-    "peer_no_acceleration": (
-        "The file is a {kind} history; it must be an acceleration history.",
-        "ファイルは{kind}の時刻歴です。加速度の時刻歴が必要です。",
-    ),
-    "velocity": ("velocity", "速度"),
-    "displacement": ("displacement", "変位"),
-    "peer_npts_line": (
-        "The line {line} is not NPTS= a number, DT= a number; it must be.",
-        "{line}の行が「NPTS= 数値, DT= 数値」の形になっていません。",
     ),
 }
 """Texts by their keys: English, Japanese."""

@@ -165,6 +165,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "file_unit": ("Unit", "単位"),
     "file_dt": ("Time step [s]", "時間刻み [s]"),
     "file_component": ("Channel", "チャンネル"),
+    "file_remove_mean": ("Take the mean off each component", "各成分から平均を除く"),
     "sendAgain": ("Send again", "もう一度送る"),
     "withoutRecord": ("Without this record", "この記録を使わない"),
     "recordAlt": ("The record's acceleration over time", "記録の加速度の時間変化"),
@@ -394,27 +395,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Marks: what the simulations gave; lines: the nearest rising shares; shaded: where they may lie (95 %).",
         "印は計算で得られた割合、線は増加のみを仮定した当てはめ、塗った部分は95%の範囲です。",
     ),
-    "whatIfTitle": ("And higher up?", "もっと上の階なら"),
-    "whatIf": ("What if I lived on floor", "もし"),
-    "whatIfFloor": ("?", "階に住んでいたら？"),
-    "goThere": ("Go there", "その階に移る"),
     "thinking": ("Working it out …", "計算しています…"),
-    "whatIfMore": (
-        "On storey {storey} of a building with {storeys} the same earthquake throws it over more often: in {after} instead of {before}, without measures.",
-        "{storeys}階建ての{storey}階では、同じ地震でも倒れやすくなります。対策なしで{after}が倒れます（今の条件では{before}）。",
-    ),
-    "whatIfLess": (
-        "On storey {storey} of a building with {storeys} the same earthquake throws it over less often: in {after} instead of {before}, without measures.",
-        "{storeys}階建ての{storey}階では、同じ地震でも倒れにくくなります。対策なしで{after}が倒れます（今の条件では{before}）。",
-    ),
-    "whatIfSame": (
-        "On storey {storey} of a building with {storeys} it is about the same: it falls over in {after}, here in {before}, without measures.",
-        "{storeys}階建ての{storey}階でも、ほぼ同じです。対策なしで{after}が倒れます（今の条件では{before}）。",
-    ),
-    "whatIfHeld": (
-        "With {measures} it would be {share} there.",
-        "「{measures}」があれば、そこでは{share}です。",
-    ),
     "everydayTitle": ("And without an earthquake?", "地震がないときは"),
     "drawers": ("Drawers that can be open at once", "同時に開けられる引き出しの数"),
     "drawerLoad": (
@@ -428,24 +409,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "estimatesNote": (
         "For the piece without measures. They are not the simulation, and none of them is a certificate.",
         "対策なしの場合です。シミュレーションとは別の目安であり、適合を証明するものではありません。",
-    ),
-    "mapTitle": ("And if it were taller, or smaller?", "もっと高い家具、小さい家具なら"),
-    "heightAxis": ("height [cm]", "高さ [cm]"),
-    "depthAxis": ("depth [cm]", "奥行き [cm]"),
-    "yourPiece": ("your piece", "この家具"),
-    "mapAlt": (
-        "How often the piece falls, by its height and the intensity. Yours: {size} at {at}, {share}.",
-        "家具の高さと震度ごとの、倒れる割合。この家具は{size}、震度{at}で{share}。",
-    ),
-    "doesNotFit": ("the piece or a measure does not fit there", "家具または対策がその寸法では収まりません"),
-    "mapInSpace": (
-        "This map is of simulations in the plane; choose the plane under “Which piece?” to see it.",
-        "この図は平面の計算によるものです。「どの家具ですか」で平面を選ぶと表示されます。",
-    ),
-    "mapWhich": ("The map is for the piece", "図の条件"),
-    "mapNote": (
-        "How often such a piece falls over, by its height and the strength of the shaking (earthquakes tried: {motions}; simulations of each size at each strength: {runs}). What is not known was varied as for the chances above. The mark is your piece.",
-        "家具の高さと揺れの強さごとに、{motions}種類の地震による{runs}回ずつの計算から、倒れる割合を示します。ばらつきは上の確率と同じように考えています。印はこの家具です。",
     ),
     "disclaimer": (
         "A computation with simple models and usual values, to help understand. It is no guarantee that a piece of furniture is safe.",

@@ -27,23 +27,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "gifWith": ("Animation with the measures, 10 s (GIF)", "対策ありの動画、10秒（GIF）"),
     "mp4Without": ("Animation without measures, 10 s (MP4)", "対策なしの動画、10秒（MP4）"),
     "mp4With": ("Animation with the measures, 10 s (MP4)", "対策ありの動画、10秒（MP4）"),
-    "python": ("Copy as Python", "Pythonとしてコピー"),
-    "copiedPython": (
-        "The program is on the clipboard; it gives the same numbers to the bit.",
-        "プログラムをコピーしました。計算結果はこのページと完全に一致します。",
-    ),
-    "keepFigure": ("Keep this chart:", "図を保存："),
-    "keepFigureAs": ("{name} as {kind}", "{name}を{kind}で保存"),
-    "figure_histories": ("The histories", "時刻歴の図"),
-    "figure_tens": ("The chances", "起こりやすさの図"),
-    "figure_ranking": ("The ranking", "対策の比較の図"),
-    "figure_fragility": ("The curves", "曲線の図"),
-    "figure_size_map": ("The map of sizes", "大きさの図"),
-    "figureWait": (
-        "This chart can be kept once it has been worked out.",
-        "この図は、計算が終わると保存できます。",
-    ),
-    "figureDrawing": ("Drawing …", "作成中…"),
     "drawingNow": ("Drawing …", "作成中…"),
     "drawing": (
         "Drawing the animation, which may take half a minute …",

@@ -1,6 +1,7 @@
 """Plots of runs, motions, suites, buildings and fragility curves."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    "axis_overturned": ("Overturned [%]", "転倒した割合 [%]"),
     # Fragility curves.
     "curves_number": (
         "There are {count} curves; a plot must have 1 to {most}.",

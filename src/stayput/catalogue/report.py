@@ -6,7 +6,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "skip": ("Skip to the ranking", "順位表へ移動"),
     "contents": ("Contents", "目次"),
     "verdict": ("The verdict", "結論"),
-    "shaking": ("Shaking of the ground", "地盤の揺れ"),
+    "shaking": ("Shaking", "揺れの強さ"),
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
     "simulations_text": (
@@ -113,14 +113,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
     "fragility_text": (
         (
-            "Share that overturns against the intensity of the ground. The marks are what "
+            "Share that overturns against the intensity. The marks are what "
             "was counted at each level; the lines join the nearest rising shares (isotonic "
             "regression: no shape is assumed); the bands are 95 % intervals, as with other "
             "motions of the same kind. Marks and bands are drawn for no measure and for the "
             "best one."
         ),
         (
-            "地盤の計測震度に対する転倒の割合です。印は各レベルで数えた割合、線は増加のみを仮"
+            "計測震度に対する転倒の割合です。印は各レベルで数えた割合、線は増加のみを仮"
             "定した当てはめ（単調回帰）、帯は同じ種類の別の地震動も考えた95%区間です（印と帯"
             "は対策なしと最良の対策のみ）。"
         ),
@@ -372,7 +372,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "gap_text": ("{gap:.3g} cm away", "すき間 {gap:.3g} cm"),
     "height_text": ("{height:g} m high", "高さ {height:g} m"),
     "strength": ("Strength of the ground's shaking", "地面の揺れの強さ"),
-    "motions_read": ("{count}, read from {name}", "{count}本（{name}から読込み）"),
+    "motions_read": ("{count}, read from {name}{mean}", "{count}本（{name}から読込み{mean}）"),
     "motions_synthetic": (
         "{count} synthetic ones ({family}): computed, not recorded",
         "模擬地震動{count}本（{family}）：計算で作ったもので、観測記録ではありません",

@@ -75,9 +75,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "htmlOfRoom": ("Animation (HTML)", "動画（HTML）"),
     "gifOfRoom": ("Animation, 10 s (GIF)", "動画、10秒（GIF）"),
     "mp4OfRoom": ("Animation, 10 s (MP4)", "動画、10秒（MP4）"),
-    "figure_room_plan": ("The plan with where pieces come to lie", "家具が行き着く場所の平面図"),
-    "figure_room_hits": ("The chances of being hit", "誰に何が当たるかの図"),
-    "figure_room_changes": ("The changes", "変更の効果の図"),
     "stillNote": (
         "Beds and other places of people, doors and windows are drawn as outlines: they do not move and hold nothing up.",
         "ベッドなど人のいる場所、ドア、窓は線で示しています。動かず、家具を支えません。",
@@ -166,11 +163,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "inThisShut": (
         "Somebody is shut in; that is so in {share}.",
         "出られない人がいます。その割合は{share}です。",
-    ),
-    "sound": ("Sound", "音を出す"),
-    "soundHint": (
-        "A made rumble as strong as the shaking, and a knock where a piece hits; no recording.",
-        "揺れの強さに合わせた地鳴りと、家具がぶつかる音を合成します。録音ではありません。",
     ),
     # Rooms that are kept
     "scenesTitle": ("Rooms kept on this device", "この端末に保存した部屋"),

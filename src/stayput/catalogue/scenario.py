@@ -41,8 +41,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Keys that do not go together
     "no_preset": (
-        "{name} is missing; it must be given where no preset is.",
-        "{name}がありません。presetを使わない場合は必要です。",
+        "{name} is missing; it must be given where no {preset} is.",
+        "{name}がありません。{preset}を使わない場合は必要です。",
     ),
     "follows_from_shelves": (
         "{name} follows from furniture.shelves; give only one of them.",
@@ -176,6 +176,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "motions_in_python": (
         "The motions were given in Python and are not in this file.",
         "地震動はPythonで指定されたもので、このファイルには含まれません。",
+    ),
+    "building_in_python": (
+        "The building was given in Python, and this file does not say all of it.",
+        "建物はPythonで指定されたもので、このファイルには一部しか書かれていません。",
     ),
     "measures_in_python": (
         "The measures were given in Python and are not in this file.",

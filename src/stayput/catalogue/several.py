@@ -22,8 +22,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{strength}の揺れで、接合・対策がなければ家具のいずれかが{falls}。「{option}」なら{then}。{chance}",
     ),
     "stays_upright": (
-        "In shaking of JMA intensity {strength} all furniture stays upright without joints and measures.",
-        "{strength}の揺れでも、接合・対策なしで家具は転倒しません。",
+        "In shaking of JMA intensity {strength} all furniture stays upright without joints and measures{doubt}.",
+        "{strength}の揺れでも、接合・対策なしで家具は転倒しません{doubt}。",
     ),
     "none_helps": (
         (

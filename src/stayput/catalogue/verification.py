@@ -1,6 +1,17 @@
 """Verdicts: what happens with each measure, and why; Monte Carlo sampling behind them."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    "of_a_floor": (
+        (
+            "The motions are of {floor} of a building: their intensity is what JMA's formula gives for them and "
+            "not that of the place, and the peaks are the floor's. The equipment guideline and AC156 go by the "
+            "storeys of the building, which are not known, and are left out."
+        ),
+        (
+            "地震動は建物の床（{floor}）の揺れです。計測震度は床の揺れから計算した値でその場所の震度ではなく、"
+            "最大値も床のものです。設備の指針とAC156は建物の階数によるため省いています。"
+        ),
+    ),
     "strength": ("Strength of the ground's shaking: {strength}.", "地面の揺れの強さ：{strength}。"),
     "in_space": (
         "Simulated in space, under all components of the motions; the piece faces {heading:.0f}° from their x.",
@@ -64,8 +75,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "計算数が少なく、偶然の差かもしれません。",
     ),
     "stays_upright": (
-        "In shaking of JMA intensity {strength} the {name} stays upright without any measure.",
-        "{strength}の揺れでも、この家具は対策なしで転倒しません。",
+        "In shaking of JMA intensity {strength} the {name} stays upright without any measure{doubt}.",
+        "{strength}の揺れでも、この家具は対策なしで転倒しません{doubt}。",
+    ),
+    "not_ruled_out": (
+        " in these runs; up to {share} is not ruled out",
+        "（今回の計算の範囲では。{share}までの可能性は否定できません）",
     ),
     "bare_falls": (
         "In shaking of JMA intensity {strength} the {name} overturns {falls}.",

@@ -1,58 +1,19 @@
 """The command line: heavy modules are loaded only when a command runs."""
 
-from __future__ import annotations
+import sys
 
-from typing import Annotated
+from stayput.cli import interrupts
 
-import typer
+with interrupts.HandledBy(interrupts.end_at_once):
+    from stayput.cli.commands import app
 
-import stayput
-from stayput.cli import app as page
-from stayput.cli import assess, building, fragility, motion, simulate, study, verify
-from stayput.cli.as_typed import FlagCommand
-from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
-from stayput.cli.help import HelpfulCommand, RootGroup
-from stayput.cli.language import OF_LOCALE, LanguageOption
-
-app = typer.Typer(
-    cls=RootGroup,
-    help="cli_help.stayput",
-    no_args_is_help=True,
-    context_settings={"help_option_names": ["-h", "--help"]},
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
-)
-for name, run, kind in (
-    ("simulate", simulate.simulate, FlagCommand),
-    ("verify", verify.verify, FlagCommand),
-    ("fragility", fragility.fragility, HelpfulCommand),
-    ("study", study.study, FlagCommand),
-    ("building", building.building, FlagCommand),
-    ("assess", assess.assess, HelpfulCommand),
-    ("app", page.app, HelpfulCommand),
-):
-    app.command(name, cls=kind, help=f"cli_help.{name}")(run)
-app.add_typer(motion.app, name="motion")
-
-
-def _print_version(wanted: bool) -> None:
-    if wanted:
-        typer.echo(f"stayput {stayput.__version__}")
-        raise typer.Exit
-
-
-@app.callback()
-def _options(  # pyright: ignore[reportUnusedFunction] - Typer calls it
-    version: Annotated[
-        bool,
-        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="cli_help.version"),
-    ] = False,
-    lang: LanguageOption = OF_LOCALE,
-    quiet: QuietOption = False,
-) -> None:
-    """Take the flags that stand before a command."""
+__all__ = ["app", "main"]
 
 
 def main() -> None:
     """Run the command line: the entry point of ``stayput``."""
-    app(prog_name="stayput")
+    with interrupts.HandledBy(interrupts.raise_after_imports, afterwards=interrupts.end_at_once):
+        try:
+            app(prog_name="stayput")
+        except KeyboardInterrupt:
+            sys.exit(interrupts.INTERRUPTED)

@@ -11,7 +11,7 @@ from stayput.catalogue import say
 from stayput.cli.flags import QuietOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note, print_json, tell_written
-from stayput.cli.streams import NAME, bytes_of_input, file_of, is_stream
+from stayput.cli.streams import NAME, file_of, is_stream, table_of_input
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -99,20 +99,25 @@ def assess(
 def _scenario_of_input() -> ScenarioFile:
     """Return the scenario on standard input; its paths begin in the working folder."""
     from stayput.inventory.scenarios import scenario_file_of
-    from stayput.scenario.toml import table_of_bytes
 
-    return scenario_file_of(table_of_bytes(bytes_of_input("--scenario"), Path(NAME)), Path(NAME))
+    return scenario_file_of(table_of_input("--scenario"), Path(NAME))
 
 
 def _record(assessment: Assessment) -> dict[str, object]:
+    from stayput.inventory.results import Finding
+
     events = {
         name: {
             "pieces": total.pieces,
             "expected_overturned": total.fallen,
+            **{
+                f"share_overturned{which}": total.share(which)
+                for which in ("", "_low", "_high", "_best", "_best_low", "_best_high")
+            },
             "expected_overturned_best": total.fallen_best,
             "expected_loss": total.loss,
             "expected_loss_best": total.loss_best,
-            "pieces_helped": total.helped,
+            **{f"pieces_{finding}": total.found[finding] for finding in Finding},
             "contents_out_share": total.share_out,
             "contents_out_share_best": total.share_out_best,
         }
@@ -128,20 +133,33 @@ def _record(assessment: Assessment) -> dict[str, object]:
 
 
 def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
-    from stayput.inventory.words import counted_phrase, narrow_told, printed, read_as
+    from stayput.inventory.words import (
+        counted_phrase,
+        empty_told,
+        impossible_told,
+        narrow_told,
+        printed,
+        read_as,
+        reason_told,
+        rows_told,
+    )
 
     def line(key: str, **values: object) -> None:
         typer.echo(say(f"inventory_report.{key}", lang, **values))
 
     facts = assessment.facts
-    rows, how = counted_phrase(facts["rows"], "row", "行"), read_as(facts["read as"])
-    line("printed_read", rows=rows, how=how, pieces=f"{facts['pieces']:,}")
+    rows = counted_phrase(facts["rows"], "row", "行")
+    line("printed_read", rows=rows, how=read_as(facts), pieces=f"{facts['pieces']:,}")
     if facts["columns renamed"]:
         line("renamed", columns=", ".join(facts["columns renamed"]))
     if facts["columns not used"]:
         line("not_used", columns=", ".join(facts["columns not used"]))
     if facts["rejects"]:
         line("printed_rejects", rows=counted_phrase(facts["rejects"], "row", "行"))
+        for found in facts["rejects alike"]:
+            line("reason_of_rows", rows=rows_told(found, lang), reason=reason_told(found, lang))
+    if empty := empty_told(facts, lang):
+        typer.echo(empty)
     without = facts["pieces"] - facts["with coordinates"]
     if 0 < without < facts["pieces"]:
         line("without_coordinates", pieces=counted_phrase(without, "piece", "点"))
@@ -151,7 +169,8 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
     for name, total in assessment.summary.events.items():
         for sentence in printed(total, name, lang):
             typer.echo(sentence)
-    if narrow := narrow_told(facts, lang):
-        typer.echo(narrow)
+    for sentence in (narrow_told(facts, lang), *impossible_told(facts, lang)):
+        if sentence:
+            typer.echo(sentence)
     files = (assessment.folder / f"pieces.{name}" for name in exported)
     tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)

@@ -9,20 +9,15 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.completion import structures, words
-from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.flags import FlagValues, QuietOption, motion_of, reads_records
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import folded, print_json, tell_written
 from stayput.cli.shaking import (
-    EarthquakeOption,
-    IntensityOption,
-    MercalliOption,
-    PgaOption,
-    PgvOption,
-    SpectralOption,
     XOption,
     YOption,
     ZOption,
     along,
+    scales_motions,
     stated_strength,
 )
 from stayput.cli.streams import check_output, to_output, write_text
@@ -31,6 +26,8 @@ if TYPE_CHECKING:
     from stayput.building.response import FloorResponse
 
 
+@reads_records
+@scales_motions
 def building(
     storeys: Annotated[int, typer.Option(help="cli_help.storeys")] = 10,
     structure: Annotated[
@@ -51,15 +48,9 @@ def building(
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
-    intensity: IntensityOption = None,
-    pga: PgaOption = None,
-    pgv: PgvOption = None,
-    sa: SpectralOption = None,
-    mmi: MercalliOption = None,
-    earthquake: EarthquakeOption = None,
+    *,
+    reading: FlagValues,
+    strength: FlagValues,
     storey: Annotated[
         list[int] | None,
         typer.Option(help="cli_help.storey_out"),
@@ -94,17 +85,14 @@ def building(
         described.model.place(number)
     motion, named = along(motion, x)
     ground = motion or "near-fault"
-    strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
     response = described.respond(
         motion_of(
             ground,
             named,
             y=y,
             z=z,
-            component=component,
-            unit=unit,
-            dt=dt,
-            **strength,
+            reading=reading,
+            **stated_strength(strength),
         )
     )
     if json:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import inspect
+from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast, get_args
 
 import typer
 
-from stayput.cli.streams import NAME, bytes_of_input, called, file_of, is_stream
+from stayput.cli.streams import called, file_of, is_stream, table_of_input
 from stayput.errors import InputError, unknown
 from stayput.progress import keep_quiet
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from stayput.measures import Measure
     from stayput.motion import Motion
@@ -35,9 +37,20 @@ MotionArgument: TypeAlias = Annotated[
         show_default=False,
     ),
 ]
-ComponentOption: TypeAlias = Annotated[str | None, typer.Option("--component", help="cli_help.component")]
-UnitOption: TypeAlias = Annotated[str | None, typer.Option("--unit", help="cli_help.unit")]
-TimeStepOption: TypeAlias = Annotated[float | None, typer.Option("--dt", help="cli_help.dt")]
+RECORD_FLAGS: dict[str, Any] = {
+    "component": Annotated[str | None, typer.Option("--component", help="cli_help.component")],
+    "unit": Annotated[str | None, typer.Option("--unit", help="cli_help.unit")],
+    "dt": Annotated[float | None, typer.Option("--dt", help="cli_help.dt")],
+    "columns": Annotated[
+        str | None, typer.Option("--columns", metavar="t=COLUMN,x=COLUMN,…", help="cli_help.record_columns")
+    ],
+    "skip_lines": Annotated[int | None, typer.Option("--skip-lines", help="cli_help.skip_lines")],
+    "decimal_comma": Annotated[bool, typer.Option("--decimal-comma", help="cli_help.decimal_comma")],
+    "location": Annotated[str | None, typer.Option("--location", help="cli_help.location")],
+    "remove_mean": Annotated[bool, typer.Option("--remove-mean", help="cli_help.remove_mean")],
+}
+"""The flags that say how a record is read, by the keys of a shaking table that they set."""
+
 ThreadsOption: TypeAlias = Annotated[int | None, typer.Option("--threads", help="cli_help.threads")]
 QuietOption: TypeAlias = Annotated[
     bool,
@@ -56,6 +69,47 @@ EveryRunOption: TypeAlias = Annotated[
         help="cli_help.every_run",
     ),
 ]
+
+
+FlagValues: TypeAlias = dict[str, Any]
+"""What several flags say: keys of a shaking table, of those that are given."""
+
+
+def together(keyword: str, flags: Mapping[str, Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Return what gives a command several flags in the place of one keyword, which has what they say.
+
+    Parameters
+    ----------
+    keyword : str
+        The keyword, of the type `FlagValues`.
+    flags : mapping
+        The flags, by the keys that they set.
+    """
+
+    def with_flags(command: Callable[..., None]) -> Callable[..., None]:
+        signature = inspect.signature(command, eval_str=True)
+        parameters: list[inspect.Parameter] = []
+        for one in signature.parameters.values():
+            each = [
+                one.replace(name=name, annotation=kind, default=False if get_args(kind)[0] is bool else None)
+                for name, kind in flags.items()
+            ]
+            parameters += each if one.name == keyword else [one]
+
+        @wraps(command)
+        def run(**given: Any) -> None:
+            values = {name: given.pop(name) for name in flags}
+            said = {name: value for name, value in values.items() if value is not None and value is not False}
+            command(**given, **{keyword: {name: as_written(value) for name, value in said.items()}})
+
+        cast("Any", run).__signature__ = signature.replace(parameters=parameters)
+        return run
+
+    return with_flags
+
+
+reads_records = together("reading", RECORD_FLAGS)
+
 
 _MOST_DIGITS = 1e15
 """Numbers from this on are written with a point."""
@@ -171,11 +225,9 @@ def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:
     A body of one's own does not stand before the example's wall.
     """
     if path is not None:
-        from stayput.scenario.toml import read_toml, table_of_bytes
+        from stayput.scenario.toml import read_toml
 
-        if is_stream(path):
-            return table_of_bytes(bytes_of_input("SCENARIO"), Path(NAME))
-        return read_toml(path)
+        return table_of_input("SCENARIO") if is_stream(path) else read_toml(path)
     return EXAMPLE if body is None else {"shaking": EXAMPLE["shaking"]}
 
 
@@ -267,9 +319,7 @@ def motion_of(
     *,
     y: str | None,
     z: str | None,
-    component: str | None,
-    unit: str | None,
-    dt: float | None,
+    reading: FlagValues,
     **strength: Any,
 ) -> Motion:
     """Return the motion of a text as of ``--motion``, and of what is said of its record and its strength.
@@ -282,12 +332,8 @@ def motion_of(
         The flag or argument that it is of.
     y, z : str, optional
         The files of the components across and up.
-    component : str, optional
-        The channel along the shaking.
-    unit : str, optional
-        The record's unit.
-    dt : float, optional
-        Its time step [s].
+    reading : FlagValues
+        How its record is read.
     strength
         Keys of a shaking table that say how strong it is; None where one is not given.
 
@@ -298,11 +344,10 @@ def motion_of(
     """
     from stayput.scenario import Scenario
 
-    fields = {"component": component, "unit": unit, "dt": dt, **strength}
-    stated = {key: as_written(value) for key, value in fields.items() if value is not None}
+    stated = {key: as_written(value) for key, value in strength.items() if value is not None}
     text = file_of(text, flag)
     table = shaking_table(text)
-    scenario = Scenario.parse({**EXAMPLE, "shaking": {**table, **stated, **beside(y, z, table)}})
+    scenario = Scenario.parse({**EXAMPLE, "shaking": {**table, **reading, **stated, **beside(y, z, table)}})
     return scenario.shaking.motion(Path())
 
 

@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import typer
 from typer.core import TyperGroup
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
+from stayput.cli.interrupts import INTERRUPTED
 from stayput.cli.language import of_arguments
-from stayput.cli.streams import is_stream, standard_input
+from stayput.cli.streams import closed_output, is_stream, standard_input
 from stayput.cli.usage import USAGE, misused
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
 from stayput.progress import is_quiet, keep_quiet, told_in
@@ -35,9 +36,6 @@ REFUSED = 2
 UNREAD = 141
 """Exit code where the reader of the output has gone, as of programs that the signal SIGPIPE ends."""
 
-INTERRUPTED = 130
-"""Exit code after Ctrl-C."""
-
 
 class CommandGroup(TyperGroup):
     """A group of commands that reports an error of the input or the output in one sentence."""
@@ -47,6 +45,8 @@ class CommandGroup(TyperGroup):
     def main(self, args: Sequence[str] | None = None, *rest: Any, **kwargs: Any) -> Any:
         """Run the command line, and flush standard output."""
         self._language = of_arguments(sys.argv[1:] if args is None else args)
+        if sys.stdout is None:  # pyright: ignore[reportUnnecessaryComparison] - where it is closed
+            sys.stdout = closed_output()
         if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
             # letters that the terminal lacks are written out, as Python does on standard error
             sys.stdout.reconfigure(errors="backslashreplace")
@@ -56,8 +56,7 @@ class CommandGroup(TyperGroup):
                     return super().main(args, *rest, **kwargs)
             finally:
                 keep_quiet(False)
-                if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison] - where it is closed
-                    sys.stdout.flush()
+                sys.stdout.flush()
         except OSError as error:
             sys.exit(_unwritten(error, self._language))
         except SystemExit as end:
@@ -75,6 +74,8 @@ class CommandGroup(TyperGroup):
             raise self._refused(error) from None
         except USAGE as error:
             raise self._refused(misused(error)) from None
+        except KeyboardInterrupt:
+            raise self._interrupted() from None
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command; refused input ends it with `REFUSED`, Ctrl-C with `INTERRUPTED`.
@@ -84,9 +85,12 @@ class CommandGroup(TyperGroup):
         printed: set[str] = set()
 
         def of_flags(told: Told) -> Told:
-            command = self.get_command(ctx, ctx.invoked_subcommand or "")
-            takes_records = "--unit" in _flags_of(command)
-            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if takes_records else _IN_COMMANDS)
+            flags = _flags_of(self.get_command(ctx, ctx.invoked_subcommand or ""))
+            option = f"--{told.values.get('option')}".replace("_", "-")
+            if option in flags:  # an argument of Python, by the name of its flag
+                values = {**told.values, "option": option}
+                told = type(told)(told.code, told.field, context=told.context, **values)
+            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--unit" in flags else _IN_COMMANDS)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)
@@ -107,11 +111,14 @@ class CommandGroup(TyperGroup):
                 raise self._refused(InputError("cli.long_name", file=file)) from None
             raise typer.Exit(_unwritten(error, self._language)) from None
         except KeyboardInterrupt:
-            typer.echo(say("cli.interrupted", self._language), err=True)
-            raise typer.Exit(INTERRUPTED) from None
+            raise self._interrupted() from None
+
+    def _interrupted(self) -> typer.Exit:
+        _print_aside(say("cli.interrupted", self._language))
+        return typer.Exit(INTERRUPTED)
 
     def _refused(self, error: InputError) -> typer.Exit:
-        typer.echo(error.told(self._language), err=True)
+        _print_aside(error.told(self._language))
         return typer.Exit(REFUSED)
 
 
@@ -150,10 +157,10 @@ def _unwritten(error: OSError, language: Language) -> int:
     """
     if error.filename is not None:
         raise error
+    if not isinstance(error, BrokenPipeError):
+        reason = phrase("cli.closed") if error.errno == errno.EBADF else reason_of(error)
+        _print_aside(say("cli.unwritten", language, reason=reason))
     with suppress(OSError):
-        if not isinstance(error, BrokenPipeError):
-            reason = reason_of(error)
-            typer.echo(say("cli.unwritten", language, reason=reason), err=True)
         # what still waits would fail again when the program ends
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return UNREAD if isinstance(error, BrokenPipeError) else REFUSED
@@ -196,8 +203,18 @@ def note(text: str, *, aside: bool = True) -> None:
     aside : bool
         Whether it goes to standard error, and not to standard output with the results.
     """
-    if not is_quiet():
-        typer.echo(text, err=aside)
+    if is_quiet():
+        return
+    if aside:
+        _print_aside(text)
+    else:
+        typer.echo(text)
+
+
+def _print_aside(text: str) -> None:
+    """Print a line on standard error; where that cannot be written, results and the exit code must do."""
+    with suppress(OSError):
+        typer.echo(text, err=True)
 
 
 def tell_written(lang: str, *files: Path | None, aside: bool = False) -> None:

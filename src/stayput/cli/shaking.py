@@ -18,6 +18,7 @@ from stayput.cli.flags import (
     shaking_table,
     spectral_table,
     table_of,
+    together,
 )
 from stayput.cli.streams import file_of
 from stayput.errors import InputError, InputWarning, warn
@@ -25,6 +26,7 @@ from stayput.errors import InputError, InputWarning, warn
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from stayput.cli.flags import FlagValues
     from stayput.scenario import AssemblyScenario, Scenario
 
 MotionOption: TypeAlias = Annotated[
@@ -45,33 +47,24 @@ ScaleOption: TypeAlias = Annotated[
     float | None,
     typer.Option("--scale", help="cli_help.scale"),
 ]
-IntensityOption: TypeAlias = Annotated[
-    str | None,
-    typer.Option(
-        "--intensity",
-        help="cli_help.intensity",
-        autocompletion=words(intensity_classes),
-    ),
-]
-PgaOption: TypeAlias = Annotated[float | None, typer.Option("--pga", help="cli_help.pga")]
-PgvOption: TypeAlias = Annotated[float | None, typer.Option("--pgv", help="cli_help.pgv")]
-SpectralOption: TypeAlias = Annotated[
-    str | None,
-    typer.Option(
-        "--sa",
-        metavar="T,VALUE",
-        help="cli_help.sa",
-    ),
-]
-MercalliOption: TypeAlias = Annotated[float | None, typer.Option("--mmi", help="cli_help.mmi")]
-EarthquakeOption: TypeAlias = Annotated[
-    str | None,
-    typer.Option(
-        "--earthquake",
-        metavar="M,KM[,DEPTH[,VS30]][,KIND]",
-        help="cli_help.earthquake",
-    ),
-]
+STRENGTH_FLAGS: dict[str, Any] = {
+    "intensity": Annotated[
+        str | None,
+        typer.Option("--intensity", help="cli_help.intensity", autocompletion=words(intensity_classes)),
+    ],
+    "pga": Annotated[float | None, typer.Option("--pga", help="cli_help.pga")],
+    "pgv": Annotated[float | None, typer.Option("--pgv", help="cli_help.pgv")],
+    "sa": Annotated[str | None, typer.Option("--sa", metavar="T,VALUE", help="cli_help.sa")],
+    "mmi": Annotated[float | None, typer.Option("--mmi", help="cli_help.mmi")],
+    "earthquake": Annotated[
+        str | None,
+        typer.Option("--earthquake", metavar="M,KM[,DEPTH[,VS30]][,KIND]", help="cli_help.earthquake"),
+    ],
+}
+"""The flags that say how strongly the ground shakes, by the keys of a shaking table that they set."""
+
+scales_motions = together("strength", STRENGTH_FLAGS)
+
 BuildingOption: TypeAlias = Annotated[
     str | None,
     typer.Option("--building", metavar="STOREYS[,STRUCTURE]", help="cli_help.building_option"),
@@ -83,30 +76,16 @@ VerticalOption: TypeAlias = Annotated[
 ]
 
 
-def stated_strength(
-    *,
-    intensity: str | None,
-    pga: float | None,
-    pgv: float | None,
-    sa: str | None,
-    mmi: float | None,
-    earthquake: str | None,
-) -> dict[str, Any]:
-    """Return the keys of a shaking table that flags of strength stand for; None where one is not given.
+def stated_strength(strength: FlagValues) -> FlagValues:
+    """Return the keys of a shaking table that the texts and numbers of `STRENGTH_FLAGS` stand for.
 
     Raises
     ------
     InputError
         A flag's text that cannot be read.
     """
-    return {
-        "intensity": None if intensity is None else intensity_value(intensity),
-        "pga": pga,
-        "pgv": pgv,
-        "sa": None if sa is None else spectral_table(sa),
-        "mmi": mmi,
-        "earthquake": None if earthquake is None else earthquake_table(earthquake),
-    }
+    tables = {"intensity": intensity_value, "sa": spectral_table, "earthquake": earthquake_table}
+    return {key: tables[key](value) if key in tables else value for key, value in strength.items()}
 
 
 def shaken(
@@ -117,16 +96,9 @@ def shaken(
     x: str | None,
     y: str | None,
     z: str | None,
-    component: str | None,
-    unit: str | None,
-    dt: float | None,
+    reading: FlagValues,
     scale: float | None,
-    intensity: str | None,
-    pga: float | None,
-    pgv: float | None,
-    sa: str | None,
-    mmi: float | None,
-    earthquake: str | None,
+    strength: FlagValues,
     building: str | None,
     storey: int | None,
     vertical: bool | None,
@@ -139,9 +111,11 @@ def shaken(
         The tables.
     path : Path, optional
         The scenario's file.
-    motion, x, y, z, component, unit, dt
-        The flags of the motion and its records; None where one is not given.
-    scale, intensity, pga, pgv, sa, mmi, earthquake, building, storey, vertical
+    motion, x, y, z
+        The flags of the motion; None where one is not given.
+    reading, strength : FlagValues
+        How its record is read, and how strong it is.
+    scale, building, storey, vertical
         The other flags; likewise. ``motion`` and ``x`` replace the whole table; ``scale`` and each strength
         replace the scale and the strengths of the file.
 
@@ -150,21 +124,18 @@ def shaken(
     InputError
         A flag's text that cannot be read, or two flags for one thing.
     """
-    strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
+    strength = stated_strength(strength)
     motion, named = along(motion, x)
     if z is not None and vertical is False:
         raise InputError("cli.no_vertical_file", "--z", value=repr(z))
     flags = {
-        "component": component,
-        "unit": unit,
-        "dt": dt,
         "scale": scale,
-        **strength,
         "building": None if building is None else building_table(building),
         "storey": storey,
         "vertical": vertical,
     }
-    stated = {key: as_written(value) for key, value in flags.items() if value is not None}
+    own = {key: as_written(value) for key, value in flags.items() if value is not None}
+    stated = reading | strength | own
     if motion is None and not stated and y is None and z is None:
         return dict(tables)
     given = table_of(tables, "shaking")

@@ -11,33 +11,27 @@ import typer
 from stayput.catalogue import LANGUAGES, say
 from stayput.cli.completion import measures, surfaces, words
 from stayput.cli.flags import (
-    ComponentOption,
+    FlagValues,
     QuietOption,
-    TimeStepOption,
-    UnitOption,
     chosen_measures,
     inputs_of,
     overlaid,
     parsed,
+    reads_records,
     scenario_data,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import compiling, folded, print_json, tell_written
 from stayput.cli.shaking import (
     BuildingOption,
-    EarthquakeOption,
-    IntensityOption,
-    MercalliOption,
     MotionOption,
-    PgaOption,
-    PgvOption,
     ScaleOption,
-    SpectralOption,
     StoreyOption,
     VerticalOption,
     XOption,
     YOption,
     ZOption,
+    scales_motions,
     shaken,
     tell_of_y,
 )
@@ -53,6 +47,8 @@ if TYPE_CHECKING:
     from stayput.simulation.space_run import SpaceRun
 
 
+@reads_records
+@scales_motions
 def simulate(
     scenario: Annotated[
         Path | None,
@@ -70,16 +66,10 @@ def simulate(
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     scale: ScaleOption = None,
-    intensity: IntensityOption = None,
-    pga: PgaOption = None,
-    pgv: PgvOption = None,
-    sa: SpectralOption = None,
-    mmi: MercalliOption = None,
-    earthquake: EarthquakeOption = None,
+    strength: FlagValues,
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,
@@ -162,16 +152,9 @@ def simulate(
         x=x,
         y=y,
         z=z,
-        component=component,
-        unit=unit,
-        dt=dt,
+        reading=reading,
         scale=scale,
-        intensity=intensity,
-        pga=pga,
-        pgv=pgv,
-        sa=sa,
-        mmi=mmi,
-        earthquake=earthquake,
+        strength=strength,
         building=building,
         storey=storey,
         vertical=vertical,

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 from contextlib import ExitStack, contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, BinaryIO, TextIO
 
 import typer
 
-from stayput.errors import InputError
+from stayput.catalogue import phrase
+from stayput.errors import InputError, reason_of
 from stayput.files import check_target, draft
 from stayput.progress import language_of_bars
 
@@ -25,6 +25,11 @@ STREAM = "-"
 
 NAME = "standard input"
 """What standard input is called, as files are by their names."""
+
+MOST_INPUT = 2**30
+"""Most bytes of standard input: some never ends."""
+
+_CHUNK = 2**20
 
 
 class _Taken:
@@ -76,8 +81,8 @@ def called(path: Path) -> str:
     return NAME if is_stream(path) else path.name
 
 
-def bytes_of_input(flag: str) -> bytes:
-    """Return all that comes on standard input.
+def table_of_input(flag: str) -> dict[str, Any]:
+    """Return the keys and values of a TOML file that comes on standard input.
 
     Parameters
     ----------
@@ -87,10 +92,13 @@ def bytes_of_input(flag: str) -> bytes:
     Raises
     ------
     InputError
-        Another one has read it.
+        Another one has read it, it cannot be read, or is no such file.
     """
-    _take(flag)
-    return sys.stdin.buffer.read()
+    from stayput.scenario.toml import LARGEST_FILE, table_of_bytes
+
+    with _reading(flag) as source:
+        data = source.read(LARGEST_FILE + 1)
+    return table_of_bytes(data, Path(NAME))
 
 
 def file_of(text: str, flag: str, ending: str = "") -> str:
@@ -108,24 +116,40 @@ def file_of(text: str, flag: str, ending: str = "") -> str:
     Raises
     ------
     InputError
-        Another flag or argument has read standard input.
+        Another flag or argument has read standard input, it cannot be read, or does not end.
     """
     if not is_stream(text):
         return text
-    taken = _take(flag)
-    taken.folder = taken.stack.enter_context(TemporaryDirectory(prefix="stayput-"))
-    file = Path(taken.folder) / f"{NAME}{ending}"
-    with file.open("wb") as kept:
-        shutil.copyfileobj(sys.stdin.buffer, kept)
+    with _reading(flag) as source:
+        taken = _taken.get()
+        taken.folder = taken.stack.enter_context(TemporaryDirectory(prefix="stayput-"))
+        file = Path(taken.folder) / f"{NAME}{ending}"
+        with file.open("wb") as kept:
+            while (chunk := source.read(_CHUNK)) and kept.tell() <= MOST_INPUT:
+                kept.write(chunk)
+    if chunk:
+        raise InputError("cli.input_too_large", flag, flag=flag, most=MOST_INPUT)
     return str(file)
 
 
-def _take(flag: str) -> _Taken:
+@contextmanager
+def _reading(flag: str) -> Generator[BinaryIO]:
     taken = _taken.get()
     if taken.by:
         raise InputError("cli.input_twice", flag, flag=flag, other=taken.by)
     taken.by = flag
-    return taken
+    source: TextIO | None = sys.stdin
+    if source is None:
+        raise InputError("cli.input_unread", flag, flag=flag, reason=phrase("cli.closed"))
+    try:
+        yield source.buffer
+    except OSError as error:
+        raise InputError("cli.input_unread", flag, flag=flag, reason=reason_of(error)) from None
+
+
+def closed_output() -> TextIO:
+    """Return what takes the place of a closed standard output: the system refuses what is written to it."""
+    return os.fdopen(os.open(os.devnull, os.O_RDONLY), "w", encoding="utf-8")
 
 
 def check_output(path: Path | None, suffixes: Sequence[str]) -> None:

@@ -10,7 +10,7 @@ import typer
 from stayput.catalogue import say
 from stayput.catalogue.studies import STUDIES
 from stayput.cli.completion import words
-from stayput.cli.flags import ComponentOption, QuietOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.flags import FlagValues, QuietOption, motion_of, reads_records
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note, tell_written
 from stayput.cli.shaking import XOption, YOption, ZOption, along
@@ -24,6 +24,7 @@ OF_A_RECORD = ("wall-gap-record", "spectrum", "tokyo", "contents")
 """Studies that take a motion."""
 
 
+@reads_records
 def study(
     name: Annotated[
         str,
@@ -43,9 +44,8 @@ def study(
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
@@ -64,9 +64,9 @@ def study(
 
     run: Callable[..., Study] = getattr(studies, name.replace("-", "_"))
     motions = ()
-    if any(value is not None for value in (motion, y, z, component, unit, dt)):
+    if reading or any(value is not None for value in (motion, y, z)):
         ground = motion or "near-fault"
-        motions = (motion_of(ground, named, y=y, z=z, component=component, unit=unit, dt=dt),)
+        motions = (motion_of(ground, named, y=y, z=z, reading=reading),)
     result = run(*motions)
     typer.echo(result.markdown())
     if lang == "ja":

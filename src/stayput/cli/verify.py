@@ -10,33 +10,27 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.cli.flags import (
-    ComponentOption,
     EveryRunOption,
+    FlagValues,
     QuietOption,
     ThreadsOption,
-    TimeStepOption,
-    UnitOption,
     inputs_of,
     parsed,
+    reads_records,
     scenario_data,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import compiling, folded, tell_written
 from stayput.cli.shaking import (
     BuildingOption,
-    EarthquakeOption,
-    IntensityOption,
-    MercalliOption,
     MotionOption,
-    PgaOption,
-    PgvOption,
     ScaleOption,
-    SpectralOption,
     StoreyOption,
     VerticalOption,
     XOption,
     YOption,
     ZOption,
+    scales_motions,
     shaken,
     tell_of_y,
 )
@@ -55,6 +49,8 @@ if TYPE_CHECKING:
     from stayput.verification import AssemblyVerdict, Verdict
 
 
+@reads_records
+@scales_motions
 def verify(
     scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="cli_help.scenario")],
     report: Annotated[
@@ -79,16 +75,10 @@ def verify(
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     scale: ScaleOption = None,
-    intensity: IntensityOption = None,
-    pga: PgaOption = None,
-    pgv: PgvOption = None,
-    sa: SpectralOption = None,
-    mmi: MercalliOption = None,
-    earthquake: EarthquakeOption = None,
+    strength: FlagValues,
     building: BuildingOption = None,
     storey: StoreyOption = None,
     vertical: VerticalOption = None,
@@ -126,16 +116,9 @@ def verify(
         x=x,
         y=y,
         z=z,
-        component=component,
-        unit=unit,
-        dt=dt,
+        reading=reading,
         scale=scale,
-        intensity=intensity,
-        pga=pga,
-        pgv=pgv,
-        sa=sa,
-        mmi=mmi,
-        earthquake=earthquake,
+        strength=strength,
         building=building,
         storey=storey,
         vertical=vertical,

@@ -89,7 +89,8 @@ def items_of(contents: Contents, body: Body, gravity: float) -> Items:
         left_wall=left,
         right_wall=Wall(front, contents.restitution) if blocked else None,
     )
-    section = Body(width, width / _UPRIGHT_DRAWER if in_drawers else height)
+    # The mass has no effect: an item does not move the piece.
+    section = Body(width, width / _UPRIGHT_DRAWER if in_drawers else height, 100.0)
     shape = (contents.levels, contents.items)
     drawn = DRAWN.sample(contents.items, SEED, motions=contents.levels)
     factors = {name: values.ravel() for name, values in drawn.items()}

@@ -55,7 +55,7 @@ class Capacity:
         low = None if self.low <= self.measure.least else self.measure.text(self.low, unit=False)
         high = None if math.isinf(self.high) else self.measure.text(self.high, unit=False)
         if low is None and high is None:
-            return phrase("common.unknown")
+            return phrase("fragility.ends_not_run")
         if low is None:
             return phrase("fragility.at_most", high=high)
         return phrase("fragility.more_than" if high is None else "fragility.ends", low=low, high=high)

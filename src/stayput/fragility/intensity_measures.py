@@ -114,6 +114,9 @@ class IntensityMeasure:
 JMA_INTENSITY = IntensityMeasure("JMA", phrase("fragility.jma"), "", is_logarithm=True)
 """JMA's instrumental intensity, not rounded."""
 
+FLOOR_JMA = IntensityMeasure("floor_JMA", phrase("fragility.floor_jma"), "", is_logarithm=True)
+"""The number that JMA's formula gives for the motion of an upper floor: not the intensity of a place."""
+
 PGA = IntensityMeasure("PGA", phrase("fragility.pga"), "m/s²")
 """Peak acceleration of the ground [m/s²]."""
 

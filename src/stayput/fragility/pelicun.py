@@ -1,8 +1,9 @@
 """Fragility curves as a component library of pelicun, the tool for FEMA P-58 assessments.
 
 Format: pelicun's damage model parameters (its ``fragility.csv``), one component a row, whose single limit
-state LS1 is the fall. A limit state is lognormal there (normal in an intensity), so only curves that
-are so too can be written. Names of demands and units are those of pelicun 3.10 and its model library.
+state LS1 is the fall. A lognormal that fits (in an intensity: a normal curve) is written by its parameters,
+any other curve by its points, as pelicun's ``multilinear_CDF``. Names of demands and units are those of
+pelicun 3.10 and its model library.
 """
 
 from __future__ import annotations
@@ -11,10 +12,10 @@ import csv
 import io
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError
+import numpy as np
+
 from stayput.files import check_target, draft
-from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
+from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
 from stayput.fragility.labels import identifiers
 from stayput.model.gravity import STANDARD_GRAVITY
 
@@ -44,6 +45,9 @@ JMA_DEMAND = "JMA Instrumental Intensity"
 JMA_OPTION = {JMA_DEMAND: {"Acronym": "JMA", "UnitType": "unitless"}}
 """What that option must hold for curves over JMA's intensity."""
 
+FLOOR_JMA_DEMAND = "JMA Formula on Floor Motion"
+"""Name of the demand of curves over the number that JMA's formula gives for a floor's motion."""
+
 MMI_DEMAND = "Modified Mercalli Intensity"
 """Name of the other demand that its option ``CustomDemandTypes`` must name."""
 
@@ -56,9 +60,13 @@ DEMANDS = {
     PGV.key: ("Peak Ground Velocity", "cmps", 100.0),
     PFV.key: ("Peak Floor Velocity", "cmps", 100.0),
     JMA_INTENSITY.key: (JMA_DEMAND, "unitless", 1.0),
+    FLOOR_JMA.key: (FLOOR_JMA_DEMAND, "unitless", 1.0),
     MMI.key: (MMI_DEMAND, "unitless", 1.0),
 }
 """Name, unit, and number in that unit over the SI number, of each measure but Sa."""
+
+PARTS = 8
+"""Parts from one level to the next of a curve that is written by points."""
 
 
 def _demand(measure: IntensityMeasure) -> tuple[str, str, float]:
@@ -75,34 +83,56 @@ def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
     writer.writerow(HEADER)
     for name, curve in zip(identifiers(curves), curves, strict=True):
         lognormal = curve.lognormal
-        if lognormal is None or not lognormal.fits:
-            fit = phrase("fragility.no_lognormal") if lognormal is None else lognormal.texts
-            raise InputError("fragility.not_lognormal", name=repr(curve.name), fit=fit)
         demand, unit, factor = _demand(curve.measure)
-        # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" that of the value
-        family = "normal_std" if curve.measure.is_logarithm else "lognormal"
-        parameters = (family, repr(lognormal.median * factor), repr(lognormal.dispersion))
+        if lognormal is None or not lognormal.fits:
+            parameters = ("multilinear_CDF", _points(curve, factor), "")
+        else:
+            # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" of the value
+            family = "normal_std" if curve.measure.is_logarithm else "lognormal"
+            parameters = (family, repr(lognormal.median * factor), repr(lognormal.dispersion))
         writer.writerow((name, 0, demand, unit, 0, 1, *parameters))
     return text.getvalue()
+
+
+def _points(curve: FragilityCurve, factor: float) -> str:
+    """Return the points of a curve in pelicun's notation: intensities, a bar, shares that rise from 0 to 1.
+
+    Pelicun's CDF is straight in the intensity, the curve in the logarithm of a peak, so it gets points
+    between the levels too. Pelicun keeps six digits of both and wants both to rise: shares do, by 1e-6.
+    """
+    u, share = curve.rising.u, curve.rising.share
+    parts = np.arange((len(u) - 1) * PARTS + 1) / PARTS
+    x = factor * curve.measure.value(np.interp(parts, np.arange(len(u)), u))
+    start = max(curve.measure.least, min(0.0, float(x[0]) - 1.0))
+    x = np.array([start, *x, x[-1] + 1e-3 * (x[-1] - start)])
+    y = np.array([0.0, *np.interp(parts, np.arange(len(u)), share), 1.0])
+    points = dict(zip((f"{value:.5g}" for value in x), y.tolist(), strict=True))  # near ones fall together
+    steps = np.arange(len(points))
+    millionths = np.rint(1e6 * np.array(list(points.values()))) - steps
+    rising = np.minimum(np.maximum.accumulate(millionths), 1e6 - steps[-1]) + steps
+    return f"{','.join(points)}|{','.join(f'{value / 1e6:.6f}' for value in rising)}"
 
 
 def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
     """Write fragility curves as damage model parameters for pelicun.
 
-    The demand is that of the body's own floor (offset 0) in the direction of the shaking (directional).
+    The demand is that of the body's own floor (offset 0) in the direction of the shaking (directional). A
+    curve that no lognormal fits is written by its points (``multilinear_CDF``). That distribution must begin
+    at 0 and end at 1: below the weakest level that was run it rises straight from no shaking (0), and above
+    the strongest one everything falls.
 
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        Curves that a lognormal fits, with different names, over any measures.
+        Fitted curves of several motions with different names, over any measures.
     path : str or Path
         The file, whose name ends in .csv.
 
     Raises
     ------
     InputError
-        A curve that is not fitted, is of one motion or that no lognormal fits, names that are alike, or a
-        path that cannot be written.
+        A curve that is not fitted or is of one motion, names that are alike, or a path that cannot be
+        written.
 
     Examples
     --------

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import time
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from os import PathLike
@@ -25,8 +25,9 @@ from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
-from stayput.inventory.results import PIECES, Writer, part_names
+from stayput.inventory.results import PIECES, Finding, Writer, part_names
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
+from stayput.inventory.shakemap_grid import check_file
 from stayput.inventory.shakemaps import read_shakemap
 from stayput.inventory.store import Store
 from stayput.inventory.summary import COLUMNS, summarise
@@ -185,8 +186,6 @@ def assess(
         instance_of(name, path, (str, PathLike))
     instance_of("scenario", scenario, (str, PathLike, ScenarioFile))
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
-    if not table.is_file():
-        raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
     formats = formats_of(export)
     map_path = None if shakemap is None else Path(shakemap)
     scatter_path = None if uncertainty is None else Path(uncertainty)
@@ -220,14 +219,11 @@ def assess(
             formats = ()  # then the reasons why no row is assessed matter, and not where pieces stand
         refuse_nowhere(formats, facts["with coordinates"])
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
-        store = Store(space.folder / "plan" / STORE, memory_bytes // 16)
-        try:
+        with closing(Store(space.folder / "plan" / STORE, memory_bytes // 16)) as store:
             work = Work(store, scenarios, space, plan, slide_limit=limit, floor_memory=memory_bytes // 8)
             started = time.perf_counter()
             _simulate(work, threads, scheduler, client, progress, say)
             simulating = time.perf_counter() - started
-        finally:
-            store.close()
         manifest = _manifest(scenarios, limit, work)
         _write(folder, space, plan, facts, manifest, work, progress)
         summary = _sum_up(folder, space, facts, manifest)
@@ -265,6 +261,10 @@ def digest_of_inputs(inputs: dict[str, Any]) -> str:
 
 def _digest(name: str, path: Path) -> str:
     try:
+        if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
+            raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
+        if name != "inventory":
+            check_file(path)
         return digest_of(path)
     except OSError as error:
         reason = reason_of(error)
@@ -390,7 +390,7 @@ def _write(
 ) -> None:
     import json
 
-    record_file = RecordFile(space.draft())
+    record_file = RecordFile(space.draft(), work.kind)
     try:
         record_file.gather(space.folder / UNITS, plan, facts["units"])
         about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
@@ -445,8 +445,8 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
         pa.int32(),
         integer,
         integer,
-        *[real] * 6,
-        integer,
+        *[real] * 10,
+        *[integer] * len(Finding),
         real,
         real,
     ]
@@ -456,13 +456,9 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
         pq.write_table(pa.table(dict(zip(COLUMNS, columns, strict=True)), schema=schema), file)
     with space.durable(folder / SUMMARY[1]) as file:
         file.write(csv_text(list(COLUMNS), rows).encode(CSV_ENCODING))
-    first: list[Any] = []
-    for batch in pq.ParquetFile(folder / REJECTS[0]).iter_batches(20):
-        first = batch.to_pylist()
-        break
     for language, name in REPORTS.items():
         with space.durable(folder / name) as file:
-            file.write(report_html(summary, facts, manifest, first, language).encode())
+            file.write(report_html(summary, facts, manifest, language).encode())
     return summary
 
 

@@ -60,14 +60,19 @@ class Unusable:
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+", re.ASCII)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}", re.ASCII)
-_SIGN_OF_MONEY = re.compile(r"[¥￥\\$€]\s*(?=\d)|(?<=\d)\s*円")
-_AMOUNT = re.compile(r"[¥\\$€]?\s*(\d{1,3}(?:,\d{3})+(?:\.\d{1,2})?|\d+(?:\.\d*)?)\s*円?", re.ASCII)
+_SIGN_OF_MONEY = re.compile(r"[¥￥\\$€]\s*(?=\d)|(?<=\d)\s*[円€]")
+_AMOUNT = re.compile(r"[¥\\$€]?\s*(\d{1,3}(?:,\d{3})+(?:\.\d{1,2})?|\d+(?:\.\d*)?)\s*[円€]?", re.ASCII)
 
 Cell: TypeAlias = "str | float | int | Unusable | None"
 """A cell of a table: text, a number, nothing, or something that cannot be used."""
 
 CellReader: TypeAlias = Callable[[Cell], Cell]
 """Makes a column's own text or number of a cell in another unit or spelling."""
+
+
+def is_empty(cell: Cell) -> bool:
+    """Return whether a cell holds nothing, or only blanks."""
+    return cell is None or (isinstance(cell, str) and not cell.strip())
 
 
 def plain(name: str, cell: Cell) -> str | float | int | None:
@@ -136,11 +141,15 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
             raise InputError("inventory_tables.comma", name, name=name, value=shown(value))
         number = _in_unit(text, unit)
         if number is None:
-            has_unit = bool(unit) and re.match(r"[+-]?[\d.,]+\s*[^\d.,]+$", value) is not None
-            raise _not_a_plain_number(name, shown(value), unit, has_unit)
+            hint: Phrase | str = ""
+            if _DECIMAL_COMMA.fullmatch(text):
+                hint = phrase("inventory_tables.decimal_comma")
+            elif unit and re.match(r"[+-]?[\d.,]+\s*[^\d.,]+$", value):
+                hint = phrase("inventory.without_unit")
+            raise _not_a_plain_number(name, shown(value), unit, hint)
         value = number
     if not math.isfinite(value):
-        raise _not_a_plain_number(name, str(value), unit, False)
+        raise _not_a_plain_number(name, str(value), unit)
     return float(value)
 
 
@@ -194,14 +203,14 @@ def without_thousands(number: str, unit: str, marks: str = ",") -> str:
     return number
 
 
-def _not_a_plain_number(name: str, value: str, unit: str, has_unit: bool) -> InputError:
+def _not_a_plain_number(name: str, value: str, unit: str, hint: Phrase | str = "") -> InputError:
     return InputError(
         "inventory.not_plain_number",
         name,
         name=name,
         value=value,
         unit=phrase("inventory.in_unit", unit=unit) if unit else "",
-        hint=phrase("inventory.without_unit") if has_unit else "",
+        hint=hint,
     )
 
 

@@ -54,7 +54,9 @@ COLUMNS: dict[str, Column] = {
         "すき間", "隙間", "壁との距離", "壁からの距離", "壁との隙間",
     )),
     "wall": Column("", ("wall type", "壁", "壁の下地", "壁下地")),
-    "building": Column("", ("building name", "bldg", "建物", "建物名", "建物名称", "建屋", "棟", "棟名")),
+    "building": Column("", (
+        "building name", "bldg", "建物", "建物名", "建物名称", "建屋", "棟", "棟名", "校舎", "校舎名",
+    )),
     "storey": Column("", (
         "story", "level", "lvl", "floor level", "floor no", "floor number", "階", "設置階", "フロア", "階層",
     )),
@@ -77,7 +79,30 @@ COLUMNS: dict[str, Column] = {
 LISTS = ("cg_offset", "load", "costs", "floor")
 """Columns whose cells hold numbers with semicolons between them."""
 
-WIDTHS = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法")
+# fmt: off
+IN_OTHER_LANGUAGES: dict[str, tuple[str, ...]] = {
+    "id": (
+        "nr", "inventarnummer", "inventarnr", "inventar nr", "inv nr", "n° inventaire", "numéro",
+        "관리번호", "자산번호", "번호",
+    ),
+    "name": (
+        "bezeichnung", "gegenstand", "möbel", "möbelstück", "désignation", "libellé", "meuble",
+        "품명", "가구", "비품명",
+    ),
+    "width": ("tiefe", "profondeur", "깊이"),
+    "height": ("höhe", "hauteur", "높이"),
+    "mass": ("gewicht", "poids", "masse", "무게", "중량"),
+    "floor": ("bodenbelag", "revêtement de sol", "바닥재"),
+    "gap": ("wandabstand", "distance au mur", "벽과의 거리"),
+    "building": ("gebäude", "bâtiment", "건물", "건물명"),
+    "storey": ("stockwerk", "geschoss", "etage", "étage", "층"),
+    "count": ("anzahl", "menge", "stück", "stückzahl", "quantité", "nombre", "수량", "개수"),
+    "value": ("preis", "wert", "anschaffungswert", "prix", "valeur", "가격", "단가"),
+}
+# fmt: on
+"""What tables in German, French and Korean call columns: they are proposed, and taken where it is said."""
+
+WIDTHS = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "breite", "largeur", "폭", "너비")
 """What inventories call the size along the wall where nothing else can be meant."""
 
 ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
@@ -137,9 +162,21 @@ UNITS: dict[str, dict[str, NumberUnit]] = {
 HARMLESS_NOTES = ("税込", "税抜", "税別", "概算", "推定", "approx", "estimated")
 """What may stand in brackets behind a name without changing what the column holds."""
 
+LONGEST_HEADING = 100
+"""Letters of a cell that may be the name of a column."""
+
 _ALIASES = {
     alias: name for name, column in COLUMNS.items() for alias in (name.replace("_", " "), *column.aliases)
 }
+_FOREIGN = {word: name for name, words in IN_OTHER_LANGUAGES.items() for word in words}
+JAPANESE = {
+    name: alias
+    for name, column in COLUMNS.items()
+    for alias in reversed(column.aliases)
+    if not alias.isascii()
+}
+"""What Japanese sentences call columns that the table does not call as stayput does."""
+
 _ALL_UNITS = {name for units in UNITS.values() for name in units}
 _ENDING = re.compile(r"(?:(?<=[^\x00-\x7f])|(?<=\))|[ ,/]+(?:in +)?)([a-z円]+|[千万]円)")
 _BRACKETS = re.compile(r"(.+?) *[(\[]([^()\[\]]*)[)\]]")
@@ -171,6 +208,11 @@ class HeaderName(NamedTuple):
         """The column that is called so."""
         return _ALIASES.get(self.base)
 
+    @property
+    def in_another_language(self) -> str | None:
+        """The column that is called so in a language other than English and Japanese."""
+        return _FOREIGN.get(self.base)
+
 
 def plain_name(text: str) -> str:
     """Return a name in one spelling: of width, case, blanks and marks between words."""
@@ -178,6 +220,15 @@ def plain_name(text: str) -> str:
         unicodedata.normalize("NFKC", text).lower().replace("№", "no").replace("#", " no ").replace("’", "'")
     )
     return _BETWEEN_LETTERS.sub("", re.sub(r"[\s_.・:*-]+", " ", plain).strip())
+
+
+def is_heading(text: str) -> bool:
+    """Return whether a cell seems to be the name of a column, or a unit below one."""
+    if len(text) > LONGEST_HEADING:
+        return False
+    part = header_name(text)
+    named = part.column or part.in_another_language or part.base in ALONG_THE_WALL
+    return bool(named) or part.base.strip("()[]") in _ALL_UNITS
 
 
 def header_name(text: str) -> HeaderName:

@@ -62,6 +62,10 @@ def contents_of(cells: Mapping[str, Cell], body: Body, scenario: Scenario) -> Co
         given["loads"] = loads
     elif given.get("loads"):
         given["loads"] = tuple(given["loads"])
-    contents = Contents(**given)
+    try:
+        contents = Contents(**given)
+    except InputError as error:
+        columns = {"kind": "contents", "loads": "load"}
+        raise error.about(columns.get(error.field or "", error.field)) from None
     emptied(body, contents)  # refuses what is too heavy
     return contents

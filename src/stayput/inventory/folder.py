@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Mapping
     from pathlib import Path
 
-FORMAT = 6
+FORMAT = 7
 """Changes with the files' layout or meaning."""
 
 MANIFEST, CLAIM = "manifest.json", "claim.json"

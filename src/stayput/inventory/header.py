@@ -13,6 +13,7 @@ from stayput.errors import InputError
 from stayput.inventory.cells import (
     converting_reader,
     in_own_unit,
+    is_empty,
     number_of,
     number_or_none,
     refuse_without_unit,
@@ -31,8 +32,9 @@ from stayput.inventory.columns import (
     header_name,
     plain_name,
 )
+from stayput.inventory.headings import refuse_headings_elsewhere
 from stayput.inventory.mapping import IGNORE, ColumnMapping
-from stayput.inventory.vocabulary import STOREY, preset_called, storey_meant
+from stayput.inventory.vocabulary import preset_called, storey_called, storey_meant
 from stayput.vocabulary import WORDS, meant
 
 if TYPE_CHECKING:
@@ -50,6 +52,9 @@ LIKENESS = 0.8
 
 LARGEST_METRES = {"width": 3.0, "height": 4.0, "gap": 3.0, "lip": 1.0}
 """Sizes [m] that the median of a column is not above: beyond, its numbers are in another unit."""
+
+UNKNOWN_SHOWN = 12
+"""Most columns that a proposal has with a "?" for what they are."""
 
 DOUBTS_SHOWN = 3
 """Most doubts that a sentence tells."""
@@ -116,12 +121,12 @@ class Header:
         if len(row) != self.width:
             raise InputError("inventory.row_length", cells=len(row), columns=self.width)
         for place in self.unnamed:
-            if row[place] not in (None, ""):
+            if not is_empty(row[place]):
                 raise InputError("inventory.cell_without_name", cell=place + 1, value=shown(row[place]))
         cells = {name: row[place] for name, place in self.places.items()}
         for name, read in (self.readers or {}).items():
             cells[name] = read(cells[name])
-        if "name" in cells and cells.get("preset") in (None, ""):
+        if "name" in cells and is_empty(cells.get("preset")):
             cells["preset"] = preset_called(cells["name"])
         return cells
 
@@ -149,7 +154,7 @@ class _Reading:
     def __init__(
         self, names: Sequence[str], sample: Sequence[Sequence[Cell]], mapping: ColumnMapping
     ) -> None:
-        self.names, self.sample = names, sample
+        self.names, self.sample, self.mapping = names, sample, mapping
         self.parts = [header_name(name) for name in names]
         mapped, self.ignored = mapping.places(names)
         self.places = {name: place for name, (place, _) in mapped.items()}
@@ -157,6 +162,7 @@ class _Reading:
         self.in_own_units: set[str] = set()
         self.stated = {name for name, (_, unit) in mapped.items() if unit is not None}
         self.doubts: list[_Doubt] = []
+        self.proposed: set[str] = set()
         self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
         self.mapped = frozenset(self.places.values())
         taken = {*self.mapped, *self.ignored}
@@ -196,6 +202,20 @@ class _Reading:
                 self.places[name] = place
                 self._take_unit(name, place, part)
 
+    def propose_foreign(self) -> None:
+        """Doubt the columns that are called so in other languages."""
+        found: dict[str, int] = {}
+        for place in self.free:
+            name = self.parts[place].in_another_language
+            if name is not None and name not in self.places:
+                found.setdefault(name, place)
+        if found:
+            settled = ",".join(self._proposed(name, place) for name, place in found.items())
+            headers = [self._shown(place) for place in found.values()]
+            self.doubt("doubt_language", settled, headers=", ".join(headers[:DOUBTS_SHOWN]))
+        self.proposed.update(found)
+        self.free = [place for place in self.free if place not in found.values()]
+
     def _second(self, name: str, place: int) -> None:
         """Take in another column of a name that is taken: a total beside a price is left out."""
         first = self.places[name]
@@ -229,20 +249,21 @@ class _Reading:
 
     def take_rest(self) -> None:
         """Look at what is left: doubtful where it would change a result, else not used."""
+        known = self.proposed.union(self.places)
         for place in self.free:
             part, header = self.parts[place], self._shown(place)
             if part.base in ALONG_THE_WALL:
-                if "width" not in self.places:
+                if "width" not in known:
                     settled = f"width=?,{IGNORE}={self.names[place]}"
                     self.doubt("doubt_no_depth", settled, header=header)
                     continue
-            elif LOOKS_LIKE_COUNT.fullmatch(part.base) and "count" not in self.places:
+            elif LOOKS_LIKE_COUNT.fullmatch(part.base) and "count" not in known:
                 self.doubt("doubt_count", f"count={self.names[place]}", header=header)
                 continue
-            elif SIZES_TOGETHER.fullmatch(part.base) and not {"width", "height"} <= set(self.places):
+            elif SIZES_TOGETHER.fullmatch(part.base) and not {"width", "height"} <= known:
                 self.doubt("doubt_sizes", f"{IGNORE}={self.names[place]}", header=header)
                 continue
-            elif _is_size(part) and not {"width", "height"} <= set(self.places):
+            elif _is_size(part) and not {"width", "height"} <= known:
                 self.doubt("doubt_size", f"?={self.names[place]}", header=header)
                 continue
             else:
@@ -262,13 +283,20 @@ class _Reading:
                 self.doubt("doubt_large", self._proposed(name, place), header=header, number=f"{middle:g}")
         floor = self.places.get("floor")
         if floor is not None and "storey" not in self.places:
-            cells = [str(row[floor]).strip() for row in self.sample if floor < len(row) and row[floor]]
-            if cells and all(STOREY.fullmatch(cell) for cell in cells):
+            cells = [str(row[floor]) for row in self.sample if floor < len(row) and row[floor]]
+            if cells and all(storey_called(cell) is not None for cell in cells):
                 self.doubt("doubt_floor", f"storey={self.names[floor]}", header=self._shown(floor))
         value = self.places.get("value")
         by_alias = value is not None and value not in self.mapped and self.parts[value].base in TOTALS
         if value is not None and by_alias and "count" in self.places:
             self.doubt("doubt_total", f"{IGNORE}={self.names[value]}", header=self._shown(value))
+
+    def proposal(self, *others: str) -> str:
+        """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
+        settled = ",".join(dict.fromkeys((*(doubt.settled for doubt in self.doubts), *others)))
+        kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
+        ignored = [f"{IGNORE}={header}" for header in self.mapping.ignored]
+        return ",".join([*kept, *ignored, settled])
 
     def along_the_wall(self) -> tuple[int, NumberUnit | None] | None:
         """Return the place and the unit of the size along the wall; one without a unit has the depth's."""
@@ -290,7 +318,8 @@ class _Reading:
         kind, part = COLUMNS[name].unit, self.parts[place]
         if kind not in ("m", "kg") or part.unit in UNITS[kind]:
             return f"{name}={self.names[place]}"
-        unit = _likely_unit(name, self.numbers(place), japanese=not self.names[place].isascii())
+        metric = not self.names[place].isascii() or part.in_another_language is not None
+        unit = _likely_unit(name, self.numbers(place), metric)
         return f"{name}={self.names[place]}[{unit}]"
 
 
@@ -299,10 +328,10 @@ def _is_size(part: HeaderName) -> bool:
     return LOOKS_LIKE_SIZE.fullmatch(part.base) is not None or part.unit in UNITS["m"]
 
 
-def _likely_unit(name: str, numbers: Sequence[float], japanese: bool) -> str:
+def _likely_unit(name: str, numbers: Sequence[float], metric: bool) -> str:
     """Return the unit that numbers are likely in, or "?"."""
     if name == "mass":
-        return "kg" if japanese else "?"
+        return "kg" if metric else "?"
     if not numbers:
         return "?"
     middle = median(numbers)
@@ -310,7 +339,7 @@ def _likely_unit(name: str, numbers: Sequence[float], japanese: bool) -> str:
         return "m"
     if middle >= (400.0 if name == "height" else 100.0):
         return "mm"
-    return "cm" if japanese or middle > 100.0 else "?"
+    return "cm" if metric or middle > 100.0 else "?"
 
 
 def header_of(
@@ -344,16 +373,21 @@ def header_of(
     if len(cells) > MOST:
         raise InputError("inventory.too_many_columns", columns=len(cells), most=MOST)
     names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
+    if len(names) == 1 and "|" in names[0]:
+        raise InputError("inventory.commas", row=shown(names[0]))
+    refuse_headings_elsewhere(names, sample)
     reading = _Reading(names, sample, mapping or ColumnMapping())
     _refuse_twice(names)
     reading.take_canonical()
     reading.take_aliases()
-    if not {"id", "name", "preset"} & set(reading.places) and not {"width", "height"} <= set(reading.places):
-        _refuse_unknown(names, reading)
+    reading.propose_foreign()
     reading.take_rest()
+    known = reading.proposed.union(reading.places)
+    if not {"id", "name", "preset"} & known and not {"width", "height"} <= known:
+        _refuse_unknown(names, reading)
     reading.look_at_numbers()
     if reading.doubts:
-        _refuse_doubts(reading.doubts)
+        _refuse_doubts(reading)
     places = {name: reading.places[name] for name in COLUMNS if name in reading.places}
     readers = {
         name: reader
@@ -412,11 +446,16 @@ def _refuse_twice(names: Sequence[str]) -> None:
 
 
 def _refuse_unknown(names: Sequence[str], reading: _Reading) -> None:
-    listed = ", ".join(shown(name) for name in names if name)[:200] or phrase("inventory.nothing")
-    if len(names) == 1 and "|" in names[0]:
-        raise InputError("inventory.commas", row=shown(names[0]))
-    if not reading.doubts:
-        raise InputError("inventory.no_id", "id", names=listed)
+    """Refuse a header in which nothing says what the pieces are."""
+    if not any(names):
+        raise InputError("inventory.no_names", "inventory")
+    unknown = reading.unused[len(reading.ignored) :][:UNKNOWN_SHOWN]
+    raise InputError(
+        "inventory_tables.no_known_column",
+        "columns",
+        proposal=reading.proposal(*(f"?={name}" for name in unknown)),
+        columns=", ".join(COLUMNS),
+    )
 
 
 def _refuse_misspelt(name: str, part: HeaderName) -> None:
@@ -433,15 +472,14 @@ def _refuse_misspelt(name: str, part: HeaderName) -> None:
         )
 
 
-def _refuse_doubts(doubts: Sequence[_Doubt]) -> None:
-    told = [doubt.about for doubt in doubts[:DOUBTS_SHOWN]]
-    more = len(doubts) - len(told)
+def _refuse_doubts(reading: _Reading) -> None:
+    told = [doubt.about for doubt in reading.doubts[:DOUBTS_SHOWN]]
+    more = len(reading.doubts) - len(told)
     if more:
         told.append(phrase("inventory_tables.more_doubts", count=more))
-    settled = ",".join(dict.fromkeys(doubt.settled for doubt in doubts))
     raise InputError(
         "inventory_tables.unclear",
         "columns",
         doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
-        proposal=settled,
+        proposal=reading.proposal(),
     )

@@ -12,11 +12,21 @@ from pydantic import ValidationError
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown, visible, within
-from stayput.inventory.cells import Unusable, number_of, numbers_of, plain, shown, text_of, whole_of
+from stayput.inventory.cells import (
+    Unusable,
+    number_of,
+    number_or_none,
+    numbers_of,
+    plain,
+    shown,
+    text_of,
+    whole_of,
+)
 from stayput.inventory.columns import TOTAL_ROW, plain_name
 from stayput.inventory.contents import OF_THE_CONTENTS, contents_of
 from stayput.inventory.scenarios import stated_building
 from stayput.inventory.store import ground_spec, measures_spec, piece_spec
+from stayput.inventory.vocabulary import ROOF
 from stayput.measures import MEASURES, hold
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import WALLS, Floor, Wall
@@ -41,6 +51,9 @@ MOST_CACHED = 100_000
 
 MOST_OPTIONS = 20
 """Most sets of measures that a row compares."""
+
+DEEPEST = 9
+"""Lowest basement that there may be."""
 
 OF_THE_BODY = ("preset", "width", "height", "mass", "cg_offset", "load")
 OF_THE_ROOM = ("floor", "gap", "wall", "measures")
@@ -83,7 +96,7 @@ class Exposure:
     ground : str
         Spec of the shaking of its building.
     storey : int
-        The storey, 1 on the ground.
+        The storey, 1 on the ground, below 0 in a basement.
     building : str, optional
         What the building is called; none on the ground.
     piece : str
@@ -166,9 +179,7 @@ class RowReader:
         InputError
             The first thing that is wrong.
         """
-        piece = text_of("id", cells.get("id"))
-        if piece is None:
-            raise InputError("inventory.no_id_in_row", "id")
+        piece = text_of("id", cells.get("id")) or numbered(cells.get("name"), row)
         for name in ("id", "name"):
             called = cells.get(name)
             if isinstance(called, str) and TOTAL_ROW.fullmatch(plain_name(called)):
@@ -176,14 +187,14 @@ class RowReader:
         count = whole_of("count", cells.get("count"), 1, 1_000_000)
         value = number_of("value", cells.get("value"))
         if value is not None:
-            within("value", value, 0.0, 1e15)
+            within("value", value, 0.0, 1e15, field="value")
         lat, lon = number_of("lat", cells.get("lat"), "°"), number_of("lon", cells.get("lon"), "°")
         if (lat is None) != (lon is None):
             name = "lat" if lat is None else "lon"
             raise InputError("inventory.lat_and_lon", name, name=name)
         if lat is not None and lon is not None:
-            within("lat", lat, -90.0, 90.0, "°")
-            within("lon", lon, -180.0, 360.0, "°")
+            within("lat", lat, -90.0, 90.0, "°", "lat")
+            within("lon", lon, -180.0, 360.0, "°", "lon")
         body = self.bodies.get(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
         exposures: list[Exposure] = []
@@ -194,7 +205,8 @@ class RowReader:
                 raise InputError(
                     "inventory.costs_count", "costs", costs=len(costs), measures=len(options) - 1
                 )
-            ground = self.grounds.get((station, level, label), partial(ground_spec, station, level, building))
+            place = station, level, None if building is None else label
+            ground = self.grounds.get(place, partial(ground_spec, station, level, building))
             possible = [n for n, option in enumerate(options) if option.name not in not_possible]
             exposures.append(
                 Exposure(
@@ -211,7 +223,7 @@ class RowReader:
                 )
             )
         for cost in costs:
-            within("costs", cost, 0.0, 1e15)
+            within("costs", cost, 0.0, 1e15, field="costs")
         return Item(
             row, piece, name_of(cells.get("name")), count or 1, value, lat, lon, body.width, tuple(exposures)
         )
@@ -241,23 +253,20 @@ class RowReader:
     def _building(
         self, cells: Mapping[str, Cell], station: int
     ) -> tuple[str | None, BuildingTable | None, int]:
+        """Return the building's name, what moves its floor (none: the ground alone), and the storey."""
         stated = text_of("building", cells.get("building"))
-        storey = whole_of("storey", cells.get("storey"), 1, 200)
-        shaking = self.scenarios.all[station].scenario.shaking
-        if stated is None:
-            label, building = (None, shaking.building)
-            storey = storey or shaking.storey
-            if building is None and storey is not None:
-                raise InputError("inventory.building_missing", "building")
-        else:
-            label, building = stated, self.buildings.get(stated, lambda: self._named(stated))
-        if building is None or storey is None:
-            if building is not None:
-                raise InputError("inventory.storey_missing", "storey")
+        shaking, cell = self.scenarios.all[station].scenario.shaking, cells.get("storey")
+        building = shaking.building
+        if stated is not None:
+            building = self.buildings.get(stated, lambda: self._named(stated))
+        if building is None:
+            if plain("storey", cell) is not None:
+                raise InputError("inventory.building_missing", "building", name="building")
             return None, None, 1
-        if storey > building.highest():
-            raise InputError("inventory.storey_range", "storey", storey=storey, highest=building.highest())
-        return label or building.building().name, building, storey
+        storey = storey_of(cell, building.highest()) or (shaking.storey if stated is None else None)
+        if storey is None:
+            raise InputError("inventory.storey_missing", "storey", name="storey")
+        return stated or building.building().name, building if storey > 0 else None, storey
 
     def _named(self, name: str) -> BuildingTable:
         named = self.scenarios.buildings
@@ -266,7 +275,9 @@ class RowReader:
             known = phrase("inventory.one_that_is_named")
             if named:
                 known = phrase("inventory.one_of_the_scenario", names=", ".join(named))
-            raise InputError("inventory.unknown_building", "building", value=shown(name), known=known)
+            raise InputError(
+                "inventory.unknown_building", "building", name="building", value=shown(name), known=known
+            )
         return building
 
 
@@ -280,6 +291,12 @@ def name_of(cell: Cell) -> str | None:
         return None
     whole = int(cell) if isinstance(cell, float) and cell.is_integer() else cell
     return visible(" ".join(str(whole).split())[:LONGEST_NAME].strip()) or None
+
+
+def numbered(called: Cell, row: int) -> str:
+    """Return the id of a piece whose row has none: what it is called, with its row."""
+    name = called.strip()[:LONGEST_NAME].strip() if isinstance(called, str) else ""
+    return f"{name} #{row}" if name else f"row {row}"
 
 
 def body_of(cells: Mapping[str, Cell]) -> Body:
@@ -323,16 +340,19 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
     room = scenario.room.room()
     floor, gap = plain("floor", cells.get("floor")), number_of("gap", cells.get("gap"), "m")
     if floor is not None:
-        room = replace(room, floor=_floor(floor, room.floor))
+        try:
+            room = replace(room, floor=_floor(floor, room.floor))
+        except InputError as error:
+            raise error.about("floor") from None
     if gap is not None:
-        within("gap", gap, 0.0, 1e4, "m")
+        within("gap", gap, 0.0, 1e4, "m", "gap")
         room = replace(room, left_wall=replace(room.left_wall or Wall(0.0), gap=gap))
     wall = text_of("wall", cells.get("wall"))
     if wall is not None:
         if wall not in WALLS:
             raise unknown("inventory.wall", wall, WALLS, field="wall")
         if room.left_wall is None:
-            raise InputError("inventory.wall_without_gap", "wall")
+            raise InputError("inventory.wall_without_gap", "wall", name="gap")
         room = replace(room, left_wall=replace(room.left_wall, construction=wall))
     return room
 
@@ -343,8 +363,28 @@ def _floor(value: str | float, default: Floor) -> Floor:
         return Floor.of(value, **losses)
     pair = numbers_of("floor", value)
     if len(pair) != 2:
-        raise InputError("inventory.floor", "floor", value=shown(value))
+        raise InputError("inventory.floor", "floor", name="floor", value=shown(value))
     return Floor(*pair, **losses)
+
+
+def storey_of(cell: Cell, highest: int) -> int | None:
+    """Return the storey of a cell, below 0 in a basement; None where it is empty.
+
+    Raises
+    ------
+    InputError
+        No storey, or one that a building of so many does not have.
+    """
+    if cell == ROOF:
+        return highest
+    if isinstance(cell, str) and cell.strip() and number_or_none(cell) is None:
+        raise InputError("inventory.storey", "storey", name="storey", value=shown(cell))
+    storey = whole_of("storey", cell, -1_000_000, 1_000_000)
+    if storey is not None and not (1 <= storey <= highest or -DEEPEST <= storey <= -1):
+        raise InputError(
+            "inventory.storey_range", "storey", name="storey", storey=storey, highest=highest, deepest=DEEPEST
+        )
+    return storey
 
 
 def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSet, ...]:
@@ -366,13 +406,17 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSe
         for name in names:
             if name not in named and name not in MEASURES:
                 known = ", ".join(dict.fromkeys((*named, *MEASURES)))
-                raise InputError("inventory.unknown_measure", "measures", value=shown(name), known=known)
+                raise InputError(
+                    "inventory.unknown_measure", "measures", name="measures", value=shown(name), known=known
+                )
             measures += named[name] if name in named else (MEASURES[name](),)
         sets.append(MeasureSet.of("+".join(names), measures))
     if len(sets) > MOST_OPTIONS + 1:
-        raise InputError("inventory.too_many_sets", "measures", count=len(sets) - 1, most=MOST_OPTIONS)
+        raise InputError(
+            "inventory.too_many_sets", "measures", name="measures", count=len(sets) - 1, most=MOST_OPTIONS
+        )
     names = [option.name for option in sets]
     if len(set(names)) < len(names):
         twice = next(name for name in names if names.count(name) > 1)
-        raise InputError("inventory.measure_twice", "measures", value=shown(twice))
+        raise InputError("inventory.measure_twice", "measures", name="measures", value=shown(twice))
     return tuple(sets)

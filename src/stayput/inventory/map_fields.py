@@ -28,7 +28,6 @@ _SA = re.compile(r"sa_(\d{1,2}(?:\.\d{1,4})?)", re.ASCII)
 _PEAK = re.compile(r"(pga|pgv)[ _]?(?:\[([^\]]+)\]|\(([^)]+)\)|([^\[( ].*))")
 _PSA = re.compile(r"psa(\d)(\d)", re.ASCII)
 
-_PER_CENT_OF_G = ("%g", "pctg", "% g", "pct g", "%")
 _VELOCITIES = {"cm/s": 0.01, "cms": 0.01, "kine": 0.01, "m/s": 1.0}
 
 
@@ -154,10 +153,8 @@ def peak_field(name: str, peak: str, unit: str) -> MapField:
 
 def _acceleration(name: str, unit: str) -> float:
     """Return the size of a unit [m/s²], per cent of g among them."""
-    if unit.strip().lower() in _PER_CENT_OF_G:
-        return 0.01 * STANDARD_GRAVITY
     try:
-        return unit_factor(unit)
+        return unit_factor("%g" if unit.strip() == "%" else unit)
     except InputError:
         known = "%g, g, gal, cm/s², m/s²"
         raise InputError("inventory_tables.map_unit", column=repr(name), known=known) from None

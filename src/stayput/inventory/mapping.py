@@ -14,6 +14,7 @@ from stayput.errors import InputError, reason_of, unknown
 from stayput.inventory.cells import shown
 from stayput.inventory.columns import COLUMNS, UNITS, NumberUnit, header_name, plain_name
 from stayput.scenario.toml import read_toml
+from stayput.spreadsheets import named_columns
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -129,13 +130,7 @@ def read_columns(columns: str | Path | Mapping[str, Any] | None) -> ColumnMappin
         return _mapping(list(columns.items()))
     if str(columns).lower().endswith(FILES):
         return _mapping(list(_file(Path(columns)).items()))
-    pairs: list[tuple[str, object]] = []
-    for part in str(columns).split(","):
-        name, mark, header = part.partition("=")
-        if not mark or not name.strip() or not header.strip():
-            raise InputError("inventory_tables.mapping", "columns", value=shown(part))
-        pairs.append((name.strip(), header.strip()))
-    return _mapping(pairs)
+    return _mapping(named_columns(str(columns), "inventory_tables.mapping"))
 
 
 def _file(path: Path) -> dict[str, Any]:

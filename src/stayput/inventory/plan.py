@@ -4,24 +4,26 @@ from __future__ import annotations
 
 import csv
 import os
+from collections import Counter
 from contextlib import closing
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, Self
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.catalogue import is_phrase, phrase
+from stayput.errors import InputError, excerpt
 from stayput.inventory.arrow import arrow, parquet
-from stayput.inventory.cells import Unusable, shown
+from stayput.inventory.cells import Unusable, is_empty
+from stayput.inventory.columns import COLUMNS, JAPANESE
 from stayput.inventory.folder import digest_of
 from stayput.inventory.header import header_of
-from stayput.inventory.items import LONGEST_NAME, RowReader, name_of
+from stayput.inventory.items import SIZES, RowReader, name_of, numbered
 from stayput.inventory.store import Store
 from stayput.inventory.tables import open_table
 from stayput.inventory.workspace import read_json, remove, sync_folder
 from stayput.spreadsheets import harmless
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
     from pathlib import Path
 
     from stayput.inventory.cells import Cell
@@ -34,11 +36,20 @@ if TYPE_CHECKING:
 ROWS_PER_PART = 20_000
 """Rows of the inventory in a part of the results."""
 
+REJECTED = ("row", "id", "name", "reason", "reason_ja")
+"""What is told of a row that is not assessed."""
+
 REJECTS = ("rejects.parquet", "rejects.csv")
 ROWS, STORE, SUMS = "rows", "plan.sqlite", "sums.json"
 
 ROWS_LOOKED_AT = 200
 """Rows whose numbers tell whether the header is understood."""
+
+FIRST_ALIKE = 5
+"""Rows that are told of those that are refused for the same."""
+
+MAY_BE_EMPTY = ("id", *SIZES, "count")
+"""Columns of which it is told how many cells are empty in rows that are assessed."""
 
 ROWS_PER_UPDATE = 2000
 """Rows between updates of the progress bar."""
@@ -78,27 +89,57 @@ def not_possible() -> Any:
     return pa.list_(pa.struct([("name", pa.string()), ("reason", pa.string()), ("reason_ja", pa.string())]))
 
 
+class Findings:
+    """What is found in many rows, each once, with the number of rows and the first few of them."""
+
+    def __init__(self) -> None:
+        self.found: dict[tuple[str | None, ...], dict[str, Any]] = {}
+
+    def add(self, row: Sequence[Any], *about: str | None) -> None:
+        """Add a row, id, name, reason and reason_ja, with what tells its kind of finding from others."""
+        *piece, english, japanese = row
+        if about not in self.found:
+            reasons = {"reason": english, "reason_ja": japanese, "same": True}
+            self.found[about] = {"about": about[0], **reasons, "rows": 0, "first": []}
+        found = self.found[about]
+        found["same"] &= found["reason"] == english
+        found["rows"] += 1
+        if len(found["first"]) < FIRST_ALIKE:
+            found["first"].append(dict(zip(REJECTED, piece, strict=False)))
+
+    def told(self) -> list[dict[str, Any]]:
+        """Return the findings, that of most rows first."""
+        return sorted(self.found.values(), key=lambda found: -found["rows"])
+
+
 class Rejects:
     """Writes the rows that are not assessed, with their reasons."""
 
     def __init__(self, folder: Path) -> None:
         pa, pq = arrow(), parquet()
 
-        texts = [(name, pa.string()) for name in ("id", "name", "reason", "reason_ja")]
-        self.schema = pa.schema([("row", pa.int64()), *texts])
+        kinds = [pa.int64(), *[pa.string()] * (len(REJECTED) - 1)]
+        self.schema = pa.schema(list(zip(REJECTED, kinds, strict=True)))
         self.file = (folder / REJECTS[0]).open("wb")
         self.parquet: Any = pq.ParquetWriter(self.file, self.schema, compression="zstd")
         self.text = (folder / REJECTS[1]).open("w", encoding="utf-8-sig", newline="")
         self.lines = csv.writer(self.text)
         self.lines.writerow(self.schema.names)
         self.buffered: list[tuple[int, str, str | None, str, str]] = []
+        self.findings = Findings()
         self.count = 0
 
     def add(self, row: int, piece: Cell, called: Cell, error: InputError) -> None:
         """Add a row that is refused, with its id and what its piece is called."""
-        identifier = "" if piece is None or isinstance(piece, Unusable) else str(piece)[:200]
-        self.buffered.append((row, identifier, name_of(called), error.told("en"), error.told("ja")))
+        identifier = (
+            ""
+            if isinstance(piece, Unusable)
+            else str(numbered(called, row) if is_empty(piece) else piece)[:200]
+        )
+        line = row, identifier, name_of(called), error.told("en"), error.told("ja")
+        self.buffered.append(line)
         self.count += 1
+        self.findings.add(line, error.code, error.field)
         if len(self.buffered) >= ROWS_PER_PART:
             self.flush()
 
@@ -206,6 +247,8 @@ def _fill(
 ) -> None:
     reader = RowReader(scenarios)
     seen = empty = parts = pieces = choices = located = narrow = 0
+    left_empty: Counter[str] = Counter()
+    impossible = Findings()
     buffered: list[tuple[Item, list[list[int]]]] = []
 
     def flush() -> None:
@@ -219,13 +262,14 @@ def _fill(
         store.begin()
         with Rejects(folder) as rejects, open_table(inventory, 4 * cache) as table:
             first = list(islice(table.rows, ROWS_LOOKED_AT))
-            sample = [cells for _, cells in first if not isinstance(cells, InputError)]
+            sample = [[] if isinstance(cells, InputError) else cells for _, cells in first]
             header = header_of(table.header, sample, columns, table.decimal_comma)
+            may_be_empty = [(name, header.places[name]) for name in MAY_BE_EMPTY if name in header.places]
             for number, cells in chain(first, table.rows):
                 seen += 1
                 if seen % ROWS_PER_UPDATE == 0:
                     advance(ROWS_PER_UPDATE)
-                if not isinstance(cells, InputError) and all(cell in (None, "") for cell in cells):
+                if not isinstance(cells, InputError) and all(map(is_empty, cells)):
                     empty += 1
                     continue
                 item = _checked(number, cells, header, reader, store, rejects)
@@ -233,16 +277,21 @@ def _fill(
                     units = [
                         store.units_of(
                             exposure.ground,
-                            exposure.storey,
+                            max(exposure.storey, 1),  # a basement moves as the ground does
                             exposure.piece,
                             [option.spec for option in exposure.options],
                         )
                         for exposure in item.exposures
                     ]
                     choices += sum(map(len, units))
+                    not_put = chain.from_iterable(exposure.impossible for exposure in item.exposures)
+                    for name, reasons in dict(not_put).items():
+                        impossible.add((item.row, item.id, item.name, *reasons), name)
                     pieces += 1
                     located += item.lat is not None
-                    narrow += not isinstance(cells, InputError) and _is_narrow(item, header, cells)
+                    if not isinstance(cells, InputError):
+                        narrow += _is_narrow(item, header, cells)
+                        left_empty.update(name for name, place in may_be_empty if is_empty(cells[place]))
                     buffered.append((item, units))
                     if len(buffered) >= ROWS_PER_PART:
                         flush()
@@ -256,7 +305,10 @@ def _fill(
                 "pieces": pieces,
                 "with coordinates": located,
                 "narrower than deep": narrow,
+                "empty cells": {header.called.get(name, name): left_empty[name] for name in left_empty},
                 "rejects": rejects.count,
+                "rejects alike": rejects.findings.told(),
+                "measures not possible": impossible.told(),
                 "parts": parts,
                 "units": store.next_unit,
                 "choices": choices,
@@ -286,34 +338,37 @@ def _checked(
     try:
         if isinstance(cells, InputError):
             raise cells
-        place, called = header.places.get("id"), _cell_at(header.places.get("name"), cells)
-        if place is None:
-            name = _numbered(called, number)
-            piece = reader.item(number, {**header.cells(cells), "id": name})
-        else:
-            name = _cell_at(place, cells)
-            piece = reader.item(number, header.cells(cells))
+        name, called = (_cell_at(header.places.get(column), cells) for column in ("id", "name"))
+        piece = reader.item(number, header.cells(cells))
         first = store.row_of(piece.id, number)
         if first != number:
-            raise InputError("inventory.id_twice", "id", id=repr(piece.id), row=first)
+            raise InputError("inventory.id_twice", "id", name="id", id=repr(piece.id), row=first)
     except InputError as error:
-        written = header.called.get(error.field or "")
-        told = (
-            error if written is None else error.at(phrase("inventory_tables.column", header=shown(written)))
-        )
-        rejects.add(number, name, called, told)
+        rejects.add(number, name, called, _in_words_of_the_table(error, header))
         return None
     return piece
 
 
+def _in_words_of_the_table(error: InputError, header: Header) -> InputError:
+    """Return a refusal that names the column as the table does, and none by stayput's key in Japanese."""
+
+    def named(value: object) -> object:
+        name = value[0] if is_phrase(value) else value
+        if not isinstance(name, str) or name not in COLUMNS:
+            return value
+        if name in header.places and name not in header.called:  # it is the table's own name
+            return value
+        return name, JAPANESE.get(name, header.called.get(name, name))
+
+    values = {key: named(value) for key, value in error.values.items()}
+    written, context = header.called.get(error.field or ""), error.context
+    if written is not None:
+        context = phrase("inventory_tables.column", header=excerpt(written)), *context
+    return InputError(error.code, error.field, context=context, **values)
+
+
 def _cell_at(place: int | None, cells: list[Cell]) -> Cell:
     return None if place is None or place >= len(cells) else cells[place]
-
-
-def _numbered(called: Cell, number: int) -> str:
-    """Return the id of a piece of a table that has none: what it is called, with its row."""
-    name = called.strip()[:LONGEST_NAME].strip() if isinstance(called, str) else ""
-    return f"{name} #{number}" if name else f"row {number}"
 
 
 def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], scenarios: Scenarios) -> None:

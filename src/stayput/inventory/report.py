@@ -12,18 +12,23 @@ from markupsafe import Markup
 from stayput.catalogue import say
 from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
-from stayput.inventory.summary import needs_none
+from stayput.inventory.results import Finding
 from stayput.inventory.words import (
     amount,
     building_named,
     counted_phrase,
     done,
     expected,
+    first_of,
     further,
+    impossible_told,
     interval_told,
     measures_named,
     narrow_told,
     pieces_counted,
+    reason_told,
+    rows_told,
+    share_of,
     share_told,
 )
 from stayput.report.names import given_name
@@ -32,14 +37,12 @@ from stayput.report.palette import INK, PAPER, rgb
 from stayput.report.verdict.svg import element, label
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
 
     from stayput.inventory.summary import Summary, Total
 
 MOST_BUILDINGS = 40
 """Buildings that a map shows: those where most is expected to overturn."""
-
-REJECTS_SHOWN = 20
 
 CELL, ROW, LEFT, TOP, SLANT = 46.0, 24.0, 64.0, 10.0, 4.7
 """Sizes of a map [px]: of a cell, room for the storeys and above, height of a slanted letter."""
@@ -49,6 +52,9 @@ LONGEST_NAME = 40
 
 RAMP = ("#f7fbff", "#fdd49e", "#fc8d59", "#d7301f", "#7f0000")
 """Colours from 0 to 100 %: light to dark, so that they tell without hue as well."""
+
+UNTOLD = "#c8ccd0"
+"""Colour where the runs are too few to tell."""
 
 
 def _words(key: str, language: str, **values: object) -> str:
@@ -96,7 +102,7 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str, l
     parts: list[str] = []
     for j, storey in enumerate(storeys):
         y = TOP + ROW * j
-        floor = _words("floor", language, storey=storey) if storey else _words("on_ground", language)
+        floor = _floor(storey, language)
         parts.append(label(LEFT - 8.0, y + 0.7 * ROW, floor, "axis", "end"))
         for i, building in enumerate(buildings):
             total = totals.get((building, storey))
@@ -148,15 +154,24 @@ def _by_number(name: str) -> list[tuple[bool, int, str]]:
 
 def _storeys(storeys: set[int]) -> list[int]:
     """Return the storeys of a map from the top: none is left out between, or heights would mislead."""
-    above = range(max(storeys), 0, -1)
-    return [*above, 0] if 0 in storeys else list(above)
+    low = min(0, *storeys)
+    return [n for n in range(max(storeys), low - 1, -1) if n or 0 in storeys]
+
+
+def _floor(storey: int, language: str) -> str:
+    """Return what a storey is called on a map, the ground being 0."""
+    if not storey:
+        return _words("on_ground", language)
+    return _words("floor" if storey > 0 else "basement", language, storey=abs(storey))
 
 
 def _map_cell(x: float, y: float, total: Total, best: bool, where: str, language: str) -> str:
-    share = total.share_best if best else total.share
-    fill = "#ffffff" if math.isnan(share) else colour(share)
-    text_shown = "?" if math.isnan(share) else percent(share)
-    told = _words("cell", language, place=where, share=text_shown, pieces=pieces_counted(total.pieces))
+    which = "_best" if best else ""
+    share, untold = total.share(which), total.untold(which)
+    fill = "#ffffff" if math.isnan(share) else UNTOLD if untold else colour(share)
+    text_shown = "?" if math.isnan(share) else f"{percent(share)}?" if untold else percent(share)
+    shown = "?" if math.isnan(share) else share_of(total, which, language)
+    told = _words("cell", language, place=where, share=shown, pieces=pieces_counted(total.pieces))
     title = element("title", Markup.escape(told))
     box = element("rect", title, x=x, y=y, width=CELL - 2.0, height=ROW - 2.0, fill=fill, class_="cell")
     text = element(
@@ -175,7 +190,6 @@ def report_html(
     summary: Summary,
     facts: Mapping[str, Any],
     manifest: Mapping[str, Any],
-    rejects: Sequence[Mapping[str, Any]],
     language: str = "en",
 ) -> str:
     """Return the report as HTML.
@@ -188,8 +202,6 @@ def report_html(
         What is known of the plan.
     manifest : mapping
         What the manifest says of the assessment.
-    rejects : sequence
-        The first rows that were not assessed.
     language : str
         "en" or "ja".
     """
@@ -205,13 +217,22 @@ def report_html(
         "worst": [_piece(row, language) for row in summary.worst],
         "contents": contents,
         "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
-        "rejects": [{**row, "piece": _called(row)} for row in rejects[:REJECTS_SHOWN]],
+        "impossible": impossible_told(facts, language),
+        "rejects": [
+            {
+                "rows": rows_told(found, language),
+                "pieces": first_of([_called(row) for row in found["first"]], found["rows"], language),
+                "reason": reason_told(found, language),
+            }
+            for found in facts["rejects alike"]
+        ],
         "rejects_counted": _words("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
         "done": done(facts, manifest, contents, language),
         "ramp": [
             (share_told(share, language), colour(share), _ink(colour(share)))
             for share in (0.0, 0.25, 0.5, 0.75, 1.0)
-        ],
+        ]
+        + [(_words(Finding.TOO_FEW_RUNS, language), UNTOLD, _ink(UNTOLD))],
     }
     return rendered("inventory/inventory.html", page)
 
@@ -235,24 +256,22 @@ def _map(event: str, summary: Summary, language: str) -> dict[str, Any]:
 
 def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
     """Return the cells of a piece at risk."""
-    helped = row["best"] != NO_MEASURE
-    no_help = "needs_none" if needs_none(row) else "no_help"
+    helped, best = row["best"] != NO_MEASURE, measures_named(row["best"], language)
     by_cost = row["best_by_cost"]
     return {
         **{key: row[key] for key in ("row", "event", "count")},
         "piece": _called(row),
         "building": given_name(row["building"] or "", language),
-        "storey": row["storey"] or "",
-        "overturned": interval_told(row, "", language),
+        "storey": _floor(row["storey"], language) if row["storey"] else "",
+        "overturned": interval_told(row, "overturned", language),
         "out": share_told(row["contents_out_share"], language),
-        "best": measures_named(row["best"], language) if helped else _words(no_help, language),
-        "best_overturned": interval_told(row, "best_", language) if helped else "",
+        "best": best if row["finding"] == Finding.HELPED else _words(row["finding"], language, measure=best),
+        "best_overturned": interval_told(row, "best_overturned", language) if helped else "",
         "best_out": share_told(row["best_contents_out_share"], language) if helped else "",
         "best_by_cost": _words("not_worth", language)
         if by_cost == NO_MEASURE
         else measures_named(by_cost or "", language),
         "loss": amount(row["expected_loss"]),
-        "not_possible": [_reason(option, language) for option in row["not_possible"] or ()],
     }
 
 
@@ -260,8 +279,3 @@ def _called(row: Mapping[str, Any]) -> str:
     """Return a piece's id with its name, unless the id has been made of the name."""
     piece, name = row["id"], row["name"]
     return piece if not name or piece in (name, f"{name} #{row['row']}") else f"{piece} {name}".strip()
-
-
-def _reason(option: Mapping[str, str], language: str) -> dict[str, str]:
-    reason = option["reason" if language == "en" else "reason_ja"]
-    return {"name": measures_named(option["name"], language), "reason": reason}

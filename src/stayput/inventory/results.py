@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import hashlib
 import io
+import itertools
 from dataclasses import dataclass
+from enum import StrEnum
+from functools import cache
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.fragility import difference
+from stayput.fragility.probabilities import probability_of_counts
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.plan import ROWS, not_possible
 from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, RecordFile
 from stayput.inventory.workspace import read_json
-from stayput.montecarlo.counting import EVENTS, OVERTURNED
-from stayput.verification.ranking import severity
+from stayput.montecarlo.counting import EVENTS, OVERTURNED, SLID
+from stayput.verification.ranking import RANKING_ORDER, severity
+from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -25,6 +31,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.fragility import Difference
     from stayput.inventory.workspace import Workspace
 
 PIECES = "pieces"
@@ -35,6 +42,22 @@ _ENDS = (("", "probability:"), ("_low", "95 % interval from:"), ("_high", "95 % 
 
 OUT = "contents_out_share"
 """Share of the contents that come out."""
+
+
+class Finding(StrEnum):
+    """What the runs show of a row: a statement that holds over its intervals, not for its estimates alone."""
+
+    NEEDS_NONE = "needs_none"
+    HELPED = "helped"
+    MAY_BE_CHANCE = "may_be_chance"
+    NOT_HELPED = "not_helped"
+    TOO_FEW_RUNS = "too_few_runs"
+
+
+@cache
+def least_motions() -> int:
+    """Return from how many motions on a piece that never overturned can be known to need no measure."""
+    return next(n for n in itertools.count(2) if probability_of_counts(np.zeros(n), np.ones(n)).high < SAFE)
 
 
 def schema(metadata: Mapping[str, str]) -> Any:
@@ -84,7 +107,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
             "standard deviation of what a shake map tells: of the intensity, else of the common logarithm",
         ),
         number("building", "the building; null on the ground", pa.string()),
-        number("storey", "the storey; null on the ground", pa.int32()),
+        number("storey", "the storey, below 0 in a basement; null on the ground", pa.int32()),
         number("lat", "latitude [°]"),
         number("lon", "longitude [°]"),
         number("count", "pieces of this kind", pa.int32()),
@@ -105,6 +128,21 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("best_overturned", "probability of overturning with it"),
         number("best_overturned_low", "95 % interval from"),
         number("best_overturned_high", "95 % interval to"),
+        number(
+            "best_lessens",
+            "the event that ranks the best first; beside overturning, or that it overturns",
+            pa.string(),
+        ),
+        number("best_change", "probability of that event with the best less that without, run by run"),
+        number("best_change_low", "95 % interval from"),
+        number("best_change_high", "95 % interval to"),
+        number(
+            "finding",
+            "helped: the interval of best_change is below 0; may_be_chance: it is not; needs_none: no set is "
+            f"better, and the intervals of overturning and sliding too far end below {SAFE}; too_few_runs: "
+            "they do not, though it hardly happened; not_helped: no set is seen to help; null: no runs",
+            pa.string(),
+        ),
         number(f"best_{OUT}", "expected share of the contents that come out with the best"),
         number("risk_reduction", "probability of overturning without a measure less that with the best"),
         number("best_expected_loss", "count · value · probability of overturning with the best"),
@@ -120,11 +158,23 @@ def schema(metadata: Mapping[str, str]) -> Any:
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """The best of a row's options by risk, and by cost with its gain; options by their place."""
+    """The best of a row's options by risk, and by cost with its gain; options by their place.
+
+    ``event`` is the one that the best lessens, ``change`` by how much; none where none is better.
+    """
 
     best: int
+    event: str | None
+    change: Difference | None
     by_cost: int | None
     gain: float | None
+
+
+def _change(records: NDArray[np.void], option: int, event: str) -> Difference:
+    """Return how much likelier an event, or overturning, is with an option than without, run by run."""
+    each = np.unpackbits(records["each"][[option, 0]], axis=-1).view(np.bool_)
+    happened = each[:, EVENTS.index(event)] | each[:, EVENTS.index(OVERTURNED)]
+    return difference(happened[0], happened[1], each[:, -1].any(axis=0))
 
 
 def choose(
@@ -137,11 +187,11 @@ def choose(
     measure that ranks no better than none, or overturns more often by however little, is not taken: then
     none of them helps.
     By cost: with a value, the largest loss avoided less cost; else the largest fall of the probability of
-    overturning for its cost.
+    overturning for its cost. Only an option with which it clearly overturns less often is taken.
 
     Parameters
     ----------
-    records : ndarray of RECORD
+    records : ndarray of `stayput.inventory.records.record_type`
         Outcomes of the options.
     sizes : list of int
         Number of measures of each.
@@ -159,19 +209,36 @@ def choose(
     fallen = shares[:, EVENTS.index(OVERTURNED)]
     no_worse = [n for n in range(len(ranks)) if not fallen[n] > fallen[0]]
     best = min(no_worse, key=lambda n: (ranks[n], n))
-    if best and not ranks[best][:-1] < ranks[0][:-1]:
+    if not ranks[best][:-1] < ranks[0][:-1]:
         best = 0
+    compared = zip(RANKING_ORDER, ranks[best], ranks[0], strict=False)
+    event = next((event for event, held, bare in compared if held < bare), None)
+    change = None if event is None else _change(records, best, event)
     if costs is None:
-        return Choice(best, None, None)
-    avoided = fallen[0] - fallen[1:]
+        return Choice(best, event, change, None, None)
+    seen = fallen[0] - fallen[1:]
+    clear = [gain > 0.0 and _change(records, n, OVERTURNED).high < 0.0 for n, gain in enumerate(seen, 1)]
+    avoided = np.where(clear, seen, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         cost = np.array(costs)
         gains = np.where(avoided > 0.0, avoided / cost, 0.0) if value is None else value * avoided - cost
     gains = np.nan_to_num(gains, nan=-np.inf)
     place = int(np.argmax(gains))
     if not gains[place] > 0.0:
-        return Choice(best, 0, 0.0)
-    return Choice(best, place + 1, float(gains[place]))
+        return Choice(best, event, change, 0, 0.0)
+    return Choice(best, event, change, place + 1, float(gains[place]))
+
+
+def finding_of(row: Mapping[str, Any], choice: Choice) -> Finding | None:
+    """Return what is shown of a row with the numbers of its first option; none without any run."""
+    if not row["runs"]:
+        return None
+    if choice.change is not None:
+        return Finding.HELPED if choice.change.high < 0.0 else Finding.MAY_BE_CHANCE
+    if max(row[f"{event}_high"] for event in (OVERTURNED, SLID)) < SAFE:
+        return Finding.NEEDS_NONE
+    hardly = max(row[OVERTURNED], row[SLID]) < SMALL
+    return Finding.TOO_FEW_RUNS if hardly else Finding.NOT_HELPED
 
 
 def part_names(parts: int) -> list[str]:
@@ -243,7 +310,7 @@ class Writer:
                 option_records = records[np.searchsorted(wanted, row["units"])]
                 sizes = [0 if name == NO_MEASURE else 1 + name.count("+") for name in row["options"]]
                 choice = choose(option_records, sizes, row["costs"], row["value"])
-                chosen[key] = choice, [_numbers(record) for record in option_records]
+                chosen[key] = choice, [numbers_of(record) for record in option_records]
             lines.append(self._line(row, *chosen[key]))
         columns = {field.name: [line.get(field.name) for line in lines] for field in self.schema}
         return arrow().table(columns, schema=self.schema)
@@ -262,6 +329,8 @@ class Writer:
         line["best"] = row["options"][choice.best]
         for end in ("", "_low", "_high"):
             line[f"best_overturned{end}"] = best[f"{OVERTURNED}{end}"]
+            line[f"best_change{end}"] = getattr(choice.change, end.lstrip("_") or "estimate", None)
+        line["best_lessens"], line["finding"] = choice.event, finding_of(without, choice)
         line[f"best_{OUT}"] = best[OUT]
         line["risk_reduction"] = without[OVERTURNED] - best[OVERTURNED]
         line["best_by_cost"] = None if choice.by_cost is None else row["options"][choice.by_cost]
@@ -278,7 +347,8 @@ class Writer:
         return line
 
 
-def _numbers(record: np.void) -> dict[str, Any]:
+def numbers_of(record: np.void) -> dict[str, Any]:
+    """Return the numbers of an option by their columns."""
     numbers: dict[str, Any] = {
         "motions": int(record["motions"]),
         "runs": int(record["runs"]),

@@ -17,6 +17,7 @@ from stayput.building import STRUCTURES
 from stayput.errors import InputError, InputWarning, warn
 from stayput.fragility import JMA_INTENSITY
 from stayput.inventory.places import distances
+from stayput.motion.channels import of_the_ground
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.messages import refusal_of
@@ -74,8 +75,11 @@ class ScenarioFile:
 
     @cached_property
     def ground(self) -> Suite:
-        """The motions of the ground."""
-        return self.scenario.ground()
+        """The motions, which must be of the ground."""
+        suite = self.scenario.ground()
+        for motion in suite:
+            of_the_ground(motion, "inventory")
+        return suite
 
     @cached_property
     def digest(self) -> str:

@@ -6,6 +6,7 @@ or lie in other files, is refused before anything of it is looked at.
 
 from __future__ import annotations
 
+import re
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -13,7 +14,8 @@ from xml.parsers import expat
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.catalogue import phrase
+from stayput.errors import InputError, quoted
 from stayput.inventory.places import unwrapped
 
 if TYPE_CHECKING:
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 LARGEST_FILE = 2**30
-"""Most bytes of a grid."""
+"""Most bytes of a map."""
 
 MOST_POINTS = 10_000_000
 """Most places of a grid."""
@@ -48,41 +50,45 @@ class MapGrid:
         Each field, shape (lats, lons).
     units : dict
         The unit of each field, as it is stated.
+    event : str
+        The earthquake and the version of its map, as they are stated; "" where they are not.
     """
 
     lats: NDArray[np.float64]
     lons: NDArray[np.float64]
     values: dict[str, NDArray[np.float64]]
     units: dict[str, str]
+    event: str = ""
 
 
 class _Reader:
     """Takes in a grid as a parser gives it."""
 
-    def __init__(self) -> None:
+    def __init__(self, path: Path) -> None:
+        self.path = path
         self.size: dict[str, int] = {}
         self.fields: dict[int, tuple[str, str]] = {}
         self.parts: list[NDArray[np.float64]] = []
         self.count = 0
         self.in_data = self.is_grid = False
-        self.text = ""
+        self.text = self.event = ""
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         """Take in that an element starts."""
         match tag.rpartition(":")[2]:
             case "shakemap_grid":
                 self.is_grid = True
+                parts = (attributes.get(name, "").strip() for name in ("event_id", "shakemap_version"))
+                self.event = ", version ".join(part for part in parts if part)
             case "grid_specification":
-                self.size = {name: int(attributes[name]) for name in ("nlon", "nlat")}
+                self.size = {name: self._whole(attributes, name) for name in ("nlon", "nlat")}
                 if min(self.size.values()) < 2 or self.size["nlon"] * self.size["nlat"] > MOST_POINTS:
-                    raise ValueError(
-                        f"it has {self.size['nlon']} by {self.size['nlat']} places; they must be 2 by 2 at "
-                        f"least, and {MOST_POINTS:,} at most"
-                    )
+                    raise self.refused("size", **self.size, most=MOST_POINTS)
             case "grid_field":
-                self.fields[int(attributes["index"])] = attributes["name"], attributes.get("units", "")
+                name, unit = (attributes.get(key, "") for key in ("name", "units"))
+                self.fields[self._whole(attributes, "index")] = name, unit
                 if len(self.fields) > MOST_FIELDS:
-                    raise ValueError(f"it has more than {MOST_FIELDS} fields")
+                    raise self.refused("fields", most=MOST_FIELDS)
             case "grid_data":
                 self.in_data = True
             case _:
@@ -102,42 +108,55 @@ class _Reader:
         if len(self.text) > _CHUNK:
             whole, blank, self.text = self.text.rpartition("\n")
             if not blank:
-                raise ValueError("it has a line that does not end")
+                raise self.refused("line")
             self._take(whole)
 
     def _take(self, text: str) -> None:
-        if "_" in text:  # which Python takes between digits
-            raise ValueError("it has a number with an underscore")
-        numbers = np.array(list(map(float, text.split())))
+        try:
+            numbers = np.array(list(map(float, text.replace("_", "?").split())))  # Python takes 5_0 for 50
+        except ValueError:
+            raise self.refused("numbers") from None
         self.count += len(numbers)
         if self.count > self.size.get("nlon", 0) * self.size.get("nlat", 0) * len(self.fields):
-            raise ValueError("it has more numbers than places")
+            raise self.refused("more" if self.size else "kind")
         self.parts.append(numbers)
+
+    def _whole(self, attributes: dict[str, str], name: str) -> int:
+        value = attributes.get(name, "")
+        if re.fullmatch(r"-?\d{1,9}", value, re.ASCII) is None:
+            raise self.refused("whole", name=name, value=quoted(value))
+        return int(value)
+
+    def refused(self, key: str, **values: object) -> InputError:
+        """Return the refusal of the file."""
+        reason = phrase(f"inventory_tables.grid_{key}", **values)
+        return InputError("inventory_tables.grid", "shakemap", path=repr(str(self.path)), reason=reason)
 
     def grid(self) -> MapGrid:
         """Return the grid."""
         names = [name.strip().upper() for _, (name, _) in sorted(self.fields.items())]
-        rows, columns = self.size.get("nlat", 0), self.size.get("nlon", 0)
-        if not self.is_grid or not {"LAT", "LON"} <= set(names) or len(set(names)) < len(names):
-            raise ValueError("it must be a shakemap_grid with the fields LON and LAT, each field once")
+        named = {"LAT", "LON"} <= set(names) and len(set(names)) == len(names)
+        if not (self.is_grid and self.size and named):
+            raise self.refused("kind")
+        rows, columns = self.size["nlat"], self.size["nlon"]
         if self.count != rows * columns * len(names):
-            raise ValueError(f"it has {self.count} numbers; it must have {rows * columns * len(names)}")
+            raise self.refused("count", count=self.count, due=rows * columns * len(names))
         values = np.concatenate(self.parts).reshape(rows, columns, len(names))
         fields = {name: values[:, :, n] for n, name in enumerate(names)}
         lat, lon = fields.pop("LAT"), fields.pop("LON")
         lats, lons = lat[:, 0], lon[0]
         if not (np.abs(lats).max() <= 90.0 and np.abs(lons).max() <= 360.0):
-            raise ValueError("its places are no latitudes and longitudes")
+            raise self.refused("degrees")
         if not (np.all(lat == lats[:, None]) and np.all(lon == lons)):
-            raise ValueError("its places are no regular grid")
+            raise self.refused("irregular")
         lons = unwrapped(lons)
         down, left = (-1 if axis[-1] < axis[0] else 1 for axis in (lats, lons))
         lats, lons = lats[::down], lons[::left]
         if not (np.all(np.diff(lats) > 0.0) and np.all(np.diff(lons) > 0.0)):
-            raise ValueError("its places are no regular grid")
+            raise self.refused("irregular")
         units = {name.strip().upper(): unit for name, unit in self.fields.values()}
         turned = {name: np.ascontiguousarray(field[::down, ::left]) for name, field in fields.items()}
-        return MapGrid(lats, lons, turned, units)
+        return MapGrid(lats, lons, turned, units, self.event)
 
 
 def is_xml(path: Path) -> bool:
@@ -148,8 +167,12 @@ def is_xml(path: Path) -> bool:
     return start.decode(encoding, "ignore").lstrip().startswith("<")
 
 
-def refuse_compressed(path: Path) -> None:
-    """Refuse a file that is compressed, such as grid.xml.gz."""
+def check_file(path: Path) -> None:
+    """Refuse a file that is too large, or compressed, such as grid.xml.gz."""
+    if (size := path.stat().st_size) > LARGEST_FILE:
+        raise InputError(
+            "inventory_tables.large_map", "shakemap", path=repr(str(path)), size=size, most=LARGEST_FILE
+        )
     with path.open("rb") as file:
         start = file.read(8)
     if start.startswith(COMPRESSED):
@@ -162,12 +185,12 @@ def read_grid(path: Path) -> MapGrid:
     Raises
     ------
     InputError
-        A file that is too large, no such grid, broken, or with a document type.
+        No such grid, a broken one, or one with a document type.
     """
-    reader = _Reader()
+    reader = _Reader(path)
 
     def refused(*_: object) -> None:
-        raise ValueError("it declares a document type, which may hold anything")
+        raise reader.refused("doctype")
 
     parser: Any = expat.ParserCreate()
     parser.StartElementHandler, parser.EndElementHandler = reader.start, reader.end
@@ -175,14 +198,12 @@ def read_grid(path: Path) -> MapGrid:
     parser.StartDoctypeDeclHandler = refused
     parser.buffer_text, parser.buffer_size = True, _CHUNK
     try:
-        size = path.stat().st_size
-        if size > LARGEST_FILE:
-            raise ValueError(f"it has {size:,} bytes; it must have {LARGEST_FILE:,} at most")
         with path.open("rb") as file:
             while chunk := file.read(_CHUNK):
                 parser.Parse(chunk, False)
         parser.Parse(b"", True)
         return reader.grid()
-    except (ValueError, KeyError, expat.ExpatError) as error:
-        reason = f"it lacks {error}" if isinstance(error, KeyError) else str(error)[:300]
-        raise InputError("inventory_tables.grid", "shakemap", path=repr(str(path)), reason=reason) from None
+    except InputError:
+        raise
+    except (ValueError, LookupError, expat.ExpatError) as error:  # the first two of its encoding
+        raise reader.refused("broken", said=str(error)[:200]) from None

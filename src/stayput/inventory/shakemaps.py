@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, reason_of, within
+from stayput.errors import InputError, InputWarning, reason_of, warn, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.map_fields import field_of, field_of_grid
 from stayput.inventory.places import LIMITS, PLACE, ShakeMap, unwrapped
-from stayput.inventory.shakemap_grid import is_xml, read_grid, refuse_compressed
+from stayput.inventory.shakemap_grid import check_file, is_xml, read_grid
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -55,7 +55,7 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
     """
     try:
         for file in filter(None, (path, uncertainty)):
-            refuse_compressed(file)
+            check_file(file)
         if is_xml(path):
             return _of_grid(path, field, uncertainty)
         if uncertainty is not None:
@@ -74,9 +74,11 @@ def _of_grid(path: Path, wanted: str | None, uncertainty: Path | None) -> ShakeM
     preferred = next((name for name in PREFERRED if name in _names(fields)), None)
     field = _chosen(fields, wanted or preferred, path)
     values = _in_range(grid.values[field.name], field)
-    deviations = (
-        None if uncertainty is None else _deviations(read_grid(uncertainty), grid, field, uncertainty)
-    )
+    deviations = None
+    if uncertainty is not None:
+        other = read_grid(uncertainty)
+        _check_event(grid, path, other, uncertainty)
+        deviations = _deviations(other, grid, field, uncertainty)
     levels, scatters = field.levels(values), field.scatters(values, deviations)
     return ShakeMap(field.measure, grid.lats, grid.lons, levels, scatters)
 
@@ -105,6 +107,16 @@ def _in_range(values: np.ndarray[Any, Any], field: MapField) -> np.ndarray[Any, 
         name = phrase("inventory_tables.in_the_map", name=field.name)
         within(name, wrong, min(field.low, 0.0), field.high, field.unit, "shakemap")
     return values
+
+
+def _check_event(grid: MapGrid, path: Path, other: MapGrid, uncertainty: Path) -> None:
+    """Refuse the uncertainty of another earthquake or version; warn where one of the two does not say it."""
+    named: dict[str, Any] = {"path": repr(str(path)), "other": repr(str(uncertainty))}
+    if not (grid.event and other.event):
+        warn(InputWarning("inventory_tables.event_unstated", "uncertainty", **named))
+    elif grid.event != other.event:
+        events: dict[str, Any] = {"event": repr(grid.event), "other_event": repr(other.event)}
+        raise InputError("inventory_tables.other_event", "uncertainty", **named, **events)
 
 
 def _deviations(other: MapGrid, grid: MapGrid, field: MapField, path: Path) -> np.ndarray[Any, Any]:

@@ -10,6 +10,7 @@ import hashlib
 import json
 import sqlite3
 from collections import OrderedDict
+from contextlib import closing
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -184,13 +185,13 @@ class Store:
 
     def units_at(self, site: int) -> Iterator[tuple[int, int, str]]:
         """Yield the units of a site: number, option, spec of the piece; those of one option together."""
-        cursor = self.base.cursor()
-        cursor.execute(
-            "SELECT units.id, units.option, things.spec FROM units JOIN things ON things.id = units.thing "
-            "WHERE units.site = ? ORDER BY units.option, units.thing",
-            (site,),
-        )
-        yield from cursor
+        with closing(self.base.cursor()) as cursor:
+            yield from cursor.execute(
+                "SELECT units.id, units.option, things.spec "
+                "FROM units JOIN things ON things.id = units.thing "
+                "WHERE units.site = ? ORDER BY units.option, units.thing",
+                (site,),
+            )
 
     def units_by_option(self) -> dict[int, int]:
         """Return how many units each option has."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from stayput.inventory.report import colour
+from stayput.catalogue import say
+from stayput.inventory.report import UNTOLD, colour
 from stayput.report.palette import rgb
 
 STYLE_NAME = "Probability of overturning"
@@ -14,7 +15,7 @@ CLASSES = (0.0, 0.05, 0.2, 0.5, 0.8, 1.0)
 
 _PAGE = """<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
 <qgis version="3.28" styleCategories="Symbology">
- <renderer-v2 type="graduatedSymbol" attr="overturned" graduatedMethod="GraduatedColor" symbollevels="0" \
+ <renderer-v2 type="graduatedSymbol" attr="{attribute}" graduatedMethod="GraduatedColor" symbollevels="0" \
 enableorderby="1" forceraster="0" referencescale="-1">
   <ranges>
 {ranges}  </ranges>
@@ -27,6 +28,9 @@ enableorderby="1" forceraster="0" referencescale="-1">
  <layerGeometryType>0</layerGeometryType>
 </qgis>
 """
+
+_ATTRIBUTE = "if(&quot;finding&quot; = 'too_few_runs', -1, &quot;overturned&quot;)"
+"""What is coloured: −1 where the runs are too few to tell how safe a piece is."""
 
 _RANGE = '   <range lower="{low}" upper="{high}" symbol="{number}" label="{label}" render="true"/>\n'
 
@@ -50,9 +54,9 @@ def style() -> str:
     ranges = "".join(
         _RANGE.format(low=low, high=high, number=n, label=f"{100 * low:g} - {100 * high:g} %")
         for n, (low, high) in enumerate(pairwise(CLASSES))
-    )
+    ) + _RANGE.format(low=-1, high=-1, number=len(CLASSES) - 1, label=say("inventory_report.too_few_runs"))
+    fills = [*(colour(0.5 * (low + high)) for low, high in pairwise(CLASSES)), UNTOLD]
     symbols = "".join(
-        _SYMBOL.format(number=n, fill=",".join(map(str, rgb(colour(0.5 * (low + high))))))
-        for n, (low, high) in enumerate(pairwise(CLASSES))
+        _SYMBOL.format(number=n, fill=",".join(map(str, rgb(fill)))) for n, fill in enumerate(fills)
     )
-    return _PAGE.format(ranges=ranges, symbols=symbols)
+    return _PAGE.format(attribute=_ATTRIBUTE, ranges=ranges, symbols=symbols)

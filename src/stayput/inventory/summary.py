@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import heapq
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from stayput.inventory.arrow import parquet
-from stayput.inventory.items import NO_MEASURE
-from stayput.verification.words import SMALL
+from stayput.inventory.results import Finding
+from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator
     from pathlib import Path
 
 WORST = 50
@@ -25,16 +26,22 @@ COLUMNS = (
     "pieces",
     "expected_overturned",
     "share_overturned",
+    "share_overturned_low",
+    "share_overturned_high",
     "expected_overturned_best",
     "share_overturned_best",
+    "share_overturned_best_low",
+    "share_overturned_best_high",
     "expected_loss",
     "expected_loss_best",
-    "pieces_helped",
+    *(f"pieces_{finding}" for finding in Finding),
     "contents_out_share",
     "contents_out_share_best",
 )
-"""Columns of the summary: pieces counts every piece of a row; ``best`` is with each row's best measure.
-Helped are those that one of their measures helps. Shares of contents are means over pieces that have some."""
+"""Columns of the summary: pieces counts every piece of a row; ``best`` is with the best measure of those rows
+that one clearly helps, without it in the others: their gain may be chance. The ends of the interval are means
+of the rows' own; `Finding` says what pieces are counted by. Shares of contents are means over pieces that
+have some."""
 
 READ = (
     "row",
@@ -47,23 +54,17 @@ READ = (
     "overturned",
     "overturned_low",
     "overturned_high",
-    "slid",
     "best",
     "best_overturned",
     "best_overturned_low",
     "best_overturned_high",
+    "finding",
     "best_by_cost",
     "expected_loss",
     "best_expected_loss",
     "contents_out_share",
     "best_contents_out_share",
-    "not_possible",
 )
-
-
-def needs_none(row: Mapping[str, Any]) -> bool:
-    """Return whether a row's piece needs no measure: none helps, and it hardly ever overturns or slides."""
-    return row["best"] == NO_MEASURE and row["overturned"] < SMALL and not row["slid"] >= SMALL
 
 
 @dataclass(slots=True)
@@ -73,12 +74,15 @@ class Total:
     rows: int = 0
     pieces: int = 0
     fallen: float = 0.0
+    fallen_low: float = 0.0
+    fallen_high: float = 0.0
     fallen_best: float = 0.0
+    fallen_best_low: float = 0.0
+    fallen_best_high: float = 0.0
     loss: float | None = None
     loss_best: float | None = None
     unknown: int = 0
-    helped: int = 0
-    safe: int = 0
+    found: Counter[str] = field(default_factory=Counter[str])
     filled: int = 0
     out: float = 0.0
     out_best: float = 0.0
@@ -87,33 +91,31 @@ class Total:
         """Add a row; one whose runs were all given up counts as unknown."""
         self.rows += 1
         self.pieces += row["count"]
-        if row["overturned"] != row["overturned"]:
+        if row["finding"] is None:
             self.unknown += row["count"]
             return
-        self.helped += row["count"] * (row["best"] != NO_MEASURE)
-        self.safe += row["count"] * needs_none(row)
-        self.fallen += row["count"] * row["overturned"]
-        self.fallen_best += row["count"] * row["best_overturned"]
+        self.found[row["finding"]] += row["count"]
+        taken = "best_" if row["finding"] == Finding.HELPED else ""
+        for end in ("", "_low", "_high"):
+            for sums, column in ((f"fallen{end}", "overturned"), (f"fallen_best{end}", f"{taken}overturned")):
+                setattr(self, sums, getattr(self, sums) + row["count"] * row[f"{column}{end}"])
         if row["expected_loss"] is not None:
             self.loss = (self.loss or 0.0) + row["expected_loss"]
-            self.loss_best = (self.loss_best or 0.0) + row["best_expected_loss"]
-        out, best = row["contents_out_share"], row["best_contents_out_share"]
+            self.loss_best = (self.loss_best or 0.0) + row[f"{taken}expected_loss"]
+        out, best = row["contents_out_share"], row[f"{taken}contents_out_share"]
         if out is not None and best is not None:
             self.filled += row["count"]
             self.out += row["count"] * out
             self.out_best += row["count"] * best
 
-    @property
-    def share(self) -> float:
-        """Expected share that overturns."""
+    def share(self, which: str = "") -> float:
+        """Return the expected share that overturns, or its "_low" or "_high" end; "_best…" with measures."""
         known = self.pieces - self.unknown
-        return self.fallen / known if known else float("nan")
+        return getattr(self, f"fallen{which}") / known if known else float("nan")
 
-    @property
-    def share_best(self) -> float:
-        """The same with the best measures."""
-        known = self.pieces - self.unknown
-        return self.fallen_best / known if known else float("nan")
+    def untold(self, which: str = "") -> bool:
+        """Return whether hardly any overturned, and the runs are too few to say that hardly any does."""
+        return self.share(which) < SMALL and self.share(f"{which}_high") >= SAFE
 
     @property
     def share_out(self) -> float | None:
@@ -158,12 +160,12 @@ class Summary:
                 total.rows,
                 total.pieces,
                 total.fallen,
-                total.share,
+                *(total.share(end) for end in ("", "_low", "_high")),
                 total.fallen_best,
-                total.share_best,
+                *(total.share(f"_best{end}") for end in ("", "_low", "_high")),
                 total.loss,
                 total.loss_best,
-                total.helped,
+                *(total.found[finding] for finding in Finding),
                 total.share_out,
                 total.share_out_best,
             ]
@@ -190,7 +192,7 @@ def summarise(folder: Path) -> Summary:
             summary.events.setdefault(row["event"], Total()),
         ):
             total.add(row)
-        if row["overturned"] == row["overturned"]:
+        if row["finding"] is not None:
             risk = row["expected_loss"] or 0.0, row["overturned"], row["overturned_high"]
             entry = ((*risk, -number), number, row)
             if len(heap) < WORST:

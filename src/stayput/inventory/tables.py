@@ -32,6 +32,9 @@ used. The first is UTF-8, with or without a byte order mark; the second is Japan
 DELIMITERS = (",", ";", "\t")
 """Marks between the cells of a text: that which cuts the first row into most cells."""
 
+LINES_OF_A_TITLE = 20
+"""Most lines above the headings in which marks between cells are looked for."""
+
 LARGEST_CELL = 2**24
 """Characters of a cell, or from a quote that opens, after which a CSV file is given up."""
 
@@ -42,6 +45,9 @@ UNITS_SHOWN = frozenset(("mm", "cm", "m", "㎜", "㎝", "in", "ft", "g", "kg", "
 """Units in a cell's number format for which the cell is refused."""
 
 _LITERAL = re.compile(r'"([^"]*)"|\\(.)')
+
+_JAPANESE = re.compile(r"[々぀-ヿ㐀-鿿ｦ-ﾟ]{2}")
+_TORN = re.compile(r"[A-Za-z][㐀-鿿ｦ-ﾟ\ue000-\uf8ff][a-z]")
 
 TableRow = tuple[int, "list[Cell] | InputError"]
 """Number of a row, the header being row 1, and its cells or why it cannot be read."""
@@ -137,7 +143,8 @@ def _encoding(path: Path) -> str:
         with path.open("rb") as file:
             try:
                 while chunk := file.read(2**20):
-                    if "\0" in decoder.decode(chunk):
+                    text = decoder.decode(chunk)
+                    if "\0" in text or (encoding == "cp932" and _is_western(text)):
                         break
                 else:
                     decoder.decode(b"", final=True)
@@ -145,6 +152,14 @@ def _encoding(path: Path) -> str:
             except UnicodeDecodeError:
                 continue
     raise InputError("inventory.encoding", "inventory", path=repr(str(path)))
+
+
+def _is_western(text: str) -> bool:
+    """Return whether what was read as cp932 is text of Western Europe.
+
+    An accented letter then takes the next letter with it, and both make a single Japanese one within a word.
+    """
+    return _TORN.search(text) is not None and _JAPANESE.search(text) is None
 
 
 @contextmanager
@@ -171,13 +186,17 @@ def _csv(path: Path) -> Generator[OpenTable]:
 def _delimiter(file: TextIO) -> str:
     """Return what stands between the cells of a text, which is then at its first row.
 
-    Excel's first line ``sep=;`` says it, and is no row.
+    Excel's first line ``sep=;`` says it, and is no row; a title above the headings has no such marks.
     """
     start = file.tell()
     line = file.readline(LARGEST_CELL)
     stated = re.fullmatch(r"sep=(.)\r?\n?", line)
     if stated is not None and stated[1] in DELIMITERS:
         return stated[1]
+    for _ in range(LINES_OF_A_TITLE):
+        if not line or any(mark in line for mark in DELIMITERS):
+            break
+        line = file.readline(LARGEST_CELL)
     file.seek(start)
 
     def cells(delimiter: str) -> int:

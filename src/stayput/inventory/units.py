@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.inventory.records import RECORD
 from stayput.inventory.store import measures_of, piece_of
 from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
 from stayput.montecarlo.runs import run_prepared
@@ -39,7 +38,11 @@ _draws, _first_draws = lru_cache(maxsize=64)(draws), lru_cache(maxsize=64)(first
 
 
 def evaluate(
-    units: Sequence[Unit], measures: str, floor: PreparedFloor, settings: Settings
+    units: Sequence[Unit],
+    measures: str,
+    floor: PreparedFloor,
+    settings: Settings,
+    kind: np.dtype[np.void],
 ) -> tuple[NDArray[np.void], int, float]:
     """Simulate units of one set of measures and one floor on this thread.
 
@@ -53,15 +56,17 @@ def evaluate(
         What shakes them.
     settings : Settings
         Monte Carlo settings.
+    kind : dtype
+        Type of their records; see `stayput.inventory.records.record_type`.
 
     Returns
     -------
     tuple
-        Their RECORDs, the runs that were done, and the time they took [s].
+        Their records, the runs that were done, and the time they took [s].
     """
     began = time.perf_counter()
     option, runs = measures_of(measures), 0
-    records = np.zeros(len(units), RECORD)
+    records = np.zeros(len(units), kind)
     records["unit"] = [number for number, _ in units]
     records["out"] = np.nan
     size = max(1, BLOCK // (settings.motions * settings.samples))
@@ -93,7 +98,7 @@ def _block(
 
     outcomes, _, _ = sample_until_precise(len(specs), settings, run, together=False)
     for place, (outcome, (body, room, contents)) in enumerate(zip(outcomes, pieces, strict=True)):
-        _fill(out[place : place + 1], outcome, settings.slide_limit)
+        fill_record(out[place : place + 1], outcome, settings.slide_limit)
         if contents is not None:
             out["out"][place] = _share_out(body, room, contents, option, floor, settings)
     return runs
@@ -126,8 +131,8 @@ def _rows_or_none(
         return None
 
 
-def _fill(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -> None:
-    """Fill in the RECORD of a unit, shape (1,)."""
+def fill_record(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -> None:
+    """Fill in the record of a unit, shape (1,)."""
     chances = outcomes.probabilities(slide_limit)
     fallen = chances[OVERTURNED]
     for name in ("motions", "runs", "missing", "fell"):
@@ -137,3 +142,9 @@ def _fill(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -> None
     upright = outcomes.slide[~outcomes.missing & ~outcomes.overturned]
     mean = float(upright.sum() / len(upright)) if len(upright) else np.nan
     out["slide"][0] = (slide.median, slide.p90, mean)
+    motions, samples = outcomes.missing.shape
+    planes, rows, columns = out["each"].shape[1:]
+    each = np.zeros((planes, rows, 8 * columns), np.bool_)
+    each[-1] = True
+    each[:, :motions, :samples] = (*outcomes.happened(slide_limit), outcomes.missing)
+    out["each"][0] = np.packbits(each, axis=-1)

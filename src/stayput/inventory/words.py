@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import phrase, say
 from stayput.fragility.probabilities import percent
+from stayput.inventory.results import Finding, least_motions
 from stayput.measures import MEASURES
 from stayput.report.names import given_name
 from stayput.verification.contents import MOTIONS
+from stayput.verification.words import SAFE
 from stayput.wording import counted
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from stayput.catalogue import Phrase
     from stayput.inventory.summary import Total
@@ -41,6 +43,48 @@ def narrow_told(facts: Mapping[str, Any], language: str) -> str:
     )
 
 
+def empty_told(facts: Mapping[str, Any], language: str) -> str:
+    """Return in which columns cells are empty, and what holds there; empty where none is."""
+    counts = [
+        say("inventory_report.empty_column", language, column=column, rows=counted_phrase(rows, "row", "行"))
+        for column, rows in facts["empty cells"].items()
+    ]
+    listed = say("common.listed", language).join(counts)
+    return say("inventory_report.empty_cells", language, columns=listed) if counts else ""
+
+
+def first_of(items: Sequence[str], total: int, language: str) -> str:
+    """Return the first few of more items, as "2, 3, 4, …"."""
+    return (", " if language == "en" else "、").join([*items, "…"] if total > len(items) else items)
+
+
+def rows_told(found: Mapping[str, Any], language: str) -> str:
+    """Return how many rows have a finding in common, and which are the first of them."""
+    places = first_of([str(row["row"]) for row in found["first"]], found["rows"], language)
+    rows = counted_phrase(found["rows"], "row", "行")
+    return say("inventory_report.rows_alike", language, rows=rows, places=places)
+
+
+def reason_told(found: Mapping[str, Any], language: str) -> str:
+    """Return the reason of a finding; that of its first row as an example, where others differ from it."""
+    reason = found["reason" if language == "en" else "reason_ja"]
+    return reason if found["same"] else say("inventory_report.such_as", language, reason=reason)
+
+
+def impossible_told(facts: Mapping[str, Any], language: str) -> list[str]:
+    """Return which sets of measures cannot be put in place, in which rows, and why."""
+    return [
+        say(
+            "inventory_report.not_possible",
+            language,
+            name=measures_named(found["about"], language),
+            rows=rows_told(found, language),
+            reason=reason_told(found, language),
+        )
+        for found in facts["measures not possible"]
+    ]
+
+
 def share_told(value: float | None, language: str) -> str:
     """Return a share in per cent; empty where there is none."""
     if value is None:
@@ -58,13 +102,22 @@ def interval_told(row: Mapping[str, Any], which: str, language: str) -> str:
     row : mapping
         The row.
     which : str
-        "" without a measure, "best_" with the best one.
+        "overturned" without a measure, "best_overturned" with the best one.
     language : str
         "en" or "ja".
     """
-    names = {"estimate": "", "low": "_low", "high": "_high"}
-    ends = {name: percent(row[f"{which}overturned{end}"]) for name, end in names.items()}
-    return say("inventory_report.interval", language, **ends)
+    return _interval(lambda end: row[f"{which}{end}"], language)
+
+
+def share_of(total: Total, which: str, language: str) -> str:
+    """Return the share that overturns with its interval; with "_best" of the best measures."""
+    return _interval(lambda end: total.share(f"{which}{end}"), language)
+
+
+def _interval(value: Callable[[str], float], language: str) -> str:
+    ends = {"estimate": "", "low": "_low", "high": "_high"}
+    shown = {name: percent(value(end)) for name, end in ends.items()}
+    return say("inventory_report.interval", language, **shown)
 
 
 def amount(value: float | None) -> str:
@@ -82,27 +135,29 @@ def measures_named(name: str, language: str) -> str:
     if language == "en":
         return name
     return "+".join(
-        say(MEASURES[part].label, language) if part in MEASURES else part for part in name.split("+")
+        say(MEASURES[part].label, language) if part in MEASURES else part
+        for part in map(str.strip, name.split("+"))
     )
 
 
-def read_as(how: str) -> Phrase:
-    """Return how a table was read, in both languages."""
-    encoding, _, between = how.partition(" with ")
+def read_as(facts: Mapping[str, Any]) -> Phrase:
+    """Return how a table was read, in both languages, and how many of its rows are empty."""
+    how: str | Phrase = facts["read as"]
+    encoding, _, between = facts["read as"].partition(" with ")
     if between in ("tabs", "semicolons"):
-        return phrase(f"inventory_report.with_{between}", encoding=encoding)
-    sheet = _SHEET.fullmatch(how)
-    if sheet is None:
-        return how, how
-    key = "sheet" if sheet["others"] is None else "sheet_of_several"
-    return phrase(f"inventory_report.{key}", **sheet.groupdict())
+        how = phrase(f"inventory_report.with_{between}", encoding=encoding)
+    elif sheet := _SHEET.fullmatch(facts["read as"]):
+        key = "sheet" if sheet["others"] is None else "sheet_of_several"
+        how = phrase(f"inventory_report.{key}", **sheet.groupdict())
+    empty = facts["empty rows"]
+    return phrase(f"inventory_report.{'and_empty' if empty else 'read_as'}", how=how, count=empty)
 
 
 def expected(total: Total, language: str) -> str:
     """Return how many pieces are expected to overturn, without and with the best measures."""
     best = ""
     if total.fallen_best < total.fallen:
-        shared = share_told(total.share_best, language)
+        shared = share_of(total, "_best", language)
         fallen = f"{total.fallen_best:,.1f}"
         best = say("inventory_report.expected_best", language, fallen=fallen, share=shared)
     return say(
@@ -111,9 +166,32 @@ def expected(total: Total, language: str) -> str:
         fallen=f"{total.fallen:,.1f}",
         pieces=pieces_counted(total.pieces),
         verb=("is" if total.pieces == 1 else "are", ""),
-        share=share_told(total.share, language),
+        share=_known_share(total, language),
         best=best,
     )
+
+
+def _known_share(total: Total, language: str) -> str:
+    """Return the share that overturns with its interval, or that nothing is known of it."""
+    if total.pieces == total.unknown:
+        return say("inventory_report.given_up", language)
+    return share_of(total, "", language)
+
+
+def findings_told(total: Total, language: str) -> str:
+    """Return what the runs show: of how many pieces a measure helps, none is needed, or nothing is shown."""
+    told = (
+        say(
+            f"inventory_report.{finding}_counted",
+            language,
+            pieces=pieces_counted(total.found[finding]),
+            safe=percent(SAFE),
+            least=least_motions(),
+        )
+        for finding in Finding
+        if total.found[finding]
+    )
+    return (" " if language == "en" else "").join(told)
 
 
 def further(total: Total, language: str) -> str:
@@ -122,14 +200,8 @@ def further(total: Total, language: str) -> str:
 
 
 def _further(total: Total, language: str) -> Iterator[str]:
-    if total.safe:
-        yield say("inventory_report.needs_none_counted", language, pieces=pieces_counted(total.safe))
-    rest = total.pieces - total.safe
-    if not total.helped and rest:
-        yield say(f"inventory_report.none_helps{'_the_rest' if total.safe else ''}", language)
-    elif total.helped < rest:
-        which = "_of_the_rest" if total.safe else ""
-        yield say(f"inventory_report.some_helped{which}", language, helped=f"{total.helped:,}")
+    if told := findings_told(total, language):
+        yield told
     if total.loss is not None:
         loss, best = amount(total.loss), amount(total.loss_best)
         yield say("inventory_report.expected_loss", language, loss=loss, best=best)
@@ -159,9 +231,8 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
     language : str
         "en" or "ja".
     """
-    empty = phrase("inventory_report.empty_rows", count=facts["empty rows"]) if facts["empty rows"] else ""
-    rows, how = counted_phrase(facts["rows"], "row", "行"), read_as(facts["read as"])
-    read = say("inventory_report.read", language, rows=rows, how=how, empty=empty)
+    rows = counted_phrase(facts["rows"], "row", "行")
+    read = say("inventory_report.read", language, rows=rows, how=read_as(facts))
     if facts["columns not used"]:
         columns = ", ".join(facts["columns not used"])
         read += (" " if language == "en" else "") + say(
@@ -170,13 +241,15 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
     if facts["columns renamed"]:
         columns = ", ".join(facts["columns renamed"])
         read += (" " if language == "en" else "") + say("inventory_report.renamed", language, columns=columns)
+    if empty_cells := empty_told(facts, language):
+        read += (" " if language == "en" else "") + empty_cells
     told = [read, *(_scenario(scenario, language) for scenario in manifest["scenarios"])]
     choices = counted_phrase(facts["choices"], "combination", "通り")
     told.append(say("inventory_report.units", language, choices=choices, units=f"{facts['units']:,}"))
     told.append(say("inventory_report.slide_limit", language, limit=manifest["slide limit"]))
     if contents:
         told.append(say("inventory_report.contents_followed", language, most=MOTIONS))
-    told.append(say("inventory_report.intervals", language))
+    told += [say(f"inventory_report.{key}", language) for key in ("intervals", "best_chosen")]
     if manifest["shake map"]:
         told.append(say("inventory_report.shake_map", language, map=tuple(manifest["shake map"])))
     return [*told, say("inventory_report.version", language, version=manifest["version"])]
@@ -198,21 +271,11 @@ def _scenario(scenario: Mapping[str, Any], language: str) -> str:
     )
 
 
-def _none(total: Total) -> str:
-    """Return the key of why no measure is best for any piece."""
-    if not total.safe:
-        return "none_helps"
-    return "needs_none" if total.safe == total.pieces else "none_helps_the_rest"
-
-
 def printed(total: Total, event: str, language: str) -> list[str]:
     """Return what an event came to, in the lines of a terminal."""
     best: Phrase | str = ""
     if total.fallen_best < total.fallen:
         best = phrase("inventory_report.printed_best", fallen=f"{total.fallen_best:,.1f}")
-    elif not total.helped:
-        best = phrase(f"inventory_report.printed_{_none(total)}")
-    known = total.pieces > total.unknown
     lines = [
         say(
             "inventory_report.printed_expected",
@@ -220,10 +283,12 @@ def printed(total: Total, event: str, language: str) -> list[str]:
             event=event,
             fallen=f"{total.fallen:,.1f}",
             pieces=pieces_counted(total.pieces),
-            share=share_told(total.share, language) if known else phrase("inventory_report.given_up"),
+            share=_known_share(total, language),
             best=best,
         )
     ]
+    if told := findings_told(total, language):
+        lines.append(told)
     if total.share_out is not None:
         lines.append(
             say(

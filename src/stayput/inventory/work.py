@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.execution import Call, Shared
-from stayput.inventory.records import RECORD, UNITS, all_records, write_records
+from stayput.inventory.records import UNITS, all_records, record_type, write_records
 from stayput.inventory.store import ground_of
 from stayput.inventory.units import Unit, evaluate
 from stayput.montecarlo.hazard import Ground, PreparedFloor
@@ -80,11 +80,12 @@ class UnitTask:
     storey: int
     settings: Settings
     groups: tuple[tuple[int, str, tuple[Unit, ...]], ...]
+    kind: np.dtype[np.void]
 
     def run(self, floors: dict[int, PreparedFloor]) -> TaskOutcome:
         """Simulate the units on this thread."""
         results = [
-            (option, *evaluate(units, measures, floors[self.storey], self.settings))
+            (option, *evaluate(units, measures, floors[self.storey], self.settings, self.kind))
             for option, measures, units in self.groups
         ]
         records = np.concatenate([result[1] for result in results])
@@ -160,10 +161,12 @@ class Work:
         folder = space.folder / UNITS
         folder.mkdir(exist_ok=True)
         self.done = np.zeros(store.facts()["units"], np.bool_)
-        for records in all_records(folder, plan):
+        self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
+        motions, samples = (max(getattr(one, of) for one in self.settings) for of in ("motions", "samples"))
+        self.kind = record_type(motions, samples)
+        for records in all_records(folder, plan, self.kind):
             self.done[records["unit"]] = True
         self.grounds: dict[int, Ground] = {}
-        self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
         self.options = store.option_specs()
         runs = max(settings.motions * settings.samples for settings in self.settings)
         self.costs = Costs(self.options, store.units_by_option(), runs)
@@ -219,6 +222,7 @@ class Work:
                 storey,
                 self.settings[request.station],
                 tuple((option, self.options[option], tuple(units)) for option, units in groups.items()),
+                self.kind,
             )
 
         for number, option, spec in self.store.units_at(site):
@@ -233,7 +237,7 @@ class Work:
         if groups:
             yield task()
 
-    def _calls(self, width: Callable[[], int]) -> Iterator[Call[TaskOutcome]]:
+    def _calls(self, width: Callable[[], int]) -> Generator[Call[TaskOutcome]]:
         """Yield the tasks as calls; the motions of the ground and of a building's floors are made once."""
         grounds: dict[int, Shared[Ground]] = {}
         request: FloorRequest | None = None
@@ -269,7 +273,10 @@ class Work:
             saved_at = clock()
 
         try:
-            with closing(executor.as_completed(self._calls(executor.width))) as outcomes:
+            with (
+                closing(self._calls(executor.width)) as calls,
+                closing(executor.as_completed(calls)) as outcomes,
+            ):
                 for _, outcome in outcomes:
                     self._store_outcome(outcome, unsaved, advance)
                     if clock() - saved_at > SAVE_AFTER or sum(map(len, unsaved)) >= SAVE_UNITS:
@@ -284,7 +291,7 @@ class Work:
         self.runs += sum(runs for _, runs, _ in outcome.costs)
         self.seconds += sum(seconds for _, _, seconds in outcome.costs)
         records = outcome.records
-        fresh = records[~self.done[records["unit"]]].astype(RECORD)
+        fresh = records[~self.done[records["unit"]]]
         self.done[fresh["unit"]] = True
         if len(fresh):
             unsaved.append(fresh)

@@ -174,7 +174,9 @@ class Workbook:
                 yield number, {column: self._resolved(cell) for column, cell in cells.items()}
             reader.done.clear()
         if reader.merged is not None:
-            raise InputError("inventory.merged_cells", "inventory", cells=reader.merged)
+            top = _place(reader.merged.partition(":")[0])[0]
+            code = "inventory_tables.merged_headings" if top == 1 else "inventory.merged_cells"
+            raise InputError(code, "inventory", cells=reader.merged)
 
     def _resolved(self, cell: SheetCell) -> SheetCell:
         if cell.kind != "s":

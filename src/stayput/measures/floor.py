@@ -9,8 +9,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
 from stayput.model.parameters import parameter
-from stayput.model.room import FRICTION_RANGE, SURFACES
-from stayput.uncertainty import Confidence
+from stayput.model.room import FRICTION_RANGE, LOCKED_CASTER, SURFACES
 
 if TYPE_CHECKING:
     from typing import Any
@@ -28,19 +27,20 @@ KINETIC = ("kinetic friction", "動摩擦係数")
 
 def static_of(surface: str) -> Any:
     """Return the parameter for the static friction of a surface."""
-    return _usual(SURFACES[surface].static_friction, STATIC)
+    return _usual(surface, SURFACES[surface].static_friction, STATIC)
 
 
 def kinetic_of(surface: str) -> Any:
     """Return the parameter for the kinetic friction of a surface."""
-    return _usual(SURFACES[surface].kinetic_friction, KINETIC)
+    return _usual(surface, SURFACES[surface].kinetic_friction, KINETIC)
 
 
-def _usual(value: float, label: Phrase) -> Any:
-    return parameter(value, "", *FRICTION_RANGE, label, confidence=Confidence.MEDIUM, decides=True)
+def _usual(surface: str, value: float, label: Phrase) -> Any:
+    confidence = SURFACES[surface].confidence
+    return parameter(value, "", *FRICTION_RANGE, label, confidence=confidence, decides=True)
 
 
-def with_friction(floor: Floor, static: float, kinetic: float) -> Floor:
+def with_friction(floor: Floor, static: float, kinetic: float, surface: str = "") -> Floor:
     """Return the floor with other coefficients of friction, on the base and on its edges alike."""
     return replace(
         floor,
@@ -52,6 +52,7 @@ def with_friction(floor: Floor, static: float, kinetic: float) -> Floor:
         left_edge_kinetic_friction=None,
         right_edge_static_friction=None,
         right_edge_kinetic_friction=None,
+        surface=surface,
     )
 
 
@@ -60,6 +61,9 @@ class OtherFriction(Measure):
     """Something under the whole base: its friction takes the place of the floor's."""
 
     acts_on: ClassVar[str] = "the base"
+
+    surface: ClassVar[str] = ""
+    """What the base stands on then, where how its friction is drawn depends on it."""
 
     static_friction: float
     kinetic_friction: float
@@ -81,7 +85,7 @@ class OtherFriction(Measure):
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body on a floor with this friction."""
-        floor = with_friction(room.floor, self.static_friction, self.kinetic_friction)
+        floor = with_friction(room.floor, self.static_friction, self.kinetic_friction, self.surface)
         return Held(body, replace(room, floor=floor), (), (self,))
 
 
@@ -94,7 +98,7 @@ class AntiSlipSheet(OtherFriction):
     >>> import stayput as sp
     >>> from stayput.measures import AntiSlipSheet
     >>> for measures in ([], [AntiSlipSheet()]):  # it slides no more, and rocks the more
-    ...     run = sp.simulate(sp.Body(0.6, 1.8), sp.Room(), sp.near_fault(), measures)
+    ...     run = sp.simulate(sp.Body(0.6, 1.8, 100.0), sp.Room(), sp.near_fault(), measures)
     ...     print(f"{100 * run.peak_slide:.0f} cm, {run.peak_tilt:.2f} rad")
     17 cm, 0.13 rad
     0 cm, 0.18 rad
@@ -136,7 +140,7 @@ class FeltGlides(Glides):
     >>> import stayput as sp
     >>> from stayput.measures import FeltGlides
     >>> for width in (0.3, 0.4):  # m: it slides where width over height is above the friction
-    ...     run = sp.simulate(sp.Body(width, 1.8), sp.Room(), sp.near_fault(), [FeltGlides()])
+    ...     run = sp.simulate(sp.Body(width, 1.8, 100.0), sp.Room(), sp.near_fault(), [FeltGlides()])
     ...     print(f"{width / 1.8:.2f} against {run.room.floor.static_friction}: {run.outcome}")
     0.17 against 0.2: overturned
     0.22 against 0.2: slid
@@ -164,7 +168,7 @@ class SlidingGlides(Glides):
     --------
     >>> import stayput as sp
     >>> from stayput.measures import SlidingGlides
-    >>> slender = sp.Body(width=0.3, height=1.8)
+    >>> slender = sp.Body(width=0.3, height=1.8, mass=100.0)
     >>> run = sp.simulate(slender, sp.Room(), sp.near_fault(), [SlidingGlides()])
     >>> print(f"{run.outcome}, {100 * run.peak_slide:.0f} cm: so much room it needs")
     slid, 36 cm: so much room it needs
@@ -196,7 +200,7 @@ class FreeCasters(OtherFriction):
     >>> import stayput as sp
     >>> from stayput.measures import FreeCasters
     >>> room = sp.Room(left_wall=sp.Wall(0.1), right_wall=sp.Wall(0.3))
-    >>> run = sp.simulate(sp.Body(0.6, 1.2), room, sp.near_fault(), [FreeCasters()])
+    >>> run = sp.simulate(sp.Body(0.6, 1.2, 100.0), room, sp.near_fault(), [FreeCasters()])
     >>> hits = [event for event in run.events if event.kind is sp.EventKind.WALL_IMPACT]
     >>> [(round(hit.time, 1), round(hit.slide, 1)) for hit in hits]  # it rolls from wall to wall [s, m]
     [(7.0, -0.1), (7.4, 0.3), (7.8, -0.1)]
@@ -220,12 +224,18 @@ class FreeCasters(OtherFriction):
 class LockedCasters(OtherFriction):
     """Casters whose brakes are on.
 
+    They may slip or roll all the same: locking the casters of an ultrasound machine did not necessarily
+    lessen how far it moved on a shake table (Nikfar and Konstantinidis 2017, 16th World Conference on
+    Earthquake Engineering, paper 2924), though it did in base-isolated buildings (the same 2019, doi
+    10.1061/(ASCE)ST.1943-541X.0002266). So a verification draws their friction far wider than any other's:
+    `stayput.model.room.friction_factor`.
+
     Examples
     --------
     >>> import stayput as sp
     >>> from stayput.measures import FreeCasters, LockedCasters
     >>> for casters in (FreeCasters(), LockedCasters()):
-    ...     run = sp.simulate(sp.Body(0.7, 1.2), sp.Room(), sp.near_fault(), [casters])
+    ...     run = sp.simulate(sp.Body(0.7, 1.2, 100.0), sp.Room(), sp.near_fault(), [casters])
     ...     print(f"{casters.label[0]}: {run.outcome}, {100 * run.peak_slide:.0f} cm")
     Casters, free: slid, 43 cm
     Casters, locked: slid, 9 cm
@@ -235,11 +245,19 @@ class LockedCasters(OtherFriction):
     label: ClassVar[tuple[str, str]] = ("Casters, locked", "キャスター（ロックあり）")
     about: ClassVar[tuple[str, str]] = (
         (
-            "Locked casters slide like feet and no longer roll away; a piece that tips under shaking tips on "
-            "them too."
+            "Locked casters that hold slide like feet; in shake-table tests of hospital equipment, locking "
+            "did not always lessen how far it moved, and a piece that tips under shaking tips on them too."
         ),
-        "ロックしたキャスターは転がらず脚のように滑るだけになるが、強い揺れでの転倒は防げない。",
+        (
+            "ロックが効けば転がらず脚のように滑るだけになるが、医療機器の振動台実験では移動量が必ずしも減らず、"
+            "強い揺れでの転倒も防げない。"
+        ),
     )
 
-    static_friction: float = static_of("locked caster")
-    kinetic_friction: float = kinetic_of("locked caster")
+    surface: ClassVar[str] = LOCKED_CASTER
+    static_friction: float = static_of(LOCKED_CASTER)
+    kinetic_friction: float = kinetic_of(LOCKED_CASTER)
+
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return that locks may not hold."""
+        return (phrase("measures.locks_slip", measure=self.label),)

@@ -27,7 +27,8 @@ class BaseIsolator(Measure):
     >>> import stayput as sp
     >>> from stayput.measures import BaseIsolator
     >>> for stroke in (0.3, 0.5):  # m; its stops rock the piece where they are too near
-    ...     run = sp.simulate(sp.Body(0.6, 1.8), sp.Room(), sp.near_fault(), [BaseIsolator(stroke=stroke)])
+    ...     isolator = BaseIsolator(stroke=stroke)
+    ...     run = sp.simulate(sp.Body(0.6, 1.8, 100.0), sp.Room(), sp.near_fault(), [isolator])
     ...     print(f"{stroke}: {run.outcome}, {run.peak_slide:.2f} m")
     0.3: rocked, 0.30 m
     0.5: slid, 0.44 m

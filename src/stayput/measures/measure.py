@@ -43,7 +43,7 @@ class Held:
     --------
     >>> import stayput as sp
     >>> from stayput.measures import LBracket, LowerShelves, hold
-    >>> held = hold(sp.Body(0.4, 1.8), sp.Room(left_wall=sp.Wall(0.05)), [LBracket(), LowerShelves()])
+    >>> held = hold(sp.Body(0.4, 1.8, 100.0), sp.Room(left_wall=sp.Wall(0.05)), [LBracket(), LowerShelves()])
     >>> [round(place, 2) for place in held.body.centre_of_gravity]  # [m], of 0.9 m without the latter
     [0.0, 0.72]
     >>> [element.kind for element in held.elements]
@@ -202,7 +202,7 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
     >>> import stayput as sp
     >>> from stayput.measures import AntiSlipSheet, GelMats
     >>> try:
-    ...     sp.hold(sp.Body(0.4, 1.8), sp.Room(), [GelMats(), AntiSlipSheet()])
+    ...     sp.hold(sp.Body(0.4, 1.8, 100.0), sp.Room(), [GelMats(), AntiSlipSheet()])
     ... except sp.InputError as error:
     ...     print(str(error).partition(";")[0])
     Adhesive gel mats and Anti-slip sheet are given together, both under the base

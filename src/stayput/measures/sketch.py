@@ -49,7 +49,7 @@ class Shape:
     --------
     >>> import stayput as sp
     >>> from stayput.measures import Chain, hold, sketch
-    >>> held = hold(sp.Body(0.4, 1.8), sp.Room(left_wall=sp.Wall(0.05)), [Chain()])
+    >>> held = hold(sp.Body(0.4, 1.8, 100.0), sp.Room(left_wall=sp.Wall(0.05)), [Chain()])
     >>> for shape in sketch(held):
     ...     print(shape.kind, shape.role, shape.when)
     line tie whole
@@ -212,7 +212,7 @@ def sketch(held: Held) -> list[Shape]:
     --------
     >>> import stayput as sp
     >>> from stayput.measures import WedgeStopper, hold, sketch
-    >>> wedge, = sketch(hold(sp.Body(0.4, 1.8), sp.Room(), [WedgeStopper()]))
+    >>> wedge, = sketch(hold(sp.Body(0.4, 1.8, 100.0), sp.Room(), [WedgeStopper()]))
     >>> wedge.kind, wedge.role
     ('polygon', 'rubber')
     >>> [(frame, round(x, 2), round(z, 3)) for frame, x, z in wedge.points[:3]]  # m

@@ -1,4 +1,4 @@
-"""Elementary functions with the same bits on every machine, and in a browser.
+"""Elementary functions with the same bits on every machine.
 
 C libraries differ in the last bit of sine, cosine, exponential and logarithm. These functions are made of
 additions, multiplications, divisions and square roots alone, which IEEE 754 defines to the bit. Sine and

@@ -78,7 +78,7 @@ class Body:
     height : float
         Height h [m].
     mass : float
-        Mass m [kg].
+        Mass m [kg]. Without devices and other bodies the motion does not depend on it; forces do.
     cg_offset : tuple of float
         Offset (e_x, e_z) of the centre of gravity G from the centroid [m], + right, + up.
         G must lie inside the section.
@@ -116,7 +116,7 @@ class Body:
         )
     )
     height: float = field(metadata=quantity(*_SIZE, ("Body height", "家具の高さ"), "Height."))
-    mass: float = parameter(100.0, *_MASS, ("Body mass", "家具の質量"), "Mass.")
+    mass: float = field(metadata=quantity(*_MASS, ("Body mass", "家具の質量"), "Mass."))
     cg_offset: tuple[float, float] = parameter(
         (0.0, 0.0),
         *_OFFSET,
@@ -277,7 +277,7 @@ class Body:
 
         Examples
         --------
-        >>> block = Body(width=0.4, height=1.2)
+        >>> block = Body(width=0.4, height=1.2, mass=100.0)
         >>> [round(p, 3) for p in block.frequency_parameter()]
         [3.41, 3.41]
         """
@@ -295,7 +295,7 @@ class Body:
 
         Examples
         --------
-        >>> block = Body(width=0.4, height=1.2)
+        >>> block = Body(width=0.4, height=1.2, mass=100.0)
         >>> [round(a, 3) for a in block.overturning_acceleration()]
         [3.269, 3.269]
         """

@@ -5,14 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+
 from stayput.catalogue import phrase
 from stayput.errors import InputError, shown, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.uncertainty import Confidence
 from stayput.vocabulary import meant, preset_meant
 from stayput.wording import brief, check_language
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
     from stayput.model.body import Body
@@ -84,7 +88,7 @@ class Floor:
     Examples
     --------
     >>> import stayput as sp
-    >>> box, shaking = sp.Body(width=0.5, height=1.0), sp.near_fault().scaled(0.6)
+    >>> box, shaking = sp.Body(width=0.5, height=1.0, mass=100.0), sp.near_fault().scaled(0.6)
     >>> for floor in (sp.Floor.of("PTFE glide"), sp.Floor.of("vinyl"), sp.Floor(0.5, 0.4)):
     ...     slide = sp.simulate(box, sp.Room(floor), shaking).peak_slide
     ...     print(f"friction {floor.static_friction}, {floor.kinetic_friction}: {100 * slide:.0f} cm")
@@ -132,7 +136,7 @@ class Floor:
     def __repr__(self) -> str:
         if self.surface and self == Floor.of(self.surface):
             return f"Floor.of({self.surface!r})"
-        return brief(self)
+        return brief(self, first=2)
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -182,12 +186,17 @@ class SurfacePreset(NamedTuple):
         As of a `Floor`.
     settlement : float
         The same [m], of a piece on a flat base; 0 of casters, which stand on points.
+    confidence : Confidence
+        How well founded the friction is.
     """
 
     static_friction: float
     kinetic_friction: float
     settlement: float
+    confidence: Confidence = Confidence.MEDIUM
 
+
+LOCKED_CASTER = "locked caster"
 
 SURFACES: dict[str, SurfacePreset] = {
     "wood flooring": SurfacePreset(0.40, 0.30, 0.05e-3),
@@ -200,13 +209,32 @@ SURFACES: dict[str, SurfacePreset] = {
     "rubber pad": SurfacePreset(0.80, 0.70, 0.05e-3),
     "free caster, hard floor": SurfacePreset(0.03, 0.03, 0.0),
     "free caster, carpet": SurfacePreset(0.06, 0.06, 0.0),
-    "locked caster": SurfacePreset(0.40, 0.40, 0.0),
+    LOCKED_CASTER: SurfacePreset(0.40, 0.40, 0.0, Confidence.LOW),
 }
 """Furniture on common surfaces: defaults to be changed, not citations.
 
 A carpet on which a file cabinet is 40 % easier to tip (Barnett 2020) sinks in by 1.1 mm by the law of
 `stayput.model.soft_base`.
 """
+
+_LOCKED_POWER = 5.0
+"""Power to which the drawn factor on friction is taken under locked casters; assumed."""
+
+_LEAST, _MOST = (
+    SURFACES[other].static_friction / SURFACES[LOCKED_CASTER].static_friction
+    for other in ("free caster, hard floor", "rubber pad")
+)
+"""Least and largest factor on the friction of locked casters: they roll as if free, or grip like rubber."""
+
+
+def friction_factor(floor: Floor, drawn: float | NDArray[np.float64]) -> float | NDArray[np.float64]:
+    """Return the factor on a floor's friction for one that is drawn: far wider under locked casters.
+
+    Locking the casters of an ultrasound machine did not necessarily lessen how far it moved on a shake table
+    (Nikfar and Konstantinidis 2017, 16th World Conference on Earthquake Engineering, paper 2924); how much of
+    the friction locks leave was not found.
+    """
+    return np.clip(drawn**_LOCKED_POWER, _LEAST, _MOST) if floor.surface == LOCKED_CASTER else drawn
 
 
 SIDE_WALLS = ("near_side_wall", "far_side_wall")
@@ -245,7 +273,7 @@ class Wall:
     Examples
     --------
     >>> import stayput as sp
-    >>> body, shaking = sp.Body(width=0.4, height=1.8), sp.near_fault()
+    >>> body, shaking = sp.Body(width=0.4, height=1.8, mass=100.0), sp.near_fault()
     >>> for gap in (0.05, 0.2):  # m: near enough to stop it on its way, or too far
     ...     print(gap, sp.simulate(body, sp.Room(left_wall=sp.Wall(gap)), shaking).outcome)
     0.05 rocked
@@ -288,7 +316,7 @@ class Ceiling:
     Examples
     --------
     >>> import stayput as sp
-    >>> wardrobe = sp.Body(width=0.6, height=2.35)  # 2.43 m across: it jams below the ceiling
+    >>> wardrobe = sp.Body(width=0.6, height=2.35, mass=100.0)  # 2.43 m across: it jams below the ceiling
     >>> strong = sp.near_fault().component("x").scaled(2.2)
     >>> for ceiling in (None, sp.Ceiling(height=2.4)):
     ...     print(sp.simulate(wardrobe, sp.Room(sp.Floor(1.0, 1.0), ceiling=ceiling), strong).outcome)
@@ -329,7 +357,7 @@ class Room:
     Examples
     --------
     >>> import stayput as sp
-    >>> body, shaking = sp.Body(width=0.4, height=2.3), sp.near_fault().component("x")
+    >>> body, shaking = sp.Body(width=0.4, height=2.3, mass=100.0), sp.near_fault().component("x")
     >>> for clear in (0.2, 0.8, 3.0):  # from the piece, its back to a wall, to the wall opposite [m]
     ...     room = sp.Room(left_wall=sp.Wall(gap=0.0), right_wall=sp.Wall(gap=clear))
     ...     print(clear, sp.simulate(body, room, shaking).outcome)

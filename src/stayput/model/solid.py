@@ -1,5 +1,7 @@
 """`Solid`: a convex rigid body in space, and the shapes that furniture has."""
 
+# ruff: noqa: RUF009 - descriptors, one for each field, are no defaults
+
 from __future__ import annotations
 
 import math
@@ -26,6 +28,7 @@ from stayput.model.polyhedron import (
 from stayput.model.room import Floor
 from stayput.model.soft_base import narrower_base, rigid_half_base
 from stayput.model.solid_fields import (
+    Copied,
     checked_centre,
     checked_feet,
     checked_inertia,
@@ -62,12 +65,12 @@ class OwnFields(TypedDict, total=False):
     feet: ArrayLike | None
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False, init=False)
+@dataclass(frozen=True, eq=False, repr=False, init=False)
 class Solid:
     """A convex rigid body in space.
 
     Its frame has x along the depth (front +x, back −x), y across, z up, as it stands upright; the origin is
-    the middle of the base of its outline. The arrays cannot be written to.
+    the middle of the base of its outline. Arrays that are read from it are copies, or cannot be written to.
 
     Parameters
     ----------
@@ -125,18 +128,25 @@ class Solid:
     >>> wedge = sp.Solid([*base, (-0.2, -0.3, 1.2), (-0.2, 0.3, 1.2)], mass=30.0)  # m, kg
     >>> [round(place, 3) + 0.0 for place in wedge.centre_of_gravity.tolist()]  # m
     [-0.067, 0.0, 0.4]
+
+    Turned a quarter about the vertical:
+
+    >>> from scipy.spatial.transform import Rotation
+    >>> quarter = Rotation.from_euler("z", 90, degrees=True)
+    >>> (quarter.apply(wedge.centre_of_gravity).round(3) + 0.0).tolist()  # m
+    [0.0, -0.067, 0.4]
     """
 
-    vertices: NDArray[np.float64]
+    vertices: NDArray[np.float64] = cast("Any", Copied())
     faces: tuple[NDArray[np.int64], ...] = field(init=False)
     mass: float
-    centre_of_gravity: NDArray[np.float64]
-    inertia: NDArray[np.float64]
-    feet: NDArray[np.float64] | None
-    rims: NDArray[np.float64]
-    normals: NDArray[np.float64] = field(init=False)
+    centre_of_gravity: NDArray[np.float64] = cast("Any", Copied())
+    inertia: NDArray[np.float64] = cast("Any", Copied())
+    feet: NDArray[np.float64] | None = cast("Any", Copied())
+    rims: NDArray[np.float64] = cast("Any", Copied())
+    normals = cast("NDArray[np.float64]", Copied())  # which follow from the fields, and are none
+    up_at_rest = cast("NDArray[np.float64] | None", Copied())
     principal: tuple[NDArray[np.float64], NDArray[np.float64]] = field(init=False)
-    up_at_rest: NDArray[np.float64] | None = field(init=False)
 
     def __init__(
         self,

@@ -26,6 +26,25 @@ LARGEST = 1e12
 _IRREGULAR = ("irregular", "不規則")
 
 
+class Copied:
+    """An array of a frozen value, of which every reader has a copy.
+
+    What is read-only is no input for the compiled code of other libraries, such as SciPy's rotations.
+    """
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, value: Any, owner: type) -> Any:
+        if value is None:  # the class has no default
+            raise AttributeError(self._name)
+        array = value.__dict__[self._name]
+        return None if array is None else array.copy()
+
+    def __set__(self, value: Any, array: Any) -> None:
+        value.__dict__[self._name] = array
+
+
 def numbers(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> NDArray[np.float64]:
     """Return a copy of numbers as an array of a shape, None for any length, that cannot be written to."""
     called = phrase(f"solids.{name}")

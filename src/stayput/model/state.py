@@ -38,7 +38,7 @@ class State:
     >>> import stayput as sp
     >>> still = sp.sine(amplitude=0.0, frequency=1.0, duration=6.0)
     >>> room = sp.Room(sp.Floor(2.0, 2.0))
-    >>> run = sp.simulate(sp.Body(0.6, 1.8), room, still, initial=sp.State(tilt=0.2))  # let go
+    >>> run = sp.simulate(sp.Body(0.6, 1.8, 100.0), room, still, initial=sp.State(tilt=0.2))  # let go
     >>> [round(event.time, 2) for event in run.events[:5]]  # it lands ever sooner [s]
     [0.59, 1.35, 1.94, 2.41, 2.79]
     """

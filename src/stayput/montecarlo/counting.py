@@ -90,9 +90,13 @@ class Outcomes:
         """Return the probability of overturning."""
         return self._probability(self.overturned)
 
+    def happened(self, slide_limit: float) -> tuple[NDArray[np.bool_], ...]:
+        """Return whether each of `EVENTS` happened; ``slide_limit`` is the slide that is too far [m]."""
+        return self.overturned, self.slide > slide_limit, self.hit_wall, self.device_failed
+
     def probabilities(self, slide_limit: float) -> dict[str, Probability]:
         """Return the probability of each of `EVENTS`; ``slide_limit`` is the slide that is too far [m]."""
-        happened = (self.overturned, self.slide > slide_limit, self.hit_wall, self.device_failed)
+        happened = self.happened(slide_limit)
         return {event: self._probability(flags) for event, flags in zip(EVENTS, happened, strict=True)}
 
     def _probability(self, happened: NDArray[np.bool_]) -> Probability:

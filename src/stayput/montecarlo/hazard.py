@@ -18,6 +18,7 @@ import numpy as np
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
 from stayput.mechanics.runner import Shaking, shaking
 from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.motion.channels import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
 
@@ -213,12 +214,16 @@ class FloorMotions:
         Each intensity measure of each motion, shape (motions,).
     dimensions : int
         2 where pieces are run in the plane, 3 in space; the motions have y then, where it is known.
+    floor : str
+        The upper floors that the motions were stated for, if they are not of the ground: intensities are
+        then by the formula alone, and there is no PGA and no PGV.
     """
 
     motions: tuple[Motion, ...]
     scales: NDArray[np.float64]
     measures: dict[IntensityMeasure, NDArray[np.float64]]
     dimensions: int = 2
+    floor: str = ""
 
     @property
     def median_intensity(self) -> float:
@@ -248,8 +253,8 @@ class Hazard:
     dimensions : int
         2 where pieces are run in the plane, 3 in space.
     further : tuple of IntensityMeasure
-        Measures of the ground that are wanted beside the usual ones: modified Mercalli intensity, or spectral
-        accelerations.
+        Measures that are wanted beside the usual ones: modified Mercalli intensity, or spectral accelerations
+        of the ground.
     """
 
     ground: Suite
@@ -318,16 +323,18 @@ class Hazard:
         else:
             motions, scales = self._elastic, factors
             pfa, pfv = self._elastic_peaks
-        pga, pgv = self._ground_peaks
-        measures = {
-            JMA_INTENSITY: self._scaled.intensities(factors),
-            PGA: np.abs(factors) * pga,
-            PGV: np.abs(factors) * pgv,
+        measures = {JMA_INTENSITY: self._scaled.intensities(factors)}
+        if not self.ground.floor:
+            pga, pgv = self._ground_peaks
+            measures |= {PGA: np.abs(factors) * pga, PGV: np.abs(factors) * pgv}
+        measures |= {
             PFA: np.abs(scales) * pfa,
             PFV: np.abs(scales) * pfv,
-            **{measure: self._further(measure, np.abs(factors)) for measure in self.further},
         }
-        return FloorMotions(motions, scales, measures, self.dimensions)
+        for measure in self.further:
+            if measure not in measures:
+                measures[measure] = self._further(measure, np.abs(factors))
+        return FloorMotions(motions, scales, measures, self.dimensions, self.ground.floor)
 
     @cached_property
     def _horizontal_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -342,6 +349,8 @@ class Hazard:
         }
 
     def _further(self, measure: IntensityMeasure, factors: NDArray[np.float64]) -> NDArray[np.float64]:
+        for motion in self.ground:
+            of_the_ground(motion, "measure")
         if measure.period is not None:
             return factors * self._spectral[measure.period]
         if measure != MMI:

@@ -17,7 +17,7 @@ from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
 from stayput.mechanics.devices.runner import no_elements
 from stayput.model.body import MOST_INSET
-from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND
+from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND, friction_factor
 from stayput.model.state import State
 from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
 from stayput.uncertainty import QUANTITIES
@@ -227,7 +227,8 @@ def _drawn_gap(gap: float, factor: NumberOrColumn) -> NumberOrColumn:
 
 def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
     coefficients = {f.name: getattr(floor, f.name) for f in fields(floor) if f.name.endswith("friction")}
-    changed = {name: draw.friction * value for name, value in coefficients.items() if value is not None}
+    factor = friction_factor(floor, draw.friction)
+    changed = {name: factor * value for name, value in coefficients.items() if value is not None}
     return replace(
         floor,
         **changed,
@@ -341,9 +342,10 @@ def rows_of(
         masses = np.array([drawn_held.body.mass for drawn_held in held_each])
         strengths = (draw.strength for draw in by_draw)
         elements = np.stack([element_rows(*pair) for pair in zip(held_each, strengths, strict=True)])
+    friction = friction_factor(held.room.floor, columns["friction"])
     for path in numbers:
         if path.startswith("room.floor.") and path.endswith("friction"):
-            numbers[path] = columns["friction"] * numbers[path]
+            numbers[path] = friction * numbers[path]
     for name in ("restitution", "landing_place", "settlement"):
         numbers[f"room.floor.{name}"] = columns[name] * numbers[f"room.floor.{name}"]
     numbers["room.floor.settlement"] = np.minimum(numbers["room.floor.settlement"], MOST_SETTLEMENT)

@@ -1,4 +1,4 @@
-"""The channels of a file, or of ObsPy's traces, and how they become the components of a motion."""
+"""The channels of a file, and how they become the components of a motion."""
 
 from __future__ import annotations
 
@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, warn
+from stayput.errors import InputError, InputWarning, quoted, warn
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.processing import check_size
-from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -21,20 +20,26 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
+    from stayput.motion.record import Motion
 
 _UNNAMED = "(unnamed)"
 
-_VERTICAL = re.compile(r"UD\d?|UPDOWN|UP|[A-Z]{0,2}Z|V|VER|VERT|VERTICAL")
+_UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
+_VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|(?!HZ)[A-Z]{{1,2}}Z")
 _AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90", "EAST": "90"}
-_UPWARDS = {"UD", "UP", "Z", "V", "VER", "VERT", "VERTICAL", "UPDOWN"}
-_SEED_CODE = re.compile(r"[A-Z][HLGN][NEZ]")  # band, instrument and direction of a seismometer's channel
+_HORIZONTAL = {*_AZIMUTHS, "X", "Y", "H1", "H2", "L", "LONG", "R", "T", "TRAN", "TRANS"}
+_SEED_CODE = re.compile(
+    r"(?:[0-9]{2})?[A-Z][HLGN]([NEZ])(?:[0-9]{2})?"
+)  # a seismometer's channel, its location
+_AXIS = re.compile(r"(?:A|ACC|ACCEL|ACCELERATION)([XYZ])")
+
+_OF_KIK_NET = re.compile(r"(?<=NS|EW|UD)[12]$")  # its two sensors
 
 _DOUBTFUL_PEAK = 5.0  # g; no more than a handful of records are larger, a wrong unit nearly always is
 _PEAK_TOLERANCE = 0.01  # headers round the peak, or take it before the last correction
 _PEAK_ROUNDING = 1e-5  # m/s², a header's last digit
 _LENGTH_TOLERANCE = 0.01  # published components of one record differ by some samples at their end
-_START_TOLERANCE = 0.01  # of a time step, between the starts of two traces
 
 # How names and headers write the upper floor of a building: "42nd Floor", "floor42", "42F", "42階". A number
 # of storeys ("52-STORY BLDG", "12階建") and a floor below the ground ("地下2階") are not meant.
@@ -66,6 +71,12 @@ class Channel:
         What else the motion's ``source`` should say.
     location : str
         What the file says of the place, as of a floor of a building.
+    origin : str
+        Event, station and sensor, in the same words in each file of one record; default ``name``.
+    borehole : bool
+        Whether the sensor is below the ground, at the bottom of a borehole.
+    role : str
+        The component that the caller says it is: "x", "y" or "z"; "" where the label says it.
     """
 
     label: str
@@ -75,6 +86,9 @@ class Channel:
     peak: float | None = None
     note: str = ""
     location: str = ""
+    origin: str = ""
+    borehole: bool = False
+    role: str = ""
 
 
 class Listing(NamedTuple):
@@ -88,11 +102,17 @@ class Listing(NamedTuple):
         Whether each one is vertical.
     used : int
         Index of the one that became x.
+    label : str
+        Its direction as the file writes it; "" where it does not.
+    origin : str
+        Its event, station and sensor as the file states them; likewise.
     """
 
     names: tuple[str, ...]
     vertical: tuple[bool, ...]
     used: int
+    label: str = ""
+    origin: str = ""
 
 
 class MotionFields(TypedDict):
@@ -115,15 +135,25 @@ def plain_label(label: str) -> str:
     return str(int(plain)) if re.fullmatch(r"[0-9]{1,6}", plain) else plain
 
 
+def _direction(label: str) -> str:
+    """Return the direction in a label: "acc_z" → "Z", "BHZ00" → "Z"; the label where there is none."""
+    plain = plain_label(label)
+    for part in (plain, *map(plain_label, reversed(re.findall(r"[^\W_]+", label)))):
+        code = _SEED_CODE.fullmatch(part) or _AXIS.fullmatch(part)
+        direction = code[1] if code else part
+        if direction in _HORIZONTAL or _VERTICAL.fullmatch(direction):
+            return direction
+    return plain
+
+
 def is_vertical(label: str) -> bool:
     """Return whether a direction is the vertical one, up or down."""
-    plain = plain_label(label)
-    return bool(_VERTICAL.fullmatch(plain) or _DOWN.fullmatch(plain))
+    return _VERTICAL.fullmatch(_direction(label)) is not None
 
 
 def is_direction(label: str) -> bool:
     """Return whether a label is that of a direction: "NS", "East", "x", "Up"."""
-    return is_vertical(label) or plain_label(label) in {*_AZIMUTHS, "X", "Y"}
+    return is_vertical(label) or _direction(label) in _HORIZONTAL
 
 
 def labels_phrase(labels: Iterable[str]) -> Phrase:
@@ -132,11 +162,16 @@ def labels_phrase(labels: Iterable[str]) -> Phrase:
     return ", ".join(shown), "、".join(shown)
 
 
-def _spellings(label: str) -> set[str]:
+def direction(label: str) -> str:
+    """Return a channel's direction without the number of KiK-net's sensor: "NS2" → "NS"."""
+    return _OF_KIK_NET.sub("", plain_label(label))
+
+
+def spellings(label: str) -> set[str]:
     """Return what a direction may be called, so that "NS", "HNN" and "360" are the same one."""
     plain = plain_label(label)
-    code = plain[-1] if _SEED_CODE.fullmatch(plain) else plain
-    return {plain, code, "up" if code in _UPWARDS else _AZIMUTHS.get(code, code)}
+    code = _direction(label)
+    return {plain, code, "up" if _UP.fullmatch(code) else _AZIMUTHS.get(code, code)}
 
 
 def _chosen(channels: Sequence[Channel], component: str) -> int:
@@ -150,7 +185,7 @@ def _chosen(channels: Sequence[Channel], component: str) -> int:
     else:
         # An exact label comes first: of "360" and "NS" in one file, each names its own channel.
         matches = [i for i in labelled if plain_label(labels[i]) == plain_label(wanted)]
-        matches = matches or [i for i in labelled if _spellings(labels[i]) & _spellings(wanted)]
+        matches = matches or [i for i in labelled if spellings(direction(labels[i])) & spellings(wanted)]
     if len(matches) == 1:
         return matches[0]
     code = "motion.ambiguous_channel" if matches else "motion.no_such_channel"
@@ -192,15 +227,18 @@ def _numbered(channels: Sequence[Channel], which: Collection[int]) -> Phrase:
 
 def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, Channel]:
     """Return which channel becomes which component: x, and y and z where only one channel can be meant."""
-    horizontal = list(_horizontal(channels))
-    vertical = [i for i in range(len(channels)) if i not in horizontal]
-    if component is not None:
-        x = _chosen(channels, component)
-    elif len(horizontal) > 2 or len(vertical) > 1:
+    if component is None and channels[0].role:
+        return {channel.role: channel for channel in channels}
+    given = None if component is None else _chosen(channels, component)
+    # The sensor at the surface and the one in the borehole below it are two records.
+    below = all(channel.borehole for channel in channels) if given is None else channels[given].borehole
+    beside = [i for i, channel in enumerate(channels) if channel.borehole == below]
+    horizontal = [i for i in _horizontal(channels) if i in beside]
+    vertical = [i for i in beside if i not in horizontal]
+    if given is None and (len(horizontal) > 2 or len(vertical) > 1):
         labels = _numbered(channels, horizontal)
         raise InputError("motion.many_channels", "component", count=len(channels), channels=labels)
-    else:
-        x = (horizontal or vertical)[0]
+    x = (horizontal or vertical)[0] if given is None else given
     assigned = {"x": channels[x]}
     if x in horizontal and len(horizontal) <= 2 and len(vertical) <= 1:
         others = {"y": [i for i in horizontal if i != x], "z": vertical}
@@ -213,7 +251,7 @@ def _warn_of_choice(x: Channel, channels: Sequence[Channel]) -> None:
     horizontal = list(_horizontal(channels).values())
     if not horizontal:
         warn(InputWarning("motion.vertical_alone", "component", label=x.label))
-    elif len(horizontal) > 1 and {plain_label(label) for label in horizontal} != {"X", "Y"}:
+    elif len(horizontal) > 1 and {_direction(label) for label in horizontal} != {"X", "Y"}:
         taken = (x.label, f"「{x.label}」") if x.label else phrase("motion.the_first")
         listing = labels_phrase(horizontal)
         warn(InputWarning("motion.x_chosen", "component", channels=listing, label=taken))
@@ -282,14 +320,19 @@ def motion_fields(
         _check_header_peak(channel)
     components = _assigned(channels, component)
     x = components["x"]
-    if component is None:
-        _warn_of_choice(x, channels)
+    if component is None and not x.role:
+        _warn_of_choice(x, [channel for channel in channels if channel.borehole == x.borehole])
+    below = [channel.label for channel in channels if channel.borehole]
+    if x.borehole:
+        warn(InputWarning("motion.borehole", "component", label=x.label))
+    elif below and component is None:
+        warn(InputWarning("motion.borehole_left_out", "component", channels=labels_phrase(below)))
     _check_sizes(components)
     listing = _listing(channels, x)
     for key, channel in components.items():
         if not math.isclose(channel.dt, x.dt, rel_tol=1e-6):  # steps are written with six digits or more
             raise InputError("motion.channel_dt_differs", dt=x.dt, other=channel.dt)
-        if _DOWN.fullmatch(plain_label(channel.label)):
+        if _DOWN.fullmatch(_direction(channel.label)):
             note = f"{channel.note}, sign changed to up"
             components[key] = replace(channel, acceleration=-channel.acceleration, note=note)
     length, cut = common_length({key: len(channel.acceleration) for key, channel in components.items()})
@@ -317,45 +360,8 @@ def _listing(channels: Sequence[Channel], x: Channel) -> Listing:
         for i, label in enumerate(labels)
     )
     place = next(i for i, channel in enumerate(channels) if channel is x)
-    return Listing(tuple(names), tuple(is_vertical(label) for label in labels), place)
-
-
-def channels_of_traces(traces: Iterable[Any], unit: str, name: str | None) -> list[Channel]:
-    """Return the channels of ObsPy's traces; ObsPy itself is not needed.
-
-    Parameters
-    ----------
-    traces : iterable of obspy.Trace
-        One complete trace a channel, all of one start.
-    unit : str
-        Unit of the traces' numbers as they stand.
-    name : str, optional
-        What they are called; default network and station.
-
-    Raises
-    ------
-    InputError
-        No traces, gaps, different starts, an unknown unit.
-    """
-    factor = unit_factor(unit)
-    items = list(traces)
-    if not items:
-        raise InputError("motion.no_traces")
-    channels: list[Channel] = []
-    start = items[0].stats.starttime
-    for trace in items:
-        stats = trace.stats
-        code, dt = str(stats.channel), float(stats.delta)
-        if any(channel.label == code for channel in channels):
-            raise InputError("motion.trace_repeated", channel=code)
-        if np.ma.is_masked(trace.data):
-            raise InputError("motion.trace_gaps", channel=code)
-        late = float(stats.starttime - start)
-        if abs(late) > _START_TOLERANCE * dt:
-            raise InputError("motion.trace_start", channel=code, late=late)
-        station = ".".join(part for part in (str(stats.network), str(stats.station)) if part)
-        channels.append(Channel(code, factor * np.asarray(trace.data, dtype=np.float64), dt, name or station))
-    return channels
+    vertical = tuple(is_vertical(label) for label in labels)
+    return Listing(tuple(names), vertical, place, x.label, " ".join((x.origin or x.name).split()))
 
 
 def upper_floor(texts: Iterable[str]) -> str:
@@ -388,3 +394,26 @@ def floor_phrase(floor: str) -> Phrase:
 def upper_floor_warning(floor: str) -> InputWarning:
     """Return the warning that a record is of an upper floor, not of the ground."""
     return InputWarning("motion.upper_floor", floor=floor_phrase(floor))
+
+
+def of_the_ground(motion: Motion, rule: str) -> Motion:
+    """Return a motion; refuse one of an upper floor for a rule that holds for the ground alone.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    rule : str
+        Which rule, as ``ground_alone_...`` of the catalogue of motions says it.
+
+    Raises
+    ------
+    InputError
+        The motion is of an upper floor.
+    """
+    if motion.floor:
+        told, floor = phrase(f"motion.ground_alone_{rule}"), floor_phrase(motion.floor)
+        raise InputError(
+            "motion.not_of_the_ground", "motion", motion=quoted(motion.name), floor=floor, rule=told
+        )
+    return motion

@@ -29,6 +29,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.parameters import arguments, check_fields, parameter, quantity
+from stayput.motion.channels import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.spectrum import DAMPING, response_spectrum
@@ -200,10 +201,10 @@ class GroundStrength:
         Raises
         ------
         InputError
-            A still motion.
+            A still motion, or one of an upper floor.
         """
         if self.measure == "JMA":
-            return factor_to_intensity(motion.intensity, self.level)
+            return factor_to_intensity(of_the_ground(motion, "strength").intensity, self.level)
         return self.median / self.peak(motion)
 
     def peak(self, motion: Motion) -> float:
@@ -212,8 +213,9 @@ class GroundStrength:
         Raises
         ------
         InputError
-            A still motion.
+            A still motion, or one of an upper floor.
         """
+        of_the_ground(motion, "strength")
         if self.measure == "SA":
             return horizontal_sa(motion, self.period)
         return horizontal_peak(motion, self.measure)

@@ -113,7 +113,8 @@ class Intensities:
     long_period_class : int
         JMA's class of long-period motion, 0 to 4.
     from_pgv : float
-        JMA's intensity as a regression on PGV has it (Midorikawa and others 1999).
+        JMA's intensity as a regression on PGV has it (Midorikawa and others 1999). This and the next two are
+        of the ground: NaN of a motion of an upper floor.
     kawasumi : float
         Intensity as Kawasumi (1951) has it from PGA.
     mercalli : float
@@ -136,13 +137,16 @@ class Intensities:
         horizontal = [peaks for name, peaks in motion.peaks().items() if name != "z"]
         pga, pgv = max(peaks.pga for peaks in horizontal), max(peaks.pgv for peaks in horizontal)
         moves = pga > 0.0
+        stills = (-math.inf, -math.inf, 1.0)
+        converted = (jma_from_pgv(pgv), kawasumi(pga), mercalli(pga, pgv)) if moves else stills
+        from_pgv, from_pga, modified = (math.nan,) * 3 if motion.floor else converted
         return cls(
             intensity=intensity,
             published=published_intensity(intensity),
             intensity_class=intensity_class(intensity),
             long_period_response=response,
             long_period_class=long_period_class(response),
-            from_pgv=jma_from_pgv(pgv) if moves else -math.inf,
-            kawasumi=kawasumi(pga) if moves else -math.inf,
-            mercalli=mercalli(pga, pgv) if moves else 1.0,
+            from_pgv=from_pgv,
+            kawasumi=from_pga,
+            mercalli=modified,
         )

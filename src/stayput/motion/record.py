@@ -13,15 +13,11 @@ import numpy as np
 from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
-from stayput.motion.channels import (
-    Listing,
-    channels_of_traces,
-    common_length,
-    motion_fields,
-    warn_of_vertical,
-)
+from stayput.motion.baseline import check_baseline, checked_record
+from stayput.motion.channels import Listing, common_length, motion_fields, of_the_ground, warn_of_vertical
 from stayput.motion.integrals import Peaks
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
+from stayput.motion.one_record import check_one_record
 from stayput.motion.processing import (
     MOST_SAMPLES,
     STEP_RANGE,
@@ -32,6 +28,7 @@ from stayput.motion.processing import (
     without_baseline,
 )
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, spectrum_of_samples
+from stayput.motion.traces import channels_of_traces
 from stayput.motion.writers import FORMATS
 from stayput.wording import check_language
 
@@ -166,7 +163,7 @@ class Motion:
 
     @classmethod
     def given(cls, value: object, name: str = "motion") -> Self:
-        """Return a motion that was given as one, or refuse what is none with how to make one of it.
+        """Return a motion, warning of an offset in arrays; or refuse what is none with how to make one of it.
 
         Raises
         ------
@@ -174,6 +171,8 @@ class Motion:
             It is something else: bare samples have neither a time step nor a unit.
         """
         if isinstance(value, cls):
+            if value.listing is None and not value.synthetic:  # neither checked when it was read nor computed
+                check_baseline(value)
             return value
         if isinstance(value, str | PathLike):
             raise InputError("motion.only_a_path", name, name=name, value=repr(str(cast("object", value))))
@@ -239,7 +238,7 @@ class Motion:
 
     @property
     def intensity(self) -> float:
-        """JMA's instrumental intensity of all components, not rounded; −inf of a still floor."""
+        """JMA's instrumental intensity, not rounded; −inf if still; of an upper floor not the place's."""
         return jma_intensity(self.components.values(), self.dt)
 
     def spectrum(
@@ -292,12 +291,7 @@ class Motion:
         return plot_motion(self, title=title, language=check_language(language))
 
     def write(self, path: str | Path) -> Path:
-        """Write the motion to a file: columns (.csv, all components) or PEER AT2 (.at2, x alone).
-
-        Parameters
-        ----------
-        path : str or Path
-            The file; its ending says the format.
+        """Write the motion to a file by its ending: columns (.csv, all components) or PEER (.at2, x alone).
 
         Raises
         ------
@@ -326,7 +320,8 @@ class Motion:
         if name not in tuple(self.components):  # which takes what cannot be hashed
             known = ", ".join(self.components)
             raise InputError("motion.no_such_component", "component", component=name, known=known)
-        return replace(self, x=self.components[name], y=None, z=None)
+        listing = self.listing if name == "x" else None  # which is that of x
+        return replace(self, x=self.components[name], y=None, z=None, listing=listing)
 
     def peaks(self) -> dict[str, Peaks]:
         """Return the peaks of every component that is there, x first."""
@@ -350,11 +345,11 @@ class Motion:
         Raises
         ------
         InputError
-            A still floor, or an intensity that is not known or needs an absurd factor.
+            A still floor, an upper floor, or an intensity that is not known or needs an absurd factor.
         """
         value = intensity_of_class(intensity) if isinstance(intensity, str) else intensity
         value = within("motion.name_intensity", value, -3.0, 9.0, field="intensity")
-        scaled = self.scaled(factor_to_intensity(self.intensity, value))
+        scaled = self.scaled(factor_to_intensity(of_the_ground(self, "strength").intensity, value))
         return replace(scaled, source=f"{scaled.source} (to JMA intensity {value:g})")
 
     def flipped(self) -> Motion:
@@ -423,10 +418,7 @@ class Motion:
     def baseline_corrected(self, order: int = 1) -> Motion:
         """Return the motion less a polynomial of time, fitted to the velocity by least squares.
 
-        Parameters
-        ----------
-        order : int
-            Of the polynomial taken from the acceleration: 0 a constant, 1 a line, up to 5.
+        The order is that of what is taken from the acceleration: 0 a constant, 1 a line, up to 5.
         """
         if order not in range(6):
             raise InputError("motion.baseline_order", "order", order=order)
@@ -451,12 +443,11 @@ class Motion:
         Raises
         ------
         InputError
-            The time steps differ, or the lengths by more than 1 %.
+            The time steps differ, or the lengths by more than 1 %; or they are of two events, stations or
+            sensors, of one direction, or have the same samples. Where the files do not say, it is warned.
         """
         given = {key: motion for key, motion in (("x", x), ("y", y), ("z", z)) if motion is not None}
-        for key, motion in given.items():
-            if not math.isclose(motion.dt, x.dt, rel_tol=1e-6):
-                raise InputError("motion.motion_dt_differs", key, component=key, dt=motion.dt, x_dt=x.dt)
+        check_one_record(given)
         length, cut = common_length({key: len(motion) for key, motion in given.items()})
         sources = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in given.items())
         samples: dict[str, Any] = {key: motion.x[:length] for key, motion in given.items()}
@@ -467,30 +458,42 @@ class Motion:
             synthetic=any(motion.synthetic for motion in given.values()),
             source=f"{sources}{cut}",
             floor=x.floor,
+            listing=x.listing,
         )
 
     @classmethod
     def from_obspy(
-        cls, traces: Iterable[Any], unit: str, *, component: str | None = None, name: str | None = None
+        cls,
+        traces: Iterable[Any],
+        unit: str,
+        *,
+        component: str | None = None,
+        name: str | None = None,
+        location: str | None = None,
+        remove_mean: bool = False,
     ) -> Motion:
         """Make a motion of an ObsPy Stream (or of traces), for the formats that ObsPy reads.
 
         Parameters
         ----------
         traces : iterable of obspy.Trace
-            One complete trace a channel, all of one start and one time step.
+            One complete trace a channel, all of one station, one start and one time step.
         unit : str
             Unit of the traces' numbers as they stand; ``stats.calib`` is *not* applied.
-        component : str, optional
-            Channel that becomes x, by its code or direction; default the first horizontal one.
+        component, remove_mean
+            As for `read_motion`.
         name : str, optional
             Default: network and station.
+        location : str, optional
+            Code of the sensor ("00"), where the station has several; "--" of the one without a code.
 
         Raises
         ------
         InputError
-            Gaps, different starts or steps, an unknown unit or component.
+            Gaps, different starts or steps, several stations or sensors, an unknown unit or component, a mean
+            that is gravity.
         """
-        channels = channels_of_traces(traces, unit, name)
+        channels = channels_of_traces(traces, unit, name, location)
         warn_of_vertical(channels, component)
-        return cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))
+        motion = cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))
+        return checked_record(motion, remove_mean=remove_mean)

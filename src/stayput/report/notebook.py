@@ -13,7 +13,6 @@ from stayput.errors import InputError
 from stayput.model.room import Room
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS
 from stayput.report.building import draw_modes
-from stayput.report.charts.chances import draw_ranking
 from stayput.report.figures import new_figure
 from stayput.report.fonts import with_fallback
 from stayput.report.fragility import draw_curve
@@ -27,6 +26,7 @@ from stayput.report.spectrum import draw_spectrum
 from stayput.report.suite import draw_suite, suite_title
 from stayput.report.summary import rows, sentence
 from stayput.report.verdict.numbers import NO_NUMBER
+from stayput.report.verdict.ranking import draw_ranking
 from stayput.verification.words import reason, title
 
 if TYPE_CHECKING:
@@ -105,7 +105,8 @@ def motion_html(motion: Motion) -> str:
         (say("notebook.step"), f"{motion.dt:g}"),
     ]
     if intensity:
-        table.append((say("notebook.intensity"), intensity))
+        label = "fragility.floor_jma" if motion.floor else "notebook.intensity"
+        table.append((say(label), intensity))
     return _shown(motion_label(motion), plot_motion(motion), table, heads)
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from stayput.model.room import Room
 
-STAND_IN = Body(width=0.4, height=1.8)
+STAND_IN = Body(width=0.4, height=1.8, mass=100.0)
 """What stands dashed in a room that is drawn without a piece."""
 
 _WALL = 0.04

@@ -9,6 +9,7 @@ import numpy as np
 
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.catalogue.names import ANY_PIECE, PIECES
+from stayput.report.history import history
 from stayput.report.names import motion_label, place_named
 from stayput.simulation.outcome import Event, EventKind, Outcome
 from stayput.wording import FAR, inside, with_aside
@@ -153,7 +154,7 @@ def summary(run: Run) -> dict[str, Any]:
     devices = [device_results(device) for device in run.devices]
     return {
         **results(run),
-        "end_time_s": number(float(run.time[-1])),
+        "end_time_s": history(run).end,
         "contact": run.contact,
         "gravity_m_s2": run.gravity,
         "motion": motion_data(run.motion),
@@ -171,6 +172,7 @@ def motion_data(motion: Motion) -> dict[str, Any]:
         "dt_s": motion.dt,
         "duration_s": number(motion.duration),
         "pga_m_s2": number(motion.pga),
+        "floor": motion.floor or None,
     }
 
 

@@ -451,8 +451,11 @@ class _Planner:
         return fix, tried.way, there
 
     def _enough_to(self, part: RoomPart, purchases: tuple[Purchase, ...], body: int) -> float | None:
-        """Return the JMA intensity, a class's middle, for which what is too weak here is strong enough."""
-        if all(one.enough for one in purchases):
+        """Return the JMA intensity, a class's middle, for which what is too weak here is strong enough.
+
+        The classes are the ground's: under motions of upper floors there is none.
+        """
+        if self.question.floors.floor or all(one.enough for one in purchases):
             return None
         measures = tuple(one.measure for one in purchases)
         now, threads = self.question.floors.median_intensity, self.question.threads

@@ -153,7 +153,7 @@ def too_weak(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | None:
         told.append(phrase("action_plan.weak_anywhere"))
     else:
         told.append(phrase("action_plan.weak_to", strength=class_phrase(fix.enough_to)))
-    weak = phrase("action_plan.weak", strength=class_phrase(plan.verdict.intensity))
+    weak = phrase("action_plan.weak", strength=class_phrase(plan.verdict.intensity, plan.verdict.floor))
     return weak, joined(told, "action_plan.next")
 
 

@@ -302,6 +302,7 @@ class RoomVerdict:
     slide_limit: float
     seed: int
     seconds: float
+    floor: str = ""
 
     def __repr__(self) -> str:
         chances = f"hit {self.hit.text}; shut in {self.shut_in.text}"

@@ -295,6 +295,7 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
         slide_limit=slide_limit,
         seed=scenario.uncertainty.seed,
         seconds=0.0,
+        floor=question.floors.floor,
     )
 
 

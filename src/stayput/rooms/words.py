@@ -137,7 +137,7 @@ def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
         return say("verification.no_run", language)
     stated = verdict.scenario.shaking.strength
     key = "rooms.strength_scattered" if stated is not None and stated.scatter else "rooms.strength"
-    strength = say(key, language, strength=shaking_phrase(verdict.scenario.shaking, verdict.intensity))
+    strength = say(key, language, strength=shaking_phrase(verdict))
     told = sentence_of([say(part, language) for part in _clauses(verdict)], language)
     return strength + (told[0].lower() + told[1:] if language == "en" else told)
 

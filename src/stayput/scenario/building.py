@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Self
+from typing import Annotated, Any, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, ModelWrapValidatorHandler, PrivateAttr, model_validator
 
 from stayput.building import STRUCTURES, Building, ShearModel
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
 from stayput.scenario.fields import Table, checked, each, named, of, one_of
-
-if TYPE_CHECKING:
-    from stayput.motion import Motion
 
 StructureName = Annotated[str, one_of(STRUCTURES, "structure"), named(STRUCTURES)]
 Masses = Annotated[
@@ -46,6 +43,34 @@ class BuildingTable(Table):
         default=None, description="Shear stiffness of the storey below each."
     )
 
+    _in_python: Building | ShearModel | None = PrivateAttr(default=None)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _of_python(cls, value: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        return cls.of(value) if isinstance(value, Building | ShearModel) else handler(value)
+
+    @classmethod
+    def of(cls, building: Building | ShearModel) -> Self:
+        """Return the table of a building, which makes it again; of one that no file can say, it is kept."""
+        fields: dict[str, Any] = {name: getattr(building, name, None) for name in cls.model_fields}
+        if isinstance(building, ShearModel):
+            fields = {name: [*getattr(building, name)] for name in ("masses", "stiffnesses", "damping")}
+            fields |= {
+                "damping": fields["damping"][0],
+                "vertical_amplification": building.vertical_amplification,
+            }
+        usual = {name: about.default for name, about in cls.model_fields.items()}
+        table = cls.model_validate({key: value for key, value in fields.items() if value != usual[key]})
+        if table.building() != building:
+            table._in_python = building
+        return table
+
+    @property
+    def in_python(self) -> Building | ShearModel | None:
+        """The building that was given as a Python object and that a file cannot say."""
+        return self._in_python
+
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         own = self.masses is not None or self.stiffnesses is not None
@@ -68,6 +93,8 @@ class BuildingTable(Table):
 
     def building(self) -> Building | ShearModel:
         """Make the building."""
+        if self._in_python is not None:
+            return self._in_python
         if self.masses is not None and self.stiffnesses is not None:
             return ShearModel(
                 self.masses,
@@ -82,12 +109,9 @@ class BuildingTable(Table):
     @property
     def yields(self) -> bool:
         """Whether the floors' motion does not scale with the ground's."""
-        return self.nonlinear and self.masses is None
+        building = self.building()
+        return building.yields if isinstance(building, ShearModel) else building.nonlinear
 
     def highest(self) -> int:
         """Return the number of the highest floor: the roof's."""
-        return 1 + (self.storeys if self.storeys is not None else len(self.masses or ()))
-
-    def floor_motion(self, ground: Motion, storey: int) -> Motion:
-        """Return the motion under the furniture of a storey."""
-        return self.building().floor_motion(ground, storey)
+        return 1 + self.building().storeys

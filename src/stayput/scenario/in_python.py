@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from stayput.building import Building, ShearModel
 from stayput.errors import InputError, instance_of, list_of, shown
 from stayput.measures import MEASURES, Measure
 from stayput.measures.measure import refuse_conflicts
@@ -37,6 +38,8 @@ def scenario_of(
     measures: MeasureSets | None = None,
     uncertainty: Uncertainty | None = None,
     *,
+    building: Building | ShearModel | None = None,
+    storey: int | None = None,
     tables: Mapping[str, Any] = MappingProxyType({}),
 ) -> Scenario:
     """Make a scenario of Python objects.
@@ -55,6 +58,10 @@ def scenario_of(
         are with none in it; the usual ones by default.
     uncertainty : Uncertainty, optional
         The quantities that are drawn, by the names of `stayput.uncertainty.USUAL`; all others are as stated.
+    building : Building or ShearModel, optional
+        What stands between the ground, of which the motions are then, and the body.
+    storey : int, optional
+        The storey where the body stands.
     tables : mapping
         Further tables and keys of a scenario file, such as ``{"uncertainty": {"samples": 100}}``.
 
@@ -69,9 +76,16 @@ def scenario_of(
         "furniture": _set_fields(instance_of("body", body, Body)),
         "room": _room_table(instance_of("room", room, Room)),
     }
+    stated: dict[str, Any] = {}
     if motions is None:
-        stated = {"intensity": shaking} if isinstance(shaking, str | float | int) else shaking
-        data["shaking"] = dict(cast("Mapping[str, Any]", stated))
+        given = {"intensity": shaking} if isinstance(shaking, str | float | int) else shaking
+        stated = dict(cast("Mapping[str, Any]", given))
+    for name, value, kind in (("building", building, (Building, ShearModel)), ("storey", storey, int)):
+        if value is not None:
+            if name in stated:
+                raise InputError("scenario.only_one", name, name=name, other=f"shaking.{name}")
+            stated[name] = instance_of(name, _plain(value), kind)
+    data["shaking"] = stated
     sets = named_sets(() if measures is None else measures)
     in_files = all(type(one) is MEASURES.get(one.kind) for named in sets for one in named.measures)
     if sets and in_files:

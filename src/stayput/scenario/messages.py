@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.errors import InputError, near_miss
-from stayput.vocabulary import also_called
+from stayput.vocabulary import also_called, listed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -153,7 +153,7 @@ def _in_words(kind: dict[str, Any], schema: dict[str, Any]) -> Phrase:
         value = repr(kind["const"])
         return value, value
     if "enum" in kind:
-        return phrase("scenario.one_of", names=", ".join(map(repr, kind["enum"])))
+        return phrase("scenario.one_of", names=listed(kind["enum"]))
     match kind.get("type"):
         case "integer":
             low, high = kind["minimum"], kind["maximum"]

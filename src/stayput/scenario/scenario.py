@@ -174,6 +174,8 @@ class Scenario(FromFile):
         """Yield what was given in Python and a file cannot say, as the ids of sentences."""
         if self.shaking.in_python is not None:
             yield "scenario.motions_in_python"
+        if self.shaking.building is not None and self.shaking.building.in_python is not None:
+            yield "scenario.building_in_python"
         if self._own_measures is not None:
             yield "scenario.measures_in_python"
         if self.uncertainty.quantities is not QUANTITIES:
@@ -203,6 +205,7 @@ class Scenario(FromFile):
             "folder": self._folder.resolve(),
             "file": self._file,
             "motions": self.shaking.in_python,
+            "building": self.shaking.building and self.shaking.building.in_python,
             "measures": self._own_measures,
             "quantities": None if quantities is QUANTITIES else Uncertainty(drawn),
         }
@@ -210,7 +213,10 @@ class Scenario(FromFile):
     @classmethod
     def of_kept(cls, parts: Mapping[str, Any]) -> Scenario:
         """Make a scenario of what `kept` returned."""
-        scenario = cls.parse(parts["data"], parts["folder"], parts["file"])
+        data = parts["data"]
+        if parts.get("building") is not None:
+            data = {**data, "shaking": {**data["shaking"], "building": parts["building"]}}
+        scenario = cls.parse(data, parts["folder"], parts["file"])
         if parts["measures"] is not None:
             scenario = scenario.with_measures(parts["measures"])
         changed: dict[str, Any] = {}

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Literal, Self, cast
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, sine
+from stayput.motion.channels import of_the_ground
 from stayput.motion.ground_shaking import (
     EARTHQUAKE_TERMS,
     EarthquakeSource,
@@ -23,6 +24,7 @@ from stayput.motion.ground_shaking import (
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
+from stayput.motion.readers.chosen import MOST_SKIPPED, OPTIONS, chosen_columns
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import (
@@ -42,6 +44,8 @@ from stayput.scenario.fields import (
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from stayput.motion.readers.chosen import ReadingOptions
 
 
 class SineTable(Table):
@@ -143,11 +147,30 @@ class ShakingTable(Table):
     component: Text | None = Field(
         default=None, description="Which of the record's horizontal channels is along the shaking."
     )
-    unit: Text | None = Field(
-        default=None, description="The record's unit, where its file does not state it."
-    )
+    unit: Text | None = Field(default=None, description="The unit of a record whose file does not state it.")
     dt: float | None = of(
-        sine, "dt", default=None, description="The record's time step, where its file does not state it."
+        sine, "dt", default=None, description="The time step of a record whose file does not state it."
+    )
+    remove_mean: bool = Field(
+        default=False,
+        description="Whether the mean of each component of a record is taken off: an instrument's offset, "
+        "or gravity in the vertical one.",
+    )
+    columns: Text | None = Field(
+        default=None,
+        description="Which columns of the record's file are the time and the components, by their headings "
+        "or their places: t=1,x=2,y=3,z=4.",
+    )
+    skip_lines: Annotated[int, between(0, MOST_SKIPPED)] | None = Field(
+        default=None, description="How many lines at the beginning of the record's file are passed over."
+    )
+    decimal_comma: bool = Field(
+        default=False, description="Whether the record's numbers have a comma in the place of the point."
+    )
+    location: Text | None = Field(
+        default=None,
+        description="Of a SAC or miniSEED record, the code of the sensor where a station has several; "
+        "-- of none.",
     )
     sine: SineTable | None = Field(default=None, description="A harmonic motion.")
     builtin: Literal["near-fault"] | None = Field(default=None, description="A built-in, synthetic motion.")
@@ -200,8 +223,9 @@ class ShakingTable(Table):
             first, second = (f"shaking.{key}" for key in given[:2])
             raise InputError("scenario.only_one", second, name=second, other=first)
         if self.record is None:
-            for key in ("component", "unit", "dt"):
-                if getattr(self, key) is not None and not isinstance(self.suite, str):
+            for key in ("component", "unit", *sorted(OPTIONS)):
+                said = getattr(self, key)
+                if said is not None and said is not False and not isinstance(self.suite, str):
                     name = f"shaking.{key}"
                     raise InputError("scenario.without_record", name, name=name)
             if self.across is not None:
@@ -209,6 +233,7 @@ class ShakingTable(Table):
             if isinstance(self.vertical, str):
                 value = repr(self.vertical)
                 raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
+        chosen_columns(self.columns, "shaking.columns")
         stated = [f"shaking.{key}" for key in STRENGTHS if getattr(self, key) is not None]
         if len(stated) > 1:
             raise InputError("scenario.only_one", stated[1], name=stated[1], other=stated[0])
@@ -282,8 +307,7 @@ class ShakingTable(Table):
         else:
             ground = Suite((self._ground(folder),))
         if self.building is not None and self.storey is not None:
-            floors = self.building.building().floor_motions(ground, [self.storey])
-            ground = Suite(tuple(floor for (floor,) in floors), ground.name)
+            ground = self.building.building().floor_motion(ground, self.storey)
         return Suite(tuple(self._with_vertical(motion) for motion in ground), ground.name)
 
     def ground(self, folder: Path) -> Suite:
@@ -295,10 +319,14 @@ class ShakingTable(Table):
         Raises
         ------
         InputError
-            A record cannot be read.
+            A record cannot be read, or is of an upper floor where the strength of the ground is stated, or
+            others are of the ground.
         """
         given = self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
         strength = self.strength
+        if strength is not None or not all(motion.floor for motion in given):
+            for motion in given:
+                of_the_ground(motion, "suite" if strength is None else "strength")
         if strength is None or strength.measure == "JMA":
             return given
         unit = (motion.scaled(1.0 / strength.peak(motion)) for motion in given)
@@ -345,7 +373,7 @@ class ShakingTable(Table):
 
     def _under_furniture(self, ground: Motion) -> Motion:
         if self.building is not None and self.storey is not None:
-            ground = self.building.floor_motion(ground, self.storey)
+            ground = self.building.building().floor_motion(ground, self.storey)
         return self._with_vertical(ground)
 
     def _with_vertical(self, motion: Motion) -> Motion:
@@ -355,7 +383,7 @@ class ShakingTable(Table):
         if self._in_python is not None:
             return self._in_python
         if isinstance(self.suite, str):
-            return read_suite(folder / self.suite, self.component, self.unit, dt=self.dt)
+            return read_suite(folder / self.suite, self.component, self.unit, **self._reading)
         return (self.suite or SuiteTable()).suite()
 
     def _member(self, folder: Path) -> Motion:
@@ -365,17 +393,22 @@ class ShakingTable(Table):
             raise InputError("scenario.member", "shaking.member", value=number, most=len(suite))
         return suite[number - 1]
 
+    @property
+    def _reading(self) -> ReadingOptions:
+        return cast("ReadingOptions", self.model_dump(include=OPTIONS, exclude_none=True))
+
     def _recorded(self, record: str, folder: Path) -> Motion:
-        motion = read_shaking(folder / record, self.component, self.unit, dt=self.dt)
-        if self.across is None and not isinstance(self.vertical, str):
+        several = self.across is not None or isinstance(self.vertical, str)
+        motion = read_shaking(folder / record, self.component, self.unit, several=several, **self._reading)
+        if not several:
             return motion
         _refuse_vertical(motion, "record", record)
         parts = {name: motion.component(name) for name in motion.components if name != "x"}
         if self.across is not None:
-            parts["y"] = read_shaking(folder / self.across, unit=self.unit, dt=self.dt)
+            parts["y"] = read_shaking(folder / self.across, unit=self.unit, several=True, **self._reading)
             _refuse_vertical(parts["y"], "across", self.across)
         if isinstance(self.vertical, str):
-            parts["z"] = read_vertical(folder / self.vertical, self.unit, dt=self.dt)
+            parts["z"] = read_vertical(folder / self.vertical, self.unit, several=True, **self._reading)
         return Motion.combine(motion, parts.get("y"), parts.get("z"), motion.name)
 
 

@@ -67,7 +67,7 @@ class FurnitureTable(Table):
             for key in ("width", "height", "mass"):
                 if getattr(self, key) is None:
                     name = f"furniture.{key}"
-                    raise InputError("scenario.no_preset", name, name=name)
+                    raise InputError("scenario.no_preset", name, name=name, preset="preset")
         if self.shelves is not None:
             for key in ("cg_offset", "inertia"):
                 if getattr(self, key) is not None:

@@ -99,7 +99,7 @@ def trace_boundary(
     --------
     >>> import stayput as sp
     >>> wave = sp.sine(amplitude=1.0, frequency=1.0, duration=1.0, quiet=8.0)  # one cycle, then rest
-    >>> case = sp.Case(sp.Body(0.4, 1.2), sp.Room(sp.Floor(3.0, 3.0)), wave)
+    >>> case = sp.Case(sp.Body(0.4, 1.2, 100.0), sp.Room(sp.Floor(3.0, 3.0)), wave)
     >>> sizes = {("body.width", "body.height"): ([0.2, 0.4, 0.8], [0.6, 1.2, 2.4])}
     >>> edges = sp.trace_boundary(case, [2.0, 3.0, 4.0, 5.0], sizes, edge="first")
     >>> edges.amplitude.round(2).values.tolist()  # of three bodies of one shape, the small one first [m/s²]

@@ -75,7 +75,7 @@ def simulate_many(
     >>> import pandas as pd
     >>> import stayput as sp
     >>> pieces = pd.DataFrame({"body.width": [0.5, 0.4, 0.3], "body.height": [0.7, 1.2, 1.8]})
-    >>> case = sp.Case(sp.Body(0.4, 1.8), sp.Room(), sp.near_fault())
+    >>> case = sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(), sp.near_fault())
     >>> results = pd.DataFrame(sp.simulate_many(case, pieces))  # a row for each piece
     >>> results[["overturned", "peak_slide", "floor_impacts"]].round(2)
        overturned  peak_slide  floor_impacts

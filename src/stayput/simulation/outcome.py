@@ -25,7 +25,7 @@ class Outcome(StrEnum):
     Examples
     --------
     >>> import stayput as sp
-    >>> body = sp.Body(width=0.4, height=1.8)
+    >>> body = sp.Body(width=0.4, height=1.8, mass=100.0)
     >>> for friction in (0.2, 0.5):  # each under a fifth, two fifths and the whole of a motion
     ...     room = sp.Room(sp.Floor(friction, friction))
     ...     runs = [sp.simulate(body, room, sp.near_fault().scaled(factor)) for factor in (0.2, 0.4, 1.0)]
@@ -49,7 +49,7 @@ class Mode(StrEnum):
     Examples
     --------
     >>> import stayput as sp
-    >>> run = sp.simulate(sp.Body(width=0.4, height=1.8), sp.Room(), sp.sine(4.0, 1.0, 2.0))
+    >>> run = sp.simulate(sp.Body(width=0.4, height=1.8, mass=100.0), sp.Room(), sp.sine(4.0, 1.0, 2.0))
     >>> for mode in (sp.Mode.REST, sp.Mode.ROCK):
     ...     print(f"{mode}: {(run.mode == mode).mean():.0%} of the time")
     rest: 5% of the time
@@ -71,7 +71,7 @@ class EventKind(StrEnum):
     Examples
     --------
     >>> import stayput as sp
-    >>> run = sp.simulate(sp.Body(0.4, 1.8), sp.Room(left_wall=sp.Wall(0.02)), sp.near_fault())
+    >>> run = sp.simulate(sp.Body(0.4, 1.8, 100.0), sp.Room(left_wall=sp.Wall(0.02)), sp.near_fault())
     >>> [str(event.kind) for event in run.events[:4]]
     ['uplift', 'floor impact', 'wall impact', 'floor impact']
     >>> next(round(event.time, 1) for event in run.events if event.kind is sp.EventKind.WALL_IMPACT)  # s

@@ -68,7 +68,7 @@ def overturning_map(
     --------
     >>> import stayput as sp
     >>> wave = sp.sine(9.81, 2.0, 0.5, quiet=10.0)
-    >>> case = sp.Case(sp.Body(0.4, 1.8), sp.Room(sp.Floor(3.0, 3.0)), wave)
+    >>> case = sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(sp.Floor(3.0, 3.0)), wave)
     >>> result = overturning_map(case, [0.4, 0.5, 1.2, 1.33, 1.4, 1.5])
     >>> result.overturned.values.tolist()
     [False, True, True, False, True, True]

@@ -11,6 +11,7 @@ from stayput.errors import InputWarning, warn, within
 from stayput.measures.measure import element_rows, hold
 from stayput.measures.results import device_results
 from stayput.model.gravity import GRAVITY
+from stayput.model.room import friction_factor
 from stayput.simulation.flat_fields import case_columns, room_row
 from stayput.simulation.placing import placed, planes_around
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
@@ -253,8 +254,9 @@ def _laws_under(body: Placed, room: Room, factor: float) -> FloorLaws:
     if body.held is None:
         return FloorLaws.of(room_row(room))
     own = body.held.room.floor
+    drawn = friction_factor(own, factor)
     changed = {
-        name: factor * value
+        name: drawn * value
         for name, value in ((field.name, getattr(own, field.name)) for field in fields(own))
         if name.endswith("friction") and value is not None and value != getattr(room.floor, name)
     }

@@ -80,7 +80,7 @@ def sweep(
     Examples
     --------
     >>> import stayput as sp
-    >>> case = sp.Case(sp.Body(0.4, 1.8), sp.Room(), sp.near_fault().component("x"))
+    >>> case = sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(), sp.near_fault().component("x"))
     >>> data = sp.sweep(case, {"body.width": [0.3, 0.4, 0.5], "motion.scale": [0.4, 0.6, 1.2]})
     >>> data.overturned.to_pandas()
     motion.scale    0.4    0.6   1.2

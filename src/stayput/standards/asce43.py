@@ -85,7 +85,8 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
     >>> estimate = sp.asce43_sliding(sp.near_fault(), friction=0.3)
     >>> round(estimate.frequency, 2), round(estimate.distance, 2)  # Hz, m
     (0.56, 0.4)
-    >>> run = sp.simulate(sp.Body(width=1.0, height=0.5), sp.Room(sp.Floor(0.3, 0.3)), sp.near_fault())
+    >>> low, floor = sp.Body(width=1.0, height=0.5, mass=100.0), sp.Floor(0.3, 0.3)
+    >>> run = sp.simulate(low, sp.Room(floor), sp.near_fault())
     >>> round(run.peak_slide, 2)  # simulated [m]
     0.17
     """

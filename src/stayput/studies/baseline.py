@@ -124,7 +124,7 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
     ground = synthetic_suite("mixed", count, seed)
     hazard_of = hazards(ground)
     pieces = {name: _body(name) for name in PIECES}
-    sizes = {one.name: Body(one.width, one.height) for one in LOSS_MODEL}
+    sizes = {one.name: Body(one.width, one.height, 100.0) for one in LOSS_MODEL}
     home = {name: _body(name) for name in AT_HOME}
     single = count * len(LEVELS)
     runs = single * len(pieces) * (1 + len(EFFECTS)) + single * each * (
@@ -211,7 +211,7 @@ def _dataset(
             "loss_model": ("published", [one.velocity for one in LOSS_MODEL], over),
             "formula": (
                 "published",
-                [kaneko_hayashi_velocity(one.width, one.height) for one in LOSS_MODEL],
+                [kaneko_hayashi_velocity(Body(one.width, one.height, 1.0)) for one in LOSS_MODEL],
                 over,
             ),
             "share": (

@@ -16,6 +16,7 @@ from scipy.special import ndtr
 
 from stayput.errors import whole_within, within
 from stayput.estimates import SCATTER, kaneko_hayashi_branch, kaneko_hayashi_median
+from stayput.model.body import Body
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, plain_log, style
 from stayput.report.palette import INK, MUTED
@@ -41,7 +42,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.model.body import Body
     from stayput.studies.capacity_runs import BodyCapacity, Shakings
 
 BAND = 0.2
@@ -178,9 +178,10 @@ def _claim(data: xr.Dataset) -> Claim:
 
 def _dataset(rows: list[SettingResult], bodies: dict[str, Body], factors: NDArray[np.float64]) -> xr.Dataset:
     """Return all results in one dataset."""
-    sizes = [(body.width, body.height) for body in bodies.values()]
     frequency = np.array([np.median(row.shakings.frequencies) for row in rows])
-    formula = np.array([[kaneko_hayashi_median(*size, float(fe)) for size in sizes] for fe in frequency])
+    formula = np.array(
+        [[kaneko_hayashi_median(body, float(fe)) for body in bodies.values()] for fe in frequency]
+    )
 
     def values_of(name: str) -> NDArray[np.float64]:
         return np.array([[getattr(capacity, name) for capacity in row.capacities] for row in rows])
@@ -207,11 +208,11 @@ def _dataset(rows: list[SettingResult], bodies: dict[str, Body], factors: NDArra
             "corner": ("run", [row.shakings.corner for row in rows], {"units": "s"}),
             "frequency": ("run", frequency, {"units": "Hz", "long_name": "median of Fe = A/(2 pi V)"}),
             "body": list(bodies),
-            "width": ("body", [width for width, _ in sizes], {"units": "m"}),
-            "height": ("body", [height for _, height in sizes], {"units": "m"}),
+            "width": ("body", [body.width for body in bodies.values()], {"units": "m"}),
+            "height": ("body", [body.height for body in bodies.values()], {"units": "m"}),
             "branch": (
                 "body",
-                [kaneko_hayashi_branch(*size) for size in sizes],
+                [kaneko_hayashi_branch(body) for body in bodies.values()],
                 {"units": "Hz", "long_name": "Fb, from which on the velocity counts"},
             ),
             "amplitude": ("amplitude", factors, {"long_name": "A/A50"}),
@@ -311,7 +312,7 @@ def draw_medians(data: xr.Dataset) -> Figure:
         colour, line, marker = LOOKS[place % len(LOOKS)]
         of_body = main.sel(body=size)
         b, h, fb = (float(of_body[name]) for name in ("width", "height", "branch"))
-        formula = np.array([kaneko_hayashi_median(b, h, float(f)) for f in over.tolist()])
+        formula = np.array([kaneko_hayashi_median(Body(b, h, 1.0), float(f)) for f in over.tolist()])
         floor = float(formula.min())
         median, error = _with_error(of_body)
         look = {"fmt": marker, "color": colour, "markersize": 6.0, "capsize": 2.5, "elinewidth": 1.0}

@@ -240,8 +240,7 @@ def overturning(body: Body, room: Room, shakings: Shakings, factors: NDArray[np.
         Amplitudes A/A₅₀, increasing.
     """
     pga, _ = shakings.peaks
-    size = body.width, body.height
-    formula = np.array([kaneko_hayashi_median(*size, float(fe)) for fe in shakings.frequencies])
+    formula = np.array([kaneko_hayashi_median(body, float(fe)) for fe in shakings.frequencies])
     shape = len(pga), len(factors)
     cases = np.repeat(case_columns(body, room, State(), STANDARD_GRAVITY), shape[0] * shape[1])
     cases["scale"] = np.outer(formula / pga, factors).ravel()

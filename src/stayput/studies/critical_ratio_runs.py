@@ -145,7 +145,7 @@ def critical_amplitudes(conditions: list[Conditions], step: float) -> pd.DataFra
     columns = {f"room.floor.{name}": table[column].to_numpy() for name, column in floor.items()}
     columns |= {"body.width": ratio * height, "body.height": height, "motion": motions}
     columns["contact"] = [row.contact for row in conditions]
-    case = Case(Body(0.4, 1.4), Room(Floor(STICKING, STICKING)), motions[0])
+    case = Case(Body(0.4, 1.4, 100.0), Room(Floor(STICKING, STICKING)), motions[0])
     unit = STANDARD_GRAVITY * ratio
     scales = np.arange(1.0, LARGEST + 0.5 * step, step)
     edges = first_overturning(case, columns, unit[:, None] * scales)

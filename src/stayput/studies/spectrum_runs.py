@@ -86,7 +86,7 @@ def _pulse_case(pulse: float, largest: float) -> Case:
     amplitude = PULSE_SLENDERNESS * STANDARD_GRAVITY
     motion = sine(amplitude, 1.0 / pulse, pulse, dt=pulse / 200.0, quiet=3.0 * largest)
     floor = replace(STICKING, restitution=PULSE_E / housner_ratio(PULSE_SLENDERNESS))
-    return Case(Body(0.4, 1.8), Room(floor), motion)
+    return Case(Body(0.4, 1.8, 100.0), Room(floor), motion)
 
 
 def record_spectrum(
@@ -102,7 +102,7 @@ def record_spectrum(
         raise InputError("studies.still", "motion", motion=motion.name)
     uplift = STANDARD_GRAVITY * np.tan(slenderness) / peak
     scales = log_steps(0.5 * float(uplift.min()), 10.0 * float(uplift.max()), step)
-    case = Case(Body(0.4, 1.8), Room(STICKING), motion.padded(after=QUIET))
+    case = Case(Body(0.4, 1.8, 100.0), Room(STICKING), motion.padded(after=QUIET))
     edges = _edges(case, scales, slenderness, period)
     own = sweep(case, _sizes(slenderness, period))
     for name in ("peak_tilt", "overturned"):

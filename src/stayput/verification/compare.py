@@ -12,6 +12,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
+from stayput.fragility.intensity_measures import FLOOR_JMA
 from stayput.measures import hold
 from stayput.measures.results import weakest
 from stayput.mechanics.devices.columns import HOLDS
@@ -126,6 +127,7 @@ def compare(
                 seconds=time.perf_counter() - began,
                 impossible=impossible,
                 complete=False,
+                floor=floors.floor,
             )
 
         def tell(outcomes: list[Runs], samples: int) -> None:
@@ -222,7 +224,10 @@ def _curves(name: str, falls: Falls, measures: list[FloorMotions]) -> dict[Inten
     return {
         im: fragility_curve(
             Trials.from_runs(
-                im, np.stack([floors.measures[im] for floors in measures]), falls.overturned, falls.missing
+                FLOOR_JMA if im == JMA_INTENSITY and measures[0].floor else im,
+                np.stack([floors.measures[im] for floors in measures]),
+                falls.overturned,
+                falls.missing,
             ),
             name=name,
         )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from stayput.errors import InputError, instance_of, list_of, within
-from stayput.fragility import INTENSITY_MEASURES, IntensityMeasure, intensity_measure
+from stayput.fragility import IntensityMeasure, intensity_measure
 from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
+    from stayput.building import Building, ShearModel
     from stayput.scenario.in_python import MeasureSets, StatedShaking
     from stayput.uncertainty import Uncertainty
     from stayput.verification.several_verdict import AssemblyVerdict
@@ -55,6 +56,8 @@ def verify(
     room: Room | None = ...,
     *,
     shaking: StatedShaking,
+    building: Building | ShearModel | None = ...,
+    storey: int | None = ...,
     measures: MeasureSets | None = ...,
     uncertainty: Uncertainty | None = ...,
     samples: int | None = ...,
@@ -99,6 +102,8 @@ def verify(
     room: Room | None = None,
     *,
     shaking: StatedShaking | None = None,
+    building: Building | ShearModel | None = None,
+    storey: int | None = None,
     measures: MeasureSets | None = None,
     uncertainty: Uncertainty | None = None,
     samples: int | None = None,
@@ -130,6 +135,10 @@ def verify(
     shaking : Motion, Suite, sequence of Motion, str, float or mapping
         How a body is shaken: by motions as they are; by the built-in suite to a JMA intensity of the ground
         or its class, "6-upper"; or as ``[shaking]`` of a scenario file says, ``{"pga": 4.0}``.
+    building : Building or ShearModel, optional
+        The building in which a body stands; the shaking is that of the ground below it.
+    storey : int, optional
+        The storey of the building where a body stands.
     measures : sequence or mapping, optional
         What a body or a case is compared with: each a `Measure`, of one's own as well, or several that are in
         place together; a mapping names them. With none in it only the furniture without measures is verified,
@@ -181,11 +190,19 @@ def verify(
     >>> verdict = sp.verify(bookcase, room, shaking="6-lower", measures=[brackets], samples=20, levels=[])
     >>> verdict.best.option.name
     'l_bracket'
+
+    Motions of the ground, and a building between it and the bookcase:
+
+    >>> tower, records = sp.Building(6, "RC"), [sp.near_fault(), sp.near_fault().scaled(0.5)]
+    >>> verdict = sp.verify(bookcase, room, shaking=records, building=tower, storey=5, samples=4, levels=[])
+    >>> verdict.motions
+    2
     """
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     settings = {"samples": samples, "seed": seed, "precision": precision}
     stated = {key: value for key, value in settings.items() if value is not None}
-    in_python = {"room": room, "shaking": shaking, "measures": measures, "uncertainty": uncertainty}
+    place: dict[str, Any] = {"building": building, "storey": storey}
+    in_python = {"room": room, "shaking": shaking, **place, "measures": measures, "uncertainty": uncertainty}
     if isinstance(what, str | PathLike):
         raise InputError("scenario.only_a_path", "what", value=repr(str(what)))
     given = instance_of("what", what, (Scenario, AssemblyScenario, Case, Body))
@@ -196,9 +213,11 @@ def verify(
         case Body():
             if shaking is None:
                 raise InputError("verification.no_shaking", "shaking")
-            scenario = scenario_of(given, room or Room(), shaking, measures, uncertainty, tables=tables)
+            scenario = scenario_of(
+                given, room or Room(), shaking, measures, uncertainty, **place, tables=tables
+            )
         case Case():
-            _refuse_beside(given, {key: in_python[key] for key in ("room", "shaking")})
+            _refuse_beside(given, {key: in_python[key] for key in ("room", "shaking", *place)})
             scenario = scenario_of_case(given, measures, uncertainty, tables=tables)
         case _:
             _refuse_beside(given, in_python | settings)
@@ -223,7 +242,7 @@ def verify(
 
 
 def _further(measures: Sequence[IntensityMeasure]) -> tuple[IntensityMeasure, ...]:
-    """Return those measures of intensity that are not among the usual ones.
+    """Return the measures of intensity that are wanted, each once.
 
     Raises
     ------
@@ -232,7 +251,7 @@ def _further(measures: Sequence[IntensityMeasure]) -> tuple[IntensityMeasure, ..
     """
     given = list_of("intensity_measures", measures, IntensityMeasure)
     known = (intensity_measure(one.key, "intensity_measures") for one in given)
-    return tuple(dict.fromkeys(one for one in known if one.key not in INTENSITY_MEASURES))
+    return tuple(dict.fromkeys(known))
 
 
 def _refuse_beside(what: Scenario | AssemblyScenario | Case, given: dict[str, Any]) -> None:

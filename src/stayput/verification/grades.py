@@ -16,6 +16,7 @@ from stayput.measures.parameters import GRADE_OF, Grade
 from stayput.measures.wall import WallDevice
 from stayput.model.furniture import FURNITURE
 from stayput.model.parameters import GIVEN, parameters
+from stayput.model.room import SURFACES
 from stayput.uncertainty import Confidence
 from stayput.wording import inside
 
@@ -162,7 +163,7 @@ def floor_tag(scenario: Scenario | AssemblyScenario) -> str:
     """Return the tag of the floor's friction."""
     table = scenario.room.floor
     surface = table if isinstance(table, str) else table.surface
-    return GIVEN if surface is None else Confidence.MEDIUM.value
+    return GIVEN if surface is None else SURFACES[surface].confidence.value
 
 
 def settlement_tag(scenario: Scenario | AssemblyScenario) -> str:

@@ -13,6 +13,7 @@ from stayput.fragility.probabilities import percent
 from stayput.measures.parameters import GRADE_OF, MEANINGS
 from stayput.model.parameters import parameters
 from stayput.montecarlo.counting import OVERTURNED
+from stayput.motion.channels import floor_phrase
 from stayput.verification.grades import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR
@@ -68,6 +69,7 @@ def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
     """
     return (
         *_strength(verdict),
+        *_floor(verdict),
         *_estimate(verdict),
         *_field(verdict),
         *_grade(graded, verdict),
@@ -82,6 +84,12 @@ def _strength(verdict: Verdict) -> Iterator[Phrase]:
     strength = verdict.scenario.shaking.strength
     if strength is not None and strength.scatter:
         yield phrase("verification.strength", strength=strength.told(verdict.motions))
+
+
+def _floor(verdict: Verdict) -> Iterator[Phrase]:
+    """Yield what the motions of an upper floor cannot say."""
+    if verdict.floor:
+        yield phrase("verification.of_a_floor", floor=floor_phrase(verdict.floor))
 
 
 def _engine(scenario: Scenario) -> Iterator[Phrase]:
@@ -105,7 +113,7 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
     if not math.isfinite(median):
         return
     body = verdict.scenario.furniture.body()
-    formula = kaneko_hayashi_velocity(body.width, body.height)
+    formula = kaneko_hayashi_velocity(body)
     low = LOSS_MODEL_RATIO * formula
     yield phrase(
         "verification.field",

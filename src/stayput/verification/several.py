@@ -106,6 +106,7 @@ def verify_several(
         seed=settings.seed,
         seconds=time.perf_counter() - began,
         rejected=rejected,
+        floor=floors.floor,
     )
 
 

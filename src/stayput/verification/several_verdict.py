@@ -121,6 +121,7 @@ class AssemblyVerdict:
     seed: int
     seconds: float
     rejected: tuple[RejectedOption, ...] = ()
+    floor: str = ""
 
     def __repr__(self) -> str:
         best, pieces = self.best, ", ".join(self.scenario.names)

@@ -11,6 +11,7 @@ from stayput.verification.several_options import label
 from stayput.verification.words import (
     ALIKE,
     SMALL,
+    doubt,
     falls_phrase,
     length,
     of_the_cases,
@@ -51,7 +52,7 @@ def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
     if math.isnan(share):
         return say("several.no_run", language)
     held = best.probabilities[OVERTURNED].estimate
-    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
+    strength = shaking_phrase(verdict)
     falls = falls_phrase(share)
     if best.option.count and held < share - SMALL:
         unclear = best.change is not None and not best.change.clear
@@ -68,7 +69,8 @@ def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
             chance=phrase("verification.may_be_chance") if unclear else "",
         )
     key = "several.stays_upright" if share < SMALL else "several.none_helps"
-    return say(key, language, strength=strength, falls=falls)
+    unsure = doubt(without.probabilities[OVERTURNED])
+    return say(key, language, strength=strength, falls=falls, doubt=unsure)
 
 
 def reason_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict, language: str) -> str:

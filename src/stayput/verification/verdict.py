@@ -107,8 +107,9 @@ class Estimates:
         Share that overturns by Kaneko and Hayashi, on average over the motions.
     equipment : tuple of EquipmentLoad
         Static loads of the Japanese guideline for building equipment where the piece stands, class by class.
-    shake_table : Ac156Estimate
-        The shake-table test of AC156 where the piece stands.
+        None under motions of upper floors: it goes by the storeys of the building, which are not known then.
+    shake_table : Ac156Estimate, optional
+        The shake-table test of AC156 where the piece stands; likewise.
     sliding : SlidingShare
         Sliding by the approximate method of ASCE 43.
     """
@@ -118,17 +119,16 @@ class Estimates:
     possible: float
     overturning_ratio: float
     equipment: tuple[EquipmentLoad, ...]
-    shake_table: Ac156Estimate
+    shake_table: Ac156Estimate | None
     sliding: SlidingShare
 
     @classmethod
     def of(cls, body: Body, floors: FloorMotions, scenario: Scenario, threads: int | None) -> Estimates:
         """Return the estimates of a scenario's body under the motions of a level."""
         gravity, shaking = scenario.gravity, scenario.shaking
-        b, h = body.width, body.height
         a, v = floors.measures[PFA], floors.measures[PFV]
-        a0, v0 = rocking_acceleration(b, h, gravity), ishiyama_velocity(b, h, gravity)
-        ratios = [kaneko_hayashi(b, h, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
+        a0, v0 = rocking_acceleration(body, gravity), ishiyama_velocity(body, gravity)
+        ratios = [kaneko_hayashi(body, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
         building = shaking.building
         storey, storeys = (1, 1) if building is None else (shaking.storey or 1, building.highest() - 1)
         return cls(
@@ -136,8 +136,8 @@ class Estimates:
             v0,
             float(np.mean((a >= a0) & (v >= v0))),
             float(np.mean(ratios)),
-            equipment_loads(body, position_of(storey, storeys), gravity=gravity),
-            Ac156Estimate.of(a0, (storey - 1) / storeys),
+            () if floors.floor else equipment_loads(body, position_of(storey, storeys), gravity=gravity),
+            None if floors.floor else Ac156Estimate.of(a0, (storey - 1) / storeys),
             SlidingShare.of(floors, scenario.room.room().floor.static_friction, gravity, threads),
         )
 
@@ -262,7 +262,7 @@ class Verdict(InJson):
     scenario : Scenario
         The scenario.
     intensity : float
-        JMA intensity of the ground.
+        JMA intensity of the ground; of motions of upper floors what its formula gives for them.
     slide_limit : float
         Slide that counts as too far [m].
     options : tuple of OptionVerdict
@@ -287,6 +287,8 @@ class Verdict(InJson):
         Options that cannot be put in place here, with the reason.
     complete : bool
         Whether it is final; else more samples or the curves are still to come.
+    floor : str
+        The upper floors that the motions were stated for; "" where they are of the ground.
 
     Examples
     --------
@@ -317,6 +319,7 @@ class Verdict(InJson):
     seconds: float
     impossible: tuple[Impossible, ...] = ()
     complete: bool = True
+    floor: str = ""
 
     def __repr__(self) -> str:
         ranked = ", ".join(
@@ -340,8 +343,8 @@ class Verdict(InJson):
         language : str
             Language of the texts, "en" or "ja".
         """
-        from stayput.report.charts.chances import draw_ranking
         from stayput.report.figures import axes_of, drawn
+        from stayput.report.verdict.ranking import draw_ranking
 
         axis = axes_of(ax)
         draw_ranking(axis, self, check_language(language))

@@ -12,13 +12,16 @@ from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, INTENSITIES
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
+from stayput.motion.channels import floor_phrase
 from stayput.motion.intensity import intensity_class
 from stayput.wording import FAR, inside, is_open, with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
-    from stayput.scenario.shaking import ShakingTable
+    from stayput.fragility import Probability
+    from stayput.rooms.verdict import RoomVerdict
     from stayput.verification.options import Option
+    from stayput.verification.several_verdict import AssemblyVerdict
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 ALIKE = 0.05
@@ -27,31 +30,32 @@ ALIKE = 0.05
 SMALL = 0.005
 """A share below this is not mentioned."""
 
+SAFE = 0.05
+"""A piece is called safe where the upper ends of the 95 % intervals of its risks are below this.
 
-def class_phrase(intensity: float) -> Phrase:
-    """Return the class of a JMA intensity."""
-    return INTENSITIES[intensity_class(intensity)]
-
-
-def shaking_phrase(shaking: ShakingTable, intensity: float) -> Phrase:
-    """Return how strong shaking is: its class, and what was stated where that is not the class itself.
-
-    Parameters
-    ----------
-    shaking : ShakingTable
-        What was stated.
-    intensity : float
-        Its JMA intensity; the median where it differs from motion to motion.
-    """
-    strength = shaking.strength
-    if strength is None or isinstance(shaking.intensity, str):
-        return class_phrase(intensity)
-    return phrase("ground_shaking.of_class", strength=class_phrase(intensity), stated=strength.brief)
+Seismic margins ask the same: high confidence (95 %) of a low probability of failure (5 %), HCLPF.
+"""
 
 
-def class_label(intensity: float, language: str) -> str:
-    """Return the class of a JMA intensity: "6-upper", or "震度6強"."""
-    return say(class_phrase(intensity), language)
+def class_phrase(intensity: float, floor: str = "") -> Phrase:
+    """Return the class of a JMA intensity; of an upper floor's motion also that it is not the place's."""
+    strength = INTENSITIES[intensity_class(intensity)]
+    if not floor:
+        return strength
+    return phrase("ground_shaking.of_floor", strength=strength, floor=floor_phrase(floor))
+
+
+def shaking_phrase(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> Phrase:
+    """Return how strong shaking is: its class, and what was stated where that is not the class itself."""
+    shaking, strength = verdict.scenario.shaking, class_phrase(verdict.intensity, verdict.floor)
+    if shaking.strength is None or isinstance(shaking.intensity, str):
+        return strength
+    return phrase("ground_shaking.of_class", strength=strength, stated=shaking.strength.brief)
+
+
+def class_label(intensity: float, language: str, floor: str = "") -> str:
+    """Return the class of a JMA intensity: "6-upper", or "震度6強"; see `class_phrase`."""
+    return say(class_phrase(intensity, floor), language)
 
 
 def share_text(share: float) -> Phrase:
@@ -67,6 +71,13 @@ def of_the_cases(share: float) -> str:
     """Return a share in English: "in 12 % of the cases", "in none of the cases"."""
     amount = {0.0: "none", 1.0: "all"}.get(share, share_text(share)[0])
     return f"in {amount} of the cases"
+
+
+def doubt(chance: Probability) -> Phrase | str:
+    """Return, behind a statement that something hardly happens, how often it may where runs are too few."""
+    if chance.high < SAFE:
+        return ""
+    return phrase("verification.not_ruled_out", share=share_text(chance.high))
 
 
 def falls_phrase(share: float) -> Phrase:
@@ -183,7 +194,7 @@ def _headline(verdict: Verdict) -> Phrase:
     share = without.probabilities[OVERTURNED].estimate
     if math.isnan(share):
         return phrase("verification.no_run_without_a_measure")
-    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
+    strength = shaking_phrase(verdict)
     falls = falls_phrase(share)
     if _helps(best, without):
         held = best.probabilities[OVERTURNED].estimate
@@ -202,7 +213,8 @@ def _headline(verdict: Verdict) -> Phrase:
         key = "verification.stays_upright"
     else:
         key = "verification.none_helps" if len(verdict.options) > 1 else "verification.bare_falls"
-    return phrase(key, strength=strength, name=name, falls=falls)
+    unsure = doubt(without.probabilities[OVERTURNED])
+    return phrase(key, strength=strength, name=name, falls=falls, doubt=unsure)
 
 
 def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:

@@ -43,10 +43,8 @@ const blob = async (path, query, content) =>
 export const ping = () => json("ping");
 export const presets = () => json("presets");
 export const words = (file) => json(`../../${file}`);
-export const simulate = (content, signal) =>
-  json("simulate", sent({ ...content, histories: "differences" }, signal));
+export const simulate = (content, signal) => json("simulate", sent(content, signal));
 export const shaking = (content, signal) => json("shaking", sent(content, signal));
-export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
 export const room = (content, signal) => json("room", sent(content, signal));
 export const job = (id, signal) => json(`jobs/${id}`, { signal });
@@ -57,10 +55,6 @@ export const toml = async (content) => (await ask("scenario/toml", sent(content)
 export const runAsCsv = async (content, which) =>
   (await ask(`simulate/csv?which=${which}`, sent(content))).text();
 export const film = (content, query) => blob("simulate/film", query, content);
-export const python = async (content) => (await ask("scenario/python", sent(content))).text();
-export const runFigure = (content, query) => blob("simulate/figure", query, content);
-export const mapFigure = (content, query) => blob("size-map/figure", query, content);
-export const jobFigure = (id, name, { kind, lang }) => blob(`jobs/${id}/figures/${name}.${kind}`, { lang });
 export const readScenario = (toml, name) => json("scenario/read", sent({ toml, name }));
 const chosen = (component) => (component ? `?component=${encodeURIComponent(component)}` : "");
 export const motion = (id, component) => json(`motions/${id}${chosen(component)}`);

@@ -1,6 +1,5 @@
-// What takes the server a while to draw, and programs: how a page says so, and how it hands them over.
+// What takes the server a while to draw, and how a page says so.
 
-import { offer } from "./dom.js";
 import { t } from "./words.js";
 
 /** How long the short films are [s]. */
@@ -32,15 +31,5 @@ export async function drawing(button, say, work) {
     drawn.delete(button);
     button.disabled = false;
     tell(usual);
-  }
-}
-
-/** Copies a program, or offers it as a file where the browser does not let the page copy. */
-export async function copyProgram(text, say) {
-  try {
-    await navigator.clipboard.writeText(text);
-    say(t("copiedPython"));
-  } catch {
-    offer(text, "scenario.py", "text/x-python");
   }
 }

@@ -2,7 +2,7 @@
 
 import * as api from "./api.js";
 import { copying, fill, offer, part } from "./dom.js";
-import { SECONDS, copyProgram, drawing, isDrawn, shortKind } from "./films.js";
+import { SECONDS, drawing, isDrawn, shortKind } from "./films.js";
 import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
 import { current, sampled } from "./scene.js";
@@ -52,12 +52,6 @@ export function wire(request) {
         "application/toml",
       ),
     ),
-  );
-  part("python").addEventListener(
-    "click",
-    attempt(async () => {
-      await copyProgram(await api.python(complete(request())), say);
-    }),
   );
   for (const which of ["without", "with"]) {
     part(`csv-${which}`).addEventListener(

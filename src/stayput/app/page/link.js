@@ -24,7 +24,7 @@ const NUMBERS = [
 const WHOLE = ["storeys", "storey", "member", "drawers"];
 const WORDS = ["wallConstruction", "ceilingConstruction"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
-const SAID = ["component", "unit", "dt"];
+const SAID = ["component", "unit", "dt", "remove_mean"];
 const FLAGS = ["inSpace", "wall", "scaled", "onFloor", "installed"];
 
 /** What a link says of a record: its id and name, what was said of it when it was sent, and itself where it is small. */

@@ -6,7 +6,6 @@ import * as everyday from "./everyday.js";
 import { beforeNextFrame } from "./canvas/clock.js";
 import { readInks } from "./canvas/pen.js";
 import { fill, part, settled } from "./dom.js";
-import * as figures from "./figures.js";
 import * as keep from "./keep.js";
 import { fromHash, toHash } from "./link.js";
 import * as measures from "./panel_measures.js";
@@ -30,10 +29,6 @@ const PANELS = [piece, room, building, shaking, measures, everyday];
 const SLOW = 400,
   PAUSE = 1500,
   BUSY = [429, 503];
-const FIGURES = {
-  histories: () => shown && ((query) => api.runFigure(shown.asked, query)),
-  ...understand.figures,
-};
 let presets = null,
   shown = null,
   waiting = null,
@@ -62,8 +57,7 @@ async function simulate() {
   const scene = current(),
     file = pieces.shownName();
   try {
-    const asked = request();
-    shown = { result: shake(pieces.answer() ?? (await api.simulate(asked))), scene, file, asked };
+    shown = { result: shake(pieces.answer() ?? (await api.simulate(request()))), scene, file };
     tellProblem(null);
     display();
   } catch (error) {
@@ -166,8 +160,7 @@ function again() {
   readInks();
   build();
   upload.again();
-  understand.again(presets);
-  figures.build(FIGURES);
+  understand.again();
   see.again(presets);
   if (shown) display();
   keep.update(measures.inPlace(current()).length > 0);
@@ -235,8 +228,7 @@ async function begin() {
   build();
   see.name(presets);
   keep.films(presets.films);
-  figures.build(FIGURES);
-  understand.build(presets, request);
+  understand.build(request);
   watch((keys) => {
     if (!taking) pieces.leave(); // what is set is set for the page's own piece
     edit(keys);

@@ -1,9 +1,7 @@
-// "Understand it": verdict, curve, ranking, the other floor and the map, asked for once the scene has
-// settled.
+// "Understand it": verdict, curve and ranking, asked for once the scene has settled.
 
 import * as api from "./api.js";
 import { patiently } from "./connection.js";
-import { oneOf } from "./controls.js";
 import { el, fill, part, settled } from "./dom.js";
 import * as estimates from "./estimates.js";
 import * as everyday from "./everyday.js";
@@ -13,17 +11,15 @@ import * as ranking from "./ranking.js";
 import { recalled, remember } from "./memory.js";
 import { worded } from "./refusals.js";
 import { change, sampled } from "./scene.js";
-import * as sizemap from "./sizemap.js";
 import { line } from "./verification.js";
 import * as verdict from "./verdict.js";
-import * as whatif from "./whatif.js";
 import { number, perCent, t } from "./words.js";
 
 const SETTLED = 900,
   SOON = 150,
   MARGINS = ["everyday", "everyday-cases"],
   FIRST = [...MARGINS, "estimates"],
-  REST = ["ranking", "fragility", "map"];
+  REST = ["ranking", "fragility"];
 const jobs = line(),
   curving = line();
 let question = null,
@@ -31,18 +27,12 @@ let question = null,
   problem = null,
   result = null,
   base = null,
-  map = null,
-  mapAsked = null, // what it was asked with
-  flight = null,
   asking = null,
-  round = 0,
-  mapped = "without";
+  round = 0;
 
 /** Builds the questions; "request" gives the scene and its measures. */
-export function build(presets, request) {
+export function build(request) {
   question = request;
-  whatif.build(presets, elsewhere);
-  choose();
   part("cancel").addEventListener("click", () => {
     stop();
     state("cancelled");
@@ -59,7 +49,6 @@ export function build(presets, request) {
   });
   const charts = settled(120, () => {
     if (result) showCurves();
-    if (map) showMap();
   });
   for (const name of ["resize", "shown"]) addEventListener(name, charts);
 }
@@ -110,15 +99,13 @@ const soon = settled(SETTLED, () => work());
 
 function stop() {
   round += 1;
-  flight?.abort();
   jobs.stop();
   curving.stop();
-  whatif.stop();
 }
 
 const samples = () => Number(part("samples").value);
 
-/** First the chances of what is looked at, then what helps; at last what nobody has asked for yet. */
+/** First the chances of what is looked at, then what helps. */
 async function work() {
   stop();
   const mine = round,
@@ -153,8 +140,6 @@ async function work() {
     keep.point(job.id);
     date(["ranking", "fragility"], false);
     display();
-    elsewhere();
-    drawMap();
   } catch (error) {
     if (mine !== round) return;
     problem = error;
@@ -168,49 +153,6 @@ function early(known) {
   part("ranking-rough").textContent = t("rankingRough", { runs: number(known.motions * known.samples) });
   ranking.show(known, takeMeasures);
   date(["ranking"], false);
-}
-
-/** Lets the reader choose whether the map is of the piece without measures or with them. */
-function choose() {
-  const which = oneOf({
-    label: t("mapWhich"),
-    options: ["without", "with"].map((id) => ({ id, label: t(id) })),
-    changed: (id) => {
-      mapped = id;
-      drawMap();
-    },
-  });
-  which.set(mapped);
-  fill(part("map-which"), which.element);
-}
-
-async function drawMap() {
-  const mine = round,
-    { scene, measures } = question();
-  flight?.abort();
-  part("map-which").hidden = inSpace(scene);
-  if (inSpace(scene)) {
-    map = null;
-    date(["map"], false);
-    fill(part("map"), el("p", { class: "hint", text: t("mapInSpace") }));
-    return;
-  }
-  date(["map"], true);
-  const own = (flight = new AbortController());
-  try {
-    const content = { scene, measures: mapped === "with" ? measures : [] };
-    const answer = await patiently(
-      () => api.sizeMap(content, own.signal),
-      () => mine === round && own === flight,
-    );
-    if (!answer || mine !== round || own !== flight) return;
-    map = answer;
-    mapAsked = content;
-    date(["map"], false);
-    showMap();
-  } catch (error) {
-    if (error.name !== "AbortError" && mine === round) fill(part("map"), worded(error));
-  }
 }
 
 const showCurves = () => fragility.show(curved ?? result, askCurves);
@@ -232,12 +174,6 @@ async function askCurves() {
   }
 }
 
-const showMap = () => sizemap.show(map);
-
-function elsewhere() {
-  if (base) whatif.ask(base, question().measures, samples());
-}
-
 const takeMeasures = (chosen) =>
   change({ measures: Object.fromEntries(chosen.map(({ type, ...values }) => [type, values])) });
 
@@ -247,30 +183,14 @@ function display() {
   ranking.show(result, takeMeasures);
 }
 
-/** What fetches a chart of the verdict or the map that is shown, by its name; null where it is not there. */
-export const figures = {
-  tens: () => ofJob("tens", jobShown()),
-  ranking: () => ofJob("ranking", jobShown()),
-  fragility: () => ofJob("fragility", curved?.job ?? (result?.options.some((one) => one.curve) ? jobShown() : null)),
-  size_map: () => {
-    const asked = part("map").dataset.old === "false" && map ? mapAsked : null;
-    return asked && ((query) => api.mapFigure(asked, query));
-  },
-};
-const jobShown = () => (part("understand").dataset.state === "done" ? part("understand").dataset.job : null);
-const ofJob = (name, job) => job && ((query) => api.jobFigure(job, name, query));
-
 /** Writes the words again, for another language. */
-export function again(presets) {
-  whatif.build(presets, elsewhere);
-  choose();
+export function again() {
   if (result) display();
   if (base) {
     verdict.show(base);
     everyday.show(base);
     estimates.show(base);
   }
-  if (map) showMap();
   state(part("understand").dataset.state);
   if (part("understand").dataset.state === "done") keep.point(part("understand").dataset.job);
 }

@@ -10,13 +10,14 @@ import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { spoken, t } from "./words.js";
 
-const UNITS = ["m/s²", "cm/s²", "gal", "mm/s²", "g"];
+const UNITS = ["m/s²", "cm/s²", "gal", "mm/s²", "g", "%g", "mg", "in/s²", "ft/s²"];
 const LONGEST = 4096; // letters of a record in a link, with those of its vertical component
 const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,
   preview = null,
   trouble = null,
-  shown = null; // the record that stands there
+  shown = null, // the record that stands there
+  latest = null; // the file that was sent last, which may be sent again without its mean
 
 /** Whether a dropped file is a scenario, by its name. */
 const isScenario = ({ name }) => /\.toml$/i.test(name);
@@ -55,6 +56,7 @@ async function send(file, said) {
   try {
     const motion = await api.upload(file, said, waiting.signal);
     const letters = await lettersOf(file);
+    latest = { id: motion.id, file, said };
     trouble = null;
     if (vertical(motion)) tell(() => offering(motion, file));
     else use(motion, letters);
@@ -89,19 +91,16 @@ function asking(file, said, { field, perhaps, also }) {
     );
   const dt = () => el("input", { id: "step", type: "number", step: "any" });
   const component = () => el("input", { id: "component", type: "text" });
-  const ways = { unit, dt, component };
+  const remove_mean = () => el("input", { id: "mean", type: "checkbox", checked: true, value: "true" });
+  const ways = { unit, dt, component, remove_mean };
   if (!ways[field]) return null;
   const fields = [field, ...also].map((name) => [name, ways[name]()]);
-  const values = () => Object.fromEntries(fields.map(([name, one]) => [name, one.value.trim()]));
+  const values = () => Object.fromEntries(fields.map(([name, one]) => [name, one.type === "checkbox" && !one.checked ? "" : one.value.trim()]));
   return el(
     "div",
     { class: "row" },
     ...fields.flatMap(([name, one]) => [el("label", { for: one.id, text: t(`file_${name}`) }), one]),
-    el("button", {
-      type: "button",
-      text: t("sendAgain"),
-      onclick: () => send(file, { ...said, ...values() }),
-    }),
+    el("button", { type: "button", text: t("sendAgain"), onclick: () => send(file, { ...said, ...values() }) }),
   );
 }
 
@@ -120,10 +119,10 @@ export const takeAgain = ({ record: { vertical: up, ...record }, ...scene }) =>
   takeLinked({ ...linkedOf(record), vertical: up && linkedOf(up) }, scene);
 
 /** A record as a link has it. */
-const linkedOf = ({ id, name, shaking: { component, unit, dt }, letters }) => ({
+const linkedOf = ({ id, name, shaking: { component, unit, dt, remove_mean }, letters }) => ({
   id,
   name,
-  said: { component, unit, dt },
+  said: { component, unit, dt, remove_mean },
   letters,
 });
 
@@ -241,11 +240,17 @@ function verticalOf({ vertical: up, motion: { channels: all = [], components } }
   return name ? el("p", { text: t("withVertical", { name }) }) : [];
 }
 
-/** What the server has to say of the record. */
-const warnings = ({ warnings: all }) =>
-  (all ?? []).map((one) =>
+/** What the server has to say of the record, with a button that sends it again less its mean where that would help. */
+const warnings = ({ id, warnings: all }) =>
+  (all ?? []).flatMap((one) => [
     el("p", { class: "refusal", text: spoken() === "ja" ? (one.message_ja ?? one.message) : one.message }),
-  );
+    ...(one.field === "remove_mean" && latest?.id === id ? [lessItsMean()] : []),
+  ]);
+
+const lessItsMean = () => {
+  const onclick = () => send(latest.file, { ...latest.said, remove_mean: "true" });
+  return el("button", { type: "button", text: t("file_remove_mean"), onclick });
+};
 
 /** Shows the record in use, if there is one; what was wrong with another file goes with the next change. */
 export function update() {

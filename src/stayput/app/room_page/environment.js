@@ -6,7 +6,8 @@ import * as fields from "../scene.js";
 import * as upload from "../upload.js";
 import * as room from "./room.js";
 
-const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "builtin", "suite", "member"],
+const READING = ["component", "unit", "dt", "columns", "skip_lines", "decimal_comma", "location", "remove_mean"],
+  MOTIONS = ["record", ...READING, "vertical", "sine", "builtin", "suite", "member"],
   WAYS = ["pga", "pgv", "sa", "mmi", "earthquake"],
   STRENGTHS = ["intensity", "scale", ...WAYS];
 let presets = null,
@@ -66,14 +67,14 @@ function waveOf(id) {
 }
 
 async function fetchRecord(shaking) {
-  const { component, unit, dt } = shaking,
+  const { component, unit, dt, remove_mean } = shaking,
     ids = recordsIn(shaking),
     [id, up] = ids,
     [wave, upWave] = ids.map(waveOf);
   wanted = id;
   try {
-    const motion = await upload.motionOf({ id, said: { component, unit, dt }, ...wave }),
-      above = up && (await upload.motionOf({ id: up, said: { unit, dt }, ...upWave }));
+    const motion = await upload.motionOf({ id, said: { component, unit, dt, remove_mean }, ...wave }),
+      above = up && (await upload.motionOf({ id: up, said: { unit, dt, remove_mean }, ...upWave }));
     if (room.current().shaking?.record !== id) return;
     if (motion.id !== id || (up && above.id !== up)) {
       waves.set(motion.id, wave);

@@ -3,8 +3,7 @@
 import * as api from "../api.js";
 import { patiently } from "../connection.js";
 import { copying, fill, offer, part } from "../dom.js";
-import { build as keepFigures } from "../figures.js";
-import { SECONDS, copyProgram, drawing, shortKind } from "../films.js";
+import { SECONDS, drawing, shortKind } from "../films.js";
 import { utf8 } from "../packing.js";
 import { worded, wordedOfScenario } from "../refusals.js";
 import { spoken, t } from "../words.js";
@@ -16,17 +15,6 @@ let newest = 0,
   job = null;
 
 const say = (...content) => fill(part("kept"), content);
-
-/** What fetches the charts of the verdict; null where it is not there yet. */
-const figures = Object.fromEntries(
-  ["room_plan", "room_hits", "room_changes"].map((name) => [
-    name,
-    () => {
-      const mine = job;
-      return mine && ((query) => api.jobFigure(mine, name, query));
-    },
-  ]),
-);
 
 /** Wires the buttons; "opened" is called after a file has become the room, "kinds" are films that the server can make. */
 export function wire(opened, kinds) {
@@ -43,14 +31,6 @@ export function wire(opened, kinds) {
       const text = await api.toml({ scene: room.current(), measures: [] });
       offer(text, `${room.current().title || "room"}.toml`, "application/toml");
       say();
-    } catch (error) {
-      say(...worded(error));
-    }
-  });
-  const asked = () => ({ scene: room.current(), measures: [] });
-  part("python").addEventListener("click", async () => {
-    try {
-      await copyProgram(await api.python(asked()), say);
     } catch (error) {
       say(...worded(error));
     }
@@ -91,11 +71,8 @@ export async function open(file, tell, opened) {
   }
 }
 
-/** Builds the charts' buttons, and writes the links anew; called again for another language. */
-export function build() {
-  keepFigures(figures);
-  point(job);
-}
+/** Writes the links anew, for another language. */
+export const build = () => point(job);
 
 /** Points the links of the verdict at a finished job, or at nothing. */
 export function point(finished) {

@@ -11,7 +11,6 @@ import * as transport from "../transport.js";
 import { both, length, number, percent, t } from "../words.js";
 import { kindName } from "./kinds.js";
 import * as room from "./room.js";
-import * as sound from "./sound.js";
 
 const SETTLED = 600, // after the last change [ms]
   SLOW = 400;
@@ -47,15 +46,12 @@ export function again(presets) {
   outcomes = Object.fromEntries(presets.outcomes.map((one) => [one.id, both(one.label)]));
   transport.again();
   stages.build();
-  sound.build();
   if (shown) display();
   tell();
 }
 
 function draw(now) {
-  if (!shown) return;
-  stages.draw(0, now);
-  sound.follow(now, clock.playing);
+  if (shown) stages.draw(0, now);
 }
 
 const soon = settled(SETTLED, () => work());
@@ -176,7 +172,6 @@ function display() {
     [run] = result.runs,
     { end } = shownSpan(result);
   stages.show([run.scene]);
-  sound.take(run, result.floor);
   part("summary").textContent = strengthOf(result.motion);
   part("space").setAttribute("aria-label", both(run.sentence));
   fill(

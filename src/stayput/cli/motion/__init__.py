@@ -5,19 +5,13 @@ from __future__ import annotations
 import typer
 
 from stayput.cli.as_typed import FlagCommand
-from stayput.cli.help import HelpfulCommand, HelpfulGroup
+from stayput.cli.help import HelpfulGroup
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.motion import record, suite
 
 app = typer.Typer(cls=HelpfulGroup, help="cli_help.motion", no_args_is_help=True, rich_markup_mode=None)
-for name, run, kind in (
-    ("info", record.info, FlagCommand),
-    ("plot", record.plot, FlagCommand),
-    ("spectrum", record.spectrum, FlagCommand),
-    ("convert", record.convert, FlagCommand),
-    ("suite", suite.suite, HelpfulCommand),
-):
-    app.command(name, cls=kind, help=f"cli_help.{name}")(run)
+for run in (record.info, record.plot, record.spectrum, record.convert, suite.suite):
+    app.command(run.__name__, cls=FlagCommand, help=f"cli_help.{run.__name__}")(run)
 
 
 @app.callback()

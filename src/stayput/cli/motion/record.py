@@ -10,14 +10,13 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.flags import (
-    ComponentOption,
+    FlagValues,
     MotionArgument,
     QuietOption,
-    TimeStepOption,
-    UnitOption,
     intensity_value,
     motion_of,
     one_of_two,
+    reads_records,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import folded, note, print_json, tell_written
@@ -36,14 +35,14 @@ TABLE_PERIODS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10
 """Periods of the table that is printed [s]."""
 
 
+@reads_records
 def info(
     motion: MotionArgument = None,
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
@@ -51,7 +50,7 @@ def info(
     """Run ``stayput motion info``."""
     from stayput.motion.measures import Intensities, SpectralMeasures
 
-    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, reading=reading)
     intensities = Intensities.of(record)
     rows = {name: (peaks, SpectralMeasures.of(record, name)) for name, peaks in record.peaks().items()}
     if json:
@@ -76,10 +75,11 @@ def _info_record(
         "samples": len(motion),
         "duration_s": motion.duration,
         "jma_intensity": _number(intensities.intensity),
-        "jma_class": intensities.intensity_class,
+        "jma_class": None if motion.floor else intensities.intensity_class,
         "long_period_sva_m_s": intensities.long_period_response,
-        "long_period_class": intensities.long_period_class,
-        "modified_mercalli": intensities.mercalli,
+        "long_period_class": None if motion.floor else intensities.long_period_class,
+        "modified_mercalli": _number(intensities.mercalli),
+        "floor": motion.floor or None,
         "components": {
             name: {
                 "pga_m_s2": peaks.pga,
@@ -110,6 +110,7 @@ def _print_info(
     from rich.table import Table
 
     from stayput.catalogue.names import INTENSITIES
+    from stayput.motion.channels import floor_phrase
     from stayput.report.names import given_name, motion_label
 
     console = Console(highlight=False, markup=False)
@@ -117,10 +118,10 @@ def _print_info(
     console.print(given_name(motion.source, lang))
     console.print(say("cli.samples", lang, count=len(motion), dt=motion.dt, duration=motion.duration))
     strong = say(
-        "cli.intensities",
+        "cli.intensities_of_floor" if motion.floor else "cli.intensities",
         lang,
         intensity=intensities.published,
-        name=INTENSITIES[intensities.intensity_class],
+        name=floor_phrase(motion.floor) if motion.floor else INTENSITIES[intensities.intensity_class],
         long_period=intensities.long_period_class,
         sva=100.0 * intensities.long_period_response,
         mmi=intensities.mercalli,
@@ -165,15 +166,15 @@ def _warn_of_drift(motion: Motion) -> None:
             warn(InputWarning("motion.drifts", "motion", component=name, pgd=pgd, corrected=corrected))
 
 
+@reads_records
 def plot(
     motion: MotionArgument = None,
     out: Annotated[Path | None, typer.Argument(metavar="OUT", help="cli_help.picture")] = None,
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
@@ -183,7 +184,7 @@ def plot(
     motion, out = _motion_and_output(motion, out, x)
     check_target(out, PLOT_SUFFIXES)
     check_apart((out,), _inputs(motion, x, y, z))
-    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, reading=reading)
 
     from stayput.report.names import motion_label
     from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
@@ -193,14 +194,14 @@ def plot(
     tell_written(lang, out)
 
 
+@reads_records
 def spectrum(
     motion: MotionArgument = None,
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
     out: Annotated[
         Path | None,
@@ -221,7 +222,7 @@ def spectrum(
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
     check_apart((out, plot), _inputs(motion, x, y, z))
-    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, reading=reading)
     instead = to_output({"--out": out})
 
     def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
@@ -273,6 +274,7 @@ def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: s
     console.print(table)
 
 
+@reads_records
 def convert(
     motion: MotionArgument = None,
     out: Annotated[
@@ -282,9 +284,8 @@ def convert(
     x: XOption = None,
     y: YOption = None,
     z: ZOption = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     only: Annotated[str | None, typer.Option(metavar="x|y|z", help="cli_help.only")] = None,
     step: Annotated[float | None, typer.Option(help="cli_help.step")] = None,
     scale: Annotated[float | None, typer.Option(help="cli_help.factor")] = None,
@@ -303,7 +304,7 @@ def convert(
     ending = _ending(out, form)
     if scale is not None and intensity is not None:
         raise one_of_two("--scale", f"{scale:g}", "--intensity", repr(intensity))
-    record = _read(motion, x, y=y, z=z, component=component, unit=unit, dt=dt)
+    record = _read(motion, x, y=y, z=z, reading=reading)
     if intensity is not None:
         record = record.to_intensity(intensity_value(intensity))
     if scale is not None:
@@ -352,9 +353,7 @@ def _read(
     *,
     y: str | None,
     z: str | None,
-    component: str | None,
-    unit: str | None,
-    dt: float | None,
+    reading: FlagValues,
 ) -> Motion:
     """Return the motion of the argument or of ``--x``; see `motion_of`.
 
@@ -366,4 +365,4 @@ def _read(
     given, named = along(motion, x, "MOTION")
     if given is None:
         raise InputError("cli.no_motion", "MOTION", name="MOTION")
-    return motion_of(given, named, y=y, z=z, component=component, unit=unit, dt=dt)
+    return motion_of(given, named, y=y, z=z, reading=reading)

@@ -10,13 +10,12 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.completion import families, intensity_classes, words
 from stayput.cli.flags import (
-    ComponentOption,
+    FlagValues,
     QuietOption,
-    TimeStepOption,
-    UnitOption,
     band_of,
     intensity_value,
     one_of_two,
+    reads_records,
     target_of,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
@@ -38,11 +37,13 @@ COLUMNS = (
     "pga_m_s2",
     "pgv_m_s",
     "d5_95_s",
+    "floor",
     "source",
 )
 """Columns of the suite's table."""
 
 
+@reads_records
 def suite(
     out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.suite_out")],
     family: Annotated[
@@ -55,9 +56,8 @@ def suite(
     count: Annotated[int, typer.Option(help="cli_help.count")] = 40,
     seed: Annotated[int, typer.Option(help="cli_help.seed")] = 1,
     records: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.records")] = None,
-    component: ComponentOption = None,
-    unit: UnitOption = None,
-    dt: TimeStepOption = None,
+    *,
+    reading: FlagValues,
     target: Annotated[
         str | None,
         typer.Option(help="cli_help.target"),
@@ -97,10 +97,7 @@ def suite(
 
     from stayput.motion.suites import read_suite, synthetic_suite
 
-    if records is not None:
-        motions = read_suite(records, component, unit, dt=dt)
-    else:
-        motions = synthetic_suite(family, count, seed)
+    motions = synthetic_suite(family, count, seed) if records is None else read_suite(records, **reading)
     if wanted is not None:
         if select is not None:
             motions = motions.selected(wanted, select, periods)
@@ -145,7 +142,9 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
             file = f"{i:0{len(str(len(motions)))}d}-{name_part(motion.name, 'motion')}.csv"
             motion.write(folder / file)
             names = file, text_cell(motion.name)
-            rows.writerow([*names, motion.synthetic, *_numbers(motion), text_cell(motion.source)])
+            rows.writerow(
+                [*names, motion.synthetic, *_numbers(motion), motion.floor, text_cell(motion.source)]
+            )
             advance(1)
         (unfinished / "suite.csv").write_text(table.getvalue(), encoding=CSV_ENCODING)
         title = suite_title(motions, lang)

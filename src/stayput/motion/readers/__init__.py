@@ -7,11 +7,22 @@ returns the file's channels in m/s². To add a format, write such a module and l
 from __future__ import annotations
 
 import re
+from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Unpack
 
-from stayput.errors import InputError, InputWarning, warn, warnings_to, within
+from stayput.errors import (
+    InputError,
+    InputWarning,
+    instance_of,
+    warn,
+    warnings_to,
+    whole_within,
+    within,
+)
+from stayput.motion.baseline import checked_record
 from stayput.motion.channels import (
     is_vertical,
     labels_phrase,
@@ -21,14 +32,17 @@ from stayput.motion.channels import (
     warn_of_vertical,
 )
 from stayput.motion.processing import STEP_RANGE
-from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer
+from stayput.motion.readers import columns as of_columns
+from stayput.motion.readers import cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram
+from stayput.motion.readers.chosen import MOST_SKIPPED, ReadingOptions, chosen_columns
+from stayput.motion.readers.others import other_format
 from stayput.motion.readers.text import check_end, file_text
 from stayput.motion.record import Motion
 from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Generator, Mapping, Sequence
 
     from stayput.motion.channels import Channel
 
@@ -53,7 +67,15 @@ class Reader(Protocol):
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
-READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns)
+_STATED_OTHERWISE = (
+    "motion.another_unit",
+    "motion.column_another_unit",
+    "motion.another_time_step",
+    "motion.time_column_step",
+)
+"""Refusals of a unit or a time step that is not the one that the file states."""
+
+READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, of_columns)
 """The readers, in the order in which they are asked whether a file is theirs.
 
 Any file may have lines of bare numbers, so columns come last; the others' first lines exclude one another.
@@ -64,13 +86,13 @@ def read_motion(
     path: str | os.PathLike[str],
     component: str | None = None,
     unit: str | None = None,
-    *,
-    dt: float | None = None,
+    **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a record in any of the formats of `READERS`, recognised by its content.
 
-    Nothing is guessed and nothing is corrected: samples are as in the file, in m/s². Only a K-NET record
-    has its offset taken off, as its own header's peak does, and a channel that points down is turned up.
+    Nothing is guessed, and nothing is corrected that is not asked for: samples are as in the file, in m/s².
+    Only a K-NET record has its offset taken off, as its own header's peak does, and a channel that points
+    down is turned up.
 
     Parameters
     ----------
@@ -82,22 +104,37 @@ def read_motion(
         vertical one z. PEER and K-NET files hold one channel each: see `Motion.combine`. A vertical one alone
         is named ("channel 1"), else it is warned of.
     unit : str, optional
-        Unit of the numbers ("m/s²", "cm/s²", "gal", "mm/s²", "g"): required where the file does not
-        state it, and refused where it contradicts the file.
+        Unit of the numbers ("m/s²", "cm/s²", "gal", "mm/s²", "g", "%g", "mg", "in/s²", "ft/s²"): required
+        where the file states none that is known, and refused where it contradicts the file.
     dt : float, optional
         Time step [s]: likewise.
+    columns : str or mapping, optional
+        Of columns of numbers, which are the time and the components, by their headings or their places:
+        "t=time,x=acc_2,z=4" or ``{"t": 1, "x": 3}``; the others are not read. Without t, ``dt`` is given.
+    skip_lines : int
+        How many lines at the beginning of the file are passed over.
+    decimal_comma : bool
+        Whether the numbers have a comma in the place of the point.
+    location : str, optional
+        Of SAC and miniSEED, the code of the sensor where a station has several; "--" of none.
+    remove_mean : bool
+        Whether the mean of each component is taken off, as for a record with an offset, or with gravity in
+        its vertical component. The motion's source says what was taken off.
 
     Raises
     ------
     InputError
-        The file cannot be read, is damaged or contradicts itself, or lacks its unit or time step.
+        The file cannot be read, is damaged or contradicts itself, or lacks its unit or time step; the mean
+        of a component is gravity.
 
     Warns
     -----
     InputWarning
         It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
         file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
-        floor, channels seem to be missing.
+        floor, channels seem to be missing, columns of other quantities are left out, the sensor is in a
+        borehole; a component has an offset (see `stayput.motion.baseline.oscillates_about_offset`), or the
+        time step is longer than 0.1 s.
 
     Examples
     --------
@@ -106,14 +143,7 @@ def read_motion(
     >>> sp.read_motion(path).pga
     4.0
     """
-
-    def asked(channels: Sequence[Channel]) -> str | None:
-        warn_of_vertical(channels, component)
-        if component is None:
-            _warn_of_name(path, channels)
-        return component
-
-    return _read(path, asked, unit, dt)
+    return motion_of([read_file(path, unit, **options)], along(component, warn_of_vertical))
 
 
 def read_shaking(
@@ -121,51 +151,77 @@ def read_shaking(
     component: str | None = None,
     unit: str | None = None,
     *,
-    dt: float | None = None,
+    several: bool = False,
+    **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a record that shakes furniture sideways: a vertical channel is not taken for a horizontal one.
 
     Parameters
     ----------
-    path, component, unit, dt
+    path, component, unit, options
         As for `read_motion`.
+    several : bool
+        Whether the file is one of several: ``unit`` and ``dt`` are for those that do not state their own.
 
     Raises
     ------
     InputError
         Likewise; or ``component`` names a vertical channel of a file that has horizontal ones.
     """
-
-    def asked(channels: Sequence[Channel]) -> str | None:
-        refuse_vertical(channels, component)
-        if component is None:
-            _warn_of_name(path, channels)
-        return component
-
-    return _read(path, asked, unit, dt)
+    file = read_file(path, unit, several=several, **options)
+    return motion_of([file], along(component, refuse_vertical))
 
 
 def read_vertical(
-    path: str | os.PathLike[str], unit: str | None = None, *, dt: float | None = None
+    path: str | os.PathLike[str],
+    unit: str | None = None,
+    *,
+    several: bool = False,
+    **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a file's vertical channel, or its only one where its direction is not stated, as x of a motion.
 
     Parameters
     ----------
-    path, unit, dt
-        As for `read_motion`.
+    path, unit, several, options
+        As for `read_shaking`.
 
     Raises
     ------
     InputError
         Likewise; or there is no vertical channel, or more than one.
     """
-    return _read(path, _vertical_of, unit, dt)
+    return motion_of([read_file(path, unit, several=several, **options)], _vertical_of)
+
+
+def along(
+    component: str | None, look_at: Callable[[Sequence[Channel], str | None], None]
+) -> Callable[[Sequence[Channel]], str | None]:
+    """Return what names the channel along the shaking, for `motion_of`.
+
+    Parameters
+    ----------
+    component : str, optional
+        The channel; None where it is not said.
+    look_at : callable
+        Refuses a vertical one, or warns of it.
+    """
+
+    def named(channels: Sequence[Channel]) -> str | None:
+        if component is not None and channels[0].role:
+            about: dict[str, Any] = {"name": "component", "other": "columns", "component": component}
+            raise InputError("motion.component_and_columns", "component", **about)
+        look_at(channels, component)
+        return component
+
+    return named
 
 
 def _vertical_of(channels: Sequence[Channel]) -> str:
-    upright = [i for i, channel in enumerate(channels, start=1) if is_vertical(channel.label)]
-    if len(channels) == 1 and not channels[0].label:
+    upright = [
+        i for i, channel in enumerate(channels, 1) if channel.role == "z" or is_vertical(channel.label)
+    ]
+    if len(channels) == 1 and (channels[0].role or not channels[0].label):
         upright = [1]
     if len(upright) != 1:
         labels = labels_phrase([channel.label for channel in channels])
@@ -175,38 +231,159 @@ def _vertical_of(channels: Sequence[Channel]) -> str:
 
 def _warn_of_name(path: str | os.PathLike[str], channels: Sequence[Channel]) -> None:
     """Warn of a file whose name alone says that its one channel is vertical."""
-    ending = re.search(r"(?<=[-_. ])[A-Za-z]{1,4}$", Path(path).stem)
+    ending = re.search(r"(?<=[-_. ])[A-Za-z]{1,4}[0-9]{0,2}$|(?:UP|VER|DWN)$", Path(path).stem)
     if len(channels) == 1 and not channels[0].label and ending and is_vertical(ending[0]):
         warn(InputWarning("motion.vertical_by_name", "component", ending=ending[0]))
 
 
-def _read(
+class ReadFile(NamedTuple):
+    """A file of a record.
+
+    Attributes
+    ----------
+    path : Path
+        Where it is.
+    form : str
+        Name of its format.
+    channels : list of Channel
+        What it holds.
+    warnings : list of InputWarning
+        What is doubtful about it.
+    synthetic : bool
+        Whether it says that it was computed.
+    remove_mean : bool
+        Whether the mean is taken off each component of the motion that is made of it.
+    """
+
+    path: Path
+    form: str
+    channels: list[Channel]
+    warnings: list[InputWarning]
+    synthetic: bool
+    remove_mean: bool
+
+    @contextmanager
+    def naming(self) -> Generator[None]:
+        """Refuse with the file's name, and keep the warnings until a motion is made of it."""
+        title = f"{self.path.name} ({self.form})"
+        try:
+            with warnings_to(lambda warning: self.warnings.append(warning.at(title))):
+                yield
+        except InputError as error:
+            raise error.at(title) from None
+
+
+def read_file(
     path: str | os.PathLike[str],
-    choose: Callable[[Sequence[Channel]], str | None],
-    unit: str | None,
-    dt: float | None,
-) -> Motion:
+    unit: str | None = None,
+    *,
+    dt: float | None = None,
+    columns: str | Mapping[str, str | int] | None = None,
+    skip_lines: int = 0,
+    decimal_comma: bool = False,
+    location: str | None = None,
+    remove_mean: bool = False,
+    several: bool = False,
+) -> ReadFile:
+    """Read a file's channels; arguments and errors as for `read_shaking`."""
+    comma = instance_of("decimal_comma", decimal_comma, bool)
+    skipped = whole_within("skip_lines", skip_lines, 0, MOST_SKIPPED, field="skip_lines")
+    chosen = chosen_columns(columns)
     if unit is not None:
         unit_factor(unit)
     if dt is not None:
         within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
-    text = file_text(path)
-    reader = next((reader for reader in READERS if reader.recognise(text)), None)
-    if reader is None:
-        formats = ", ".join(r.FORMAT for r in READERS)
-        raise InputError("motion.unknown_format", path=str(path), formats=formats)
-    title = f"{Path(path).name} ({reader.FORMAT})"
-    warnings: list[InputWarning] = []
+    if location is not None:
+        instance_of("location", location, str)
+    binary = seismogram.format_of(path)
+    text = "" if binary is not None else file_text(path)
+    other = None
+    synthetic = "synthetic" in text[:_HEAD].lower()
+    if binary is not None:
+        form = seismogram.FORMATS[binary]
+        read = partial(seismogram.read, path, binary, location=location)
+        unused = {"columns": chosen, "skip_lines": skipped, "decimal_comma": comma}
+    else:
+        text = _without_lines(text, skipped)
+        text = text.replace(",", ".") if comma else text
+        reader = of_columns if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
+        other = other_format(text) if reader in (None, of_columns) and not chosen else None
+        if reader is None:
+            raise _not_read(path, other)
+        form, unused = reader.FORMAT, {"location": location}
+        read = partial(of_columns.read, chosen=chosen) if chosen else reader.read
+        read = partial(read, text)
+    file = ReadFile(Path(path), form, [], [], synthetic, remove_mean)
     try:
-        with warnings_to(warnings.append):
+        with file.naming():
+            for name in (name for name, value in unused.items() if value):
+                raise InputError("motion.not_of_format", name, name=name, format=form)
             check_end(text)
-            channels = reader.read(text, unit, dt)
-            fields = motion_fields(channels, choose(channels), reader.FORMAT, name=Path(path).stem)
-            motion = Motion(**fields)
+            file.channels.extend(_channels(read, unit, dt, several))
     except InputError as error:
-        raise error.at(title) from None
-    if motion.floor:
-        warnings.append(upper_floor_warning(motion.floor))
-    for warning in warnings:
-        warn(warning.at(title))
-    return replace(motion, synthetic="synthetic" in text[:_HEAD].lower())
+        if other and error.field is None:
+            raise _not_read(path, other) from None
+        raise
+    return file
+
+
+def _channels(
+    read: Callable[[str | None, float | None], list[Channel]],
+    unit: str | None,
+    dt: float | None,
+    several: bool,
+) -> list[Channel]:
+    """Return the channels; of several files one that states another unit or time step keeps its own."""
+    try:
+        return read(unit, dt)
+    except InputError as error:
+        if not several or error.code not in _STATED_OTHERWISE:
+            raise
+        unit, dt = (None, dt) if error.field == "unit" else (unit, None)
+        return _channels(read, unit, dt, several)
+
+
+def _not_read(path: str | os.PathLike[str], other: str | None) -> InputError:
+    """Return the refusal of a file in a format that is known but not read, or in none that is known."""
+    read = (reader for reader in (*READERS, seismogram) if not (other and reader is of_columns))
+    formats = ", ".join(reader.FORMAT for reader in read)
+    if other:
+        return InputError("motion.other_format", path=str(path), format=other, formats=formats)
+    return InputError("motion.unknown_format", path=str(path), formats=formats)
+
+
+def _without_lines(text: str, count: int) -> str:
+    lines = text.split("\n", count)
+    if len(lines) <= count or not lines[-1].strip():
+        raise InputError("motion.all_skipped", "skip_lines", name="skip_lines", count=count)
+    return lines[-1]
+
+
+def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], str | None]) -> Motion:
+    """Return the motion that the channels of files make, which belong to one record.
+
+    Parameters
+    ----------
+    files : sequence of ReadFile
+        The files.
+    choose : callable
+        Returns which channel becomes x, or None where it is not said.
+
+    Raises
+    ------
+    InputError
+        As for `motion_fields`.
+    """
+    first = files[0]
+    channels = [channel for file in files for channel in file.channels]
+    with first.naming():
+        component = choose(channels)
+        if component is None and len(files) == 1:
+            _warn_of_name(first.path, channels)
+        motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
+        motion = checked_record(motion, remove_mean=first.remove_mean)
+        if motion.floor:
+            warn(upper_floor_warning(motion.floor))
+    for warning in (warning for file in files for warning in file.warnings):
+        warn(warning)
+    return replace(motion, synthetic=any(file.synthetic for file in files))

@@ -1,10 +1,13 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
-One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z. Lines that begin
-with "#", "%" or "//" are comments. One line of headings may stand above the numbers: the column that is
-headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A comment that says
-"unit: m/s²" states the unit, and each heading that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the
-caller must do it otherwise.
+One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z; or ``columns``
+says which are these. Velocities and displacements, by their headings, are left out beside accelerations.
+Lines that begin with "#", "%", "//" or "!" are comments. Titles, a line of headings and a row of units may
+stand above the numbers: the column that is headed "time" or "t" is the time, in s or "[ms]"; without such
+a heading the first is, unless it counts the samples, 1, 2, 3, …: then ``dt`` must be given. A comment may
+state the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each heading states that of its
+column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise. Above one column the number
+of samples and the time step may stand: "4000 0.02".
 """
 
 from __future__ import annotations
@@ -13,23 +16,36 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, without_control
-from stayput.motion.channels import Channel
-from stayput.motion.readers.fields import Numbers
+import numpy as np
+
+from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
+from stayput.motion.channels import Channel, is_direction, labels_phrase
+from stayput.motion.readers.chosen import places_of
+from stayput.motion.readers.fields import Numbers, check_count, numbers
 from stayput.motion.readers.header import regular_step, stated_unit, time_step
-from stayput.motion.readers.headings import are_headings, column_factors, read_headings, split
+from stayput.motion.readers.headings import (
+    Headings,
+    column_factors,
+    is_time,
+    is_title,
+    other_quantities,
+    read_headings,
+    split,
+    units_in,
+)
 from stayput.motion.readers.text import chunks
 
 if TYPE_CHECKING:
-    import numpy as np
+    from collections.abc import Mapping, Sequence
+
     from numpy.typing import NDArray
 
 FORMAT = "columns of numbers"
 
-_COMMENT = ("#", "%", "//")
-_STARTS = re.compile(r"[+\-]?\.?[0-9]")
+_COMMENT = ("#", "%", "//", "!")
+_STARTS = re.compile(r"[\"']?[+\-]?\.?[0-9]")
 _LABELS = {1: [""], 2: ["", ""], 4: ["t", "x", "y", "z"]}
-_HEAD = 20_000  # characters at the beginning in which comments and names are looked for
+_HEAD = 20_000  # characters at the beginning in which comments and titles are looked for
 
 
 @dataclass
@@ -39,89 +55,184 @@ class _Head:
     Attributes
     ----------
     comments : list of str
-        Its comments.
-    content : list of str
-        Its first two lines that are neither comments nor blank.
+        Its comments, without their marks.
+    titles : list of str
+        The lines of words above the numbers.
+    rows : list of str
+        The first two lines of numbers.
     """
 
     comments: list[str] = field(default_factory=list[str])
-    content: list[str] = field(default_factory=list[str])
+    titles: list[str] = field(default_factory=list[str])
+    rows: list[str] = field(default_factory=list[str])
+
+    def states_count(self) -> bool:
+        """Return whether the number of samples and the time step stand above one column."""
+        first, second = [*map(split, self.rows), [], []][:2]
+        return (
+            len(first) == 2 and len(second) == 1 and any(len(text) > 1 and text.isdecimal() for text in first)
+        )
 
 
-def _head(text: str) -> _Head:
+def _head(text: str, *, chosen: bool = False) -> _Head:
+    """Return the beginning of a file; where columns are chosen their headings may be any text."""
     head = _Head()
     for line in map(str.strip, without_control(text[:_HEAD]).split("\n")):
         if line.startswith(_COMMENT):
-            head.comments.append(line)
-        elif line and len(head.content) < 2:
-            head.content.append(line)
+            head.comments.append(line.lstrip("#%/! "))
+        elif line and not head.rows and (is_title(line) or (chosen and not _STARTS.match(line))):
+            head.titles.append(line)
+        elif line and len(head.rows) < 2:
+            head.rows.append(line)
     return head
 
 
 def recognise(text: str) -> bool:
-    """Return whether the first line, or the one below a line of names, begins with a number."""
-    return any(_STARTS.match(line) for line in _head(text).content)
+    """Return whether numbers follow the comments, the titles and the headings."""
+    return any(_STARTS.match(line) for line in _head(text).rows)
 
 
-def _table(text: str, named: bool) -> NDArray[np.float64]:
-    """Return the numbers, shape (rows, columns); the first line is passed over where it has the names."""
+def _fields(line: str, *, chosen: bool) -> list[str]:
+    """Return the fields of a line; where columns are chosen those between tabs may have blanks."""
+    if chosen and "\t" in line:
+        return [value.strip() for value in line.split("\t")]
+    return split(line)
+
+
+def _table(text: str, skipped: int, places: Sequence[int], *, chosen: bool) -> NDArray[np.float64]:
+    """Return the numbers of the columns at some places, shape (rows, columns), below so many lines."""
     table, count, row = Numbers("the_numbers"), 0, 0
     for chunk in chunks(text):
         tokens: list[str] = []
         for line in map(str.strip, chunk.split("\n")):
-            if not line or (line if line.isascii() else without_control(line)).startswith(_COMMENT):
+            seen = line if line.isascii() else without_control(line).strip()
+            if not seen or seen.startswith(_COMMENT):
                 continue
-            if named:
-                named = False
+            if skipped:
+                skipped -= 1
                 continue
-            values = split(line)
+            values = _fields(line, chosen=chosen)
             row, count = row + 1, count or len(values)
-            if count not in _LABELS:
-                raise InputError("motion.column_count", columns=count)
+            as_they_stand = places == range(count)
             if len(values) != count:
                 raise InputError("motion.column_row", row=row, count=len(values), columns=count)
-            tokens += values
+            tokens += values if as_they_stand else [values[place] for place in places]
         table.add(tokens)
     if not count:
         raise InputError("motion.column_no_rows")
-    return table.array().reshape(-1, count)
+    return table.array().reshape(-1, len(places))
 
 
-def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
-    """Return the channels: one, or three.
+def read(
+    text: str, unit: str | None, dt: float | None, chosen: Mapping[str, str] | None = None
+) -> list[Channel]:
+    """Return the channels: one, or three; or those that are chosen.
+
+    Parameters
+    ----------
+    text, unit, dt
+        As for every reader.
+    chosen : mapping of str to str, optional
+        Which columns to take; see `chosen_columns`. The others may hold anything.
 
     Raises
     ------
     InputError
         No unit or time step, another number of columns, an incomplete row, irregular sampling.
     """
-    head = _head(text)
-    named = bool(head.content) and are_headings(head.content[0])
-    above = head.comments + head.content[:1] if named else head.comments
-    table = _table(text, named)
-    count = table.shape[1]
-    line = above[-1].lstrip("#%/ ") if above else ""
-    headings = read_headings(line, count, None if named else "".join(head.content[:1]))
-    stated = next(filter(None, map(stated_unit, head.comments)), None)
-    place = " ".join(above)
-    step_missing = count == 1 and dt is None
-    factors = column_factors(headings, count, stated, unit, "\n".join(above), step_missing=step_missing)
+    chosen = chosen or {}
+    head = _head(text, chosen=bool(chosen))
+    if not head.rows:
+        raise InputError("motion.column_no_rows")
+    head.titles[:], skipped = [line for line in head.titles if any(map(str.isalnum, line))], len(head.titles)
+    counted = not chosen and head.states_count()
+    places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, counted)
+    table = _table(text, skipped + counted, places, chosen=bool(chosen))
+    above = head.comments + head.titles
+    timeless = "t" not in chosen if chosen else len(places) == 1
+    # The headings of chosen columns begin with one of the time, whether the file has that or not.
+    shift = 1 if chosen and timeless else 0
+    factors = column_factors(
+        headings,
+        len(places) + shift,
+        next(filter(None, map(stated_unit, above)), None),
+        unit,
+        "\n".join(above),
+        step_missing=timeless and dt is None and not counted,
+    )[shift:]
     if len(table) < 2:
         raise InputError("motion.column_one_row")
-    if count == 1:
+    time = None if timeless else headings.time or 0
+    if time is not None:
+        times = headings.time_factor * table[:, time]
+        counts = times[0].is_integer() and np.array_equal(times, times[0] + np.arange(len(times)))
+        if counts and not (headings.texts and is_time(headings.texts[time])):
+            if dt is None:
+                raise InputError("motion.time_counts", "dt", first=times[0], second=times[1], option="dt")
+            times = dt * times
+        step = regular_step(times)
+        # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
+        if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
+            raise InputError("motion.time_column_step", "dt", given=dt, step=step)
+        step = time_step(step if dt is None else dt, None)
+    elif counted:
+        stated, size = sorted(numbers(split(head.rows[0]), "the_line_before_the_samples").tolist())
+        check_count(len(table), size)
+        step = time_step(stated, dt)
+    else:
         # Some files begin with the number of samples: nearly as large as the number of lines, and no sample.
         if len(table) > 10 and 1 <= len(table) - table[0, 0] <= 2:
             raise InputError("motion.column_count_first", number=float(table[0, 0]))
-        return [Channel("", factors[0] * table[:, 0], time_step(None, dt), location=place)]
-    labels = headings.names or _LABELS[count]
-    time = headings.time or 0
-    step = regular_step(headings.time_factor * table[:, time])
-    # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
-    if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
-        raise InputError("motion.time_column_step", "dt", given=dt, step=step)
-    step = time_step(step if dt is None else dt, None)
+        step = time_step(None, dt)
+    if chosen:
+        labels = headings.names[shift:] or [""] * len(places)
+    elif timeless:
+        labels = [next(filter(is_direction, headings.names), "")]
+    else:
+        labels = headings.names or _LABELS[len(places)]
+    roles = list(chosen)
     return [
-        Channel(label, factors[i] * table[:, i], step, location=place)
+        Channel(
+            label,
+            factors[i] * table[:, i],
+            step,
+            location=" ".join(above),
+            role=roles[i] if chosen else "",
+            note=f", column {places[i] + 1}" if chosen else "",
+        )
         for i, label in enumerate(labels)
         if i != time
     ]
+
+
+def _chosen_columns(head: _Head, chosen: Mapping[str, str]) -> tuple[Sequence[int], Headings]:
+    """Return the places of the columns that the caller chooses, and what their headings say."""
+    count = len(_fields(head.rows[0], chosen=True))
+    above = [*head.comments, *head.titles]
+    rows = [fields for line in above if len(fields := _fields(line, chosen=True)) == count]
+    units = units_in(above[-1]) if len(rows) > 1 else []
+    written = rows[-2 if units else -1] if rows else []
+    places = places_of(chosen, written, count)
+    with_units = [f"{t} [{u}]" for t, u in zip(written, units, strict=True)] if units else written
+    # Where no column is the time, one more heading stands for it.
+    texts = [*(["t"] if "t" not in chosen else []), *(with_units[place] for place in places if written)]
+    headings = read_headings(["".join(f"{text};" for text in texts)], [], len({"t", *chosen}), "")
+    if headings.time:
+        raise InputError("motion.column_no_time", column=excerpt(headings.texts[0]))
+    return places, headings
+
+
+def _usual_columns(head: _Head, counted: bool) -> tuple[Sequence[int], Headings]:
+    """Return the places of the time and the accelerations, and what the headings say."""
+    count = 1 if counted else len(split(head.rows[0]))
+    places: Sequence[int] = range(count)
+    headings = read_headings(head.titles, head.comments, count, head.rows[0])
+    if others := other_quantities(headings):
+        left_out = labels_phrase(headings.texts[place] for place in others)
+        warn(InputWarning("motion.columns_left_out", "columns", columns=left_out))
+        places = [place for place in places if place not in others]
+        headings = headings.at(places)
+    of_directions = all(is_direction(name) for i, name in enumerate(headings.names) if i != headings.time)
+    if len(places) not in _LABELS and not (headings.names and of_directions):
+        raise InputError("motion.column_count", columns=len(places), option="columns")
+    return places, headings

@@ -29,15 +29,21 @@ _VALUES = re.compile(
     re.IGNORECASE,
 )
 _COMMENTS = re.compile(r"([0-9]{1,6}) Comment line\(?s?\)? follow", re.IGNORECASE)
-_COUNT = re.compile(r"([0-9]{1,9}) ([a-z][a-z ]{0,30}?) (?:pts|points)\b", re.IGNORECASE)
+_KIND = (
+    r"(?:(?:raw|unc?orr?(?:ected)?\.?|corr?(?:ected)?\.?) )?(accel|veloc|displ)(?:\.|eration|ity|acement)?"
+)
+_COUNT = re.compile(rf"([0-9]{{1,9}}) {_KIND} (?:pts|points)\b", re.IGNORECASE)
 _UNITS = re.compile(r"units ?= ?([^,(]{1,20})", re.IGNORECASE)
 _FORMAT = re.compile(r"Format ?= ?\( ?([0-9]{0,3})[FEIG]([0-9]{1,2})", re.IGNORECASE)
+_KINDS = {"accel": "acceleration", "veloc": "velocity", "displ": "displacement"}
 _LASTS = re.compile(r"\bapprox ([0-9]{1,9}) secs?\b", re.IGNORECASE)
 _UNKNOWN = re.compile(r"unknown/unspecified: ?(-?[0-9]{1,9})\b", re.IGNORECASE)
 _LABEL = re.compile(
-    r"Chan[^:]{0,12}: ?([0-9]{1,3}(?= ?Deg)|Up|Down|Vert|[NEZVH][A-Z0-9\-]{0,3}\b)", re.IGNORECASE
+    r"Chan[^:]{0,12}: ?([0-9]{1,3}(?= ?Deg)|Up|Down|Vert|[NEZVHU][A-Z0-9\-]{0,4}\b)", re.IGNORECASE
 )
-_END = re.compile(r"End-of-data for Chan ?([^ ]{1,8}) ([a-z]+)", re.IGNORECASE)
+_END = re.compile(
+    rf"(?:/& ?-* ?)?End[- ]of[- ]data for chan(?:nel)? ?([^ ]{{1,8}})(?:$| -+| {_KIND}(?: |$))", re.IGNORECASE
+)
 
 
 def _plain(line: str) -> str:
@@ -89,7 +95,7 @@ class _Lines:
     def until_end(self) -> Iterator[str]:
         """Yield the lines up to one that ends a block of samples, or to the end of the file."""
         line = self.line
-        while line is not None and not (line.startswith(("E", "e")) and _END.match(_plain(line))):
+        while line is not None and not (line.startswith(("E", "e", "/&")) and _END.match(_plain(line))):
             yield line
             line = next(self._rest, None)
         self.line = line
@@ -140,22 +146,23 @@ def _channel(header: _Header, rest: _Lines, unit: str | None, dt: float | None) 
     count, layout, units = _COUNT.match(line), _FORMAT.search(line), _UNITS.search(line)
     if count is None or layout is None:
         raise InputError("motion.cosmos_no_layout", line=excerpt(announced))
-    kind, points, width = count[2].strip().lower(), int(count[1]), int(layout[2])
+    kind, points, width = count[2].lower(), int(count[1]), int(layout[2])
     if points < 1 or int(layout[1] or 1) < 1 or width < 1:
         raise InputError("motion.no_samples_announced", line=excerpt(announced))
     block = FixedBlock("the_samples", width)
     for sample_line in rest.until_end():
-        if kind == "acceleration":
+        if kind == "accel":
             block.add(sample_line)
     end = _END.match(_plain(rest.take()))
     assert end is not None
-    if end[2].lower() != kind:
-        raise InputError("motion.cosmos_another_end", begun=kind, ended=end[2].lower())
-    if kind != "acceleration":
+    if end[2] is not None and end[2].lower() != kind:
+        begun, ended = _KINDS[kind], _KINDS[end[2].lower()]
+        raise InputError("motion.cosmos_another_end", begun=begun, ended=ended)
+    if kind != "accel":
         return None
     samples = block.array()
     check_count(len(samples), points)
-    factor = acceleration_unit(units[1] if units else None, unit)
+    factor = acceleration_unit(units[1].strip() if units else None, unit)
     interval, peak = header.reals[61], header.reals[63]
     step = time_step(interval / 1000.0 if interval > 0.0 else None, dt)
     lasts = _LASTS.search(line)
@@ -168,7 +175,11 @@ def _channel(header: _Header, rest: _Lines, unit: str | None, dt: float | None) 
     label = next((m[1] for title in titles if (m := _LABEL.search(title))), end[1])
     event = titles[1].removeprefix("Record of ") if len(titles) > 1 else ""
     stated_peak = None if math.isnan(peak) else peak * factor
-    return Channel(label, factor * samples, step, event, stated_peak, location=" ".join(titles))
+    station = next((title for title in titles if title.startswith("Statn No")), "")
+    origin = f"{event}, {station}"
+    return Channel(
+        label, factor * samples, step, event, stated_peak, location=" ".join(titles), origin=origin
+    )
 
 
 def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:

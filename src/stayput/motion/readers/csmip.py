@@ -21,10 +21,12 @@ from stayput.motion.readers.text import lines
 FORMAT = "CSMIP V2"
 
 _ANNOUNCED = re.compile(
-    r"^ *[0-9]{1,9} +POINTS OF (?:ACCEL|VELOC|DISPL) DATA EQUALLY SPACED AT", re.IGNORECASE | re.MULTILINE
+    r"^ *[0-9]{1,9} +POINTS +OF +(?:ACCEL|VELOC|DISPL) +DATA +EQUALLY[ -]+SPACED +AT",
+    re.IGNORECASE | re.MULTILINE,
 )
 _BLOCK = re.compile(
-    r"([0-9]{1,9}) POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY SPACED AT ([^ ]{1,20}) SEC\b(.*)", re.IGNORECASE
+    r"([0-9]{1,9}) POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY[ -]SPACED AT ([^ ]{1,20}) SEC\b(.*)",
+    re.IGNORECASE,
 )
 _UNIT = re.compile(r"(?:UNITS: ?|\bIN )([^ ),]{1,20})", re.IGNORECASE)
 _FIELDS = re.compile(r"\(([0-9]{1,3})[FEG]([0-9]{1,2})\.[0-9]{1,2}\)", re.IGNORECASE)
@@ -169,7 +171,7 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     channels: list[Channel] = []
     part, stated = _ChannelText(), 0
     for _, line in lines(text):
-        if not line.startswith("/&"):
+        if not line.lstrip().startswith("/&"):
             part.take(line)
             continue
         channels.append(_channel(part, line, len(channels) + 1, unit, dt))

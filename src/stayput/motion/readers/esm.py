@@ -1,6 +1,6 @@
-"""ESM (DYNA 1.2) ASCII: "KEY: value" lines, then one sample a line; one channel a file.
+"""ESM (DYNA 1.2) ASCII, also of ITACA and AFAD: "KEY: value" lines, then the samples; one channel a file.
 
-Source: Engineering Strong-Motion database, https://esm-db.eu.
+Source: Engineering Strong-Motion database, https://esm-db.eu. AFAD writes some values in small letters.
 """
 
 from __future__ import annotations
@@ -15,13 +15,16 @@ from stayput.motion.readers.text import lines
 
 FORMAT = "ESM ASCII"
 
-_ENTRY = re.compile(r"([A-Z][A-Z0-9_/^]*): ?(.*)")
+_ENTRY = re.compile(r"\s*([A-Za-z][A-Za-z0-9_/^]*) ?: ?(.*)")
+_NEEDED = [
+    re.compile(rf"^ *{key} ?:", re.IGNORECASE | re.MULTILINE) for key in ("NDATA", "SAMPLING_INTERVAL_S")
+]
 
 
 def recognise(text: str) -> bool:
     """Return whether the header states the number of samples and their interval."""
     head = text[:10000]
-    return bool(_ENTRY.match(head)) and "\nNDATA:" in head and "\nSAMPLING_INTERVAL_S:" in head
+    return bool(_ENTRY.match(head)) and all(needed.search(head) for needed in _NEEDED)
 
 
 def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
@@ -36,12 +39,13 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     begin = len(text)
     for start, line in lines(text):
         entry = _ENTRY.match(line)
-        if entry is None:
+        if entry is None and line.strip():
             begin = start
             break
-        header.setdefault(entry[1], entry[2].strip())
+        if entry is not None:
+            header.setdefault(entry[1].upper(), entry[2].strip())
     kind = header.get("DATA_TYPE", "")
-    if kind != "ACCELERATION":
+    if kind.upper() != "ACCELERATION":
         raise InputError("motion.esm_no_acceleration", kind=excerpt(kind))
     missing = [key for key in ("NDATA", "SAMPLING_INTERVAL_S") if not header.get(key)]
     if missing:

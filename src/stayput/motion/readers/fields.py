@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _DECIMAL = re.compile(r"[+\-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+\-]?[0-9]+)?")
+_COMMA = re.compile(r"[+\-]?[0-9]*,[0-9]+(?:[eE][+\-]?[0-9]+)?")
 _BUFFERED = 8192  # fields of which a list is made at a time
 _QUANTITY = re.compile(rf"({_DECIMAL.pattern}) ?([A-Za-z/²^]{{0,12}})\.?,?")
 
@@ -59,8 +60,10 @@ class Numbers:
             position, token = next(
                 ((i, t) for i, t in enumerate(tokens) if not _is_finite_decimal(t)), (0, "")
             )
+            comma = _COMMA.fullmatch(token.strip()) is not None
             raise InputError(
-                "motion.not_a_decimal",
+                "motion.decimal_comma" if comma else "motion.not_a_decimal",
+                option="decimal_comma",
                 index=len(self) + position + 1,
                 what=phrase(f"motion.{self._what}"),
                 value=excerpt(token.strip()),

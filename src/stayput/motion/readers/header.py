@@ -8,14 +8,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn, within
 from stayput.motion.processing import STEP_RANGE
-from stayput.motion.units import UNIT_NAMES, unit_factor
+from stayput.motion.units import ACCELERATION_UNITS, UNIT_NAMES, known_unit, unit_factor
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_STATED = re.compile(r"(?:\bUNITS?(?: ?[:=] ?| OF )|単位 ?[:=：（(]? ?)([^\s,;)、。）]{1,40})", re.IGNORECASE)
+UNIT_OF_TIME = re.compile(r"m?s(?:ec(?:ond)?s?)?", re.IGNORECASE)
+_STATED = re.compile(
+    r"(?:(?<!time)(?<!time[ _-])units?(?:(?: of (?!time)[a-z]{1,20})? ?[:=] ?| of (?!time)|( in | ?[(\[] ?))"
+    r"|単位 ?[:=：（(]? ?)"
+    r"((?:[0-9.]{1,12} )?[^\s,;)\]、。）]{1,40}(?: ?\(? ?[*×x/] ?[0-9][0-9.e+\-]{0,9}\)?)?)",
+    re.IGNORECASE,
+)
 _STEP_TOLERANCE = 1e-4
 """Relative difference up to which two time steps are the same one, rounded to five digits or more."""
 
@@ -24,21 +31,43 @@ _ROUNDING_OF_TIMES = 0.2
 
 _PER_SECOND_TWICE = r"/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)"
 _MENTIONED = re.compile(
-    rf"(?<![a-z])(gals?|[cm]?m{_PER_SECOND_TWICE})(?![a-z0-9/^²*])|[(\[_](g)(?:[)\]]|(?![a-z0-9/^²*]))",
+    rf"(?<![a-z])(gals?|(?:[cm]?m|in|ft){_PER_SECOND_TWICE}|%g)(?![a-z0-9/^²*])"
+    r"|[(\[_] ?(m?g|%g|[cm]?m_?p?s_?2|m_s_2)(?:[)\]]|(?![a-z0-9/^²*]))",
     re.IGNORECASE,
 )
+_VELOCITY = re.compile(
+    r"(?<![a-z])(?:vel(?:ocity)?(?![a-z])|(?:(?:[cm]?m|in|ft|rad|deg)/s(?:ec)?|kines?)(?![a-z0-9/^²*]))",
+    re.IGNORECASE,
+)
+_DISPLACEMENT = re.compile(
+    r"(?<![a-z])disp(?:lacement)?(?![a-z])|[(\[] ?[cm]?m ?[)\]]|_[cm]m$|^[cm]?m$", re.IGNORECASE
+)
+_COUNTS = re.compile(r"(?:digital )?(?:counts?|cts|lsb|m?volts?)(?![a-z])", re.IGNORECASE)
 
 
 def stated_unit(header: str) -> str | None:
     """Return the unit that a header states in so many words: "unit: gal", "UNITS OF G"."""
-    match = _STATED.search(" ".join(header.split()))
-    return match[1].rstrip(".") if match else None
+    for match in _STATED.finditer(" ".join(header.split())):
+        unit = match[2].rstrip(".")
+        # "Recorder unit (S/N 3)" states none.
+        if not UNIT_OF_TIME.fullmatch(unit) and (not match[1] or known_unit(unit) or quantity_of(unit)):
+            return unit
+    return None
 
 
 def mentioned_unit(header: str) -> str | None:
     """Return the one unit of acceleration that a header mentions: "acc_gal", "PGA [cm/s²]"."""
     names = {(m[1] or m[2]).lower() for m in _MENTIONED.finditer(header)}
     return names.pop() if len({unit_factor(name) for name in names}) == 1 else None
+
+
+def quantity_of(text: str) -> str | None:
+    """Return the name of what a heading or a unit is of, where that is not an acceleration."""
+    if _VELOCITY.search(text):
+        return "velocity"
+    if _COUNTS.fullmatch(text.strip()):
+        return "counts"
+    return "displacement" if _DISPLACEMENT.search(text) else None
 
 
 def acceleration_unit(
@@ -60,19 +89,29 @@ def acceleration_unit(
     Raises
     ------
     InputError
-        Neither does, they contradict each other, or the name is unknown.
+        Neither does, they contradict each other, the name is unknown, or no unit of acceleration.
+
+    Warns
+    -----
+    InputWarning
+        The file mentions another unit than the caller's, or states one that is not known.
     """
-    mentioned = None if stated is not None else mentioned_unit(header)
-    if stated is None and given is None:
+    if stated is not None and (quantity := quantity_of(stated)):
+        name = phrase(f"motion.{quantity}")
+        raise InputError("motion.stated_quantity", unit=excerpt(stated), quantity=name)
+    known, mentioned = stated and known_unit(stated), stated or mentioned_unit(header)
+    if known and given is not None and unit_factor(known) != unit_factor(given):
+        raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(stated or ""))
+    if not known and given is None:
+        if stated is not None:
+            raise InputError("motion.unknown_stated_unit", "unit", unit=excerpt(stated), known=UNIT_NAMES)
         if mentioned is not None:
             raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES)
         if step_missing:
             raise InputError("motion.no_unit_nor_step", "unit", known=UNIT_NAMES)
         raise InputError("motion.no_unit", "unit", known=UNIT_NAMES)
-    if stated is not None and given is not None and unit_factor(stated) != unit_factor(given):
-        raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(stated))
-    factor = unit_factor(stated if stated is not None else given or "")
-    if mentioned is not None and unit_factor(mentioned) != factor:
+    factor = unit_factor(known or given or "")
+    if not known and mentioned and ACCELERATION_UNITS.get(known_unit(mentioned) or "") != factor:
         warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=mentioned))
     return factor
 

@@ -7,10 +7,10 @@ import unicodedata
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, excerpt, without_control
-from stayput.motion.channels import is_direction
-from stayput.motion.readers.header import acceleration_unit, mentioned_unit
-from stayput.motion.units import unit_factor
+from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
+from stayput.motion.channels import is_direction, is_vertical
+from stayput.motion.readers.header import UNIT_OF_TIME, acceleration_unit, mentioned_unit, quantity_of
+from stayput.motion.units import UNIT_NAMES, known_unit, unit_factor
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,14 +26,34 @@ _TIME_UNIT = re.compile(
     r"[uµμ]s|ns|min|minutes?|hr?|hours?|d|days?) ?(?:[)\]]|$)",
     re.IGNORECASE,
 )
-_OF_TIME = re.compile(r"[(\[] ?(?:s|ms|m?sec) ?[)\]]")
-_VELOCITY = re.compile(
-    r"(?<![a-z])(?:vel(?:ocity)?(?![a-z])|(?:[cm]?m/s(?:ec)?|kines?)(?![a-z0-9/^²*]))", re.IGNORECASE
+_OF_TIME = re.compile(r"[(\[] ?m?s(?:ec(?:ond)?s?)? ?[)\]]", re.IGNORECASE)
+_TRANSVERSE = re.compile(r"T(?![A-Za-z])")
+_LONGITUDINAL = re.compile(r"[LR](?![A-Za-z])")
+_BRACKET = re.compile(r"[(\[]([^()\[\]]{1,40})[)\]]")
+_LIKE_A_UNIT = re.compile(r"[^\W\d_]\S{0,5}|\S*[/%^²]\S*")  # "kip", "km/h2"; not "filtered"
+_FACTOR = re.compile(
+    r"[x×*·]?\s*[0-9.][0-9.^e+\-−]*\s*[x×*·]?\s*(?P<after>[^\d\s].*)"
+    r"|(?P<before>.*?)\s*[x×*]\s*[0-9][0-9.^e+\-−]*",
+    re.IGNORECASE,
 )
-_DISPLACEMENT = re.compile(
-    r"(?<![a-z])disp(?:lacement)?(?![a-z])|[(\[] ?[cm]?m ?[)\]]|_[cm]m$", re.IGNORECASE
-)
+_NEGATIVE = re.compile(r"\([-−]\)")
 _LONGEST_NAME = 40
+
+_ORDER = re.compile(
+    r"(?:data[ _]?)?(?:sequence|(?:columns?|fields|channels|components)(?:[ _](?:order|names?))?"
+    r"|order of (?:the )?columns)"
+    r" ?[:=] ?(.*)",
+    re.IGNORECASE,
+)
+_NUMBERED = re.compile(
+    r"\b(?:(?:col(?:umn)?|(ch(?:an(?:nel)?)?))\.? ?#?([0-9]{1,2}) ?[:=\-]|([xyz]) ?[:=]) ?([^,;|]{1,80})",
+    re.IGNORECASE,
+)
+_COMPONENT = re.compile(r"(?:comp(?:onent)?|channel|direction|成分|方向) ?[:=：] ?(.*)", re.IGNORECASE)
+_TITLE = re.compile(r"[\"'(\[]?[^\W\d_]{2,}|[0-9/.\-]+ +[^\W\d_]{3,}")
+_RULE = re.compile(r"[-=_+|,; \t]*[-=_]{3}[-=_+|,; \t]*")
+_WORD = re.compile(r"(?<![A-Za-z0-9.°])[A-Za-z]+(?![A-Za-z0-9])")
+_NUMERIC = re.compile(r"[+\-]?\.?[0-9][0-9.eE+\-]*")
 
 _FULL_WIDTH = re.compile("[\u3000-\u30ff\u4e00-\u9fff\uff01-\uff5e]")
 """Kana, Chinese characters, and Latin letters and marks as wide as these."""
@@ -41,12 +61,14 @@ _FULL_WIDTH = re.compile("[\u3000-\u30ff\u4e00-\u9fff\uff01-\uff5e]")
 _JAPANESE = (
     (re.compile("^秒$"), "sec"),
     (re.compile("ミリ秒"), "ms"),
-    (re.compile("(?:経過)?時間|時刻|秒数"), "time"),
+    (re.compile("(?:経過)?(?:時間|时间)|時刻|秒数"), "time"),
     (re.compile("秒"), "s"),
     (re.compile("(?:データ|サンプル)?番号"), "no"),
     (re.compile("南北"), "NS"),
     (re.compile("東西"), "EW"),
-    (re.compile("上下|鉛直"), "UD"),
+    (re.compile("上下|鉛直|垂直|縦揺れ"), "UD"),
+    (re.compile("东西"), "EW"),
+    (re.compile("水平|横揺れ"), "H"),
     (re.compile("(?<=[A-Za-z])(?:方向|成分|軸|動)"), ""),
     (re.compile("ガル"), "gal"),
     (re.compile("カイン"), "kine"),
@@ -78,13 +100,22 @@ class Headings(NamedTuple):
     time_factor: float = 1.0
     names: tuple[str, ...] = ()
 
+    def at(self, places: Sequence[int]) -> Headings:
+        """Return the headings of the columns at some places, of which one is the time."""
+        names = tuple(self.names[place] for place in places) if self.names else ()
+        time = None if self.time is None else places.index(self.time)
+        return Headings(tuple(self.texts[place] for place in places), time, self.time_factor, names)
+
 
 def split(line: str) -> list[str]:
-    """Return the fields of a line of columns."""
+    """Return the fields of a line of columns, those between quotation marks without them."""
     mark = _mark(line)
-    if mark is None:
-        return line.split()
-    return [value.strip() for value in line.rstrip(f"{mark} \t").split(mark)]
+    fields = (
+        line.split() if mark is None else [text.strip() for text in line.rstrip(f"{mark} \t").split(mark)]
+    )
+    if '"' in line:
+        fields = [text[1:-1] if len(text) > 1 and text[0] == text[-1] == '"' else text for text in fields]
+    return fields
 
 
 def _mark(line: str) -> str | None:
@@ -97,8 +128,10 @@ def headings_in(line: str) -> list[str]:
     if _FULL_WIDTH.search(line):
         line = unicodedata.normalize("NFKC", line)
     # Of headings that are parted by blanks, "NS [gal]" is one.
-    joined = re.sub(r"(?<!\s)\s+(?=[(\[])", " " if _mark(line) else "", without_control(line))
-    return [_in_english(text.strip("\"' ")) for text in split(joined)]
+    line = without_control(line).strip("| ").replace("|", ";")
+    joined = re.sub(r"(?<!\s) +(?=[(\[])", " " if _mark(line) else "", line)
+    texts = joined.split("\t") if "\t" in line and not _mark(line) else split(joined)
+    return [_in_english(text.strip("\"' ")) for text in texts if text.strip() or _mark(line)]
 
 
 def _in_english(text: str) -> str:
@@ -110,47 +143,178 @@ def _in_english(text: str) -> str:
     return " ".join(text.split())
 
 
-def are_headings(line: str) -> bool:
-    """Return whether every field begins like a name, and none is a number that is not finite."""
-    return all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in headings_in(line))
+def is_title(line: str) -> bool:
+    """Return whether a line is one of words: headings, units or a title, and no row with a damaged number."""
+    fields = headings_in(line)
+    if _RULE.fullmatch(line):
+        return True
+    if all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in fields) or units_in(line):
+        return True
+    figures = sum(bool(_NUMERIC.fullmatch(text) or _NOT_FINITE.fullmatch(text)) for text in fields)
+    keyed = line[0].isalpha() and (":" in line or "=" in line)
+    return _TITLE.match(line) is not None and (keyed or 2 * figures < len(fields))
 
 
-def read_headings(line: str, count: int, row_below: str | None) -> Headings:
-    """Return what the last line above the numbers says of the columns.
+def units_in(line: str) -> list[str]:
+    """Return the units in a row of nothing else, as below headings: "[s], [gal], [gal]"."""
+    fields = [_in_english(text) for text in split(without_control(line))]
+    units = [text.strip("\"'()[]- ") for text in fields]
+    whole = all(
+        not unit
+        or UNIT_OF_TIME.fullmatch(unit)
+        or known_unit(unit)
+        or quantity_of(unit)
+        or (text[0] in "([" and not _NUMERIC.fullmatch(unit))
+        for text, unit in zip(fields, units, strict=True)
+    )
+    return units if whole and any(units) else []
+
+
+def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, row: str) -> Headings:
+    """Return what stands above the numbers of the columns.
 
     Parameters
     ----------
-    line : str
-        The line, without the mark of a comment.
+    titles : sequence of str
+        The lines of words above the numbers.
+    comments : sequence of str
+        The comments, without their marks.
     count : int
         How many columns there are.
-    row_below : str, optional
-        The first line of numbers, where the headings are a comment. A comment may be about anything: only
-        names are taken of it, unless its first field is the time, or any is and the numbers are parted as
+    row : str
+        The first line of numbers. A comment may be about anything: of one that does not say what each column
+        is, only names are taken, unless its first field is the time, or any is and the numbers are parted as
         its fields are.
 
     Raises
     ------
     InputError
-        No column or more than one is the time, or the time has a unit that is not read.
+        No column or more than one is the time, the time has a unit that is not read, or what is said of the
+        columns is not understood.
     """
-    texts = tuple(headings_in(line))
+    lines = [*comments, *titles]
+    component = next(
+        filter(is_direction, (_in_english(m[1]) for m in map(_COMPONENT.match, lines) if m)), None
+    )
+    named = (component,) * count if component and count <= 2 else ()
+    ordered = _stated_order(lines, count)
+    texts, place = (ordered, 0) if ordered else _among(titles, comments, count)
     if len(texts) != count:
-        return Headings()
-    times = [i for i, text in enumerate(texts) if _TIME.match(text) and not _is_motion(text)]
-    times = times or [i for i, text in enumerate(texts) if _OF_TIME.search(text)]
-    names = _names(texts)
-    alike = row_below is None or (bool(times) and (times[0] == 0 or _mark(line) == _mark(row_below)))
-    if not alike:
+        if ordered or (_states_columns(texts) and _all_names(texts)):
+            raise InputError("motion.column_order", columns=_listed(texts), count=count)
+        if count > 2 and (unread := _unread_order(lines)):
+            raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
+        return Headings(names=named)
+    if negative := next(filter(_NEGATIVE.search, texts), None):
+        raise InputError("motion.column_negative", column=excerpt(negative))
+    times, names = _times(texts), _names(texts)
+    first = names[0] if names else texts[0]
+    names = names if any(map(is_direction, names)) else named or names
+    alike = bool(times) and (times[0] == 0 or _mark(lines[place]) == _mark(row))
+    if count > 2 and not any(map(is_vertical, names)) and (unread := _unread_order(lines)):
+        raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
+    if not (ordered or titles or alike):
         return Headings(names=names)
     if count == 1:
-        return Headings(texts, None, names=names)
+        return Headings(tuple(texts), None, names=names)
     if len(times) > 1:
         raise InputError("motion.column_times", columns=_listed([texts[i] for i in times]))
-    if not times and (is_direction(names[0]) or _COUNTED.fullmatch(texts[0]) or _is_motion(texts[0])):
+    if not times and (is_direction(first) or _COUNTED.fullmatch(texts[0]) or _is_motion(texts[0])):
         raise InputError("motion.column_no_time", column=excerpt(texts[0]))
     time = times[0] if times else 0
-    return Headings(texts, time, _time_factor(texts[time]), names)
+    if count > 2 and not names:  # of headings that are not understood any may be the vertical
+        raise InputError("motion.column_order", columns=_listed(texts), count=count)
+    return Headings(tuple(texts), time, _time_factor(texts[time]), names)
+
+
+def _stated_order(lines: Sequence[str], count: int) -> list[str]:
+    """Return the headings that lines state: "columns: t, UD, NS", "column 1: t, column 2: UD", "ch1: UD"."""
+    found = [m for line in lines for m in _NUMBERED.finditer(line)]
+    numbered = {int(m[2]): m[4].strip() for m in found if m[2] and not m[1]}
+    named = [m for m in found if (m[1] or m[3]) and _all_directions([m[4]])]
+    if named and not numbered and count > 1:  # behind the time; a channel that is not named keeps its letter
+        numbered = dict(enumerate(("t", "x", "y", "z")[:count], 1))
+        numbered |= {1 + (int(m[2]) if m[2] else "_xyz".index(m[3].lower())): m[4].strip() for m in named}
+    texts = [_in_english(numbered[i]) for i in sorted(numbered)]
+    if not texts:
+        order = next((m[1] for m in map(_ORDER.match, lines) if m), "")
+        if not order.strip(" 0123456789"):
+            return []
+        texts = [text.strip() for text in re.split(r"[;,|\t]", order) if text.strip()]
+        if len(texts) != count:
+            texts = headings_in(re.sub("[;,|]", " ", order))
+        texts = _with_time(texts, count)
+    if max(numbered, default=0) != len(numbered) or not (_states_columns(texts) or len(texts) == 1):
+        raise InputError("motion.column_order", columns=_listed(texts), count=count)
+    return texts
+
+
+def _unread_order(lines: Sequence[str]) -> str | None:
+    """Return a line that names the vertical beside a horizontal direction, or lines that do so together.
+
+    Letters beside figures are left out, as they may be of a place: "35.1 N".
+    """
+    said: list[list[str]] = []
+    for line in lines:
+        plain = _in_english(unicodedata.normalize("NFKC", line) if _FULL_WIDTH.search(line) else line)
+        words = [word for word in _WORD.findall(plain) if is_direction(word)]
+        said.append([] if {"x", "y", "z"}.issuperset(map(str.lower, words)) else words)
+        if {True, False} <= set(map(is_vertical, said[-1])):
+            return line
+    # One direction a line: names of one letter stand in too many comments.
+    named = [word for words in said for word in words if len(word) > 1]
+    upright = next((word for word in named if is_vertical(word)), None)
+    return ", ".join(dict.fromkeys(named)) if upright and not all(map(is_vertical, named)) else None
+
+
+def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[list[str], int]:
+    """Return the last headings above the numbers, or the last line, and which line that is."""
+    lines = [*comments, *titles]
+    rows = [headings_in(line) for line in lines]
+    if len(lines) > 1 and len(units := units_in(lines[-1])) == len(rows[-2]):
+        rows[-2:] = [[f"{text} [{u}]" if u else text for text, u in zip(rows[-2], units, strict=True)]]
+    rows = [_with_time(texts, count) for texts in rows]
+    stating = [i for i, texts in enumerate(rows) if _states_columns(texts)]
+    fitting = [i for i in stating if len(rows[i]) == count] or [i for i in stating if _all_names(rows[i])]
+    place = fitting[-1] if fitting else len(rows) - 1
+    if len(comments) <= place < len(rows) - 1:
+        raise InputError("motion.column_line", line=excerpt(titles[-1]))
+    return (rows[place] if rows else []), place
+
+
+def _states_columns(texts: Sequence[str]) -> bool:
+    """Return whether texts are headings: the time, and of each other column direction or quantity."""
+    times = _times(texts)
+    others = [text for i, text in enumerate(texts) if i not in times]
+    return bool(times and others) and all(
+        is_direction(_BRACKET.sub("", text)) or _is_motion(text) or "acc" in text.lower() for text in others
+    )
+
+
+def _with_time(texts: list[str], count: int) -> list[str]:
+    """Return headings with the time before them, where they are the directions of all other columns."""
+    return ["t", *texts] if 1 < len(texts) == count - 1 and _all_directions(texts) else texts
+
+
+def _all_directions(texts: Sequence[str]) -> bool:
+    return _all_names(texts) and all(map(is_direction, texts))
+
+
+def _all_names(texts: Sequence[str]) -> bool:
+    return all(_NAME.fullmatch(_BRACKET.sub("", text).strip()) for text in texts)
+
+
+def _times(texts: Sequence[str]) -> list[int]:
+    """Return which columns are headed as the time; a "T" beside an "L" is the transverse component."""
+    beside = any(map(_LONGITUDINAL.match, texts))
+    named = [i for i, text in enumerate(texts) if _TIME.match(text) and not _is_motion(text)]
+    times = [i for i in named if not (beside and _TRANSVERSE.match(texts[i]))]
+    return times or [i for i, text in enumerate(texts) if _OF_TIME.search(text)]
+
+
+def is_time(text: str) -> bool:
+    """Return whether a heading says that its column is the time."""
+    return bool(_TIME.match(text) or _OF_TIME.search(text))
 
 
 def _listed(texts: Sequence[str]) -> Phrase:
@@ -159,7 +323,24 @@ def _listed(texts: Sequence[str]) -> Phrase:
 
 
 def _is_motion(text: str) -> bool:
-    return mentioned_unit(text) is not None or _quantity(text) is not None
+    return _unit_in(text) is not None or quantity_of(text) is not None
+
+
+def _unit_in(text: str) -> str | None:
+    """Return the unit of acceleration in a heading, or that is one; None of one with a factor."""
+    if _unit_with_factor(text):
+        return None
+    return next(filter(known_unit, (*_BRACKET.findall(text), text)), None) or mentioned_unit(text)
+
+
+def _unit_with_factor(text: str) -> str | None:
+    """Return what stands in a heading's brackets as "0.1 gal", "X 1000" or "10^-2 m/s2"."""
+    for content in _BRACKET.findall(text):
+        found = _FACTOR.fullmatch(content.strip())
+        unit = found and (found["after"] or found["before"])
+        if found and (known_unit(unit) if unit else mentioned_unit(text)):
+            return content
+    return None
 
 
 def _time_factor(text: str) -> float:
@@ -172,21 +353,30 @@ def _time_factor(text: str) -> float:
 
 
 def _names(texts: Sequence[str]) -> tuple[str, ...]:
-    """Return the beginnings of headings as names, or the headings up to a bracket where those are alike."""
-    found = [_NAME.match(text) for text in texts]
-    names = [match[0] for match in found if match is not None]
-    if len(names) < len(texts):
+    """Return the beginnings of headings; up to a bracket where those are alike or lack the direction."""
+    if not all(map(_NAME.match, texts)):
         return ()
+    long = [re.split(r"[(\[]", text)[0].strip()[:_LONGEST_NAME] for text in texts]
+    names = [m[0] for m in map(_NAME.match, texts) if m]
     if len(set(names)) < len(names):
-        names = [re.split(r"[(\[]", text)[0].strip()[:_LONGEST_NAME] for text in texts]
-    return tuple(names)
+        return tuple(long)
+    return tuple(
+        whole if is_direction(whole) and not is_direction(name) else name
+        for name, whole in zip(names, long, strict=True)
+    )
 
 
-def _quantity(text: str) -> str | None:
-    """Return the name of what a heading is of, where that is not an acceleration."""
-    if _VELOCITY.search(text):
-        return "velocity"
-    return "displacement" if _DISPLACEMENT.search(text) else None
+def other_quantities(headings: Headings) -> list[int]:
+    """Return the places of velocities and displacements, where another column is an acceleration."""
+    columns = {i: text for i, text in enumerate(headings.texts) if i != headings.time}
+    bare = {i: re.split(r"[(\[]", text)[0].strip().lower() for i, text in columns.items()}
+    of_letters = {"v", "d"} if {"a", "v", "d"} <= set(bare.values()) else set[str]()
+    others = [
+        i
+        for i, text in columns.items()
+        if bare[i] in of_letters or (mentioned_unit(text) is None and quantity_of(text) is not None)
+    ]
+    return others if len(others) < len(columns) else []
 
 
 def column_factors(
@@ -227,11 +417,23 @@ def column_factors(
 
 def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
     """Return the unit in a heading, which neither the comments nor the caller may contradict."""
-    unit = mentioned_unit(text)
+    unit = _unit_in(text)
     if unit is None:
-        if quantity := _quantity(text):
+        if factor := _unit_with_factor(text):
+            column, name = excerpt(text), excerpt(factor)
+            raise InputError("motion.column_unit_factor", "unit", column=column, unit=name)
+        if quantity := next(filter(None, map(quantity_of, (text, *_BRACKET.findall(text)))), None):
             name = phrase(f"motion.{quantity}")
             raise InputError("motion.column_quantity", column=excerpt(text), quantity=name)
+        unknown = next(
+            (u for u in _BRACKET.findall(text) if _LIKE_A_UNIT.fullmatch(u) and not _all_directions([u])),
+            None,
+        )
+        if unknown is not None and given is not None:
+            warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=unknown))
+        elif unknown is not None and stated is None:
+            column, name = excerpt(text), excerpt(unknown)
+            raise InputError("motion.column_unknown_unit", "unit", column=column, unit=name, known=UNIT_NAMES)
         return None
     if stated is not None and unit_factor(stated) != unit_factor(unit):
         raise InputError("motion.column_header_unit", column=excerpt(text), stated=excerpt(stated))

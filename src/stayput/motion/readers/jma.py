@@ -23,7 +23,10 @@ if TYPE_CHECKING:
 
 FORMAT = "JMA CSV"
 
+_SITE = re.compile(r"\s*SITE +CODE", re.IGNORECASE)
+_SAMPLING = re.compile("SAMPLING", re.IGNORECASE)
 _RATE = re.compile(r"SAMPLING +(?:RATE|FREQ)", re.IGNORECASE)
+_START = re.compile("INITIAL TIME", re.IGNORECASE)
 _UNIT = re.compile("UNIT$", re.IGNORECASE)
 _DIRECTIONS = {"NS", "EW", "UD"}
 _HEADER_LINES = 12
@@ -31,8 +34,7 @@ _HEADER_LINES = 12
 
 def recognise(text: str) -> bool:
     """Return whether the file begins with its site code and states a sampling rate."""
-    head = text[:2000].upper()
-    return head.lstrip().startswith("SITE CODE") and "SAMPLING" in head
+    return _SITE.match(text) is not None and _SAMPLING.search(text, 0, 2000) is not None
 
 
 def _header(text: str) -> tuple[list[str], list[str], int]:
@@ -106,4 +108,8 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     samples = factor * _rows(text, start, len(labels))
     site = header[0].partition("=")[2].split(",")[0].strip() if header else ""
     step = time_step(1.0 / rate, dt)
-    return [Channel(name, samples[:, i], step, site, location=site) for i, name in enumerate(labels)]
+    origin = f"{site}, {_entry(header, _START) or ''}"
+    return [
+        Channel(name, samples[:, i], step, site, location=site, origin=origin)
+        for i, name in enumerate(labels)
+    ]

@@ -22,12 +22,21 @@ from stayput.motion.readers.text import lines
 
 FORMAT = "K-NET ASCII"
 
-_KEYS = {  # as ObsPy wants them, of those that differ between files
-    r"Station Lon\.": "Station Long.",
-    r"Lon\.": "Long.",
-    r"Max Acc\.": "Max. Acc. (gal)",
-    r"Memo(?!\.)": "Memo.",
-}
+_KEYS = {  # as ObsPy wants them, by their letters and by what else some files write
+    "".join(filter(str.isalpha, key.lower())): key
+    for key in (
+        *("Origin Time", "Lat.", "Long.", "Depth. (km)", "Mag.", "Station Code", "Station Lat."),
+        *(
+            "Station Long.",
+            "Station Height(m)",
+            "Record Time",
+            "Sampling Freq(Hz)",
+            "Duration Time(s)",
+            "Dir.",
+        ),
+        *("Scale Factor", "Max. Acc. (gal)", "Last Correction", "Memo."),
+    )
+} | {"lon": "Long.", "stationlon": "Station Long.", "maxacc": "Max. Acc. (gal)"}
 _HEADER_LINES = 17
 _SCALE = re.compile(
     r"([0-9]{1,9}(?:\.[0-9]{0,9})?) *\(gal\) */ *([0-9]{1,12}(?:\.[0-9]{0,9})?)", re.IGNORECASE
@@ -36,7 +45,8 @@ _SCALE = re.compile(
 
 def recognise(text: str) -> bool:
     """Return whether the file begins with "Origin Time" and has a scale factor."""
-    return text.startswith("Origin Time") and "Scale Factor" in text[:2000]
+    head = text[:2000].lower()
+    return head.startswith("origin time") and "scale factor" in head
 
 
 def _entry(header: list[str], key: str, what: str) -> str:
@@ -51,7 +61,7 @@ def _obspy_read(text: str) -> Any:
     try:
         from obspy import read as obspy_read
     except ImportError:
-        raise InputError("motion.knet_no_obspy") from None
+        raise InputError("motion.no_obspy", format=FORMAT) from None
     try:
         return obspy_read(BytesIO(text.encode()), format="KNET")[0]
     except Exception as error:  # a broken header raises whatever it meets
@@ -62,10 +72,8 @@ def _header(lines: list[str]) -> list[str]:
     """Return the header lines with their keys as ObsPy wants them, in columns 1 to 18."""
     header: list[str] = []
     for line in lines[:_HEADER_LINES]:
-        for pattern, key in _KEYS.items():
-            if re.match(pattern, line):
-                line = f"{key:<18}{line[18:]}"
-        header.append(line)
+        key = _KEYS.get("".join(filter(str.isalpha, line[:18].lower())), line[:18])
+        header.append(f"{key:<18}{line[18:]}")
     return header
 
 
@@ -98,6 +106,9 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     counts *= float(trace.stats.calib)  # ObsPy's calib is in m/s² a count
     peak = float(trace.stats.knet.accmax) * factor
     step = time_step(1.0 / rate, dt)
-    return [
-        Channel(str(trace.stats.channel), counts, step, str(trace.stats.station), peak, ", offset removed")
-    ]
+    label, station = str(trace.stats.channel), str(trace.stats.station)
+    below = label.endswith("1")
+    sensor = {"1": ", borehole", "2": ", surface"}.get(label[-1:], "")
+    origin = f"{station}{sensor}, {header[0][18:].strip()}"
+    note = ", offset removed"
+    return [Channel(label, counts, step, station, peak, note, origin=origin, borehole=below)]

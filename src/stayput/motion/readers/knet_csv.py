@@ -55,7 +55,7 @@ def _offsets(line: str, count: int) -> list[float]:
 def _rate(header: list[str]) -> float | None:
     """Return the sampling frequency that the header states [Hz]."""
     line = next((line for line in header if _key(line) == "sampling"), None)
-    value = _ASIDE.sub(" ", line).partition("Freq")[2].strip(" ,:=\t") if line else ""
+    value = re.split("freq", _ASIDE.sub(" ", line), flags=re.IGNORECASE)[-1].strip(" ,:=\t") if line else ""
     return quantity(value, ("HZ",), "sampling_frequency") if value else None
 
 
@@ -117,7 +117,13 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     )
     return [
         Channel(
-            name, factor * (table[:, i] - shift), step, station, note=", offset removed", location=station
+            name,
+            factor * (table[:, i] - shift),
+            step,
+            station,
+            note=", offset removed",
+            location=station,
+            borehole=name.endswith("1"),
         )
         for i, (name, shift) in enumerate(zip(labels, offsets, strict=True), start=1)
     ]

@@ -19,11 +19,12 @@ from stayput.motion.readers.text import lines
 FORMAT = "PEER AT2"
 
 _WORD = re.compile(r"[A-Z]+")
-_NAMED = re.compile(r"NPTS ?= ?([^ ,=]{1,40}) ?,? ?DT ?= ?(.+)", re.IGNORECASE)
+_NAMED = re.compile(r"NPTS ?[=:] ?([^ ,=:]{1,40}) ?,? ?DT ?[=:] ?(.+)", re.IGNORECASE)
 _BARE = re.compile(r"([^ ,=]{1,40}) ([^ ,=]{1,40}) NPTS ?, ?DT\b.*", re.IGNORECASE)
 _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _DIRECTION = re.compile(
-    r"(?:[0-9]{1,3}|[NSEWVZ]|[NEUV][SWD]|UP|DOWN|DWN|DN|VERT?|VERTICAL|[A-Z]{2}Z)(?= *(?:$|\())",
+    r"(?:[0-9]{1,3}|[NSEWUVZ]|[NEUV][SWD]|UP|DOWN|DWN|DN|VERT?|VERTICAL"
+    r"|(?:[BCEHLMNS][HLGN][NE]|[A-Z]{2}Z)[0-9]{0,2})(?= *(?:$|\())",
     re.IGNORECASE,
 )
 _HEADER_LINES = 8

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import codecs
 import io
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, reason_of
+from stayput.motion.readers.others import kind_of_binary
 
 if TYPE_CHECKING:
     import os
@@ -57,8 +59,10 @@ def file_text(path: str | os.PathLike[str]) -> str:
         raise InputError("motion.file_no_path", path=path) from None
     if not data.strip():
         raise InputError("motion.file_empty", path=str(path))
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        data = data.decode("utf-16", "replace").encode()
     if len(data.translate(None, _CONTROLS)) < len(data):
-        raise InputError("motion.file_binary", path=str(path))
+        raise InputError(f"motion.file_{kind_of_binary(data)}", path=str(path))
     data = data.rstrip(b"\x1a")  # DOS's end of file
     if b"\r" in data:  # in none of the codings part of another character
         data = data.replace(b"\r\r\n", b"\n").replace(b"\r\n", b"\n").replace(b"\r", b"\n")

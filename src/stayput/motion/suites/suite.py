@@ -15,25 +15,25 @@ from stayput.motion.processing import whole
 from stayput.motion.readers import read_shaking
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
+from stayput.motion.suites.folder import naming, records_in
 from stayput.motion.suites.matching import matched
 from stayput.motion.suites.target import DEFAULT_BAND, band_periods
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from typing import Unpack
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
+    from stayput.motion.readers.chosen import ReadingOptions
     from stayput.motion.suites.target import TargetSpectrum
 
 
 SuiteSpectra = Literal["spectra", "scatter"]
 """What `Suite.plot` draws over the period."""
-
-_NO_RECORDS = (".md",)
-"""Endings of files of a folder that are not records."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +117,11 @@ class Suite(Sequence[Motion]):
     def synthetic(self) -> bool:
         """Whether any motion was computed, not recorded."""
         return any(motion.synthetic for motion in self.motions)
+
+    @property
+    def floor(self) -> str:
+        """The upper floors that its motions are of; "" where they are of the ground. See `Motion.floor`."""
+        return ", ".join(dict.fromkeys(motion.floor for motion in self.motions if motion.floor))
 
     @property
     def intensities(self) -> NDArray[np.float64]:
@@ -318,21 +323,26 @@ def read_suite(
     component: str | None = None,
     unit: str | None = None,
     *,
-    dt: float | None = None,
     name: str | None = None,
+    **options: Unpack[ReadingOptions],
 ) -> Suite:
     """Read a suite of records, in all the formats of `read_motion`.
 
-    Each file is one motion; files that hold one component each are motions of one component (see
-    `Motion.combine`). Nothing is scaled: see `Suite.to_intensity`, `Suite.to_spectrum` and `Suite.selected`.
+    In a folder, files that hold one component each (PEER, K-NET, KiK-net, SAC, ESM) are joined by their
+    record number (RSN…) or by the station and event that they state; what holds velocities or displacements,
+    is of a borehole, or is no record (``_SearchResults.csv``, pictures) is left out. In a list each file is
+    one motion; see `Motion.combine`. Nothing is scaled: see `Suite.to_intensity`, `Suite.to_spectrum` and
+    `Suite.selected`.
 
     Parameters
     ----------
     source : path, or iterable of paths
         A folder, whose files are taken in the order of their names, all but hidden ones and Markdown; or
         the files themselves, in this order.
-    component, unit, dt
+    component, columns, skip_lines, decimal_comma, location, remove_mean
         As for `read_motion`, for every file; a vertical channel beside horizontal ones is refused.
+    unit, dt
+        As for `read_motion`, for the files that do not state theirs.
     name : str, optional
         Default: the folder's name.
 
@@ -340,6 +350,11 @@ def read_suite(
     ------
     InputError
         No folder, no files in it, or a file that cannot be read: its name is in the sentence.
+
+    Warns
+    -----
+    InputWarning
+        Files of the folder are left out.
 
     Examples
     --------
@@ -353,24 +368,13 @@ def read_suite(
         folder = Path(source)
         if not folder.is_dir():
             raise InputError("motion.suite_no_folder", path=str(folder))
-        files = [
-            file
-            for file in sorted(folder.iterdir())
-            if file.is_file() and not file.name.startswith(".") and file.suffix.lower() not in _NO_RECORDS
-        ]
         title = folder.resolve().name
+        motions = records_in(folder, title, component, unit, **options)
     else:
-        files, title = [Path(file) for file in list_of("source", source, (str, os.PathLike))], "records"
-    if not files:
+        title, motions = "records", list[Motion]()
+        for file in map(Path, list_of("source", source, (str, os.PathLike))):
+            with naming(file):
+                motions.append(read_shaking(file, component, unit, several=True, **options))
+    if not motions:
         raise InputError("motion.suite_no_files", name=title)
-    motions = [_read(file, component, unit, dt) for file in files]
     return Suite(tuple(motions), title if name is None else name)
-
-
-def _read(file: Path, component: str | None, unit: str | None, dt: float | None) -> Motion:
-    try:
-        return read_shaking(file, component, unit, dt=dt)
-    except InputError as error:
-        if file.name in str(error):
-            raise
-        raise error.at(file.name) from None

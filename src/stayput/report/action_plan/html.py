@@ -183,7 +183,7 @@ def _told(plan: ActionPlan, together: RoomEffect) -> dict[str, tuple[Probability
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
-    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
+    strength = shaking_phrase(verdict)
     if together is None and falling is None and not plan.unsolved:
         yield phrase("action_plan.nothing")
     told = {} if together is None else _told(plan, together)

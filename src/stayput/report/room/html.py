@@ -80,7 +80,10 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
         "others": others,
         "strength": text(
             "instrumental",
-            **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
+            **{
+                "class": class_label(verdict.intensity, language, verdict.floor),
+                "value": f"{verdict.intensity:.2f}",
+            },
         ),
         "simulations": simulations_of_room(verdict, language),
         "plan": Markup(room_plan(verdict, language)),

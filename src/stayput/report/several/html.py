@@ -70,7 +70,10 @@ def _content(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:
         "headline": headline_of_several(verdict, language),
         "strength": text(
             "instrumental",
-            **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
+            **{
+                "class": class_label(verdict.intensity, language, verdict.floor),
+                "value": f"{verdict.intensity:.2f}",
+            },
         ),
         "simulations": simulations_of_several(verdict, language),
         "limit": numbers.length(verdict.slide_limit, language),

@@ -173,14 +173,14 @@ def _contents(scenario: Scenario) -> Iterator[Assumption]:
 def _motions(scenario: Scenario | AssemblyScenario, count: int) -> Assumption:
     shaking = scenario.shaking
     heading = _text("motions")
+    name = shaking.record or (shaking.suite if isinstance(shaking.suite, str) else None)
     if shaking.in_python is not None:
         name = shaking.in_python.name or shaking.in_python[0].name
-        return Assumption((heading, _text("motions_read", count=count, name=name)), GIVEN)
-    if shaking.record is not None or isinstance(shaking.suite, str):
-        name = shaking.record or shaking.suite
-        return Assumption((heading, _text("motions_read", count=count, name=name)), GIVEN)
+    if name is not None:
+        mean = phrase("motion.less_mean") if shaking.remove_mean else ""
+        return Assumption((heading, _text("motions_read", count=count, name=name, mean=mean)), GIVEN)
     if shaking.of_a_suite:
-        family = "mixed" if shaking.suite is None else shaking.suite.family
+        family = "mixed" if shaking.suite is None or isinstance(shaking.suite, str) else shaking.suite.family
         value = _text("motions_synthetic", count=count, family=_in_both(family))
         return Assumption((heading, value), "low")
     name = "sine" if shaking.sine is not None else "near-fault"

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import CurveState
 from stayput.motion.intensity import CLASSES
@@ -73,7 +74,8 @@ def curves_svg(verdict: Verdict, language: str) -> str:
     levels = verdict.levels
     x = svg.PixelAxis(float(levels[0]) - 0.1, float(levels[-1]) + 0.1, LEFT, RIGHT)
     y = svg.PixelAxis(0.0, 1.0, BOTTOM, TOP)
-    parts = [*_classes(x, language), *_frame(x, y, language)]
+    label = say("fragility.floor_jma" if verdict.floor else "report.axis_intensity", language)
+    parts = [*([] if verdict.floor else _classes(x, language)), *_frame(x, y, label, language)]
     look_of = looks(verdict)
     shown = [verdict.without, *([verdict.best] if verdict.best.option.measures else [])]
     parts += [_band(x, y, result.curves[JMA_INTENSITY], look_of[result.option.name]) for result in shown]
@@ -107,7 +109,7 @@ def _classes(x: svg.PixelAxis, language: str) -> list[str]:
     return parts
 
 
-def _frame(x: svg.PixelAxis, y: svg.PixelAxis, language: str) -> list[str]:
+def _frame(x: svg.PixelAxis, y: svg.PixelAxis, label: str, language: str) -> list[str]:
     parts: list[str] = []
     for share in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0):
         level = y.place(share)
@@ -118,7 +120,7 @@ def _frame(x: svg.PixelAxis, y: svg.PixelAxis, language: str) -> list[str]:
         parts += [svg.line(across, BOTTOM, across, BOTTOM + 5.0, "axis")]
         parts += [svg.label(across, BOTTOM + 20.0, f"{value:.1f}")]
     parts.append(svg.line(LEFT, BOTTOM, RIGHT, BOTTOM, "axis"))
-    parts.append(svg.label(0.5 * (LEFT + RIGHT), BOTTOM + 42.0, word("axis_intensity", language), "name"))
+    parts.append(svg.label(0.5 * (LEFT + RIGHT), BOTTOM + 42.0, label, "name"))
     middle = 0.5 * (TOP + BOTTOM)
     turned = svg.label(0.0, 0.0, word("axis_share", language), "name")
     parts.append(svg.element("g", turned, transform=f"translate(14 {middle:.0f}) rotate(-90)"))

@@ -42,6 +42,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
     verdict : Verdict
         The verdict.
     """
+    test = verdict.estimates.shake_table
     return {
         "stayput": stayput.__version__,
         "title": verdict.scenario.title,
@@ -49,7 +50,8 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "notes": [_texts(note) for note in notes(verdict)],
         "best": verdict.best.option.name,
         "jma_intensity": number(verdict.intensity),
-        "intensity_class": intensity_class(verdict.intensity),
+        "intensity_class": None if verdict.floor else intensity_class(verdict.intensity),
+        "motion_floor": verdict.floor or None,
         "strength": strength_data(verdict.scenario, verdict.motions),
         "slide_limit_m": verdict.slide_limit,
         "motions": verdict.motions,
@@ -85,8 +87,8 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
                 }
                 for load in verdict.estimates.equipment
             ],
-            "ac156_height_ratio": number(verdict.estimates.shake_table.height_ratio),
-            "ac156_rocking_s_ds_g": number(verdict.estimates.shake_table.sds),
+            "ac156_height_ratio": None if test is None else number(test.height_ratio),
+            "ac156_rocking_s_ds_g": None if test is None else number(test.sds),
             "asce43_sliding_share": number(verdict.estimates.sliding.share),
             "asce43_sliding_median_m": number(verdict.estimates.sliding.distance),
         },

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.files import folder_draft
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
@@ -82,11 +82,10 @@ def write_curves(
         for curve, identifier in zip(several, identifiers(several) if several else (), strict=True)
         if re.search(r"_[0-9a-f]{8}$", identifier)
     ]
-    lognormals = [curve for curve in several if curve.lognormal is not None and curve.lognormal.fits]
-    if lognormals:
-        texts["pelicun.csv"] = pelicun_csv(lognormals)
-    if several and in_openquake(measure) is None:
-        left_out.append(say("report.no_nrml", language, measure=measure.key))
+    if several:
+        texts["pelicun.csv"] = pelicun_csv(several)
+    if several and in_openquake(curves[0].measure) is None:
+        left_out.append(say("report.no_nrml", language, measure=curves[0].measure.key))
     elif several:
         texts["nrml.xml"] = nrml_xml(
             several, say("report.overturning_of", piece=verdict.scenario.furniture.title)
@@ -109,16 +108,16 @@ def _called(option: Option, verdict: Verdict, language: str) -> str:
 
 
 def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
-    """Return why a curve is not in the files for loss tools, or in one of them only; empty where it is."""
+    """Return why a curve is not in the files for loss tools, or there by its points; else nothing."""
     if curve.state is not CurveState.FITTED:
         return say("fragility.left_out_state", language, option=name, state=curve.state.phrase)
     if curve.one_motion:
         return say("fragility.left_out_one_motion", language, option=name)
-    if curve.lognormal is None:
-        return say("fragility.left_out_abrupt", language, option=name)
-    if curve.lognormal.fits:
+    lognormal, highest = curve.lognormal, curve.measure.text(curve.levels[-1].im)
+    if lognormal is not None and lognormal.fits:
         return ""
-    return say("fragility.left_out_misfit", language, option=name, why=curve.lognormal.texts)
+    why = phrase("fragility.no_lognormal") if lognormal is None else lognormal.texts
+    return say("fragility.by_points", language, option=name, highest=highest, why=why)
 
 
 def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> str:
@@ -132,7 +131,10 @@ def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> s
         low, high = curve.band(grid)
         table = np.column_stack((grid, curve.probability(grid), low, high))
         rows += [(text_cell(curve.name), *map(number, row.tolist()), METHOD) for row in table]
-    return _text(("option", key(measure), "probability", "low", "high", "method"), rows)
+    return _text(
+        ("option", key(curves[0].measure if curves else measure), "probability", "low", "high", "method"),
+        rows,
+    )
 
 
 def observed_csv(curves: Sequence[FragilityCurve]) -> str:

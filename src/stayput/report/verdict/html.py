@@ -104,7 +104,10 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "headline": headline(verdict, language),
         "strength": text(
             "instrumental",
-            **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
+            **{
+                "class": class_label(verdict.intensity, language, verdict.floor),
+                "value": f"{verdict.intensity:.2f}",
+            },
         ),
         "simulations": simulations(verdict, language),
         "device_columns": [text(key) for key in DEVICE_COLUMNS],

@@ -216,7 +216,7 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
         record |= {f"peak_{name}_median": number(quantiles.median), f"peak_{name}_p90": number(quantiles.p90)}
     for share in SHARES:
         capacity = result.capacities.get(share)
-        key = f"jma_intensity_{100.0 * share:.0f}_percent"
+        key = f"{'floor_jma' if verdict.floor else 'jma_intensity'}_{100.0 * share:.0f}_percent"
         record |= {
             key: None if capacity is None else number(capacity.estimate),
             f"{key}_low": None if capacity is None else number(capacity.low),
@@ -313,10 +313,14 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
             )
             for load in estimates.equipment
         ),
-        (
-            text("ac156", ratio=f"{estimates.shake_table.height_ratio:.2f}"),
-            text("ac156_text", value=f"{estimates.shake_table.sds:.2f}"),
-            f"{text('tilt')}{colon}{rocking}",
+        *(
+            (
+                text("ac156", ratio=f"{test.height_ratio:.2f}"),
+                text("ac156_text", value=f"{test.sds:.2f}"),
+                f"{text('tilt')}{colon}{rocking}",
+            )
+            for test in (estimates.shake_table,)
+            if test is not None
         ),
         (
             text("asce43"),

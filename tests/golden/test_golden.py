@@ -1,0 +1,169 @@
+"""What stayput answers for some fifteen scenes, frozen: no change of an answer passes unseen.
+
+``GOLDEN=write make test PYTEST_ARGS=tests/golden`` writes the files of ``expected`` anew; the commit that
+does so says which answers changed on purpose, and why. Where a motion is a polynomial the bits of the run
+are kept, by a digest; where NumPy or SciPy computed it, whose last digit depends on the machine, numbers
+are compared to six digits.
+"""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import io
+import json
+import math
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.cli import app
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+HERE = Path(__file__).parent
+EXPECTED = HERE / "expected"
+SCENES = sorted((HERE / "scenes").glob("*.toml"))
+VOLATILE = {"seconds", "version", "stayput"}
+"""Keys whose values differ from run to run, or with each version."""
+
+LONG = 12
+"""Lists with more items are kept by three of them."""
+
+WALL = sp.Wall(0.02)
+WALLED = sp.Room(sp.Floor(0.4, 0.3), left_wall=WALL)
+BRACKET = [sp.MEASURES["l_bracket"]()]
+STACK = sp.Assembly(
+    [
+        sp.Standing(sp.Solid.box(0.45, 0.9, 1.0, 60.0)),
+        sp.Standing(sp.Solid.box(0.35, 0.9, 0.9, 30.0), at=(-0.05, 0.0, 1.0)),
+    ]
+)
+BOOKCASE = sp.Body(0.3, 1.8, 60.0, length=0.9)
+
+
+def waves(peak: float, vertical: float = 0.0) -> sp.Motion:
+    """Return parabolic waves of half a second, whose samples are exact in any arithmetic."""
+    count = np.arange(800)
+    u = (count % 50) / 50.0
+    wave = 4.0 * u * (1.0 - u) * np.where(count // 50 % 2, -1.0, 1.0) * np.minimum(count / 200.0, 1.0)
+    return sp.Motion(0.01, peak * wave, z=vertical * wave[::-1] if vertical else None, name="waves")
+
+
+def bits(run: sp.Run | sp.SpaceRun) -> dict[str, Any]:
+    """Return a digest of a run's histories, and its peaks, by which a change of the digest is understood."""
+    histories = (run.time, run.tilt, run.slide)
+    digest = hashlib.sha256(b"".join(np.ascontiguousarray(one, dtype=float).tobytes() for one in histories))
+    told = {name: np.asarray(getattr(run, name)).tolist() for name in ("peak_tilt", "peak_slide")}
+    return {"digest": digest.hexdigest()[:16], "outcome": str(run.outcome), **told}
+
+
+RUNS: dict[str, Callable[[], sp.Run | sp.SpaceRun]] = {
+    "plane": lambda: sp.simulate(BOOKCASE, WALLED, waves(4.0, 1.0)),
+    "plane_slides": lambda: sp.simulate(sp.Body(0.6, 0.7, 40.0), sp.Room(sp.Floor(0.25, 0.2)), waves(5.0)),
+    "plane_held": lambda: sp.simulate(BOOKCASE, WALLED, waves(6.0), BRACKET),
+    "plane_paper": lambda: sp.simulate(BOOKCASE, sp.Room(left_wall=WALL), waves(4.0), contact="paper"),
+    "space": lambda: sp.simulate(BOOKCASE, WALLED, waves(4.0, 1.0), dimensions=3),
+    "space_held": lambda: sp.simulate(BOOKCASE, WALLED, waves(6.0), BRACKET, dimensions=3),
+    "space_stack": lambda: sp.simulate(STACK, sp.Room(), waves(3.0)),
+}
+
+
+def plain(value: Any) -> Any:
+    """Return a value of JSON without what differs from run to run; of long lists first, middle and last."""
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items() if key not in VOLATILE}
+    if isinstance(value, list):
+        if len(value) > LONG:
+            return {"count": len(value), "some": plain([value[0], value[len(value) // 2], value[-1]])}
+        return [plain(one) for one in value]
+    if isinstance(value, float) and math.isfinite(value):
+        return float(f"{value:.6g}")
+    return value
+
+
+def agree(found: Any, expected: Any, place: str = "") -> None:
+    """Compare two values of JSON; numbers may differ in their sixth digit."""
+    if isinstance(expected, dict):
+        assert isinstance(found, dict), place
+        assert found.keys() == expected.keys(), place
+        for key, value in expected.items():
+            agree(found[key], value, f"{place}.{key}")
+    elif isinstance(expected, list):
+        assert isinstance(found, list), place
+        assert len(found) == len(expected), place
+        for i, (one, other) in enumerate(zip(found, expected, strict=True)):
+            agree(one, other, f"{place}[{i}]")
+    elif isinstance(expected, float):
+        assert found == pytest.approx(expected, rel=3e-6, abs=1e-9), place
+    else:
+        assert found == expected, place
+
+
+def check(name: str, answer: Any) -> None:
+    """Compare an answer with the file of that name, or write that."""
+    file = EXPECTED / f"{name}.json"
+    if os.environ.get("GOLDEN") == "write":
+        EXPECTED.mkdir(exist_ok=True)
+        file.write_text(json.dumps(answer, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+    agree(answer, json.loads(file.read_text(encoding="utf-8")))
+
+
+def cli(*arguments: object) -> str:
+    done = CliRunner().invoke(app, [str(argument) for argument in arguments], env={"COLUMNS": "100"})
+    assert done.exit_code == 0, done.output
+    return done.stdout
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_the_bits_of_runs(name: str) -> None:
+    check(f"run_{name}", plain(bits(RUNS[name]())))
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=[scene.stem for scene in SCENES])
+def test_verdicts(scene: Path) -> None:
+    check(f"verdict_{scene.stem}", plain(json.loads(cli("verify", scene, "--json", "--quiet"))))
+
+
+@pytest.mark.parametrize("scene", ["alone", "stacked", "room"])
+def test_verdicts_in_words(scene: str) -> None:
+    file = HERE / "scenes" / f"{scene}.toml"
+    told = {lang: cli("verify", file, "--markdown", "-", "--lang", lang, "--quiet") for lang in ("en", "ja")}
+    check(f"words_{scene}", {lang: text.splitlines() for lang, text in told.items()})
+
+
+@pytest.mark.parametrize("scene", ["alone", "shelves", "upstairs"])
+def test_runs_of_scenes(scene: str) -> None:
+    answer = json.loads(cli("simulate", HERE / "scenes" / f"{scene}.toml", "--json", "--quiet"))
+    check(f"simulate_{scene}", plain({**answer, "events": answer["events"][:20]}))
+
+
+def test_an_inventory(tmp_path: Path) -> None:
+    table = tmp_path / "inventory.csv"
+    table.write_text(
+        "id,preset,building,storey,width\n"
+        "a,bookcase,8 RC,6,\nb,chest,,,\nc,wardrobe,8 RC,B1,0.5\nd,bookcase,,,-1\n",
+        encoding="utf-8",
+    )
+    scenario = tmp_path / "city.toml"
+    scenario.write_text(
+        '[shaking]\nintensity = "6-lower"\nsuite = { count = 3 }\n[uncertainty]\nsamples = 4\n'
+        '[[measures]]\ntype = "l_bracket"\n',
+        encoding="utf-8",
+    )
+    done = sp.assess(table, scenario, tmp_path / "out", progress=False)
+    rows = (done.folder / "summary.csv").read_text(encoding="utf-8-sig")
+    facts = {key: value for key, value in done.facts.items() if key in ("rows", "pieces", "rejects")}
+    check("inventory", {"facts": facts, "summary": list(csv.DictReader(io.StringIO(rows)))})
+
+
+def test_motions() -> None:
+    check("motion", plain(json.loads(cli("motion", "info", "near-fault", "--json", "--quiet"))))
+    floor = sp.Building(6, "RC").floor_motion(sp.near_fault(), 5)
+    check("floor", plain({"pga": floor.pga, "pgv": floor.pgv, "peaks": floor.x[::300].tolist()}))

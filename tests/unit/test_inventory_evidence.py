@@ -1,0 +1,196 @@
+"""What the results of an inventory say of a row: statements that hold over the intervals of its runs."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from dataclasses import replace
+
+import numpy as np
+import pyarrow.parquet as pq
+import pytest
+import typer
+from inventories import CITY, city, rows_of_results, table
+from typer.testing import CliRunner
+
+from stayput.cli.assess import assess as command
+from stayput.fragility import difference
+from stayput.inventory import assess
+from stayput.inventory.records import record_type
+from stayput.inventory.report import UNTOLD
+from stayput.inventory.results import Finding, choose, finding_of, least_motions, numbers_of
+from stayput.inventory.summary import Total
+from stayput.inventory.units import fill_record
+from stayput.inventory.words import findings_told, printed
+from stayput.montecarlo.counting import EVENTS, Outcomes
+
+
+def test_costs_choose_what_is_worth_them():
+    records = chances([0.5, 0, 0, 0], [0.1, 0, 0, 0], [0.05, 0, 0, 0])
+    sizes = [0, 1, 1]
+    assert choose(records, sizes, None, None).best == 2
+    chosen = choose(records, sizes, [100.0, 1000.0], 10_000.0)
+    assert (chosen.best, chosen.by_cost) == (2, 1)
+    assert chosen.gain == pytest.approx(3900.0)
+    assert choose(records, sizes, [1e6, 1e6], 10_000.0).by_cost == 0
+    assert choose(records, sizes, [100.0, 1000.0], None).by_cost == 1
+    worse = chances([0.5, 0, 0, 0], [0.6, 0, 0, 0], [0.6, 0, 0, 0])
+    assert choose(worse, sizes, [100.0, 1000.0], None).best == 0
+
+
+def chances(*rows, motions=100, samples=10):
+    """Records of options by the shares of the runs in which each of `EVENTS` happens, the same first ones."""
+    records = np.zeros(len(rows), record_type(motions, samples))
+    place = np.arange(motions * samples).reshape(motions, samples) / (motions * samples)
+    for number, row in enumerate(rows):
+        overturned, slid, hit_wall, failed = (place < share - 1e-9 for share in row)
+        given_up = np.full(place.shape, math.isnan(row[0]))
+        outcomes = Outcomes(overturned, given_up, hit_wall, failed, 1.0 * slid, 0.0 * place)
+        fill_record(records[number : number + 1], outcomes, slide_limit=0.1)
+    return records
+
+
+@pytest.mark.parametrize(
+    ("motions", "samples", "without", "held", "finding"),
+    [
+        (4, 1, 0.25, 0.0, Finding.MAY_BE_CHANCE),
+        (40, 10, 0.02, 0.01, Finding.MAY_BE_CHANCE),
+        (40, 10, 0.3, 0.0, Finding.HELPED),
+        (4, 1, 0.0, 0.0, Finding.TOO_FEW_RUNS),
+        (75, 10, 0.0, 0.0, Finding.TOO_FEW_RUNS),
+        (76, 1, 0.0, 0.0, Finding.NEEDS_NONE),
+        (200, 10, 0.002, 0.002, Finding.NEEDS_NONE),
+        (40, 10, 0.5, 0.5, Finding.NOT_HELPED),
+        (40, 10, 0.02, 0.02, Finding.NOT_HELPED),
+        (4, 1, math.nan, 0.0, None),
+    ],
+)
+def test_what_is_said_of_a_row_holds_over_its_intervals(motions, samples, without, held, finding):
+    records = chances([without, 0, 0, 0], [held, 0, 0, 0], motions=motions, samples=samples)
+    choice = choose(records, [0, 1], [1.0], None)
+    assert finding_of(numbers_of(records[0]), choice) == finding
+    assert choice.by_cost == (1 if finding == Finding.HELPED else 0)
+    assert least_motions() == 76
+
+
+def test_a_difference_is_that_of_a_verification_run_by_run():
+    """By the same function, from the same runs, whichever event ranks the best first."""
+    rng = np.random.default_rng(1)
+    bare, held = rng.random((2, 30, 9)) < [[[0.4]], [[0.2]]]
+    given_up, slid = rng.random((2, 30, 9)) < 0.05
+    no, still = np.zeros((30, 9), bool), np.zeros((30, 9))
+    records = np.zeros(2, record_type(32, 20))  # another scenario has more
+    for place, fell in enumerate((bare, held)):
+        outcomes = Outcomes(fell, given_up, no, no, 1.0 * slid, still)
+        fill_record(records[place : place + 1], outcomes, slide_limit=0.1)
+    choice = choose(records, [0, 1], None, None)
+    assert (choice.event, choice.change) == (
+        "overturned",
+        replace(difference(held, bare, given_up), missing=choice.change.missing),
+    )
+    assert choice.change.missing == given_up.sum() + 32 * 24 - 30 * 9
+
+
+def test_measures_that_do_nothing_add_up_to_no_gain():
+    """Chosen among five by the runs that score it, the best of them seems to help every piece."""
+    rng = np.random.default_rng(3)
+    rows, seeming, counted = 60, 0.0, 0.0
+    for _ in range(rows):
+        records = np.zeros(6, record_type(40, 5))
+        for place in range(6):
+            no, still = np.zeros((40, 5), bool), np.zeros((40, 5))
+            outcomes = Outcomes(rng.random((40, 5)) < 0.1, no, no, no, still, still)
+            fill_record(records[place : place + 1], outcomes, slide_limit=0.1)
+        choice = choose(records, [0] + [1] * 5, None, None)
+        gain = records["chances"][0, 0, 0] - records["chances"][choice.best, 0, 0]
+        seeming += gain / rows
+        counted += gain / rows * (finding_of(numbers_of(records[0]), choice) == Finding.HELPED)
+    assert seeming > 0.02
+    assert counted < 0.01
+
+
+@pytest.mark.parametrize(
+    ("without", "held", "best"),
+    [
+        ((1.0, 0.7, 1.0, 0.0), (1.0, 0.3, 1.0, 0.0), 0),  # it overturns all the same
+        ((0.6, 0.6, 0.0, 0.0), (0.6, 0.1, 0.0, 0.0), 0),
+        ((0.6, 0.9, 0.0, 0.0), (0.6, 0.1, 0.0, 0.0), 1),  # of those that stand fewer slide
+        ((0.0, 0.9, 0.0, 0.0), (0.0, 0.1, 0.0, 0.0), 1),
+        ((0.3, 0.9, 0.0, 0.0), (0.301, 0.35, 0.0, 0.0), 0),  # alike in the ranking, but not less
+        ((0.5, 0.5, 0.5, 0.0), (0.4, 1.0, 1.0, 1.0), 1),
+        ((0.0, 0.0, 0.5, 0.0), (0.0, 0.0, 0.4, 0.2), 0),
+        ((math.nan,) * 4, (math.nan,) * 4, 0),
+        ((0.3, 0.3, 0.0, 0.0), (math.nan,) * 4, 0),
+    ],
+)
+def test_a_measure_is_best_only_where_it_helps(without, held, best):
+    named = dict(zip(("overturned", "slid", "hit_wall", "device_failed"), range(4), strict=True))
+    rows = [[row[named[event]] for event in EVENTS] for row in (without, held)]
+    assert choose(chances(*rows), [0, 1], None, None).best == best
+
+
+def test_where_no_measure_helps_results_summary_report_and_screen_say_so(tmp_path):
+    scenario = city(tmp_path, CITY.replace("6.0", "7.0"))
+    file = table(tmp_path, ["a,0.2,1.8,80,wedge", "b,0.3,1.8,80,wedge"], "id,width,height,mass,measures")
+    app = typer.Typer()
+    app.command()(command)
+    arguments = [str(file), "--scenario", str(scenario), "--out", str(tmp_path / "out")]
+    told = CliRunner().invoke(app, arguments)
+    assert "For 2 pieces none of the compared measures is seen to help." in told.output
+    rows = pq.read_table(tmp_path / "out" / "pieces").to_pylist()
+    assert [row["overturned"] for row in rows] == [1.0, 1.0]
+    assert [row["best"] for row in rows] == ["none", "none"]
+    assert pq.read_table(tmp_path / "out" / "summary.parquet")["pieces_helped"].to_pylist() == [0]
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert "For 2 pieces none of the compared measures is seen to help." in page
+    assert len(re.findall(r"<td[^>]*>none seen to help</td><td></td>", page)) == 2
+
+
+@pytest.mark.parametrize(
+    ("motions", "finding", "cells", "sentences"),
+    [
+        (80, "needs_none", ("needs none", "対策不要"), ("No measure is needed for 1 piece", "対策不要です")),
+        (
+            3,
+            "too_few_runs",
+            ("not enough runs to tell", "計算数が足りず判定できない"),
+            ("76 motions at least", "少なくとも76本の地震動が必要です"),
+        ),
+    ],
+)
+def test_a_piece_that_never_overturns_needs_no_measure_where_the_runs_can_tell(
+    tmp_path, motions, finding, cells, sentences
+):
+    file = table(tmp_path, ["a,2,0.2,80,wedge"], "id,width,height,mass,measures")
+    quiet = city(tmp_path, CITY.replace("6.0", "3.0").replace("count = 3", f"count = {motions}"))
+    done = assess(file, quiet, tmp_path / "out", export="csv", progress=False)
+    total = done.summary.events["city"]
+    (row,) = rows_of_results(done)
+    assert row["finding"] == finding
+    assert dict(total.found) == {finding: 1}
+    assert f",{finding}," in (tmp_path / "out" / "pieces.csv").read_text(encoding="utf-8-sig")
+    assert done.folder.joinpath("summary.csv").read_text(encoding="utf-8-sig").count(f"pieces_{finding}") == 1
+    for language, cell, sentence in zip(("en", "ja"), cells, sentences, strict=True):
+        page = done.report(language).read_text(encoding="utf-8")
+        assert f'<td class="words">{cell}</td>' in page
+        assert sentence in page
+        assert sentence in printed(total, "city", language)[1]
+        assert (UNTOLD in page.partition('<div class="maps">')[2]) == (finding == "too_few_runs")
+    for name in ("summary.csv", "rejects.csv"):  # by the mark a spreadsheet knows UTF-8
+        assert (tmp_path / "out" / name).read_bytes().startswith(b"\xef\xbb\xbf")
+
+
+@pytest.mark.parametrize(
+    ("total", "told"),
+    [
+        ({"not_helped": 4}, ["For 4 pieces none of the compared measures is seen to help."]),
+        ({"helped": 1, "needs_none": 3}, ["No measure is needed for 3 pieces", "helps 1 piece by more than"]),
+        ({"may_be_chance": 2}, ["For 2 pieces a measure does better in these runs, which may be chance"]),
+        ({}, [""]),
+    ],
+)
+def test_what_is_found_is_counted_in_sentences(total, told):
+    sentences = findings_told(Total(found=Counter(total)), "en")
+    assert all(part in sentences for part in told)
+    assert len(re.findall(r"\.(?: |$)", sentences)) == len(total)

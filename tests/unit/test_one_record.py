@@ -1,0 +1,125 @@
+"""Components of two records are not put together: other stations, events, directions, or one file twice."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+import pytest
+from test_readers_japan import jma
+from test_readers_world import cosmos, esm
+
+import stayput as sp
+
+N = 100
+WAVE = np.random.default_rng(3).normal(size=N)
+
+
+def at2(title: str, wave=WAVE) -> str:
+    rows = "".join(f"{a:.8f}\n" for a in wave)
+    return f"PEER\n{title}\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= {len(wave)}, DT= .01 SEC\n{rows}"
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(text, name="record", **options):
+        file = tmp_path / name
+        file.write_text(text, encoding="utf-8")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return sp.read_motion(file, **options)
+
+    return reader
+
+
+def refused(*parts, **more):
+    with pytest.raises(sp.InputError) as caught:
+        sp.Motion.combine(*parts, **more)
+    return caught.value
+
+
+@pytest.mark.parametrize("other", ["QUAKE 1/2/99, SOUTH, 000", "QUAKE 3/4/99, NORTH, 000"])
+def test_another_station_or_event_is_refused_by_both_names(read, other):
+    x, y = read(at2("QUAKE 1/2/99, NORTH, 090")), read(at2(other, 2 * WAVE))
+    error = refused(x, y)
+    assert "x component is of 'QUAKE 1/2/99, NORTH' and the y component of" in str(error)
+    assert f"'{other[:-5]}'" in str(error)
+    assert error.field == "y"
+    assert "x成分は「QUAKE 1/2/99, NORTH」、y成分は" in error.told("ja")
+
+
+def test_each_format_states_where_and_when(read):
+    files = {
+        "jma": (jma(), jma().replace("INITIAL TIME = 20", "INITIAL TIME = 19")),
+        "esm": (esm(), esm(STATION_CODE="OTHER")),
+        "cosmos": (cosmos(), cosmos().replace("Hypocenter: ...", "Statn No: 7", 1)),
+    }
+    for name, (text, changed) in files.items():
+        assert text != changed, name
+        first, second = read(text), read(changed)
+        assert first.listing.origin
+        assert first.listing.origin != second.listing.origin, name
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [("000", "360"), ("NS", "N"), ("090", "270"), ("000", "180"), ("E", "EW"), ("NS", "180")],
+)
+def test_two_of_one_direction_are_refused(read, first, second):
+    parts = [read(at2(f"QUAKE, PLACE, {d}", k * WAVE)) for k, d in enumerate((first, second), 1)]
+    error = refused(*parts)
+    told = f"The x component points to '{first}' and the y component to '{second}'; they must be at right"
+    assert str(error).startswith(told)
+    assert "互いに直交" in error.told("ja")
+
+
+@pytest.mark.parametrize(("first", "second"), [("000", "090"), ("NS", "EW"), ("233", "323"), ("", "090")])
+def test_two_directions_of_one_record_are_not(read, first, second, recwarn):
+    titles = (f"QUAKE, PLACE, {d}".removesuffix(", ") for d in (first, second))
+    x, y = (read(at2(title, k * WAVE)) for k, title in enumerate(titles, 1))
+    assert sp.Motion.combine(x, y).y is not None
+    assert not recwarn.list
+
+
+@pytest.mark.parametrize(
+    ("place", "direction", "wanted", "japanese"),
+    [
+        ("y", "UP", "horizontal", "水平動"),
+        ("z", "090", "vertical", "上下動"),
+        ("z", "E", "vertical", "上下動"),
+    ],
+)
+def test_each_component_has_its_axis(read, place, direction, wanted, japanese):
+    x, other = read(at2("QUAKE, PLACE, 000")), read(at2(f"QUAKE, PLACE, {direction}", 2 * WAVE))
+    error = refused(x, **{place: other})
+    assert str(error) == f"The {place} component points to '{direction}'; it must be a {wanted} one."
+    assert japanese in error.told("ja")
+
+
+@pytest.mark.parametrize("place", ["y", "z"])
+def test_one_file_twice_is_refused(read, place):
+    motion = read("".join(f"{0.01 * i:.2f} {a}\n" for i, a in enumerate(WAVE)), unit="gal")
+    error = refused(motion, **{place: motion})
+    assert f"x and {place} components are the same record, 'record'" in str(error)
+    assert "同じ記録" in error.told("ja")
+    assert sp.Motion.combine(sp.near_fault(), sp.near_fault()).y is not None  # computed, and meant
+
+
+def test_files_that_do_not_say_are_warned_of(read):
+    columns = [
+        read("".join(f"{0.01 * i:.2f} {k * a}\n" for i, a in enumerate(WAVE)), unit="gal") for k in (1, 2)
+    ]
+    untold = read(at2("QUAKE, PLACE-EAST", 3 * WAVE))
+    told = read(at2("QUAKE, PLACE, 000"))
+    for x, y in (columns, (told, columns[1]), (told, untold)):
+        with pytest.warns(sp.InputWarning, match="do not both say of which record they are") as heard:
+            sp.Motion.combine(x, y)
+        assert "同じ記録かどうか" in heard[0].message.told("ja")
+
+
+def test_a_part_of_a_file_is_no_other_record(read, recwarn):
+    station = read(jma())
+    up = station.component("z")
+    joined = sp.Motion.combine(station, station.component("y"), up)
+    assert list(joined.components) == ["x", "y", "z"]
+    assert not recwarn.list

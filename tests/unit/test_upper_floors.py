@@ -1,0 +1,211 @@
+"""Motions of an upper floor are not told as the ground's: they are labelled, or refused."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from functools import partial
+from html import unescape
+
+import pytest
+from inventories import CITY, table
+from test_rooms import BEDROOM
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.app.shaking import shaking_reply
+from stayput.cli import app
+from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, spectral_acceleration
+from stayput.fragility.intensity_measures import FLOOR_JMA
+from stayput.fragility.nrml import in_openquake
+from stayput.motion.measures import Intensities
+from stayput.report.room.data import room_data
+from stayput.report.several.data import several_data
+from stayput.report.verdict.curves import curves_svg
+from stayput.report.verdict.data import verdict_data
+from stayput.report.verdict.html import report_html
+from stayput.report.verdict.markdown import verdict_markdown
+from stayput.report.verdict.tables import verdict_csv
+from stayput.scenario.shaking import STRENGTHS
+from stayput.verification.words import class_label
+
+GROUND = sp.synthetic_suite("crustal", 3).to_intensity(5.0)
+FLOORS = sp.Suite(tuple(sp.Building(8).floor_motion(motion, 6) for motion in GROUND), "floors")
+BODY = sp.Body(width=0.35, height=1.8, mass=90.0, length=0.9)
+STRENGTH = {
+    "intensity": "6-upper",
+    "pga": 4.0,
+    "pgv": 0.5,
+    "sa": {"period": 0.3, "value": 4.0},
+    "mmi": 7.0,
+    "earthquake": {"magnitude": 7.0, "distance": 20.0},
+}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("floors")
+    for number, motion in enumerate(FLOORS):
+        motion.write(folder / f"m{number}_6F.csv")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def verdict():
+    room = sp.Room(left_wall=sp.Wall(0.02))
+    brackets = [sp.measures.LBracket()]
+    return sp.verify(
+        BODY, room, shaking=FLOORS, measures=brackets, samples=6, levels=[5.0, 6.0], progress=False
+    )
+
+
+def refused(call, *parts):
+    with pytest.raises(sp.InputError) as caught:
+        call()
+    for part in ("is of storey 6 of a building", *parts):
+        assert part in caught.value.told("en")
+    assert "建物の床（6階）の揺れです" in caught.value.told("ja")
+
+
+def test_what_is_said_of_the_ground_alone_refuses_a_floor_in_one_sentence():
+    floor = FLOORS[0]
+    stones = [sp.Fallen(sp.Body(0.24, 0.62, 95.0), 3, 9)]
+    for call, allowed in (
+        (lambda: floor.to_intensity("6-upper"), "a factor (scale)"),
+        (lambda: FLOORS.to_intensity(5.5), "a factor (scale)"),
+        (lambda: sp.Building(5).floor_motion(floor, 2), "give it no building"),
+        (lambda: list(sp.Building(5).floor_motions([GROUND[0], floor], [2])), "give it no building"),
+        (lambda: sp.Building(5).floor_peaks([floor]), "give it no building"),
+        (lambda: sp.Building(5).respond(floor), "give it no building"),
+        (lambda: sp.intensity_from_fallen(stones, motions=FLOORS), "motions of the ground alone"),
+        (lambda: sp.verify(BODY, shaking=sp.Suite((GROUND[0], floor))), "or of upper floors alone"),
+        *(
+            (
+                lambda im=im: sp.verify(
+                    BODY, shaking=FLOORS, samples=3, levels=[5.0], intensity_measures=[im]
+                ),
+                "PFA",
+            )
+            for im in (PGA, PGV, MMI, spectral_acceleration(0.3))
+        ),
+    ):
+        refused(call, allowed)
+    assert floor.scaled(2.0).floor == "storey 6"
+
+
+@pytest.mark.parametrize("key", STRENGTHS)
+def test_the_strength_of_the_ground_is_not_that_of_a_floor(folder, key):
+    shaking = {"suite": str(folder), key: STRENGTH[key]}
+    scenario = sp.Scenario.parse({"furniture": {"preset": "bookcase"}, "shaking": shaking})
+    motion, motions = (partial(make, folder) for make in (scenario.shaking.motion, scenario.shaking.motions))
+    for call in (lambda: sp.verify(scenario, progress=False), motion, motions):
+        with (
+            pytest.warns(sp.InputWarning),
+            pytest.raises(sp.InputError, match="how strongly the ground shakes"),
+        ):
+            call()
+
+
+def test_an_inventory_takes_no_floors(folder, tmp_path):
+    text = CITY.replace('suite = { family = "crustal", count = 3, seed = 1 }', f'suite = "{folder}"')
+    file = tmp_path / "city.toml"
+    file.write_text(text.replace("intensity = 6.0\n", ""), encoding="utf-8")
+    with (
+        pytest.warns(sp.InputWarning),
+        pytest.raises(sp.InputError, match="an inventory takes motions of the ground"),
+    ):
+        sp.assess(table(tmp_path, ["a,chest"], "id,preset"), file, tmp_path / "out", progress=False)
+
+
+@pytest.mark.parametrize(
+    ("language", "told"),
+    [
+        ("en", ("by the motion on storey 6, not of the place", "The motions are of storey 6 of a building")),
+        ("ja", ("6階の床の揺れによる値で、その場所の震度ではない", "地震動は建物の床（6階）の揺れです")),
+    ],
+)
+def test_every_form_of_a_verdict_says_which_floor_it_is_of(verdict, language, told):
+    assert told[0] in verdict.sentence(language)
+    for text in (verdict_markdown(verdict, language), report_html(verdict, language)):
+        assert all(part in text for part in told)
+        assert "AC156, z/h" not in text
+
+
+def test_its_data_and_curves_carry_the_label(verdict):
+    data = verdict_data(verdict)
+    assert (data["motion_floor"], data["intensity_class"]) == ("storey 6", None)
+    estimates = data["estimates"]
+    assert (estimates["equipment_loads"], estimates["ac156_height_ratio"]) == ([], None)
+    assert estimates["overturning_ratio"] > 0.0  # goes by the floor's own peaks
+    curves = verdict.without.curves
+    assert list(curves) == [JMA_INTENSITY, PFA, PFV]
+    assert curves[JMA_INTENSITY].measure == FLOOR_JMA
+    assert in_openquake(FLOOR_JMA) is None
+    assert "floor_jma_50_percent" in verdict_csv(verdict)
+    assert "\njma_intensity" not in verdict_csv(verdict)
+    for language, name in zip(("en", "ja"), FLOOR_JMA.names, strict=True):
+        picture = curves_svg(verdict, language)
+        assert name in unescape(picture)
+        assert class_label(6.25, language) not in picture  # classes are of a place
+
+
+def test_the_ground_is_told_as_before():
+    verdict = sp.verify(BODY, shaking=GROUND, samples=3, levels=[5.0], progress=False)
+    data = verdict_data(verdict)
+    assert (data["motion_floor"], data["intensity_class"]) == (None, "5-upper")
+    assert data["estimates"]["ac156_height_ratio"] == 0.0
+    assert len(data["estimates"]["equipment_loads"]) == 3
+    assert list(verdict.without.curves) == [JMA_INTENSITY, PGA, PGV, PFA, PFV]
+
+
+def test_several_pieces_and_rooms_say_it_too(folder):
+    shaking = {"suite": str(folder)}
+    pieces = [{"name": name, "preset": "chest", "at": [x, 0.5]} for name, x in (("a", 0.6), ("b", 3.0))]
+    given = {"furniture": pieces, "shaking": shaking, "uncertainty": {"samples": 3}}
+    with pytest.warns(sp.InputWarning):
+        verdicts = [
+            sp.verify(sp.AssemblyScenario.parse(given), progress=False),
+            sp.verify_room(sp.RoomScenario.parse({**BEDROOM, **given}), changes=False, progress=False),
+        ]
+    for verdict, data in zip(verdicts, (several_data, room_data), strict=True):
+        assert data(verdict)["motion_floor"] == "floor 6"
+        assert data(verdict)["intensity_class"] is None
+        assert "by the motion on floor 6, not of the place" in verdict.sentence("en")
+        assert "6階の床の揺れによる値で、その場所の震度ではない" in verdict.sentence("ja")
+
+
+def test_intensities_of_a_place_are_not_converted_from_a_floor(folder):
+    found = Intensities.of(FLOORS[0])
+    assert all(math.isnan(value) for value in (found.mercalli, found.from_pgv, found.kawasumi))
+    assert found.intensity == pytest.approx(FLOORS[0].intensity)
+    file = str(folder / "m0_6F.csv")
+    told = json.loads(CliRunner().invoke(app, ["motion", "info", file, "--json"]).stdout)
+    assert told["floor"] == "floor 6"
+    assert {told[key] for key in ("jma_class", "long_period_class", "modified_mercalli")} == {None}
+    for language, part in (("en", "not the intensity of the place"), ("ja", "その場所の震度ではない")):
+        shown = (
+            CliRunner()
+            .invoke(app, ["motion", "info", file, "--lang", language], env={"COLUMNS": "200"})
+            .stdout
+        )
+        assert part in shown
+        assert "Mercalli" not in shown
+
+
+def test_a_suite_s_table_names_the_floors(folder, tmp_path):
+    done = CliRunner().invoke(
+        app, ["motion", "suite", "--records", str(folder), "--out", str(tmp_path / "suite")]
+    )
+    assert done.exit_code == 0, done.output
+    rows = csv.DictReader((tmp_path / "suite" / "suite.csv").read_text(encoding="utf-8-sig").splitlines())
+    assert [row["floor"] for row in rows] == ["floor 6"] * len(FLOORS)
+
+
+def test_the_page_is_told_of_the_floor(folder):
+    tables = {"furniture": {"preset": "bookcase"}, "shaking": {"suite": str(folder)}}
+    scenario = sp.Scenario.parse(tables)
+    with pytest.warns(sp.InputWarning):
+        reply = shaking_reply(scenario)
+    assert reply.intensity_class is None
+    assert "not of the place" in reply.sentence.en
