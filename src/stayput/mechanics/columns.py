@@ -79,7 +79,6 @@ STATE = np.dtype(
         ("foot_a", "f8"),  # x of corner A at rest with slide 0 [m]
         ("foot_b", "f8"),
         ("settle_rate", "f8"),  # a contact that opens no faster than this after an impact stays closed [m/s]
-        ("small_rate", "f8"),  # the same, where its rebounds die out; see `settling`
         ("hit", "i8"),  # bits of the contacts that closed in the last event
         ("peak_tilt", "f8"),
         ("peak_slide", "f8"),

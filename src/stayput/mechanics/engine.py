@@ -76,12 +76,8 @@ from stayput.mechanics.impact import closing_contacts
 from stayput.mechanics.pivot_impact import pivot_on_landing
 from stayput.mechanics.projection import set_pivot_velocity
 from stayput.mechanics.records import CaseDevices
-from stayput.mechanics.sampling import public_mode, record_sample
-from stayput.mechanics.settling import settling_rate
+from stayput.mechanics.sampling import loads, public_mode, record_sample
 from stayput.mechanics.transitions import handle_impacts, relax_event_thresholds, update_mode
-
-REBOUND_WITH_DEVICES = math.sqrt(1e3)
-"""Factor on the rate at which a bounce has ended, where a body has devices: stiff ones make events crowd."""
 
 
 @inner
@@ -230,12 +226,17 @@ def _record_result(result, case, s, dt):
 
 
 @inner
+def _pivots_on_landing(contacts, touch, case, s, motion):
+    """Handle a landing by the fast path of `pivot_impact`, if it applies; whether it did."""
+    a, _, G, _ = loads(case, motion.ax, motion.az, case.scale / motion.dt, s.k, s.tau)
+    return pivot_on_landing(contacts, touch, case, s, a, G)
+
+
+@inner
 def _handle_event(scratch, touch, case, s, held, motion, law, why):
     """Apply impacts, and choose the next mode; return why the last one ended."""
     handle_impacts(scratch, touch, case, s, held, law)
     settle_rate = s.settle_rate if s.hit else STICK_RATE
-    if held is None and law == COULOMB and s.hit:
-        settle_rate = settling_rate(scratch.contacts, touch, case, s, motion)
     update_mode(scratch, touch, settle_rate, case, s, held, motion, law)
     return CLOSED if s.hit else why
 
@@ -276,7 +277,7 @@ def _continue_case(case, scratch, s, held, motion, settings, output):
             held.work.failed = 0
         touch = touching(scratch.contacts, s) | s.closed | s.hit
         bare = held is None and settings.law == COULOMB
-        if bare and why == CLOSED and pivot_on_landing(scratch.contacts, touch, case, s, motion):
+        if bare and why == CLOSED and _pivots_on_landing(scratch.contacts, touch, case, s, motion):
             s.floor_impacts += 1
         else:
             why = _handle_event(scratch, touch, case, s, held, motion, settings.law, why)
@@ -309,10 +310,7 @@ def _run_held_case(case, scratch, s, held, motion, settings, output):
     if no_element_left(held.links):
         _run_case(case, scratch, s, None, motion, settings, output)
         return
-    settle_rate = s.settle_rate
-    s.settle_rate *= REBOUND_WITH_DEVICES
     if _run_case(case, scratch, s, held, motion, settings, output):
-        s.settle_rate = settle_rate
         _continue_case(case, scratch, s, None, motion, settings, output)
     for n in range(held.devices.shape[0]):
         for i in range(2):

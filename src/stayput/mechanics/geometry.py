@@ -23,9 +23,8 @@ GAP_TOLERANCE = 1e-10
 
 RIGHT_ANGLE = math.pi / 2
 
-MIN_REBOUND, SMALL_REBOUND = 1e-10, 1e-6
-"""Rebound heights, as a part of the base length, below which a bounce has ended, or may have; see `settling`.
-"""
+MIN_REBOUND = 1e-7
+"""Rebound height, as a part of the base length, below which a bounce has ended."""
 
 
 @inner
@@ -102,7 +101,6 @@ def set_up(case, contacts, s):
     s.foot_a, s.foot_b = s.x + corner_right(case, 0, s), s.x + corner_right(case, 1, s)
     base = math.sqrt(run * run + rise * rise)
     s.settle_rate = math.sqrt(2.0 * MIN_REBOUND * base * case.gravity)
-    s.small_rate = math.sqrt(2.0 * SMALL_REBOUND * base * case.gravity)
     s.present = FLOOR_BITS
     if math.isfinite(case.right_distance):
         s.present |= 0b00001100

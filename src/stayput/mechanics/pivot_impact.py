@@ -14,8 +14,6 @@ from stayput.mechanics.fulcrum import NEAR_LIMIT, margins
 from stayput.mechanics.geometry import arm, gap_rate, slip_rate
 from stayput.mechanics.impact import energy, scale_change_of_fulcrum, stop_corner
 from stayput.mechanics.projection import set_pivot_velocity
-from stayput.mechanics.sampling import loads
-from stayput.mechanics.settling import settling_rate
 
 
 @inner
@@ -42,12 +40,11 @@ def stop_on_landing(contacts, touch, case, s):
 
 
 @inner
-def pivot_on_landing(contacts, touch, case, s, motion):
-    """Handle the landing of a bare body, if the fast path applies; whether it did.
+def pivot_on_landing(contacts, touch, case, s, a, G):
+    """Handle the landing of a bare body under the loads (a, G), if the fast path applies; whether it did.
 
-    A force near its limit is the general case too, as is a rebound that may have ended.
+    A force near its limit is the general case too.
     """
-    a, _, G, _ = loads(case, motion.ax, motion.az, case.scale / motion.dt, s.k, s.tau)
     before = s.vx, s.vz, s.omega
     if not stop_on_landing(contacts, touch, case, s):
         return False
@@ -57,9 +54,7 @@ def pivot_on_landing(contacts, touch, case, s, motion):
     q = -1.0 / (case.inertia + sigma * sigma + kappa * kappa)
     law = (True, case.inertia, q, con.mu_static, 0.0, 1.0)
     f, g, alpha = margins(law, sigma, kappa, s.omega, a, G, 0.0)
-    rate = gap_rate(contacts[s.closed - 1], s)
-    opens = rate > s.small_rate or rate > settling_rate(contacts, touch, case, s, motion)
-    if opens and min(f, g) > NEAR_LIMIT * case.gravity:
+    if min(f, g) > NEAR_LIMIT * case.gravity:
         s.i, s.d, s.j, s.dj, s.closed, s.alpha = new, 0, -1, 0, s.hit, alpha
         set_pivot_velocity(con, s)
         return True
