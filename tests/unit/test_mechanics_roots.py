@@ -11,7 +11,7 @@ from stayput.mechanics import roots
 @njit
 def first_zero(ends, h):
     g0, v0, c0, g1, v1, c1 = ends
-    return roots.first_zero(g0, v0, c0, g1, v1, c1, h), roots.stays_positive(g0, v0, c0, g1, v1, c1, h)
+    return roots.first_closing(g0, v0, c0, g1, v1, c1, h)[0], roots.stays_positive(g0, v0, c0, g1, v1, c1, h)
 
 
 @njit
@@ -91,6 +91,22 @@ def test_a_contact_that_has_just_closed_must_come_further_to_close_again():
     assert closed_level(1e-6) == 0.0
     assert closed_level(0.0) < 0.0
     assert closed_level(-1e-9) < -1e-9
+
+
+def test_a_gap_that_opens_and_closes_within_a_step_closes_at_zero():
+    p = np.polynomial.Polynomial.fromroots([0.0, 0.7]) * -1e-3
+    assert first_zero(ends(p, 1.0), 1.0)[0] == pytest.approx(0.7, rel=1e-9)
+    assert first_zero(ends(p, 0.6), 0.6)[0] == -1.0
+    deep = p - 1e-5  # a closed gap may be a little below zero
+    assert first_zero(ends(deep, 1.0), 1.0)[0] == pytest.approx(max(deep.roots()), rel=1e-6)
+
+
+def test_a_corner_that_goes_up_and_returns_through_its_lowest_place_is_found():
+    """Gap ½θ² − ½θ₀² while θ rises from θ₀, turns and falls through −θ₀: negative between θ₀ and −θ₀."""
+    for start in (1e-4, 3e-4, 1e-3):
+        theta = np.polynomial.Polynomial([start, 0.01, -5.0])
+        p = 0.5 * (theta**2 - start**2)
+        assert first_zero(ends(p, 0.03), 0.03)[0] == pytest.approx(0.002, rel=1e-6)
 
 
 def test_where_a_parabola_is_negative():

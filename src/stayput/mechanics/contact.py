@@ -100,8 +100,11 @@ def holding_cone(rows, first, count, lifted):
         it is the whole plane.
     """
     lx = lz = hx = hz = 0.0
-    exists = False
-    for p in range(2 * first, 2 * (first + count)):
+    exists = opposed = False
+    for n in range(4 * count):  # twice where a later ray tells which side of two opposite ones is meant
+        if n == 2 * count and not opposed:
+            break
+        p = 2 * first + n % (2 * count)
         rp = rows[p >> 1]
         mu = (1.0 - 2.0 * (p & 1)) * (rp.flat_stick if lifted < 0 else rp.mu_stick)
         px, pz, pl = rp.nx + mu * rp.tx, rp.nz + mu * rp.tz, rp.nl + mu * rp.tl
@@ -125,6 +128,8 @@ def holding_cone(rows, first, count, lifted):
                 lx, lz = fx, fz
             elif behind_high:
                 hx, hz = fx, fz
+            elif fx * lx + fz * lz < 0.0:
+                opposed = True
     return exists, lx, lz, hx, hz
 
 

@@ -8,7 +8,7 @@ from stayput.compiled import entry, inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
 from stayput.mechanics.contact import STICK_RATE, base_friction, cross, is_single_ray
 from stayput.mechanics.geometry import arm, gap, own_friction, to_plane_axes, value_or
-from stayput.mechanics.roots import closed_level, first_zero
+from stayput.mechanics.roots import first_closing
 from stayput.mechanics.sampling import advance_clock, loads, lowest_product, record_sample
 
 BLOCK = 16
@@ -165,12 +165,11 @@ def advance_slide(contacts, case, s, motion, friction, lifts, history):
                 g0 = gap(contacts[c], s)
                 g1 = g0 + side * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
                 v1, a1 = v - h * (drive + 0.5 * h * drive_rate), drive + h * drive_rate
-                level = closed_level(g0)
-                t = first_zero(g0 - level, side * v, -side * drive, g1 - level, side * v1, -side * a1, h)
+                t, level = first_closing(g0, side * v, -side * drive, g1, side * v1, -side * a1, h)
                 if t >= 0.0:
                     rate = side * (v - t * (drive + 0.5 * t * drive_rate))
                     left = g0 - level + side * t * (v - t * (drive / 2.0 + t * drive_rate / 6.0))
-                    if rate < 0.0:  # one Newton step on the exact motion; first_zero uses its quintic
+                    if rate < 0.0:  # one Newton step on the exact motion; first_closing uses its quintic
                         t = min(h, max(0.5 * t, t - left / rate))
                     h, outcome, s.hit = t, CLOSED, 1 << c
             c += 1

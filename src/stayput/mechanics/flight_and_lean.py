@@ -23,8 +23,10 @@ from stayput.mechanics.roots import (
     MIN_START_VALUE,
     between,
     closed_level,
-    first_zero,
+    first_closing,
     illinois_update,
+    last_reversal,
+    parabola_negative_at,
     quintics,
     secant,
 )
@@ -62,19 +64,14 @@ def _slide_rate(case, s, corner, flown):
 
 @inner
 def _turn_of_slide(case, s, load, h, start, end):
-    """Time in a step of flight at which the slide reverses (its peak), or h."""
+    """Time in a step of flight at which the slide reverses (its peak), or 0."""
     corner = 1 if s.theta > s.rest else 0
     rate0, rate1 = _slide_rate(case, s, corner, start), _slide_rate(case, s, corner, end)
-    if rate0 * rate1 >= 0.0:
-        return h
-    bracket = (0.0, abs(rate0), h, -abs(rate1), 0)
-    for _ in range(30):
-        t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
-        rate = _slide_rate(case, s, corner, _flown(s, load, t))
-        bracket = illinois_update(bracket, t, math.copysign(1.0, rate0) * rate)
-        if bracket[2] - bracket[0] <= 1e-9:
-            break
-    return bracket[2]
+    bend = -load[0] - s.omega * s.omega * (case.u[corner] * s.cos + case.v[corner] * s.sin)
+    t, slope = last_reversal(rate0, bend, rate1, h)
+    for _ in range(2):
+        t = min(h, max(0.0, t - _slide_rate(case, s, corner, _flown(s, load, t)) / slope))
+    return t
 
 
 @inner
@@ -116,10 +113,9 @@ def advance_flight(contacts, case, s, motion, history):
                 con = contacts[c]
                 g0, v0, c0 = _flying_gap(con, s, load, 0.0, start)
                 g1, v1, c1 = _flying_gap(con, s, load, h, end)
-                level = closed_level(g0)
-                t = first_zero(g0 - level, v0, c0, g1 - level, v1, c1, h)
+                t, level = first_closing(g0, v0, c0, g1, v1, c1, h)
                 if t >= 0.0:
-                    for _ in range(2):  # Newton steps on the exact motion; first_zero uses its quintic
+                    for _ in range(2):  # Newton steps on the exact motion; first_closing uses its quintic
                         g, v, _ = _flying_gap(con, s, load, t, _flown(s, load, t))
                         if v < 0.0:
                             t = min(h, max(0.5 * t, t - (g - level) / v))
@@ -261,7 +257,7 @@ def _first_closing(contacts, s, y0, k0, y1, k1, h):
             con = contacts[c]
             g0, v0, c0 = _leaning_gap(con, y0, k0, sin0, cos0)
             g1, v1, c1 = _leaning_gap(con, y1, k1, s.sin, s.cos)
-            t = first_zero(g0 - con.level, v0, c0, g1 - con.level, v1, c1, h)
+            t, _ = first_closing(g0, v0, c0, g1, v1, c1, h)
             if t >= 0.0 and (hit == 0 or t < first):
                 first, hit = t, 1 << c
         c += 1
@@ -282,14 +278,25 @@ def _least_of(margins, ends):
     return least
 
 
+@inline
+def _first_dip(starts, middle, ends):
+    """Fraction of a step at which the parabola of a force or slip rate is negative inside it, or 1."""
+    first = 1.0
+    for k in range(4):
+        u = parabola_negative_at(starts[k], middle[k], ends[k])
+        if 0.0 < u < first:
+            first = u
+    return first
+
+
 @inner
 def advance_lean(rows, contacts, case, s, motion, settings, history):
     """Advance a body that slides on two planes at once, to its next event.
 
-    Each pass of the loop takes one step: choose its length by step doubling, cut it where another contact
-    closes, evaluate the margins at its end, and where one is negative find the first crossing with the
-    Illinois method, interpolating the state. The lean ends where a contact sticks, opens or jams, another
-    closes, or the body overturns.
+    Each pass of the loop takes one step: choose its length by step doubling, evaluate the margins at its
+    start, middle and end, cut it where another contact closes or a force or slip rate dips below zero, and
+    where one is negative find the first crossing with the Illinois method, interpolating the state. The lean
+    ends where a contact sticks, opens or jams, another closes, or the body overturns.
     """
     ax, az, dt = motion.ax, motion.az, motion.dt
     tolerance, max_step = settings.tolerance, settings.max_step
@@ -301,12 +308,14 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
         start = s.x, s.z, s.theta, s.vx, s.vz, s.omega
         _set_levels(contacts, s)
         k0, starts = _lean_margins(rows, contacts, case, s, load, 0.0)
+        middle = starts
         h = min(dt - s.tau, longest)
         _lean(rows, contacts, case, s, start, load, h)
         while h > MIN_STEP:  # step doubling: two half steps must agree with the whole (15 = 2⁴ − 1)
             whole = s.theta
             _lean(rows, contacts, case, s, start, load, 0.5 * h)
             half = s.x, s.z, s.theta, s.vx, s.vz, s.omega
+            _, middle = _lean_margins(rows, contacts, case, s, load, 0.5 * h)
             late = load[0] + 0.5 * h * load[1], load[1], load[2] + 0.5 * h * load[3], load[3]
             _lean(rows, contacts, case, s, half, late, 0.5 * h)
             if abs(s.theta - whole) <= 15.0 * tolerance:
@@ -318,14 +327,23 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
         k1, ends = _lean_margins(rows, contacts, case, s, load, h)
         step, end = h, (s.x, s.z, s.theta, s.vx, s.vz, s.omega)
         curves = quintics(start, k0, end, k1, step)
+        dip, hit = step * _first_dip(starts, middle, ends), 0
         if not math.isnan(k1[2]):
             closing, hit = _first_closing(contacts, s, start, k0, end, k1, step)
             if hit:
-                h, outcome = closing, CLOSED
-                _lean_within(rows, contacts, case, s, start, load, curves, step, h)
-                _, ends = _lean_margins(rows, contacts, case, s, load, h)
-                ends = ends[0], ends[1], ends[2], ends[3], math.inf
-                s.hit = hit
+                h = closing
+        dips = dip < h
+        if dips:
+            _lean_within(rows, contacts, case, s, start, load, curves, step, dip)
+            _, ends = _lean_margins(rows, contacts, case, s, load, dip)
+            if min(ends[0], ends[1], ends[2], ends[3]) < 0.0:
+                h, hit = dip, 0
+        if dips or hit:
+            _lean_within(rows, contacts, case, s, start, load, curves, step, h)
+            _, ends = _lean_margins(rows, contacts, case, s, load, h)
+        if hit:
+            outcome, s.hit = CLOSED, hit
+            ends = ends[0], ends[1], ends[2], ends[3], math.inf
         if min(ends) < 0.0:
             bracket = (0.0, max(_least_of(starts, ends), MIN_START_VALUE), h, -1.0, 0)
             for _ in range(200):

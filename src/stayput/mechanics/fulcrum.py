@@ -8,6 +8,7 @@ from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, PLANE, SLIDE_ROCK, TURNED_OVER
 from stayput.mechanics.contact import PAINLEVE_LIMIT
 from stayput.mechanics.geometry import (
+    GAP_TOLERANCE,
     RIGHT_ANGLE,
     arm_at,
     contact_point,
@@ -15,7 +16,13 @@ from stayput.mechanics.geometry import (
     slide_of,
     to_plane_axes,
 )
-from stayput.mechanics.roots import closed_level, first_zero, illinois_update, parabola_negative_at, secant
+from stayput.mechanics.roots import (
+    first_closing,
+    illinois_update,
+    last_reversal,
+    parabola_negative_at,
+    secant,
+)
 from stayput.mechanics.sampling import advance_clock, loads, record_sample
 from stayput.mechanics.series import rock_series, slide_rock_series, step_within, tilt_after
 
@@ -29,6 +36,9 @@ m/s].
 
 WALL_SUPPORT = 1e9
 """Friction limit added on the side of a wall that blocks the fulcrum's slip [m/s²]: practically infinite."""
+
+NEARLY_ZERO = 1e-9
+"""Part of the rate at the end of a step up to which that at its start may be zero but for rounding."""
 
 LOCATED = 1e-13
 """Tolerance to which a crossing is located [s]."""
@@ -190,13 +200,15 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
                 continue  # out of reach in this step
             aside = to_plane_axes(other, con.cos, con.sin)[1]  # fulcrum's plane along the other's normal
             across1, up1 = distance(other, u, v, sin1, cos1)
-            level = closed_level(clear + up0)
-            g0, g1 = clear + up0 - level, clear + up1 + aside * (place1 - place0) - level
+            g0, g1 = clear + up0, clear + up1 + aside * (place1 - place0)
             v0, v1 = omega0 * across0 + aside * slip0, omega1 * across1 + aside * slip1
             c0 = alpha0 * across0 - omega0 * omega0 * up0 + aside * push0
             c1 = alpha1 * across1 - omega1 * omega1 * up1 + aside * push1
-            t = first_zero(g0, v0, c0, g1, v1, c1, h)
-            if t > 0.0:  # one Newton step on the series itself, since first_zero works on a quintic
+            t, level = first_closing(g0, v0, c0, g1, v1, c1, h)
+            if t >= 0.0 and s.kind != SLIDE_ROCK and clear + GAP_TOLERANCE > math.sqrt(u * u + v * v):
+                c += 1
+                continue  # the corner's circle about the fulcrum touches the plane at most
+            if t > 0.0:  # one Newton step on the series itself, since first_closing works on a quintic
                 theta, omega = tilt_after(series, t)
                 sin, cos = sin_cos(theta, series[0], sin0, cos0)
                 corner_right, up = distance(other, u, v, sin, cos)
@@ -233,13 +245,10 @@ def turned_over_at(series, theta1, h):
 
 @inner
 def turning_tilt(series, omega1, h):
-    """Extreme tilt inside a step, where the rotation reverses: two Newton steps from the secant."""
-    t = h * series[1] / (series[1] - omega1)
+    """Extreme tilt inside a step, where the rotation reverses; that at its start where it does not."""
+    t, slope = last_reversal(series[1], 2.0 * series[2], omega1, h)
     for _ in range(2):
-        rate = tilt_after(series, t)[1]
-        bend = 2.0 * series[2] + t * (6.0 * series[3] + t * (12.0 * series[4] + t * 20.0 * series[5]))
-        if bend != 0.0:
-            t = min(h, max(0.0, t - rate / bend))
+        t = min(h, max(0.0, t - tilt_after(series, t)[1] / slope))
     return tilt_after(series, t)[0]
 
 
@@ -297,14 +306,14 @@ def _note_slides(con, case, s, law, foot, series, flow, load, start, end, h):
     write_back(con, end, s)
     slide, rate1 = slide_of(case, s)
     s.peak_slide = max(s.peak_slide, abs(slide))
-    if rate0 * rate1 >= 0.0:
+    if rate0 * rate1 > 0.0:
         return
     low, high = 0.0, h
     for _ in range(30):  # bisection; in so small a rotation the slide rate has one zero
         t = 0.5 * (low + high)
         write_back(con, state_after(t, law, con, foot, start[2], start[3], series, flow, load), s)
         slide, rate = slide_of(case, s)
-        low, high = (t, high) if rate * rate0 > 0.0 else (low, t)
+        low, high = (low, t) if rate * rate1 > 0.0 else (t, high)
     s.peak_slide = max(s.peak_slide, abs(slide))
 
 
@@ -365,7 +374,8 @@ def advance_fulcrum(contacts, case, s, motion, settings, history):
             end = state_after(h, law, con, foot, sin, cos, series, flow, load)
         s.steps += 1
         s.peak_tilt = max(s.peak_tilt, abs(end[0] - s.rest))
-        if omega * end[1] < 0.0 and abs(theta - s.rest) + h * (abs(omega) + abs(end[1])) > s.peak_tilt:
+        turns = omega * end[1] <= NEARLY_ZERO * end[1] * end[1]
+        if turns and abs(theta - s.rest) + h * (abs(omega) + abs(end[1]) + h * abs(alpha)) > s.peak_tilt:
             s.peak_tilt = max(s.peak_tilt, abs(turning_tilt(series, end[1], h) - s.rest))
         if PLANE[s.i] > 0:
             _note_slides(con, case, s, law, foot, series, flow, load, start, end, h)

@@ -14,6 +14,10 @@ MIN_START_VALUE = 1e-9
 """
 
 
+PARTS = 8
+"""Parts of a step in each of which a function may have a minimum."""
+
+
 @inline
 def closed_level(g0):
     """Gap at which a contact counts as closed in a step that starts with the gap g0 [m].
@@ -81,13 +85,12 @@ def between(curves, h, t):
 
 
 @inner
-def root_between(quintic, high):
-    """Zero of a quintic between 0, where it is positive, and ``high``, where not: safeguarded Newton."""
+def root_between(quintic, low, high):
+    """Zero of a quintic from ``low``, where it is positive, to ``high``, where not: safeguarded Newton."""
     a0, a1, a2, _, _, _ = quintic
-    low = 0.0
     root = math.sqrt(max(0.0, a1 * a1 - 4.0 * a2 * a0)) - a1
     u = 2.0 * a0 / root if root > 0.0 else high  # first guess: the zero of the parabola at the start
-    if not u < high:
+    if not low < u < high:
         u = high
     for _ in range(60):
         p, q = horner(quintic, u)
@@ -105,17 +108,10 @@ def root_between(quintic, high):
 
 
 @inner
-def lowest_inside(quintic, left, right):
-    """Minimizer, between ``left`` and ``right``, of a quintic that is convex there."""
-    _, slope = horner(quintic, left)
-    if slope >= 0.0:
-        return left
-    _, slope = horner(quintic, right)
-    if slope <= 0.0:
-        return right
+def lowest_inside(quintic, low, high):
+    """Minimizer of a quintic that falls at ``low`` and rises at ``high``: safeguarded Newton."""
     _, _, a2, a3, a4, a5 = quintic
-    low, high = left, right
-    u = 0.5 * (left + right)
+    u = 0.5 * (low + high)
     for _ in range(20):
         _, slope = horner(quintic, u)
         bend = 2.0 * a2 + u * (6.0 * a3 + u * (12.0 * a4 + u * 20.0 * a5))
@@ -137,44 +133,82 @@ def stays_positive(g0, v0, c0, g1, v1, c1, h):
     """Sufficient test that f, positive at the start, has no zero in the step; False is inconclusive."""
     if g1 < 0.0:
         return False
-    if min(g0, g1) > 0.25 * h * h * max(abs(c0), abs(c1)) or (c0 <= 0.0 and c1 <= 0.0):
-        return True  # too large to dip to zero and return, or concave: least at an end
-    if c0 < 0.0 or c1 < 0.0:
+    if min(g0, g1) > 0.25 * h * h * max(abs(c0), abs(c1)):
+        return True  # too large to dip to zero and return
+    cm = 1.5 * (v1 - v0) / h - 0.25 * (c0 + c1)  # of the quintic's middle
+    if max(c0, cm, c1) <= 0.0:
+        return True  # concave: least at an end
+    if min(c0, cm, c1) < 0.0:
         return False
     if v0 >= 0.0 or v1 <= 0.0:
         return True  # monotone
     return g0 * (v1 - v0) + v0 * (g0 - g1 + v1 * h) > 0.0  # convex: above where its tangents meet
 
 
-@inline
-def first_zero(g0, v0, c0, g1, v1, c1, h):
-    """Time of the first downward zero crossing on (0, h] of a function positive at the start, or −1.
+@inner
+def last_reversal(rate0, bend0, rate1, h):
+    """Time in a step at which a rate changed last to the sign that it ends with, and its slope there.
 
-    The second derivative is assumed to change sign at most once in between.
+    Both are of the parabola with these values at both ends and this slope at the start. Where that does not
+    reverse, they are zero and infinity.
+    """
+    way = -math.copysign(1.0, rate1)
+    rate, bend = way * rate0, way * bend0
+    bow = -(abs(rate1) + rate + bend * h) / (h * h)
+    disc = bend * bend - 4.0 * bow * rate
+    if disc <= 0.0 or max(rate, bend) <= 0.0 or (rate <= 0.0 and bow >= 0.0):
+        return 0.0, math.inf
+    root = math.sqrt(disc)
+    return min(h, -0.5 * (bend + root) / bow if bend > 0.0 else 2.0 * rate / (root - bend)), -way * root
+
+
+@inline
+def first_closing(g0, v0, c0, g1, v1, c1, h):
+    """Time on (0, h] at which a gap first closes, or −1, and the gap at which it counts as closed.
+
+    That is `closed_level`; a gap that starts closed, opens and returns closes at zero.
 
     Parameters
     ----------
     g0, v0, c0, g1, v1, c1 : float
-        Value, first and second derivative at both ends.
+        Gap, its first and second derivative at both ends.
     h : float
         Length of the step [s].
     """
-    if stays_positive(g0, v0, c0, g1, v1, c1, h):
-        return -1.0
-    return _zero_of_quintic(g0, v0, c0, g1, v1, c1, h)
+    level = closed_level(g0)
+    if stays_positive(g0 - level, v0, c0, g1 - level, v1, c1, h) and (level == 0.0 or g1 >= 0.0):
+        return -1.0, level
+    return _closing_of_quintic(hermite(g0, v0, c0, g1, v1, c1, h), level, h)
 
 
 @inner
-def _zero_of_quintic(g0, v0, c0, g1, v1, c1, h):
-    quintic = hermite(g0, v0, c0, g1, v1, c1, h)
-    if g1 < 0.0 and v1 <= 0.0:
-        return h * root_between(quintic, 1.0)
-    # an interior minimum lies where it is convex; if it is negative there, the first zero is before it
-    turn = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
-    u = lowest_inside(quintic, 0.0, turn) if c0 >= 0.0 else lowest_inside(quintic, turn, 1.0)
-    if horner(quintic, u)[0] < 0.0:
-        return h * root_between(quintic, u)
-    return h * root_between(quintic, 1.0) if g1 < 0.0 else -1.0
+def _closing_of_quintic(quintic, level, h):
+    """As `first_closing`, for the quintic of the gap."""
+    u = _first_zero((quintic[0] - level, *quintic[1:]))
+    if level < 0.0:
+        high = u if u >= 0.0 else 1.0
+        end, slope = horner(quintic, high)
+        widest, _ = last_reversal(quintic[1], 2.0 * quintic[2], slope, high)
+        if end < 0.0 and horner(quintic, widest)[0] > CONTACT_SLACK:
+            return h * root_between(quintic, widest, high), 0.0
+    return h * u if u >= 0.0 else -1.0, level
+
+
+@inline
+def _first_zero(quintic):
+    """First zero on (0, 1] of a quintic that is positive at 0, or −1."""
+    end, slope = horner(quintic, 1.0)
+    if end < 0.0 and slope <= 0.0:
+        return root_between(quintic, 0.0, 1.0)
+    slope = quintic[1]
+    for n in range(PARTS):  # a minimum lies where it falls and then rises; the first zero is before it
+        u = (n + 1) / PARTS
+        before, slope = slope, horner(quintic, u)[1]
+        if before < 0.0 <= slope:
+            low = lowest_inside(quintic, u - 1.0 / PARTS, u)
+            if horner(quintic, low)[0] < 0.0:
+                return root_between(quintic, 0.0, low)
+    return root_between(quintic, 0.0, 1.0) if end < 0.0 else -1.0
 
 
 @inner

@@ -29,7 +29,7 @@ from stayput.mechanics.geometry import RIGHT_ANGLE, arm_at, gap, sin_cos, to_pla
 from stayput.mechanics.roots import (
     MIN_START_VALUE,
     closed_level,
-    first_zero,
+    first_closing,
     horner,
     illinois_update,
     parabola_negative_at,
@@ -206,10 +206,9 @@ def _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h):
     c = 0
     while others >> c:
         if others >> c & 1 and work.gap[c] < excursion:
-            level = work.level[c]
             g0, v0, c0 = _gap_rates(contacts, s, work, c, y0, k0, base[1], base[2])
             g1, v1, c1 = _gap_rates(contacts, s, work, c, y1, k1, s.sin, s.cos)
-            t = first_zero(g0 - level, v0, c0, g1 - level, v1, c1, h)
+            t, _ = first_closing(g0, v0, c0, g1, v1, c1, h)
             if 0.0 <= t < first:
                 first, contact = t, c
         c += 1

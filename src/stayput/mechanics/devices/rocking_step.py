@@ -9,14 +9,16 @@ elongations of lines and the gaps of contacts. With the moment M of the lines ab
 
 from __future__ import annotations
 
+import math
+
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CORNER
 from stayput.mechanics.devices.active_elements import evaluate_lines, line_force
 from stayput.mechanics.devices.lines import set_lines
 from stayput.mechanics.devices.moment import expand_tilt, sum_lines, tilt_at
-from stayput.mechanics.geometry import arm, contact_point, sin_cos, to_plane_axes
+from stayput.mechanics.geometry import GAP_TOLERANCE, arm, contact_point, sin_cos, to_plane_axes
 from stayput.mechanics.projection import set_pivot_velocity
-from stayput.mechanics.roots import illinois_update, secant
+from stayput.mechanics.roots import last_reversal
 
 
 @inner
@@ -36,6 +38,8 @@ def set_about_fulcrum(elements, links, contacts, case, s, work):
             u, v = u - case.u[corner], v - case.v[corner]
             reach[0] = to_plane_axes(other, x, z)[1] + other.offset
             reach[1], reach[2] = other.cos * v - other.sin * u, -other.sin * v - other.cos * u
+            if reach[0] + GAP_TOLERANCE > math.sqrt(u * u + v * v):
+                reach[0] = math.inf  # the corner's circle about the fulcrum touches the plane at most
         c += 1
 
 
@@ -102,12 +106,9 @@ def end_fulcrum_step(con, case, s, work, base, load, h):
 
 
 @inner
-def turning_tilt_on_fulcrum(work, omega0, omega1, h):
-    """Extreme tilt inside a step, where the rotation reverses: the Illinois method on the series."""
-    bracket = (0.0, abs(omega0), h, -abs(omega1), 0)
-    theta = work.tilt[0]
-    for _ in range(4):
-        t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
-        theta, omega = tilt_at(work, t)
-        bracket = illinois_update(bracket, t, omega if omega0 > 0.0 else -omega)
-    return theta
+def turning_tilt_on_fulcrum(work, omega0, alpha0, omega1, h):
+    """Extreme tilt inside a step, where the rotation reverses; that at its start where it does not."""
+    t, slope = last_reversal(omega0, alpha0, omega1, h)
+    for _ in range(2):
+        t = min(h, max(0.0, t - tilt_at(work, t)[1] / slope))
+    return tilt_at(work, t)[0]

@@ -35,8 +35,8 @@ from stayput.mechanics.devices.step import (
     take_free_step,
 )
 from stayput.mechanics.elementary import fifth_root
-from stayput.mechanics.geometry import reason_of_end, update_peaks
-from stayput.mechanics.roots import hermite, horner
+from stayput.mechanics.geometry import arm_at, reason_of_end, to_plane_axes, update_peaks
+from stayput.mechanics.roots import hermite, horner, last_reversal
 from stayput.mechanics.sampling import advance_clock, loads, record_sample
 
 SLACK_SLIP = 5e-11
@@ -60,12 +60,19 @@ MAX_ROTATION = 0.1
 
 @inner
 def _turning_tilt(theta0, omega0, alpha0, theta1, omega1, alpha1, h):
-    """Extreme tilt inside a step, where the rotation reverses: two Newton steps on the dense output."""
+    """Extreme tilt inside a step, where the rotation reverses; that at its start where it does not."""
     curve = hermite(theta0, omega0, alpha0, theta1, omega1, alpha1, h)
-    u, slope = omega0 / (omega0 - omega1), h * (omega1 - omega0)
+    t, slope = last_reversal(omega0, alpha0, omega1, h)
     for _ in range(2):
-        u = min(1.0, max(0.0, u - horner(curve, u)[1] / slope))
-    return horner(curve, u)[0]
+        t = min(h, max(0.0, t - horner(curve, t / h)[1] / (h * slope)))
+    return horner(curve, t / h)[0]
+
+
+@inline
+def _slip_push(con, y, k, sin, cos):
+    """Acceleration along its plane of a contact's corner in the state y with accelerations k [m/s²]."""
+    sigma, kappa = arm_at(con, sin, cos)
+    return to_plane_axes(con, k[0], k[1])[0] - k[2] * kappa - y[5] * y[5] * sigma
 
 
 @inline
@@ -157,7 +164,13 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
         y1 = state_of(s)
         least = least_margin(contacts, s, work, levels, f1, g1, least)
         reserve = near_limit + FORCE_SWING * deviation
-        near = min(f0, f1) < reserve or (not slips and min(g0, g1) < reserve)
+        if slips:  # a slip rate can be zero inside only if it first decreases and then increases
+            con, d = contacts[s.i], float(s.d)
+            before, after = _slip_push(con, y0, k0, base[1], base[2]), _slip_push(con, y1, k1, s.sin, s.cos)
+            near = d * before < 0.0 < d * after
+        else:
+            near = min(g0, g1) < reserve
+        near = near or min(f0, f1) < reserve
         start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
         excursion = excursion_bound(case, y0, y1, h)
         if near or least < 0.0 or not inactive or not gaps_stay_open(s, work, excursion):
@@ -183,9 +196,9 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
                 if least < 0.0:
                     why = reason_of_end(s)
                 no_line_event(work, h, beyond)
-        if y0[5] * y1[5] < 0.0 and abs(y0[2] - s.rest) + h * (abs(y0[5]) + abs(y1[5])) > s.peak_tilt:
+        if abs(y0[2] - s.rest) + h * (abs(y0[5]) + abs(y1[5]) + h * abs(k0[2])) > s.peak_tilt:
             if s.kind == ROCK:
-                turning = turning_tilt_on_fulcrum(work, y0[5], y1[5], h)
+                turning = turning_tilt_on_fulcrum(work, y0[5], k0[2], y1[5], h)
             else:
                 turning = _turning_tilt(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h)
             s.peak_tilt = max(s.peak_tilt, abs(turning - s.rest))
