@@ -91,28 +91,6 @@ def ishiyama_velocity(body: Body, gravity: float = STANDARD_GRAVITY) -> float:
     return 0.4 * math.sqrt(8.0 * gravity * r * raised / (3.0 * math.cos(alpha) ** 2))
 
 
-def ishiyama_overturns(body: Body, pga: float, pgv: float, gravity: float = STANDARD_GRAVITY) -> bool:
-    """Return whether overturning is possible: both peaks reach Ishiyama's limits.
-
-    Parameters
-    ----------
-    body : Body
-        What stands.
-    pga, pgv : float
-        Peak acceleration [m/s²] and velocity [m/s] of the floor.
-    gravity : float
-        g [m/s²].
-
-    Raises
-    ------
-    InputError
-        A peak out of range.
-    """
-    within("model.peak_acceleration", pga, 0.0, math.inf, "m/s²")
-    within("model.peak_velocity", pgv, 0.0, math.inf, "m/s")
-    return pga >= rocking_acceleration(body, gravity) and pgv >= ishiyama_velocity(body, gravity)
-
-
 @dataclass(frozen=True, slots=True)
 class OverturningRatio:
     """What the formula of Kaneko and Hayashi says.

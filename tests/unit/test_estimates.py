@@ -9,7 +9,6 @@ import pytest
 
 from stayput import Body, InputError, holding_force
 from stayput.estimates import (
-    ishiyama_overturns,
     ishiyama_velocity,
     kaneko_hayashi,
     kaneko_hayashi_branch,
@@ -31,13 +30,6 @@ def test_tie_is_needed_from_the_rocking_acceleration_on(width: float, height: fl
     assert holding_force(body, 1.001 * limit) > 0.0
     high, low = (holding_force(body, 2.0 * limit, z) for z in (height, 0.5 * height))
     assert low == pytest.approx(2.0 * high)
-
-
-def test_ishiyama_needs_both_peaks() -> None:
-    a, v = rocking_acceleration(Body(0.4, 1.8, 100.0)), ishiyama_velocity(Body(0.4, 1.8, 100.0))
-    assert ishiyama_overturns(Body(0.4, 1.8, 100.0), 1.01 * a, 1.01 * v)
-    assert not ishiyama_overturns(Body(0.4, 1.8, 100.0), 0.99 * a, 2.0 * v)
-    assert not ishiyama_overturns(Body(0.4, 1.8, 100.0), 2.0 * a, 0.99 * v)
 
 
 def test_ishiyama_of_a_slender_body_goes_as_width_over_root_height() -> None:
@@ -82,7 +74,6 @@ def test_above_the_branch_only_the_velocity_counts() -> None:
         (lambda: rocking_acceleration(Body(0.4, 1.8, 100.0), math.nan), "Gravity is nan"),
         (lambda: kaneko_hayashi(Body(0.4, 1.8, 100.0), 1.0, 1.0, -1.0), "Gravity is -1"),
         (lambda: kaneko_hayashi(Body(0.4, 1.8, 100.0), 1.0, 1.0, scatter="x"), "ζ is 'x'"),  # type: ignore[arg-type]
-        (lambda: ishiyama_overturns(Body(0.4, 1.8, 100.0), -1.0, 1.0), "-1"),
     ],
 )
 def test_refused(call: object, part: str) -> None:

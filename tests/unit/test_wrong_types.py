@@ -123,7 +123,6 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     (sp.asce43_sliding, {"motion": MOTION, "friction": 0.5} | GRAVITY),
     (estimates.rocking_acceleration, {"body": BODY} | GRAVITY),
     (estimates.ishiyama_velocity, {"body": BODY} | GRAVITY),
-    (estimates.ishiyama_overturns, {"body": BODY} | PEAKS | GRAVITY),
     (estimates.kaneko_hayashi, {"body": BODY} | PEAKS | GRAVITY | {"scatter": 0.5}),
     (estimates.kaneko_hayashi_median, {"body": BODY} | GRAVITY | {"frequency": 1.0}),
     (estimates.kaneko_hayashi_velocity, {"body": BODY}),

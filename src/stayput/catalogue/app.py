@@ -23,10 +23,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "この機器のすべてのアドレスのポート{port}",
     ),
     # Requests
-    "map_in_space": (
-        "The map of sizes is of simulations in the plane; dimensions must be 2 for it.",
-        "大きさごとの図は平面の計算によるもので、三次元の計算では作れません。",
-    ),
     "no_mesh": (
         "The piece “{name}” is of a mesh's file; here every piece must be a preset, a box, a cylinder or a cone.",
         "家具「{name}」の形がメッシュのファイルで指定されています。ここではプリセット、箱、円柱、円すい台のどれかにしてください。",

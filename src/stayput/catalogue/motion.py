@@ -326,10 +326,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "curves over PGA, PGV, Sa or MMI are of the ground, so take PFA, PFV or JMA, or a motion of the ground",
         "PGA、PGV、Sa、MMIに対する曲線は地面の揺れのものです。PFA、PFV、JMAのいずれかにするか、地面の揺れを使ってください",
     ),
-    "ground_alone_map": (
-        "the map of sizes is over the JMA intensity of the ground, so give a motion of the ground",
-        "大きさの図の横軸は地面の計測震度です。地面の揺れを使ってください",
-    ),
     "floor_number": ("floor {number}", "{number}階"),
     "storey_number": ("storey {number}", "{number}階"),
     "roof": ("roof", "屋上"),

@@ -78,11 +78,6 @@ class LognormalFit:
         return "normal" if self.measure.is_logarithm else "lognormal"
 
     @property
-    def log_dispersion(self) -> float:
-        """Standard deviation of the logarithm of the shaking: β of a peak, β ln(10)/2 of an intensity."""
-        return self.dispersion * (0.5 * math.log(10.0) if self.measure.is_logarithm else 1.0)
-
-    @property
     def texts(self) -> Phrase:
         """The parameters and the test in a sentence, in both languages."""
         untested = math.isnan(self.p_value)

@@ -230,11 +230,6 @@ class FloorMotions:
         """Median JMA intensity of the ground."""
         return float(np.median(self.measures[JMA_INTENSITY]))
 
-    @property
-    def intensity_deviation(self) -> float:
-        """Standard deviation of the JMA intensities of the ground."""
-        return float(np.std(self.measures[JMA_INTENSITY]))
-
 
 @dataclass(frozen=True, eq=False)
 class Hazard:
