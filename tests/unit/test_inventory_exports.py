@@ -1,25 +1,15 @@
-"""Results in other formats: what other programs read in them, and a style that QGIS takes by default."""
+"""Results in other formats."""
 
 from __future__ import annotations
 
-import builtins
 import csv
 import json
-import sqlite3
-import struct
-import xml.etree.ElementTree as ET
-from itertools import pairwise
 
 import pytest
 from inventories import city, digests, rows_of_results, table
 
 import stayput as sp
 from stayput.inventory import assess
-from stayput.inventory.report import RAMP, UNTOLD
-from stayput.inventory.style import style
-from stayput.report.palette import rgb
-
-pyogrio = pytest.importorskip("pyogrio")
 
 ROWS = ["a,bookcase,35.1,135.2,+x", "本棚,bookcase,35.2,225.5,", "c,chest,,,"]
 
@@ -28,7 +18,7 @@ ROWS = ["a,bookcase,35.1,135.2,+x", "本棚,bookcase,35.2,225.5,", "c,chest,,,"]
 def exported(tmp_path_factory):
     folder = tmp_path_factory.mktemp("exports")
     file = table(folder, ROWS, "id,preset,lat,lon,owner")
-    return assess(file, city(folder), folder / "out", export="gpkg,csv,geojson", progress=False)
+    return assess(file, city(folder), folder / "out", export="csv,geojson", progress=False)
 
 
 def test_a_csv_has_the_rows_of_the_results(exported):
@@ -49,59 +39,16 @@ def test_a_geojson_has_a_point_for_each_place(exported):
     assert points[1]["coordinates"] == [-134.5, 35.2]  # a longitude of 225.5°
     assert points[2] is None
     assert [feature["properties"]["id"] for feature in content["features"]] == ["a", "本棚", "c"]
-    meta, read = pyogrio.raw.read_arrow(exported.folder / "pieces.geojson")
-    assert (meta["crs"], meta["geometry_type"], read.num_rows) == ("EPSG:4326", "Point", 3)
-
-
-def test_a_geopackage_has_the_same(exported):
-    path = exported.folder / "pieces.gpkg"
-    meta, read = pyogrio.raw.read_arrow(path, layer="pieces")
-    assert (meta["crs"], meta["geometry_type"]) == ("EPSG:4326", "Point")
-    rows = read.to_pylist()
-    for given, row in zip(rows, rows_of_results(exported), strict=True):
-        assert (given["id"], given["count"], given["best"]) == (row["id"], row["count"], row["best"])
-        assert given["overturned"] == row["overturned"]
-    geometry = meta["geometry_name"] or "wkb_geometry"
-    assert struct.unpack("<BIdd", rows[1][geometry])[2:] == (-134.5, 35.2)
-    assert rows[2][geometry] is None
-
-
-def test_qgis_finds_a_style_by_default(exported):
-    base = sqlite3.connect(exported.folder / "pieces.gpkg")
-    ((name, column, qml, default),) = base.execute(
-        "SELECT f_table_name, f_geometry_column, styleQML, useAsDefault FROM layer_styles"
-    )
-    ((geometry,),) = base.execute("SELECT column_name FROM gpkg_geometry_columns")
-    contents = dict(base.execute("SELECT table_name, data_type FROM gpkg_contents"))
-    assert base.execute("PRAGMA integrity_check").fetchone() == ("ok",)
-    base.close()
-    assert (name, column, default, qml) == ("pieces", geometry, 1, style())
-    assert contents == {"pieces": "features", "layer_styles": "attributes"}
-
-
-def test_the_style_has_a_colour_for_each_share():
-    page = ET.fromstring(style())
-    renderer = page.find("renderer-v2")
-    ranges = [(float(r.get("lower")), float(r.get("upper"))) for r in renderer.iter("range")]
-    assert ranges[0][0] == 0.0
-    assert ranges.pop() == (-1.0, -1.0)  # not enough runs to tell: grey, not the colour of the safest
-    assert ranges[-1][1] == 1.0
-    assert all(a[1] == b[0] for a, b in pairwise(ranges))
-    symbols = {symbol.get("name") for symbol in renderer.iter("symbol")}
-    assert symbols == {r.get("symbol") for r in renderer.iter("range")}
-    assert renderer.get("attr") == """if("finding" = 'too_few_runs', -1, "overturned")"""
-    assert f"{','.join(map(str, rgb(UNTOLD)))},255" in style()
-    assert len(RAMP) == len(ranges)
 
 
 def test_exports_are_the_same_bytes_whatever_the_threads(tmp_path):
     file = table(tmp_path, ROWS, "id,preset,lat,lon,owner")
-    given = {"export": ["csv", "geojson", "gpkg"], "progress": False}
+    given = {"export": ["csv", "geojson"], "progress": False}
     found = [
         digests(assess(file, city(tmp_path), tmp_path / f"out{n}", threads=n, **given).folder) for n in (1, 2)
     ]
     assert found[0] == found[1]
-    assert {"pieces.csv", "pieces.geojson", "pieces.gpkg"} <= set(found[0])
+    assert {"pieces.csv", "pieces.geojson"} <= set(found[0])
 
 
 def test_an_export_may_follow(tmp_path):
@@ -115,42 +62,26 @@ def test_an_export_may_follow(tmp_path):
 
 def test_a_map_needs_coordinates(tmp_path):
     file = table(tmp_path, ["a,chest"], "id,preset")
-    with pytest.raises(sp.InputError, match="No piece has lat and lon, which gpkg must have"):
-        assess(file, city(tmp_path), tmp_path / "out", export="csv,gpkg", progress=False)
+    with pytest.raises(sp.InputError, match="No piece has lat and lon, which geojson must have"):
+        assess(file, city(tmp_path), tmp_path / "out", export="csv,geojson", progress=False)
     assert (assess(file, city(tmp_path), tmp_path / "out", export="csv", progress=False)).facts["pieces"] == 1
 
 
 def test_other_formats_are_refused(tmp_path):
     file = table(tmp_path, ["a,chest"], "id,preset")
-    with pytest.raises(sp.InputError, match="'csv', 'geojson', 'gpkg'"):
+    with pytest.raises(sp.InputError, match="'csv', 'geojson'"):
         assess(file, city(tmp_path), tmp_path / "out", export="shp", progress=False)
-
-
-def test_what_to_install_is_said(tmp_path, monkeypatch):
-    def without(name, *given, of=builtins.__import__):
-        if name.startswith("pyogrio"):
-            raise ImportError(name)
-        return of(name, *given)
-
-    monkeypatch.setattr(builtins, "__import__", without)
-    file = table(tmp_path, ["a,chest,35,135"], "id,preset,lat,lon")
-    with pytest.raises(sp.InputError, match=r"needs pyogrio, .*\[gis\]"):
-        assess(file, city(tmp_path), tmp_path / "out", export="gpkg", progress=False)
-    done = assess(file, city(tmp_path), tmp_path / "out", export="geojson", progress=False)
-    assert (done.folder / "pieces.geojson").exists()
 
 
 def test_a_piece_with_an_id_keeps_its_name(tmp_path):
     rows = ["1,本棚 大,bookcase,,35.1,135.2", "2,,bookcase,,35.1,135.2", "3,=壊れた棚,bookcase,-1,35.1,135.2"]
     file = table(tmp_path, rows, "No.,品名,preset,height,lat,lon")
-    done = assess(file, city(tmp_path), tmp_path / "out", export="gpkg,csv,geojson", progress=False)
+    done = assess(file, city(tmp_path), tmp_path / "out", export="csv,geojson", progress=False)
     assert [row["name"] for row in rows_of_results(done)] == ["本棚 大", None]
     exported = list(csv.DictReader((done.folder / "pieces.csv").read_text("utf-8-sig").splitlines()))
     assert [row["name"] for row in exported] == ["本棚 大", ""]
     points = json.loads((done.folder / "pieces.geojson").read_text("utf-8"))["features"]
     assert [point["properties"]["name"] for point in points] == ["本棚 大", None]
-    layer = pyogrio.raw.read_arrow(done.folder / "pieces.gpkg", layer="pieces")[1]
-    assert layer.column("name").to_pylist() == ["本棚 大", None]
     (reject,) = done.rejects.to_pylist()
     assert (reject["id"], reject["name"]) == ("3", "=壊れた棚")
     assert "4,3,'=壊れた棚," in (done.folder / "rejects.csv").read_text("utf-8-sig")

@@ -460,8 +460,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "表の列の対応（例：width=奥行[mm],ignore=備考）、またはそれを書いたTOMLかJSONのファイル",
     ),
     "export": (
-        "Results also as csv, geojson and gpkg (for QGIS): csv,gpkg.",
-        "結果をcsv、geojson、gpkg（QGIS用）でも書き出す（例：csv,gpkg）",
+        "Results also as csv and geojson: csv,geojson.",
+        "結果をcsv、geojsonでも書き出す（例：csv,geojson）",
     ),
     "scheduler": (
         "A Dask scheduler whose workers simulate: tcp://host:8786.",

@@ -147,8 +147,7 @@ def assess(
         Which of the table's columns is which, where its header does not say it: stayput's names with those
         of the table, as "width=奥行[mm],ignore=備考", a TOML or JSON file, or a mapping.
     export : str or sequence of str
-        Further formats of the results, as "csv,geojson,gpkg": pieces.csv, pieces.geojson for maps, and
-        pieces.gpkg, a GeoPackage that QGIS opens with its style (extra ``gis``).
+        Further formats of the results, as "csv,geojson": pieces.csv, and pieces.geojson for maps.
     slide_limit : float
         Slide that counts as too far [m].
     threads : int, optional

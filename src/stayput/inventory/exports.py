@@ -1,4 +1,4 @@
-"""The results as other programs open them: CSV, GeoJSON, and GeoPackage with a style for QGIS.
+"""The results as other programs open them: CSV and GeoJSON.
 
 They have a row for each piece and event and all columns of the Parquet files but the sets of measures one by
 one. What is not a number, or infinite, is empty.
@@ -9,16 +9,11 @@ from __future__ import annotations
 import csv
 import json
 import math
-import sqlite3
-import struct
-from contextlib import closing
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.errors import InputError, unknown
-from stayput.extras import absent
-from stayput.inventory.arrow import arrow, parquet
+from stayput.inventory.arrow import parquet
 from stayput.inventory.results import PIECES, part_names
-from stayput.inventory.style import STYLE_NAME, style
 from stayput.spreadsheets import harmless
 
 if TYPE_CHECKING:
@@ -27,53 +22,32 @@ if TYPE_CHECKING:
 
     from stayput.inventory.workspace import Workspace
 
-FORMATS = ("csv", "geojson", "gpkg")
+FORMATS = ("csv", "geojson")
 """Formats beside Parquet, by the endings of their files."""
-
-ON_A_MAP = ("geojson", "gpkg")
-"""Formats that show pieces where they stand."""
-
-LAYER, GEOMETRY = "pieces", "geom"
-"""Names of a GeoPackage's table, and of its column of points."""
 
 ROWS_AT_A_TIME = 5000
 
-_WRITTEN = "2000-01-01T00:00:00.000Z"
-"""Time of writing that a GeoPackage states: the same results are the same bytes."""
-
-_STYLES = """
-CREATE TABLE layer_styles (
-    id INTEGER PRIMARY KEY AUTOINCREMENT, f_table_catalog TEXT(256), f_table_schema TEXT(256),
-    f_table_name TEXT(256), f_geometry_column TEXT(256), styleName TEXT(30), styleQML TEXT, styleSLD TEXT,
-    useAsDefault BOOLEAN, description TEXT, owner TEXT(30), ui TEXT(30),
-    update_time DATETIME DEFAULT (strftime('%Y-%m-%dT%H:%M:%fZ','now'))
-)
-"""
-
 
 def formats_of(export: str | Sequence[str]) -> tuple[str, ...]:
-    """Return the formats of a text such as "csv,gpkg", or of several, in the order of `FORMATS`.
+    """Return the formats of a text such as "csv,geojson", or of several, in the order of `FORMATS`.
 
     Raises
     ------
     InputError
-        Another format, or a library that one needs and that is not installed.
+        Another format.
     """
     stated = export.split(",") if isinstance(export, str) else list(export)
     names = [name.strip().lower() for name in stated if name.strip()]
     for name in names:
         if name not in FORMATS:
             raise unknown("inventory_tables.export", name, FORMATS, field="export")
-    if "gpkg" in names:
-        _pyogrio()
     return tuple(name for name in FORMATS if name in names)
 
 
 def refuse_nowhere(formats: Sequence[str], located: int) -> None:
-    """Refuse formats of maps where no piece says where it stands."""
-    wanted = [name for name in formats if name in ON_A_MAP]
-    if wanted and not located:
-        raise InputError("inventory_tables.nowhere", "export", formats=", ".join(wanted))
+    """Refuse a map where no piece says where it stands."""
+    if "geojson" in formats and not located:
+        raise InputError("inventory_tables.nowhere", "export", formats="geojson")
 
 
 def export_results(folder: Path, space: Workspace, parts: int, formats: Sequence[str]) -> list[Path]:
@@ -81,7 +55,6 @@ def export_results(folder: Path, space: Workspace, parts: int, formats: Sequence
     writers: dict[str, Callable[[Path, Path, int], None]] = {
         "csv": _write_csv,
         "geojson": _write_geojson,
-        "gpkg": _write_geopackage,
     }
     paths: list[Path] = []
     for name in formats:
@@ -146,59 +119,3 @@ def _write_geojson(draft: Path, pieces: Path, parts: int) -> None:
                 file.write(mark + json.dumps(feature, ensure_ascii=False, allow_nan=False))
                 mark = ",\n"
         file.write("\n]}\n")
-
-
-def _pyogrio() -> Any:
-    try:
-        from pyogrio import raw
-    except ImportError:
-        raise absent("A GeoPackage", "pyogrio", "gis") from None
-    return raw
-
-
-def _write_geopackage(draft: Path, pieces: Path, parts: int) -> None:
-    """Write a GeoPackage of points in WGS 84, with the style that QGIS takes by default."""
-    pa = arrow()
-    first: Any = parquet().read_schema(pieces / part_names(1)[0]) if parts else None
-    if first is None:
-        raise InputError("inventory_tables.nowhere", "export", formats="gpkg")
-    fields = [
-        pa.field(field.name, pa.string() if pa.types.is_list(field.type) else field.type)
-        for field in first
-        if field.name != "options"
-    ]
-    schema = pa.schema([*fields, pa.field(GEOMETRY, pa.binary())])
-
-    def batches() -> Iterator[Any]:
-        for rows in _rows(pieces, parts):
-            for row in rows:
-                place = _position(row)
-                row[GEOMETRY] = None if place is None else struct.pack("<BIdd", 1, 1, *place)
-            yield pa.RecordBatch.from_pylist(rows, schema=schema)
-
-    reader = pa.RecordBatchReader.from_batches(schema, batches())
-    _pyogrio().write_arrow(
-        reader,
-        draft,
-        layer=LAYER,
-        driver="GPKG",
-        geometry_name=GEOMETRY,
-        geometry_type="Point",
-        crs="EPSG:4326",
-    )
-    with closing(sqlite3.connect(draft, isolation_level=None)) as base:
-        base.execute("BEGIN")
-        base.execute(_STYLES)
-        base.execute(
-            "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
-            "styleName, styleQML, styleSLD, useAsDefault, description, owner, update_time) "
-            "VALUES ('', '', ?, ?, ?, ?, '', 1, ?, '', ?)",
-            (LAYER, GEOMETRY, STYLE_NAME, style(), STYLE_NAME, _WRITTEN),
-        )
-        base.execute(
-            "INSERT INTO gpkg_contents (table_name, data_type, identifier) "
-            "VALUES ('layer_styles', 'attributes', 'layer_styles')"
-        )
-        base.execute("UPDATE gpkg_contents SET last_change = ?", (_WRITTEN,))
-        base.execute("COMMIT")
-        base.execute("VACUUM")

@@ -33,7 +33,7 @@ BEGUN = re.compile(r"\.lock|work/(journal|claim\.json|drafts/([0-9a-f]{16}-\d+)?
 OWN = re.compile(
     BEGUN.pattern
     + r"|manifest\.json|report(\.ja)?\.html|(summary|rejects)\.(parquet|csv)"
-    + r"|pieces\.(csv|geojson|gpkg)|pieces/(part-\d{6}\.parquet)?"
+    + r"|pieces\.(csv|geojson)|pieces/(part-\d{6}\.parquet)?"
     + rf"|work/(plan|drafts/[0-9a-f]{{16}}-\d+)/({PLAN.pattern})?"
     + r"|work/units/([0-9a-f]{24}\.units)?|work/sums/(part-\d{6}\.parquet\.json)?"
 )
