@@ -320,7 +320,7 @@ class Motion:
         if name not in tuple(self.components):  # which takes what cannot be hashed
             known = ", ".join(self.components)
             raise InputError("motion.no_such_component", "component", component=name, known=known)
-        listing = self.listing if name == "x" else None  # which is that of x
+        listing = self._listing_of({"x": name})
         return replace(self, x=self.components[name], y=None, z=None, listing=listing)
 
     def peaks(self) -> dict[str, Peaks]:
@@ -330,6 +330,13 @@ class Motion:
     def _each(self, change: Callable[[NDArray[np.float64]], NDArray[np.float64]], **fields: Any) -> Motion:
         changed: dict[str, Any] = {name: change(values) for name, values in self.components.items()}
         return replace(self, **changed, **fields)
+
+    def _listing_of(self, components: Mapping[str, str]) -> Listing | None:
+        """Return the listing where components were those of other names."""
+        if self.listing is None:
+            return None
+        labels = {name: self.listing.labels.get(before, "") for name, before in components.items()}
+        return self.listing._replace(labels=labels)
 
     def _note(self, what: str) -> str:
         return f"{self.source}; {what}" if self.source else what
@@ -370,7 +377,10 @@ class Motion:
             raise InputError("motion.rotation_without_y")
         c, s = math.cos(turn), math.sin(turn)
         source = self._note(f"turned by {math.degrees(turn):g}°")
-        return replace(self, x=c * self.x + s * self.y, y=c * self.y - s * self.x, source=source)
+        listing = self._listing_of({"x": "", "z": "z"})
+        return replace(
+            self, x=c * self.x + s * self.y, y=c * self.y - s * self.x, source=source, listing=listing
+        )
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""
@@ -451,6 +461,7 @@ class Motion:
         length, cut = common_length({key: len(motion) for key, motion in given.items()})
         sources = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in given.items())
         samples: dict[str, Any] = {key: motion.x[:length] for key, motion in given.items()}
+        labels = {key: motion.listing.labels["x"] if motion.listing else "" for key, motion in given.items()}
         return cls(
             x.dt,
             **samples,
@@ -458,7 +469,7 @@ class Motion:
             synthetic=any(motion.synthetic for motion in given.values()),
             source=f"{sources}{cut}",
             floor=x.floor,
-            listing=x.listing,
+            listing=x.listing and x.listing._replace(labels=labels),
         )
 
     @classmethod

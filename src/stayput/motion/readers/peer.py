@@ -24,6 +24,7 @@ _BARE = re.compile(r"([^ ,=]{1,40}) ([^ ,=]{1,40}) NPTS ?, ?DT\b.*", re.IGNORECA
 _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _DIRECTION = re.compile(
     r"(?:[0-9]{1,3}|[NSEWUVZ]|[NEUV][SWD]|UP|DOWN|DWN|DN|VERT?|VERTICAL"
+    r"|NORTH|SOUTH|EAST|WEST|H[12]|[LRTXY]|LONG|TRANS?"
     r"|(?:[BCEHLMNS][HLGN][NE]|[A-Z]{2}Z)[0-9]{0,2})(?= *(?:$|\())",
     re.IGNORECASE,
 )

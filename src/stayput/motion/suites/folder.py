@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
-from stayput.motion.channels import is_vertical, labels_phrase, refuse_vertical
+from stayput.motion.channels import is_vertical, labels_phrase, plain_origin, refuse_vertical
 from stayput.motion.readers import along, motion_of, read_file
 
 if TYPE_CHECKING:
@@ -117,7 +117,7 @@ def _record_of(file: ReadFile) -> Hashable:
     if number := _RECORD_NUMBER.match(file.path.name):
         return int(number[1])
     origin = channel.origin or channel.name
-    return " ".join(origin.casefold().split()) if channel.label and origin else None
+    return plain_origin(origin) if channel.label and origin else None
 
 
 def _motion(files: Sequence[ReadFile], component: str | None) -> Motion:
