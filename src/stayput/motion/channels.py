@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, quoted, warn
+from stayput.errors import InputError, InputWarning, excerpt, warn
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.processing import check_size
 
@@ -119,6 +119,12 @@ class Listing(NamedTuple):
     used: int
     labels: dict[str, str]
     origin: str = ""
+
+    def of(self, **components: str) -> Listing:
+        """Return the listing where components were called otherwise; no direction of others is known."""
+        return self._replace(
+            labels={"x": ""} | {name: self.labels.get(old, "") for name, old in components.items()}
+        )
 
 
 class MotionFields(TypedDict):
@@ -448,6 +454,6 @@ def of_the_ground(motion: Motion, rule: str) -> Motion:
     if motion.floor:
         told, floor = phrase(f"motion.ground_alone_{rule}"), floor_phrase(motion.floor)
         raise InputError(
-            "motion.not_of_the_ground", "motion", motion=quoted(motion.name), floor=floor, rule=told
+            "motion.not_of_the_ground", "motion", motion=excerpt(motion.name), floor=floor, rule=told
         )
     return motion

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.motion.channels import Listing
     from stayput.motion.record import Motion
 
@@ -71,9 +72,17 @@ def _check_origins(first: str, a: Listing, second: str, b: Listing) -> None:
         return
     # A title in which no direction was found may have it among its words, and so differ.
     if one and other and a.labels["x"] and b.labels["x"]:
-        about: dict[str, Any] = {"one": excerpt(one), "other": excerpt(other)}
+        about: dict[str, Any] = {"one": _told(one), "other": _told(other)}
         raise InputError("motion.two_records", second, first=first, second=second, **about)
     warn(InputWarning("motion.origin_unstated", second, first=first, second=second))
+
+
+def _told(origin: str) -> Phrase:
+    """Return event and station as a sentence quotes them, the sensor of KiK-net in each language."""
+    english, japanese = excerpt(origin)
+    for word in ("borehole", "surface"):
+        japanese = japanese.replace(f", {word},", f", {phrase(f'motion.sensor_{word}')[1]},")
+    return english, japanese
 
 
 def _check_directions(first: str, label: str, second: str, other: str) -> None:
@@ -86,4 +95,3 @@ def _check_directions(first: str, label: str, second: str, other: str) -> None:
     if axes[0] is not None and axes[0] == axes[1]:
         labels: dict[str, Any] = {"one": excerpt(label), "other": excerpt(other)}
         raise InputError("motion.one_direction", second, first=first, second=second, **labels)
-

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
+from stayput.errors import InputError, excerpt, finite, instance_of, shown, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.baseline import check_baseline, checked_record
@@ -175,7 +175,7 @@ class Motion:
                 check_baseline(value)
             return value
         if isinstance(value, str | PathLike):
-            raise InputError("motion.only_a_path", name, name=name, value=repr(str(cast("object", value))))
+            raise InputError("motion.only_a_path", name, name=name, value=excerpt(str(cast("object", value))))
         if isinstance(value, Sequence) or hasattr(value, "__array__"):
             raise InputError("motion.only_samples", name, name=name, value=shown(cast("object", value)))
         return instance_of(name, value, cls)
@@ -320,8 +320,8 @@ class Motion:
         if name not in tuple(self.components):  # which takes what cannot be hashed
             known = ", ".join(self.components)
             raise InputError("motion.no_such_component", "component", component=name, known=known)
-        listing = self._listing_of({"x": name})
-        return replace(self, x=self.components[name], y=None, z=None, listing=listing)
+        own = self.listing and self.listing.of(x=name)
+        return replace(self, x=self.components[name], y=None, z=None, listing=own)
 
     def peaks(self) -> dict[str, Peaks]:
         """Return the peaks of every component that is there, x first."""
@@ -330,13 +330,6 @@ class Motion:
     def _each(self, change: Callable[[NDArray[np.float64]], NDArray[np.float64]], **fields: Any) -> Motion:
         changed: dict[str, Any] = {name: change(values) for name, values in self.components.items()}
         return replace(self, **changed, **fields)
-
-    def _listing_of(self, components: Mapping[str, str]) -> Listing | None:
-        """Return the listing where components were those of other names."""
-        if self.listing is None:
-            return None
-        labels = {name: self.listing.labels.get(before, "") for name, before in components.items()}
-        return self.listing._replace(labels=labels)
 
     def _note(self, what: str) -> str:
         return f"{self.source}; {what}" if self.source else what
@@ -377,15 +370,12 @@ class Motion:
             raise InputError("motion.rotation_without_y")
         c, s = math.cos(turn), math.sin(turn)
         source = self._note(f"turned by {math.degrees(turn):g}°")
-        listing = self._listing_of({"x": "", "z": "z"})
-        return replace(
-            self, x=c * self.x + s * self.y, y=c * self.y - s * self.x, source=source, listing=listing
-        )
+        x, y = c * self.x + s * self.y, c * self.y - s * self.x
+        return replace(self, x=x, y=y, source=source, listing=self.listing and self.listing.of(z="z"))
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""
-        longest = self.duration
-        last = longest
+        last = longest = self.duration
         if end is not None:  # a duration that was printed and rounded up is the end too
             last = within("motion.name_trim_end", end, 0.0, longest + 1e-9, "s", "end")
         first = within("motion.name_trim_start", start, 0.0, longest, "s", "start")
@@ -432,8 +422,8 @@ class Motion:
         """
         if order not in range(6):
             raise InputError("motion.baseline_order", "order", order=order)
-        source = self._note(f"baseline of order {order} removed")
-        return self._each(lambda a: without_baseline(a, self.dt, order), source=source)
+        source = f"baseline of order {order} removed"
+        return self._each(lambda a: without_baseline(a, self.dt, order), source=self._note(source))
 
     @classmethod
     def combine(

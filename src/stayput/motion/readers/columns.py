@@ -5,16 +5,16 @@ says which are these. Velocities and displacements, by their headings, are left 
 Lines that begin with "#", "%", "//" or "!" are comments. Titles, a line of headings and a row of units may
 stand above the numbers: the column that is headed "time" or "t" is the time, in s or "[ms]"; without such
 a heading the first is, unless it counts the samples, 1, 2, 3, …: then ``dt`` must be given. A comment may
-state the time step, "dt = 0.01", the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each heading states that of its
-column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise. Above the
-samples of one channel, in one column or several a row, their number and the time step may stand: "4000 0.02".
+state the time step, "dt = 0.01", the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each
+heading states that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise.
+Above the samples of one channel, one or several a row, their number and the time step may stand: "4000 0.02".
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -122,7 +122,7 @@ def _table(
             row, count = row + 1, count or len(values)
             as_they_stand = counted or places == range(count)
             if len(values) != count and not counted:
-                about = {"row": row, "count": len(values), "columns": count}
+                about: dict[str, Any] = {"row": row, "count": len(values), "columns": count}
                 if row == 2:
                     raise InputError("motion.column_first_row", "skip_lines", option="skip_lines", **about)
                 raise InputError("motion.column_row", **about)
@@ -234,7 +234,9 @@ def _chosen_columns(head: _Head, chosen: Mapping[str, str]) -> tuple[Sequence[in
     texts = [*(["t"] if "t" not in chosen else []), *(with_units[place] for place in places if written)]
     headings = read_headings(["".join(f"{text};" for text in texts)], [], len({"t", *chosen}), "")
     if headings.time:
-        raise InputError("motion.column_no_time", column=excerpt(headings.texts[0]))
+        raise InputError(
+            "motion.column_no_time", "columns", column=excerpt(headings.texts[0]), option="columns"
+        )
     return places, headings
 
 

@@ -46,8 +46,9 @@ _DISPLACEMENT = re.compile(
 )
 _NUMBER = r"[0-9]*\.?[0-9]+(?:[eE][+\-]?[0-9]+)?"
 _STEP = re.compile(
-    r"(?:(?<![a-z])(?:dt|delta[ _]?t|time[ _-]?(?:step|interval)|sampl(?:e|ing)[ _-]?(?:interval|period|step))"
-    rf"|時間(?:刻み|間隔)|サンプリング(?:間隔|周期))[^0-9a-z.\n-]{{0,4}}(?:s(?:ec)?[)\]])?[ :=：＝]*(?P<step>{_NUMBER})(?P<ms> ?m(?:illi)?s)?"
+    r"(?:(?<![a-z])(?:dt|delta[ _]?t|(?:time|sampl(?:e|ing))[ _-]?(?:step|interval|period))"
+    r"|時間(?:刻み|間隔)|サンプリング(?:間隔|周期))"
+    rf"[^0-9a-z.\n-]{{0,4}}(?:s(?:ec)?[)\]])?[ :=：＝]*(?P<step>{_NUMBER})(?P<ms> ?m(?:illi)?s)?"
     r"|(?:(?<![a-z])sampl(?:e|ing)[ _-]?(?:rate|freq(?:uency)?)|サンプリング(?:周波数|レート))"
     rf"[^0-9a-z.\n-]{{0,4}}(?:hz[)\]])?[ :=：＝]*(?P<rate>{_NUMBER})(?! ?k| ?m?s)",
     re.IGNORECASE,

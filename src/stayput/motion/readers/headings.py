@@ -36,7 +36,9 @@ _FACTOR = re.compile(
     r"|(?P<before>.*?)\s*[x×*]\s*[0-9][0-9.^e+\-−]*",
     re.IGNORECASE,
 )
-_NEGATIVE = re.compile(r"\([-−]\)|^[-−](?=[A-Za-z])|[A-Za-z][-−]$|.[\s_(+]down(?:wards?)?\b|下向き", re.IGNORECASE)
+_NEGATIVE = re.compile(
+    r"\([-−]\)|^[-−](?=[A-Za-z])|[A-Za-z][-−]$|.[\s_(+]down(?:wards?)?\b|下向き", re.IGNORECASE
+)
 _POSITIVE_DOWN = re.compile(
     r"(?:positive|\+ ?(?:is|=)?|plus) ?down|down(?:wards?)? ?(?:is|=|:)? ?(?:positive|\+)"
     r"|下(?:向き|方)?[がを、 ]?(?:正|プラス|[+＋])",
@@ -153,7 +155,9 @@ def is_title(line: str) -> bool:
     fields = headings_in(line)
     if _RULE.fullmatch(line):
         return True
-    if all(_NAME.match(text.lstrip("+-−")) and not _NOT_FINITE.fullmatch(text) for text in fields) or units_in(line):
+    if all(
+        _NAME.match(text.lstrip("+-−")) and not _NOT_FINITE.fullmatch(text) for text in fields
+    ) or units_in(line):
         return True
     figures = sum(bool(_NUMERIC.fullmatch(text) or _NOT_FINITE.fullmatch(text)) for text in fields)
     keyed = line[0].isalpha() and (":" in line or "=" in line)
@@ -215,7 +219,9 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
         return Headings(names=named)
     times, names = _times(texts), _names(texts)
     called = zip(texts, names or texts, strict=True)
-    if negative := next((text for text, name in called if _NEGATIVE.search(text) and not is_down(name)), None):
+    if negative := next(
+        (text for text, name in called if _NEGATIVE.search(text) and not is_down(name)), None
+    ):
         raise InputError("motion.column_negative", column=excerpt(negative))
     first = names[0] if names else texts[0]
     names = names if any(map(is_direction, names)) else named or names
