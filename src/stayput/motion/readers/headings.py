@@ -209,7 +209,8 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     ordered = _stated_order(lines, count)
     texts, place = (ordered, 0) if ordered else _among(titles, comments, count)
     downward = next(filter(_POSITIVE_DOWN.search, lines), None)
-    if downward and (count > 3 or any(map(is_vertical, texts))) and not any(map(is_down, texts)):
+    turned = len(texts) == count and any(map(is_down, texts))
+    if downward and not turned and (count > 3 or any(map(is_vertical, texts))):
         raise InputError("motion.positive_down", line=excerpt(downward))
     if len(texts) != count:
         if ordered or (_states_columns(texts) and _all_names(texts)):
