@@ -312,6 +312,7 @@ def test_an_option_is_called_by_the_page_s_control_or_by_its_flag(client: httpx.
     asked = upload(client, "1,2,3,4,5\n" * 20, unit="gal").json()
     assert "unless --columns on the command line says which" in asked["message"]
     assert "「コマンドの--columns」で" in asked["message_ja"]
+    assert asked["field"] == "file"
     upright = "t,x,y,z\n" + "".join(f"{0.01 * i:.2f},0,{i % 2},-9.81\n" for i in range(200))
     asked = upload(client, upright, unit="m/s²").json()
     assert "(Take the mean off each component)" in asked["message"]

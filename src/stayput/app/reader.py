@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 T = TypeVar("T", InputError, InputWarning)
 
-_CONTROLS = {"remove_mean": "page.file_remove_mean"}
-"""The label of the page's control for an option of reading that has one and is not called by its name."""
+_CONTROLS = {"dt": "page.file_dt", "remove_mean": "page.file_remove_mean"}
+"""The labels of the page's controls for options of reading that have one."""
 
 _SEPARATORS = np.zeros(256, np.bool_)
 _SEPARATORS[list(b" \t\n\r\v\f,;")] = True
@@ -87,9 +87,11 @@ def _on_page(told: T) -> T:
     option = told.values.get("option")
     if option not in OPTIONS:
         return told
-    flag = f"--{option.replace('_', '-')}"
-    way = phrase(_CONTROLS[option]) if option in _CONTROLS else phrase("app.flag", flag=flag)
-    return type(told)(told.code, told.field, context=told.context, **told.values | {"option": way})
+    if option in _CONTROLS:
+        way, field = phrase(_CONTROLS[option]), told.field
+    else:
+        way, field = phrase("app.flag", flag=f"--{option.replace('_', '-')}"), None
+    return type(told)(told.code, field, context=told.context, **told.values | {"option": way})
 
 
 def _read(task: ReadingTask) -> Motion:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from stayput.errors import InputError, excerpt, finite, instance_of, shown, visible, within, word_of
+from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.baseline import check_baseline, checked_record
@@ -175,7 +175,7 @@ class Motion:
                 check_baseline(value)
             return value
         if isinstance(value, str | PathLike):
-            raise InputError("motion.only_a_path", name, name=name, value=excerpt(str(cast("object", value))))
+            raise InputError("motion.only_a_path", name, name=name, value=repr(str(cast("object", value))))
         if isinstance(value, Sequence) or hasattr(value, "__array__"):
             raise InputError("motion.only_samples", name, name=name, value=shown(cast("object", value)))
         return instance_of(name, value, cls)
