@@ -16,6 +16,9 @@ from stayput.errors import InputError, instance_of, quoted, reason_of
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterable, Sequence
 
+LARGEST_RECORD = 2**28
+"""Largest file of a record [bytes]: twenty million samples of a dozen characters."""
+
 PLOT_SUFFIXES = (".png", ".svg", ".pdf")
 """The kinds of file a plot is saved as."""
 

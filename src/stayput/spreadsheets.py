@@ -7,7 +7,7 @@ import io
 import re
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, quoted
+from stayput.errors import InputError, excerpt
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -68,6 +68,6 @@ def named_columns(text: str, otherwise: str, field: str = "columns") -> list[tup
     for part in _NEXT_PAIR.split(text):
         name, _, column = (side.strip() for side in part.partition("="))
         if not (name and column):
-            raise InputError(otherwise, field, name=field, value=quoted(part))
+            raise InputError(otherwise, field, name=field, value=excerpt(part))
         pairs.append((name, column))
     return pairs

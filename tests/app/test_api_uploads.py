@@ -306,3 +306,15 @@ def test_a_name_says_whether_it_is_of_an_upper_floor(client: httpx.Client, name:
     assert bool(found["floor"]) == above
     assert any("building" in one["message"] for one in found["warnings"]) == above
     assert all(one["message"] and one["message_ja"] for one in found["warnings"])
+
+
+def test_an_option_is_called_by_the_page_s_control_or_by_its_flag(client: httpx.Client) -> None:
+    asked = upload(client, "1,2,3,4,5\n" * 20, unit="gal").json()
+    assert "unless --columns on the command line says which" in asked["message"]
+    assert "「コマンドの--columns」で" in asked["message_ja"]
+    assert asked["field"] == "file"
+    upright = "t,x,y,z\n" + "".join(f"{0.01 * i:.2f},0,{i % 2},-9.81\n" for i in range(200))
+    asked = upload(client, upright, unit="m/s²").json()
+    assert "(Take the mean off each component)" in asked["message"]
+    assert "（各成分から平均を除く）" in asked["message_ja"]
+    assert asked["field"] == "remove_mean"

@@ -89,14 +89,14 @@ def test_refusals_are_the_same_as_here(tmp_path: Path, readers: ReaderPool, text
 
 def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     def read_shaking(*_: object, **__: object) -> sp.Motion:
-        warn("It is very strong.")
+        warn(sp.InputWarning("It is very strong."))
         return sp.sine(1.0, 1.0, 2.0)
 
     path = tmp_path / "a"
     path.write_text("1")
     monkeypatch.setattr(reader, "read_shaking", read_shaking)
     task = reader.ReadingTask(str(path), None, None, None, False, 9, 10_000, 600.0, 9.0)
-    assert reader.read(task).warnings == ("It is very strong.",)
+    assert [str(warning) for warning in reader.read(task).warnings] == ["It is very strong."]
 
 
 def test_a_file_that_takes_too_long_is_refused_and_others_go_on() -> None:

@@ -128,6 +128,32 @@ def test_an_offset_is_warned_of_wherever_the_record_is_used(tmp_path):
         sp.read_suite([clean, offset], unit="m/s²")
 
 
+@pytest.mark.parametrize(("share", "least"), [(0.5, 4.9), (0.3, 6.9), (0.13, 8.6)])
+def test_an_offset_that_begins_within_the_record_is_warned_of(tmp_path, share, least):
+    late = np.where(TIME[-1] * (1.0 - share) < TIME, 0.4, 0.0)
+    file = record(tmp_path / "late.csv", x=np.sin(40.0 * TIME) * np.exp(-0.3 * TIME) + late, y=WAVE)
+    with pytest.warns(sp.InputWarning) as heard:
+        sp.read_motion(file, unit="m/s²")
+    warning = next(one.message for one in heard if one.message.code == "motion.late_offset")
+    assert warning.values["begin"] >= least
+    assert "the acceleration of x oscillates about 0." in str(warning)
+    assert "秒付近からあとだけ" in warning.told("ja")
+    assert sum(one.message.code == "motion.late_offset" for one in heard) == 1  # x alone
+
+
+def test_that_the_mean_was_taken_off_is_told_and_written(tmp_path):
+    offset = record(tmp_path / "offset.csv", x=WAVE + 2.0)
+    of_motion = ("--motion", offset, "--unit", "m/s²", "--remove-mean")
+    assert "the mean of each component taken off" in cli("simulate", *of_motion)[1]
+    assert "各成分の平均を除去" in cli("simulate", *of_motion, "--lang", "ja")[1]
+    shown = cli("simulate", *of_motion, "--json")[1]
+    assert "mean removed [m/s²]: x 2.0" in json.loads(shown[shown.index("{") :])["motion"]["source"]
+    motion = sp.read_motion(offset, unit="m/s²", remove_mean=True)
+    file = motion.write(tmp_path / "written.at2")
+    assert "mean removed [m/s²]: x 2.0" in file.read_text(encoding="utf-8").splitlines()[0]
+    np.testing.assert_allclose(sp.read_motion(file).x, motion.x, atol=1e-14)
+
+
 def test_an_assessment_warns_too(tmp_path):
     record(tmp_path / "offset.csv", x=WAVE + 2.0)
     for more, warned in (("", True), ("remove_mean = true", False)):
@@ -204,10 +230,10 @@ def test_noise_is_none_and_is_one_with_an_offset(seed, size):
 
 
 def test_the_mean_and_the_unit_of_several_files(tmp_path):
-    bare, stated = record(tmp_path / "bare.csv", x=WAVE), record(tmp_path / "stated.csv", y=100.0 * WAVE)
+    bare, stated = record(tmp_path / "bare.csv", x=WAVE), record(tmp_path / "stated.csv", y=-100.0 * WAVE)
     stated.write_text(stated.read_text().replace("t,y", "t,y (gal)"), encoding="utf-8")
     suite = sp.read_suite([bare, stated], unit="m/s²", remove_mean=True)
-    np.testing.assert_allclose(suite[0].x, suite[1].x, atol=1e-12)
+    np.testing.assert_allclose(suite[0].x, -suite[1].x, atol=1e-12)
     one = tmp_path / "one.txt"
     np.savetxt(one, WAVE)
     assert [motion.dt for motion in sp.read_suite([one, stated], unit="m/s²", dt=0.005)] == [0.005, 0.02]
@@ -222,7 +248,7 @@ def test_the_mean_and_the_unit_of_several_files(tmp_path):
         tmp_path,
     )
     motion = scene.motion()
-    np.testing.assert_allclose(motion.x, motion.y, atol=1e-12)
+    np.testing.assert_allclose(motion.x, -motion.y, atol=1e-12)
     with pytest.raises(sp.InputError, match="must be the one in the heading"):
         sp.read_motion(stated, unit="m/s²")
     with pytest.raises(sp.InputError, match="must be one of"):

@@ -219,7 +219,7 @@ def test_letters_that_the_terminal_lacks_are_written_out(here: Path) -> None:
 def test_an_input_without_an_end_is_refused(
     monkeypatch: pytest.MonkeyPatch, language: str, said: str
 ) -> None:
-    monkeypatch.setattr(streams, "MOST_INPUT", 9)
+    monkeypatch.setattr(streams, "LARGEST_RECORD", 9)
     monkeypatch.setattr(streams, "_CHUNK", 4)
     result = cli("simulate", "--motion", "-", "--lang", language, given="0 " * 1000)
     assert result.exit_code == 2

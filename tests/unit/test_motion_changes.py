@@ -135,9 +135,9 @@ def test_combine_takes_the_x_of_each():
 def test_combine_refuses_what_does_not_belong_together():
     ns = Motion(0.02, NOISE)
     with pytest.raises(InputError, match=r"dt is 0\.01 s"):
-        Motion.combine(ns, Motion(0.01, NOISE))
+        Motion.combine(ns, Motion(0.01, -NOISE))
     with pytest.raises(InputError, match="within 1 %"):
-        Motion.combine(ns, Motion(0.02, NOISE[:50]))
+        Motion.combine(ns, Motion(0.02, -NOISE[:50]))
 
 
 def test_changes_keep_name_and_synthetic():

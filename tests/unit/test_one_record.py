@@ -123,3 +123,74 @@ def test_a_part_of_a_file_is_no_other_record(read, recwarn):
     joined = sp.Motion.combine(station, station.component("y"), up)
     assert list(joined.components) == ["x", "y", "z"]
     assert not recwarn.list
+
+
+@pytest.mark.parametrize(
+    ("first", "second"), [("N", "S"), ("E", "W"), ("H1", "H1"), ("L", "L"), ("EAST", "270")]
+)
+def test_names_of_one_line_are_one_direction(read, first, second):
+    x, y = read(at2(f"QUAKE, PLACE, {first}")), read(at2(f"QUAKE, PLACE, {second}", 2 * WAVE))
+    error = refused(x, y)
+    assert str(error).startswith(f"The x component points to '{first}' and the y component to '{second}'")
+    assert "互いに直交" in error.told("ja")
+
+
+@pytest.mark.parametrize("change", ["digits", "zeros", "unit"])
+def test_one_record_in_another_writing_is_refused(read, change):
+    x = read(at2("QUAKE, PLACE, 000"))
+    text = {
+        "digits": at2("QUAKE, PLACE, 090", np.round(WAVE, 3)),
+        "zeros": at2("QUAKE, PLACE, 090", np.append(WAVE, 0.0)),
+        "unit": "".join(f"{0.01 * i:.2f} {980.665 * a:.1f}\n" for i, a in enumerate(WAVE)),
+    }[change]
+    error = refused(x, read(text, unit="gal" if change == "unit" else None))
+    assert error.code == "motion.one_record"
+    assert "同じ記録" in error.told("ja")
+
+
+def test_components_of_files_keep_what_they_are(read):
+    heading = "t [s],N-S [gal],E-W [gal],U-D [gal]"
+    files = [
+        read(
+            "\n".join([heading, *(f"{0.01 * i:.2f},{k * a},{a * a},{a**3}" for i, a in enumerate(WAVE))])
+            + "\n"
+        )
+        for k in (1, 2)
+    ]
+    east = files[0].component("y")
+    assert refused(east, files[1].component("y").scaled(3.0)).code == "motion.one_direction"
+    assert refused(files[0], z=files[1].component("y")).code == "motion.wrong_axis"
+    joined = sp.Motion.combine(files[0].component("x"), east, files[0].component("z"))
+    assert joined.component("z").listing.labels["x"] == "U-D"
+    turned = joined.rotated(0.5)
+    assert turned.listing.labels == {"x": "", "z": "U-D"}
+    assert turned.component("y").listing.labels == {"x": ""}
+
+
+def test_the_station_is_named_before_the_time_step(read):
+    other = at2("QUAKE, OTHER, 090", 2 * WAVE).replace("DT= .01", "DT= .02")
+    assert refused(read(at2("QUAKE, PLACE, 000")), read(other)).code == "motion.two_records"
+
+
+@pytest.mark.parametrize("title", ["KOBE,KJM,UP", "Kobe,  KJM, UP", "KOBE, KJM , UP"])
+def test_blanks_and_marks_make_no_other_station(read, recwarn, title):
+    joined = sp.Motion.combine(read(at2("KOBE, KJM, 000")), z=read(at2(title, 2 * WAVE)))
+    assert joined.z is not None
+    assert not recwarn.list
+
+
+def test_the_sensors_of_a_borehole_are_called_in_each_language():
+    from stayput.motion.channels import Listing
+
+    below, above = (
+        sp.Motion(
+            0.01,
+            k * WAVE,
+            listing=Listing((label,), (False,), 0, {"x": label}, f"TST001, {place}, 2006"),
+        )
+        for k, (label, place) in enumerate((("NS1", "borehole"), ("EW2", "surface")), 1)
+    )
+    error = refused(below, above)
+    assert "'TST001, borehole, 2006'" in str(error)
+    assert "「TST001, 地中, 2006」" in error.told("ja")
+    assert "「TST001, 地表, 2006」" in error.told("ja")

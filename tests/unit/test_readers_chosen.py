@@ -89,11 +89,11 @@ def test_lines_at_the_beginning_are_passed_over(read, above):
 @pytest.mark.parametrize(
     ("columns", "english", "japanese"),
     [
-        ("x", "columns has 'x'; it must be such as", "columnsに'x'があります"),
-        ("t=1", "columns has 't=1'", "columnsに't=1'があります"),
-        ("t=1,x=", "columns has 'x='", "columnsに'x='があります"),
-        ("t=1,x=1", "columns has 't=1,x=1'", "columnsに't=1,x=1'があります"),
-        ("x=1,x=2", "columns has 'x=1,x=2'", "columnsに'x=1,x=2'があります"),
+        ("x", "columns has 'x'; it must be such as", "columnsに「x」があります"),
+        ("t=1", "columns has 't=1'", "columnsに「t=1」があります"),
+        ("t=1,x=", "columns has 'x='", "columnsに「x=」があります"),
+        ("t=1,x=1", "columns has 't=1,x=1'", "columnsに「t=1,x=1」があります"),
+        ("x=1,x=2", "columns has 'x=1,x=2'", "columnsに「x=1,x=2」があります"),
         ({}, "columns has {}", "columnsに{}があります"),
         ({"x": 2.5}, "columns has {'x': 2.5}", "columnsに{'x': 2.5}があります"),
         (3, "columns has 3", "columnsに3があります"),

@@ -56,7 +56,7 @@ def test_a_warning_names_the_argument_that_helps(tmp_path):
         ("motion.upper_floor", None),
     ]
     chosen, floor = (warning.told("ja") for warning in warnings)
-    assert chosen.startswith("floor42.csv (JMA CSV)：ファイルには水平の成分が「NS、EW」とあります")
+    assert chosen.startswith("floor42.csv（JMA CSV）：ファイルには水平の成分が「NS、EW」とあります")
     assert "観測された記録のようです（42階）" in floor
 
 

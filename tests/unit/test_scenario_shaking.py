@@ -53,7 +53,7 @@ def test_a_folder_of_records(tmp_path):
     table = shaking(tmp_path, suite="records", member=2)
     assert [motion.pga for motion in table.motions(tmp_path)] == pytest.approx([1.0, 2.0])
     assert table.motion(tmp_path).pga == pytest.approx(2.0)
-    (records / "bad.csv").write_text("no motion\n")
+    (records / "bad.csv").write_text("0.00,1\n0.01,x\n")
     with pytest.raises(sp.InputError, match=r"bad\.csv"):
         table.motions(tmp_path)
 

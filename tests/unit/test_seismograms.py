@@ -48,6 +48,29 @@ def test_miniseed_has_the_channels_of_a_station(written):
     assert not motion.synthetic
 
 
+@pytest.mark.parametrize("code", ["BHZ", "HHN", "EHE", "BDF", "LKO", "HH1"])
+def test_a_channel_of_another_instrument_is_no_acceleration(written, code):
+    for form in ("MSEED", "SAC"):
+        with pytest.raises(sp.InputError, match=f"channel {code} is of no accelerometer") as caught:
+            sp.read_motion(written(obspy.Stream([trace(code)]), form), unit="m/s²")
+        assert f"計器の文字が{code[1]}" in caught.value.told("ja")
+    with pytest.warns(sp.InputWarning, match=f"channel {code} is of no accelerometer"):  # may be made one
+        sp.Motion.from_obspy([trace(code)], "m/s²")
+
+
+@pytest.mark.parametrize("code", ["HNE", "BLN", "HGE", "EN1", "EW", "NS2", "EW1", "UD1"])
+def test_a_channel_of_an_accelerometer_is_one(written, recwarn, code):
+    sp.read_motion(written(obspy.Stream([trace(code)])), "channel 1", unit="gal")
+    assert not [one for one in recwarn if one.message.code == "motion.other_instrument"]
+
+
+def test_sac_that_states_an_acceleration_is_one(tmp_path):
+    changed = trace("BHE")
+    changed.stats.sac = {"idep": 8}
+    changed.write(str(tmp_path / "it.sac"), format="SAC")
+    assert sp.read_motion(tmp_path / "it.sac", unit="gal").pga > 0.0
+
+
 def test_sac_has_one_and_others_belong_to_it(tmp_path):
     for k, channel in enumerate(CHANNELS, 1):
         trace(channel, k).write(str(tmp_path / f"{channel}.sac"), format="SAC")

@@ -119,6 +119,16 @@ def test_a_folder_of_nied_is_a_motion_a_station_at_the_surface(nied):
     assert [motion.name for motion in along] == ["IWT010, NS", "MYG004, NS", "MYGH10, NS2"]
 
 
+def test_texts_beside_the_records_are_left_out_with_a_line(nied):
+    (nied / "readme.txt").write_text("1 Terms\n2 Use of the data\n", encoding="utf-8")
+    (nied / "お読みください.txt").write_text("強震記録のご利用について\n", encoding="utf-8")
+    suite, heard = read(nied)
+    assert len(suite) == 3
+    told = next(warning for warning in heard if warning.code == "motion.suite_left_out")
+    assert "readme.txt, お読みください.txt (no record)" in str(told)
+    assert "readme.txt、お読みください.txt（記録ではない）" in told.told("ja")
+
+
 def test_other_records_in_one_folder_stay_apart(tmp_path):
     titles = ("QUAKE 1, PLACE, 000", "QUAKE 2, PLACE, 090", "QUAKE 1, ELSEWHERE, 090", "no direction here")
     for number, title in enumerate(titles):
@@ -170,7 +180,9 @@ def test_the_command_line_and_a_scenario_take_such_a_folder(peer, tmp_path):
     assert json.loads(told.stdout)["motion"]["name"].endswith("El Centro Array #9, 180")
 
 
-@pytest.mark.parametrize(("lang", "said"), [("en", "--columns has 'x'; it must"), ("ja", "--columnsに'x'が")])
+@pytest.mark.parametrize(
+    ("lang", "said"), [("en", "--columns has 'x'; it must"), ("ja", "--columnsに「x」が")]
+)
 def test_the_suite_s_flags_are_refused_by_their_names(peer, tmp_path, lang, said):
     words = ["motion", "suite", "--records", str(peer), "--out", str(tmp_path / "out"), "--columns", "x"]
     done = CliRunner().invoke(app, [*words, "--lang", lang])

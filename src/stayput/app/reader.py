@@ -12,15 +12,22 @@ import os
 import pickle
 import sys
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, BinaryIO, TypeVar
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warnings_to
 from stayput.motion.readers import read_shaking
+from stayput.motion.readers.chosen import OPTIONS
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
+
+T = TypeVar("T", InputError, InputWarning)
+
+_CONTROLS = {"dt": "page.file_dt", "remove_mean": "page.file_remove_mean"}
+"""The labels of the page's controls for options of reading that have one."""
 
 _SEPARATORS = np.zeros(256, np.bool_)
 _SEPARATORS[list(b" \t\n\r\v\f,;")] = True
@@ -69,10 +76,22 @@ def read(task: ReadingTask) -> ReadingResult:
         with warnings_to(warnings.append):
             motion = _read(task)
     except InputError as error:
-        return ReadingResult(None, error)
+        return ReadingResult(None, _on_page(error))
     except (MemoryError, RecursionError):
         return ReadingResult(None, InputError("app.reading_memory"))
-    return ReadingResult(motion, None, tuple(warnings))
+    return ReadingResult(motion, None, tuple(map(_on_page, warnings)))
+
+
+def _on_page(told: T) -> T:
+    """Return what is told of a record, with an option called by its control on the page or by its flag."""
+    option = told.values.get("option")
+    if option not in OPTIONS:
+        return told
+    if option in _CONTROLS:
+        way, field = phrase(_CONTROLS[option]), told.field
+    else:
+        way, field = phrase("app.flag", flag=f"--{option.replace('_', '-')}"), None
+    return type(told)(told.code, field, context=told.context, **told.values | {"option": way})
 
 
 def _read(task: ReadingTask) -> Motion:

@@ -216,6 +216,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The form has no file; it must be sent as 'file'.",
         "フォームにファイルがありません。「file」という名前で送ってください。",
     ),
+    "flag": ("{flag} on the command line", "コマンドの{flag}"),
     "form_unknown_field": (
         "The form has an unknown field; it may have file, unit, dt, component, remove_mean.",
         "フォームに不明な項目があります。使えるのはfile、unit、dt、component、remove_meanです。",

@@ -2,6 +2,8 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     "strength": ("Stated shaking", "指定した揺れ"),
+    "baseline": ("Baseline", "基線"),
+    "mean_removed": ("the mean of each component taken off", "各成分の平均を除去"),
     "one_of_two": (
         "{flag} is {value} beside {other} {other_value}; it must be one of the two.",
         "{flag} {value}と{other} {other_value}の両方が指定されています。一方だけにしてください。",

@@ -342,6 +342,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The files of the {first} and {second} components do not both say of which record they are; check it.",
         "{first}成分と{second}成分のファイルから、同じ記録かどうかが分かりません。確かめてください。",
     ),
+    "sensor_borehole": ("borehole", "地中"),
+    "sensor_surface": ("surface", "地表"),
     "one_direction": (
         "The {first} component points to {one} and the {second} component to {other}; they must be at right angles.",
         "{first}成分の方向が{one}、{second}成分の方向が{other}です。互いに直交していなければなりません。",

@@ -161,6 +161,16 @@ TEXTS: dict[str, tuple[str, str]] = {
             "動き続けることになります。計器のオフセットであれば、平均を除いてください（{option}）。"
         ),
     ),
+    "late_offset": (
+        (
+            "From about {begin:.3g} s on the acceleration of {component} oscillates about {mean:.4g} m/s², and not before; "
+            "where that is the instrument's offset, the record must be corrected there."
+        ),
+        (
+            "{component}成分の加速度が、{begin:.3g}秒付近からあとだけ{mean:.4g} m/s²を中心に振動しています。"
+            "計器のオフセットであれば、記録のその部分を補正してください。"
+        ),
+    ),
     "less_mean": (", less the mean of each component", "、各成分の平均を除去"),
     "time_not_growing": (
         "The time runs from {start:g} s to {end:g} s; it must grow.",
@@ -251,6 +261,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {component!r} beside {other}, which says what x is; it must be one of the two.",
         "xとする列が{other}で指定されているのに、{name}も「{component}」になっています。どちらか一方にしてください。",
     ),
+    "other_instrument": (
+        (
+            "The channel {channel} is of no accelerometer by the instrument's letter in its SEED code, {letter}, which is N, L "
+            "or G of accelerometers; its numbers must be accelerations."
+        ),
+        (
+            "チャンネル{channel}は、SEEDコードの計器の文字が{letter}で、加速度計（N、L、G）のものではありません。"
+            "加速度の記録が必要です。"
+        ),
+    ),
     "no_obspy": (
         "ObsPy is absent; it must be installed to read {format}: pip install obspy.",
         "{format}を読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
@@ -272,6 +292,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "「{label}」は地中（ボアホール）の地震計の記録です。床の揺れには地表の記録を使ってください。",
     ),
     # Columns of numbers.
+    "columns_of_numbers": ("columns of numbers", "数値の列"),
+    "file_and_form": ("{file} ({form})", "{file}（{form}）"),
     "column_count": (
         (
             "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless {option} "
@@ -286,6 +308,30 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Row {row} has {count} values; it must have {columns} like the first.",
         "行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。",
     ),
+    "column_first_row": (
+        "Row {row} has {count} values; it must have {columns} like the first, unless {option} passes that over.",
+        (
+            "行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。"
+            "1行目がデータでなければ、「{option}」で読み飛ばしてください。"
+        ),
+    ),
+    "column_factor": (
+        (
+            "The line {line} states a factor; the numbers must be in their unit without one: where they are, {option} "
+            "passes the line over."
+        ),
+        (
+            "{line}の行に倍率が書かれています。倍率のない数値にしてください。すでにそうであれば、この行を「{option}」で"
+            "読み飛ばしてください。"
+        ),
+    ),
+    "column_step": (
+        (
+            "The lines above the numbers state a time step of {stated:g} s and the time column has {step:g} s; "
+            "they must agree."
+        ),
+        "数値の上の行に書かれた時間刻みは{stated:g}秒ですが、時刻の列の時間刻みは{step:g}秒です。一致しなければなりません。",
+    ),
     "column_no_rows": (
         "The file has no rows of numbers; it must have at least 2.",
         "ファイルに数値の行がありません。2行以上必要です。",
@@ -295,8 +341,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ファイルに数値の行が1行しかありません。2行以上必要です。",
     ),
     "column_count_first": (
-        "The first number, {number:g}, looks like a count; only samples may stand there.",
-        "最初の数値（{number:g}）はデータの個数のようです。データだけを書いてください。",
+        "The first number, {number:g}, looks like a count; only samples may stand there, unless {option} passes it over.",
+        "最初の数値（{number:g}）はデータの個数のようです。データだけを書くか、「{option}」で読み飛ばしてください。",
     ),
     "column_another_unit": (
         "The unit is given as {given!r}; it must be the one in the heading {column}, or be left out.",
@@ -343,16 +389,32 @@ TEXTS: dict[str, tuple[str, str]] = {
         "見出しと数値の間に{line}という行があります。ここには各列の単位だけを書けます。",
     ),
     "column_negative": (
-        "The column {column} is positive the other way; it must be turned, and its heading written without the sign.",
-        "列{column}は正負の向きが逆です。符号を反転し、見出しの符号を外してください。",
+        (
+            "The column {column} is positive the other way; its numbers must change sign, and its heading be "
+            "written without that."
+        ),
+        "列{column}は正負の向きが逆です。数値の符号を反転し、見出しを直してください。",
+    ),
+    "positive_down": (
+        (
+            "The line {line} says that the vertical is positive downward; its numbers must be positive upward, and the "
+            "line be left out, or its column be headed 'Down'."
+        ),
+        "{line}の行によると、上下動は下向きが正です。上向きを正として行を消すか、列の見出しを「Down」としてください。",
     ),
     "column_quantity": (
         "The heading {column} says {quantity}; every column but the time must be an acceleration.",
         "列の見出し{column}は{quantity}を表しています。時刻以外の列はすべて加速度でなければなりません。",
     ),
     "column_no_time": (
-        "The first column is headed {column} and no other one is headed as the time; one must be.",
-        "最初の列の見出しは{column}で、時刻の見出しのある列がありません。時刻の列が必要です。",
+        (
+            "The first column is headed {column} and no other one is headed as the time; one must be, unless {option} "
+            "says which to read and dt is given."
+        ),
+        (
+            "最初の列の見出しは{column}で、時刻の見出しのある列がありません。時刻の列を加えるか、"
+            "読む列を「{option}」で、時間刻みをdtで指定してください。"
+        ),
     ),
     "column_times": (
         "The columns {columns} are all headed as the time; only one must be.",

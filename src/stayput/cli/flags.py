@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast, get_
 
 import typer
 
-from stayput.cli.streams import called, file_of, is_stream, table_of_input
+from stayput.cli.streams import called, is_stream, record_of, table_of_input
 from stayput.errors import InputError, unknown
 from stayput.progress import keep_quiet
 
@@ -310,7 +310,7 @@ def beside(y: str | None, z: str | None, shaking: Mapping[str, Any]) -> dict[str
     for file, flag in files.values():
         if file is not None and "record" not in shaking:
             raise InputError("cli.beside_no_record", flag, name=flag)
-    return {key: file_of(file, flag) for key, (file, flag) in files.items() if file is not None}
+    return {key: record_of(file, flag) for key, (file, flag) in files.items() if file is not None}
 
 
 def motion_of(
@@ -345,7 +345,7 @@ def motion_of(
     from stayput.scenario import Scenario
 
     stated = {key: as_written(value) for key, value in strength.items() if value is not None}
-    text = file_of(text, flag)
+    text = record_of(text, flag)
     table = shaking_table(text)
     scenario = Scenario.parse({**EXAMPLE, "shaking": {**table, **reading, **stated, **beside(y, z, table)}})
     return scenario.shaking.motion(Path())

@@ -20,7 +20,7 @@ from stayput.cli.flags import (
     table_of,
     together,
 )
-from stayput.cli.streams import file_of
+from stayput.cli.streams import record_of
 from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
@@ -140,7 +140,7 @@ def shaken(
         return dict(tables)
     given = table_of(tables, "shaking")
     if motion is not None:
-        given = _from_here(shaking_table(file_of(motion, named)), path)
+        given = _from_here(shaking_table(record_of(motion, named)), path)
     files = beside(y, z, given)
     given = _without_strengths(given, stated)
     if vertical and isinstance(given.get("vertical"), str):  # the component of that file acts

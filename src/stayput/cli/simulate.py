@@ -41,8 +41,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
     from stayput.catalogue import Phrase
-    from stayput.motion.ground_shaking import GroundStrength
     from stayput.report.animation import Progress
+    from stayput.scenario.shaking import ShakingTable
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
 
@@ -172,7 +172,7 @@ def simulate(
         _show_in_space(
             found,
             pieces.names if json else names_in(pieces, lang),
-            _Wanted(("", ""), pieces.shaking.strength, pieces.title, plot, animate, speed, fps, lang, json),
+            _Wanted(("", ""), pieces.shaking, pieces.title, plot, animate, speed, fps, lang, json),
         )
         return
     checked = parsed(Scenario, data, given, scenario, motion or x)
@@ -183,7 +183,7 @@ def simulate(
         run = checked.case(chosen_measures(checked, measure or [])).run()
     piece = checked.furniture
     called = piece.title, piece_name(piece.preset, piece.name)[1]
-    wanted = _Wanted(called, checked.shaking.strength, checked.title, plot, animate, speed, fps, lang, json)
+    wanted = _Wanted(called, checked.shaking, checked.title, plot, animate, speed, fps, lang, json)
     if isinstance(run, Run):
         _show_in_the_plane(run, wanted)
     else:
@@ -194,7 +194,7 @@ class _Wanted(NamedTuple):
     """What is shown of a run, and where it is written."""
 
     name: Phrase
-    strength: GroundStrength | None
+    shaking: ShakingTable
     title: str | None
     plot: Path | None
     animate: Path | None
@@ -313,6 +313,8 @@ def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> 
     table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
     for label, value in rows:
         table.add_row(label, value)
-    if wanted.strength is not None:
-        table.add_row(say("cli.strength", wanted.lang), say(wanted.strength.about, wanted.lang))
+    if wanted.shaking.strength is not None:
+        table.add_row(say("cli.strength", wanted.lang), say(wanted.shaking.strength.about, wanted.lang))
+    if wanted.shaking.remove_mean:
+        table.add_row(say("cli.baseline", wanted.lang), say("cli.mean_removed", wanted.lang))
     console.print(table)

@@ -14,7 +14,7 @@ import typer
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, reason_of
-from stayput.files import check_target, draft
+from stayput.files import LARGEST_RECORD, check_target, draft
 from stayput.progress import language_of_bars
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ NAME = "standard input"
 """What standard input is called, as files are by their names."""
 
 MOST_INPUT = 2**30
-"""Most bytes of standard input: some never ends."""
+"""Most bytes of a table or a map on standard input."""
 
 _CHUNK = 2**20
 
@@ -101,7 +101,7 @@ def table_of_input(flag: str) -> dict[str, Any]:
     return table_of_bytes(data, Path(NAME))
 
 
-def file_of(text: str, flag: str, ending: str = "") -> str:
+def file_of(text: str, flag: str, ending: str = "", most: int = MOST_INPUT) -> str:
     """Return the file that a flag names: of ``-`` one that holds what comes on standard input.
 
     Parameters
@@ -112,6 +112,8 @@ def file_of(text: str, flag: str, ending: str = "") -> str:
         The flag or argument.
     ending : str
         What the name of that file ends in.
+    most : int, optional
+        Most bytes that are read, as some input never ends.
 
     Raises
     ------
@@ -125,11 +127,16 @@ def file_of(text: str, flag: str, ending: str = "") -> str:
         taken.folder = taken.stack.enter_context(TemporaryDirectory(prefix="stayput-"))
         file = Path(taken.folder) / f"{NAME}{ending}"
         with file.open("wb") as kept:
-            while (chunk := source.read(_CHUNK)) and kept.tell() <= MOST_INPUT:
+            while (chunk := source.read(_CHUNK)) and kept.tell() <= most:
                 kept.write(chunk)
     if chunk:
-        raise InputError("cli.input_too_large", flag, flag=flag, most=MOST_INPUT)
+        raise InputError("cli.input_too_large", flag, flag=flag, most=most)
     return str(file)
+
+
+def record_of(text: str, flag: str) -> str:
+    """Return the file of a record that a flag names; see `file_of`."""
+    return file_of(text, flag, most=LARGEST_RECORD)
 
 
 @contextmanager

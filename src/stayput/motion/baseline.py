@@ -22,6 +22,7 @@ LONGEST_STEP = 0.1
 _OVER_PEAK_VELOCITY = 5.0
 _FEWEST_CROSSINGS = 10
 _SHARE_OF_PEAK = 1e-3
+_LATE_SHARE = 0.02
 _GRAVITY_TOLERANCE = 0.05
 
 
@@ -51,6 +52,26 @@ def oscillates_about_offset(a: NDArray[np.float64], dt: float) -> bool:
     return crossings >= _FEWEST_CROSSINGS and final_velocity > _OVER_PEAK_VELOCITY * peak_velocity(rest, dt)
 
 
+def offset_begins(a: NDArray[np.float64], dt: float) -> int:
+    """Return about where an offset begins that lasts to the end of an acceleration; 0 where none does.
+
+    It is looked for in the last half, quarter and eighth. Its least size is larger than that of an offset of
+    the whole record: shaking tilts instruments and leaves a thousandth of the peak behind in many of them.
+
+    Parameters
+    ----------
+    a, dt
+        As for `oscillates_about_offset`.
+    """
+    peak = float(np.abs(a).max())
+    for part in (2, 4, 8):
+        begin = len(a) - len(a) // part
+        rest = a[begin:]
+        if len(rest) and abs(rest.mean()) > _LATE_SHARE * peak and oscillates_about_offset(rest, dt):
+            return begin
+    return 0
+
+
 def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
     """Refuse or warn of a motion that cannot be the ground's, or a floor's, as it is.
 
@@ -70,8 +91,8 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
     Warns
     -----
     InputWarning
-        An offset, see `oscillates_about_offset`; gravity in z of a motion of arrays; a record whose time step
-        is longer than 0.1 s.
+        An offset, see `oscillates_about_offset` and `offset_begins`; gravity in z of a motion of
+        arrays; a record whose time step is longer than 0.1 s.
     """
     if recorded and motion.dt > LONGEST_STEP:
         warn(InputWarning("motion.long_step", "dt", dt=motion.dt, frequency=0.5 / motion.dt))
@@ -86,6 +107,9 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
             velocity = abs(mean) * motion.duration
             about: dict[str, Any] = {"component": name, "mean": mean, "velocity": velocity, "option": option}
             warn(InputWarning("motion.offset", option, **about))
+        elif begin := offset_begins(a, motion.dt):
+            about = {"component": name, "mean": float(a[begin:].mean()), "begin": begin * motion.dt}
+            warn(InputWarning("motion.late_offset", name, **about))
 
 
 def checked_record(motion: Motion, *, remove_mean: bool) -> Motion:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, quoted, warn
+from stayput.errors import InputError, InputWarning, excerpt, warn
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.processing import check_size
 
@@ -27,8 +27,14 @@ _UNNAMED = "(unnamed)"
 _UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
 _VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|(?!HZ)[A-Z]{{1,2}}Z")
-_AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90", "EAST": "90"}
-_HORIZONTAL = {*_AZIMUTHS, "X", "Y", "H1", "H2", "L", "LONG", "R", "T", "TRAN", "TRANS"}
+_AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90", "EAST": "90"} | {
+    "S": "180",
+    "SOUTH": "180",
+    "W": "270",
+    "WEST": "270",
+}
+_OF_THE_SENSOR = {"H1", "H2", "L", "LONG", "R", "T", "TRAN", "TRANS"}
+_HORIZONTAL = {*_AZIMUTHS, *_OF_THE_SENSOR, "X", "Y"} - {"S"}  # which heads seconds, too
 _SEED_CODE = re.compile(
     r"(?:[0-9]{2})?[A-Z][HLGN]([NEZ])(?:[0-9]{2})?"
 )  # a seismometer's channel, its location
@@ -101,18 +107,24 @@ class Listing(NamedTuple):
     vertical : tuple of bool
         Whether each one is vertical.
     used : int
-        Index of the one that became x.
-    label : str
-        Its direction as the file writes it; "" where it does not.
+        Index of the one that became x as it was read.
+    labels : dict of str to str
+        Direction of each component as its file writes it, by its name: "x", "y", "z"; "" where it does not.
     origin : str
-        Its event, station and sensor as the file states them; likewise.
+        Event, station and sensor as the file states them; likewise.
     """
 
     names: tuple[str, ...]
     vertical: tuple[bool, ...]
     used: int
-    label: str = ""
+    labels: dict[str, str]
     origin: str = ""
+
+    def of(self, **components: str) -> Listing:
+        """Return the listing where components were called otherwise; no direction of others is known."""
+        return self._replace(
+            labels={"x": ""} | {name: self.labels.get(old, "") for name, old in components.items()}
+        )
 
 
 class MotionFields(TypedDict):
@@ -151,6 +163,11 @@ def is_vertical(label: str) -> bool:
     return _VERTICAL.fullmatch(_direction(label)) is not None
 
 
+def is_down(label: str) -> bool:
+    """Return whether a direction is the vertical one, down: such a channel is turned up."""
+    return _DOWN.fullmatch(_direction(label)) is not None
+
+
 def is_direction(label: str) -> bool:
     """Return whether a label is that of a direction: "NS", "East", "x", "Up"."""
     return is_vertical(label) or _direction(label) in _HORIZONTAL
@@ -165,6 +182,25 @@ def labels_phrase(labels: Iterable[str]) -> Phrase:
 def direction(label: str) -> str:
     """Return a channel's direction without the number of KiK-net's sensor: "NS2" → "NS"."""
     return _OF_KIK_NET.sub("", plain_label(label))
+
+
+def plain_origin(origin: str) -> str:
+    """Return what a file says of event and station without marks, blanks and case: "KOBE,KJM" → "kobekjm"."""
+    return re.sub(r"[\W_]+", "", origin.casefold())
+
+
+def line_of(label: str) -> str | None:
+    """Return the line of a direction: "up", an azimuth below 180, or one of the sensor; None where unknown.
+
+    X and Y are none: they are what a program calls its columns.
+    """
+    code = _direction(direction(label))
+    if is_vertical(label):
+        return "up"
+    azimuth = _AZIMUTHS.get(code, code)
+    if azimuth.isdecimal():
+        return str(int(azimuth) % 180)
+    return code if code in _OF_THE_SENSOR else None
 
 
 def spellings(label: str) -> set[str]:
@@ -235,6 +271,8 @@ def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, C
     beside = [i for i, channel in enumerate(channels) if channel.borehole == below]
     horizontal = [i for i in _horizontal(channels) if i in beside]
     vertical = [i for i in beside if i not in horizontal]
+    if {_direction(channels[i].label) for i in horizontal} == {"X", "Y"}:
+        horizontal.sort(key=lambda i: _direction(channels[i].label))
     if given is None and (len(horizontal) > 2 or len(vertical) > 1):
         labels = _numbered(channels, horizontal)
         raise InputError("motion.many_channels", "component", count=len(channels), channels=labels)
@@ -328,11 +366,11 @@ def motion_fields(
     elif below and component is None:
         warn(InputWarning("motion.borehole_left_out", "component", channels=labels_phrase(below)))
     _check_sizes(components)
-    listing = _listing(channels, x)
+    listing = _listing(channels, components)
     for key, channel in components.items():
         if not math.isclose(channel.dt, x.dt, rel_tol=1e-6):  # steps are written with six digits or more
             raise InputError("motion.channel_dt_differs", dt=x.dt, other=channel.dt)
-        if _DOWN.fullmatch(_direction(channel.label)):
+        if is_down(channel.label):
             note = f"{channel.note}, sign changed to up"
             components[key] = replace(channel, acceleration=-channel.acceleration, note=note)
     length, cut = common_length({key: len(channel.acceleration) for key, channel in components.items()})
@@ -352,7 +390,8 @@ def motion_fields(
     }
 
 
-def _listing(channels: Sequence[Channel], x: Channel) -> Listing:
+def _listing(channels: Sequence[Channel], components: Mapping[str, Channel]) -> Listing:
+    x = components["x"]
     labels = [channel.label for channel in channels]
     plain = [plain_label(label) for label in labels]
     names = (
@@ -361,7 +400,8 @@ def _listing(channels: Sequence[Channel], x: Channel) -> Listing:
     )
     place = next(i for i, channel in enumerate(channels) if channel is x)
     vertical = tuple(is_vertical(label) for label in labels)
-    return Listing(tuple(names), vertical, place, x.label, " ".join((x.origin or x.name).split()))
+    directions = {name: channel.label for name, channel in components.items()}
+    return Listing(tuple(names), vertical, place, directions, " ".join((x.origin or x.name).split()))
 
 
 def upper_floor(texts: Iterable[str]) -> str:
@@ -414,6 +454,6 @@ def of_the_ground(motion: Motion, rule: str) -> Motion:
     if motion.floor:
         told, floor = phrase(f"motion.ground_alone_{rule}"), floor_phrase(motion.floor)
         raise InputError(
-            "motion.not_of_the_ground", "motion", motion=quoted(motion.name), floor=floor, rule=told
+            "motion.not_of_the_ground", "motion", motion=excerpt(motion.name), floor=floor, rule=told
         )
     return motion

@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, excerpt
 from stayput.model.parameters import arguments, check_fields, parameter, quantity
 from stayput.motion.channels import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
@@ -240,7 +240,7 @@ def horizontal_sa(motion: Motion, period: float) -> float:
     values = [float(response_spectrum(motion, period, DAMPING, name).sa[0]) for name in names]
     for name, sa in zip(names, values, strict=True):
         if not sa > 0.0:
-            raise InputError("motion.still_component", component=name, motion=repr(motion.name))
+            raise InputError("motion.still_component", component=name, motion=excerpt(motion.name))
     return math.prod(values) ** (1.0 / len(values))
 
 

@@ -10,13 +10,19 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn
-from stayput.motion.channels import direction, is_vertical, spellings
+from stayput.motion.channels import line_of, plain_origin
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from numpy.typing import NDArray
+
+    from stayput.catalogue import Phrase
     from stayput.motion.channels import Listing
     from stayput.motion.record import Motion
+
+_ROUNDING = 0.01
+"""Share of the peak up to which samples differ where one record is written with other digits."""
 
 
 def check_one_record(parts: Mapping[str, Motion]) -> None:
@@ -32,9 +38,18 @@ def check_one_record(parts: Mapping[str, Motion]) -> None:
     Raises
     ------
     InputError
-        The time steps differ; one is of the ground and another of a floor; the files state another event,
-        station or sensor, or directions that cannot be those of the components; or two have the same samples.
+        Two have the same samples, but for rounding and zeros at the end; the files state another event,
+        station or sensor, or directions that cannot be those of the components; the time steps differ; one is
+        of the ground and another of a floor.
     """
+    recorded = {name: motion for name, motion in parts.items() if not motion.synthetic}
+    for (first, a), (second, b) in combinations(recorded.items(), 2):
+        if _alike(a.x, b.x):
+            raise InputError("motion.one_record", second, first=first, second=second, name=excerpt(a.name))
+        if a.listing is not None and b.listing is not None:
+            if a.listing.names is not b.listing.names:  # which components of one file share
+                _check_origins(first, a.listing, second, b.listing)
+            _check_directions(first, a.listing.labels["x"], second, b.listing.labels["x"])
     x = parts["x"]
     for name, motion in parts.items():
         if not math.isclose(motion.dt, x.dt, rel_tol=1e-6):
@@ -42,28 +57,36 @@ def check_one_record(parts: Mapping[str, Motion]) -> None:
         if motion.floor != x.floor:
             of, other = (one.floor or phrase("motion.ground") for one in (x, motion))
             raise InputError("motion.two_floors", name, component=name, of=of, other=other)
-    recorded = {name: motion for name, motion in parts.items() if not motion.synthetic}
-    for (first, a), (second, b) in combinations(recorded.items(), 2):
-        if np.array_equal(a.x, b.x):
-            raise InputError("motion.one_record", second, first=first, second=second, name=excerpt(a.name))
-        if a.listing is not None and b.listing is not None:
-            _check_origins(first, a.listing, second, b.listing)
-            _check_directions(first, a.listing.label, second, b.listing.label)
+
+
+def _alike(a: NDArray[np.float64], b: NDArray[np.float64]) -> bool:
+    """Return whether two rows of samples are the same where both go on, to a share of their peak."""
+    length = min(len(a), len(b))
+    a, b = a[:length], b[:length]
+    return bool(np.abs(a - b).max() <= _ROUNDING * np.abs(a).max())
 
 
 def _check_origins(first: str, a: Listing, second: str, b: Listing) -> None:
     one, other = a.origin, b.origin
-    if one and other and one.casefold() == other.casefold():
+    if one and other and plain_origin(one) == plain_origin(other):
         return
     # A title in which no direction was found may have it among its words, and so differ.
-    if one and other and a.label and b.label:
-        about: dict[str, Any] = {"one": excerpt(one), "other": excerpt(other)}
+    if one and other and a.labels["x"] and b.labels["x"]:
+        about: dict[str, Any] = {"one": _told(one), "other": _told(other)}
         raise InputError("motion.two_records", second, first=first, second=second, **about)
     warn(InputWarning("motion.origin_unstated", second, first=first, second=second))
 
 
+def _told(origin: str) -> Phrase:
+    """Return event and station as a sentence quotes them, the sensor of KiK-net in each language."""
+    english, japanese = excerpt(origin)
+    for word in ("borehole", "surface"):
+        japanese = japanese.replace(f", {word},", f", {phrase(f'motion.sensor_{word}')[1]},")
+    return english, japanese
+
+
 def _check_directions(first: str, label: str, second: str, other: str) -> None:
-    axes = [_axis(label), _axis(other)]
+    axes = [line_of(label), line_of(other)]
     for component, axis, said in zip((first, second), axes, (label, other), strict=True):
         if axis is not None and (axis == "up") != (component == "z"):
             wanted = phrase(f"motion.{'vertical' if component == 'z' else 'horizontal'}")
@@ -72,11 +95,3 @@ def _check_directions(first: str, label: str, second: str, other: str) -> None:
     if axes[0] is not None and axes[0] == axes[1]:
         labels: dict[str, Any] = {"one": excerpt(label), "other": excerpt(other)}
         raise InputError("motion.one_direction", second, first=first, second=second, **labels)
-
-
-def _axis(label: str) -> str | None:
-    """Return the line along which a direction points, "up" or an azimuth below 180; None where unknown."""
-    if is_vertical(label):
-        return "up"
-    azimuth = next((each for each in spellings(direction(label)) if each.isdecimal()), None)
-    return None if azimuth is None else str(int(azimuth) % 180)

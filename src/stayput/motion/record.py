@@ -320,8 +320,8 @@ class Motion:
         if name not in tuple(self.components):  # which takes what cannot be hashed
             known = ", ".join(self.components)
             raise InputError("motion.no_such_component", "component", component=name, known=known)
-        listing = self.listing if name == "x" else None  # which is that of x
-        return replace(self, x=self.components[name], y=None, z=None, listing=listing)
+        own = self.listing and self.listing.of(x=name)
+        return replace(self, x=self.components[name], y=None, z=None, listing=own)
 
     def peaks(self) -> dict[str, Peaks]:
         """Return the peaks of every component that is there, x first."""
@@ -370,12 +370,12 @@ class Motion:
             raise InputError("motion.rotation_without_y")
         c, s = math.cos(turn), math.sin(turn)
         source = self._note(f"turned by {math.degrees(turn):g}°")
-        return replace(self, x=c * self.x + s * self.y, y=c * self.y - s * self.x, source=source)
+        x, y = c * self.x + s * self.y, c * self.y - s * self.x
+        return replace(self, x=x, y=y, source=source, listing=self.listing and self.listing.of(z="z"))
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""
-        longest = self.duration
-        last = longest
+        last = longest = self.duration
         if end is not None:  # a duration that was printed and rounded up is the end too
             last = within("motion.name_trim_end", end, 0.0, longest + 1e-9, "s", "end")
         first = within("motion.name_trim_start", start, 0.0, longest, "s", "start")
@@ -422,8 +422,8 @@ class Motion:
         """
         if order not in range(6):
             raise InputError("motion.baseline_order", "order", order=order)
-        source = self._note(f"baseline of order {order} removed")
-        return self._each(lambda a: without_baseline(a, self.dt, order), source=source)
+        source = f"baseline of order {order} removed"
+        return self._each(lambda a: without_baseline(a, self.dt, order), source=self._note(source))
 
     @classmethod
     def combine(
@@ -451,6 +451,7 @@ class Motion:
         length, cut = common_length({key: len(motion) for key, motion in given.items()})
         sources = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in given.items())
         samples: dict[str, Any] = {key: motion.x[:length] for key, motion in given.items()}
+        labels = {key: motion.listing.labels["x"] if motion.listing else "" for key, motion in given.items()}
         return cls(
             x.dt,
             **samples,
@@ -458,7 +459,7 @@ class Motion:
             synthetic=any(motion.synthetic for motion in given.values()),
             source=f"{sources}{cut}",
             floor=x.floor,
-            listing=x.listing,
+            listing=x.listing and x.listing._replace(labels=labels),
         )
 
     @classmethod

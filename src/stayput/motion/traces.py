@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning, warn
 from stayput.motion.channels import Channel, labels_phrase
 from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+
+_OTHER_INSTRUMENT = re.compile(r"(?!EW|UD)[BCDEFGHLMQRSTV](?![NLG])[A-Z][NEZ0-9FO]")
+"""SEED's codes of band, instrument and orientation (SEED 2.4, appendix A) but those of accelerometers."""
+
+_ACCELERATION = 8  # idep of SAC
 
 _NO_LOCATION = "--"  # as the codes of SEED are written where there is none
 _START_TOLERANCE = 0.01  # of a time step, between the starts of two traces
@@ -51,6 +57,8 @@ def channels_of_traces(
             raise InputError("motion.trace_gaps", channel=code)
         if (kind := np.asarray(trace.data).dtype).kind not in "biuf":  # miniSEED may hold a text
             raise InputError("motion.samples_not_real", component=code, kind=kind.name)
+        if values := other_instrument(trace):
+            warn(InputWarning("motion.other_instrument", **values))
         late = float(stats.starttime - start)
         if abs(late) > _START_TOLERANCE * dt:
             raise InputError("motion.trace_start", channel=code, late=late)
@@ -59,6 +67,14 @@ def channels_of_traces(
         origin = f"{station} {_location(stats)}, {str(start)[:22]}"
         channels.append(Channel(code, samples, dt, name or station, origin=origin, borehole=below))
     return channels
+
+
+def other_instrument(trace: Any) -> dict[str, Any] | None:
+    """Return the values of the sentence that a trace is of no accelerometer, or None where it may be."""
+    code = str(trace.stats.channel)
+    stated = getattr(getattr(trace.stats, "sac", None), "idep", 0)
+    of_other = stated != _ACCELERATION and _OTHER_INSTRUMENT.fullmatch(code)
+    return {"channel": code, "letter": code[1]} if of_other else None
 
 
 def _station(stats: Any) -> str:

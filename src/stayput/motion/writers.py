@@ -56,18 +56,19 @@ def at2_text(
 ) -> str:
     """Return x in the PEER AT2 format, in g; arguments as for `csv_text`.
 
+    The first line, which holds any text, has the source.
+
     Raises
     ------
     InputError
         The motion has more than x: the format holds one component.
     """
-    del source  # the format has no place for it
     if list(components) != ["x"]:
         raise InputError("motion.at2_one_component", "component", components=", ".join(components))
     values = [f"{a / STANDARD_GRAVITY:.16E}" for a in components["x"].tolist()]
     lines = [" ".join(values[i : i + _VALUES_A_LINE]) for i in range(0, len(values), _VALUES_A_LINE)]
     head = [
-        f"{'SYNTHETIC ' if synthetic else ''}ACCELERATION, WRITTEN BY STAYPUT",
+        f"{'SYNTHETIC ' if synthetic else ''}ACCELERATION, WRITTEN BY STAYPUT; {_one_line(source)}",
         _one_line(name) or "MOTION",
         "ACCELERATION TIME SERIES IN UNITS OF G",
         f"NPTS= {len(values)}, DT= {dt!r} SEC",

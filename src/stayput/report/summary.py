@@ -168,6 +168,7 @@ def motion_data(motion: Motion) -> dict[str, Any]:
     """Return what a motion is as plain values."""
     return {
         "name": motion.name,
+        "source": motion.source,
         "synthetic": motion.synthetic,
         "dt_s": motion.dt,
         "duration_s": number(motion.duration),

@@ -13,6 +13,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Unpack
 
+from stayput.catalogue import phrase
 from stayput.errors import (
     InputError,
     InputWarning,
@@ -265,7 +266,10 @@ class ReadFile(NamedTuple):
     @contextmanager
     def naming(self) -> Generator[None]:
         """Refuse with the file's name, and keep the warnings until a motion is made of it."""
-        title = f"{self.path.name} ({self.form})"
+        form = (
+            phrase("motion.columns_of_numbers") if self.form == of_columns.FORMAT else (self.form, self.form)
+        )
+        title = phrase("motion.file_and_form", file=self.path.name, form=form)
         try:
             with warnings_to(lambda warning: self.warnings.append(warning.at(title))):
                 yield

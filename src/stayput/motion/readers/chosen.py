@@ -61,8 +61,9 @@ def chosen_columns(columns: object, name: str = "columns") -> dict[str, str]:
         if role not in ROLES:
             raise unknown(name, role, ROLES, name)
     chosen = dict(pairs)
+    told = excerpt(columns) if isinstance(columns, str) else shown(cast("object", columns))
     if "x" not in chosen or not len(pairs) == len(chosen) == len(set(chosen.values())):
-        raise InputError("motion.columns_like", name, name=name, value=shown(cast("object", columns)))
+        raise InputError("motion.columns_like", name, name=name, value=told)
     return {role: chosen[role] for role in ROLES if role in chosen}
 
 
@@ -94,8 +95,8 @@ def places_of(chosen: Mapping[str, str], headings: Sequence[str], count: int) ->
             found = [i for i, text in enumerate(plain) if text == wanted]
             found = found or [i for i, text in enumerate(bare) if text == wanted]
         if len(found) != 1 or found[0] in places:
-            known = ", ".join(map(repr, headings))[:300]
-            listed = f"1–{count}" + (f", {known}" if known else "")
+            english, japanese = zip(*map(excerpt, (*headings[:10], "")), strict=True)
+            listed = ", ".join((f"1–{count}", *english[:-1])), "、".join((f"1–{count}", *japanese[:-1]))
             raise InputError(
                 "motion.no_such_column", "columns", role=role, column=excerpt(column), known=listed
             )

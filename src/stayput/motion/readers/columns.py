@@ -5,16 +5,16 @@ says which are these. Velocities and displacements, by their headings, are left 
 Lines that begin with "#", "%", "//" or "!" are comments. Titles, a line of headings and a row of units may
 stand above the numbers: the column that is headed "time" or "t" is the time, in s or "[ms]"; without such
 a heading the first is, unless it counts the samples, 1, 2, 3, …: then ``dt`` must be given. A comment may
-state the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each heading states that of its
-column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise. Above one column the number
-of samples and the time step may stand: "4000 0.02".
+state the time step, "dt = 0.01", the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each
+heading states that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise.
+Above the samples of one channel, one or several a row, their number and the time step may stand: "4000 0.02".
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from stayput.errors import InputError, InputWarning, excerpt, warn, without_cont
 from stayput.motion.channels import Channel, is_direction, labels_phrase
 from stayput.motion.readers.chosen import places_of
 from stayput.motion.readers.fields import Numbers, check_count, numbers
-from stayput.motion.readers.header import regular_step, stated_unit, time_step
+from stayput.motion.readers.header import regular_step, stated_factor, stated_step, stated_unit, time_step
 from stayput.motion.readers.headings import (
     Headings,
     column_factors,
@@ -45,6 +45,9 @@ FORMAT = "columns of numbers"
 _COMMENT = ("#", "%", "//", "!")
 _STARTS = re.compile(r"[\"']?[+\-]?\.?[0-9]")
 _LABELS = {1: [""], 2: ["", ""], 4: ["t", "x", "y", "z"]}
+_STATED_STEP = 0.01
+"""Relative difference up to which the time column has the step that is stated above it."""
+
 _HEAD = 20_000  # characters at the beginning in which comments and titles are looked for
 
 
@@ -67,11 +70,10 @@ class _Head:
     rows: list[str] = field(default_factory=list[str])
 
     def states_count(self) -> bool:
-        """Return whether the number of samples and the time step stand above one column."""
+        """Return whether the number of samples and the time step stand above the samples of one channel."""
         first, second = [*map(split, self.rows), [], []][:2]
-        return (
-            len(first) == 2 and len(second) == 1 and any(len(text) > 1 and text.isdecimal() for text in first)
-        )
+        counts = any(len(text) > 1 and text.isdecimal() for text in first)
+        return counts and len(first) == 2 and len(second) not in (0, 2)
 
 
 def _head(text: str, *, chosen: bool = False) -> _Head:
@@ -99,8 +101,13 @@ def _fields(line: str, *, chosen: bool) -> list[str]:
     return split(line)
 
 
-def _table(text: str, skipped: int, places: Sequence[int], *, chosen: bool) -> NDArray[np.float64]:
-    """Return the numbers of the columns at some places, shape (rows, columns), below so many lines."""
+def _table(
+    text: str, skipped: int, places: Sequence[int], *, chosen: bool, counted: bool
+) -> NDArray[np.float64]:
+    """Return the numbers of the columns at some places, shape (rows, columns), below so many lines.
+
+    Where their number is stated those of one column may stand in rows of any length.
+    """
     table, count, row = Numbers("the_numbers"), 0, 0
     for chunk in chunks(text):
         tokens: list[str] = []
@@ -113,9 +120,12 @@ def _table(text: str, skipped: int, places: Sequence[int], *, chosen: bool) -> N
                 continue
             values = _fields(line, chosen=chosen)
             row, count = row + 1, count or len(values)
-            as_they_stand = places == range(count)
-            if len(values) != count:
-                raise InputError("motion.column_row", row=row, count=len(values), columns=count)
+            as_they_stand = counted or places == range(count)
+            if len(values) != count and not counted:
+                about: dict[str, Any] = {"row": row, "count": len(values), "columns": count}
+                if row == 2:
+                    raise InputError("motion.column_first_row", "skip_lines", option="skip_lines", **about)
+                raise InputError("motion.column_row", **about)
             tokens += values if as_they_stand else [values[place] for place in places]
         table.add(tokens)
     if not count:
@@ -147,8 +157,11 @@ def read(
     head.titles[:], skipped = [line for line in head.titles if any(map(str.isalnum, line))], len(head.titles)
     counted = not chosen and head.states_count()
     places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, counted)
-    table = _table(text, skipped + counted, places, chosen=bool(chosen))
+    table = _table(text, skipped + counted, places, chosen=bool(chosen), counted=counted)
     above = head.comments + head.titles
+    if line := stated_factor(above):
+        raise InputError("motion.column_factor", "skip_lines", line=excerpt(line), option="skip_lines")
+    written = stated_step("\n".join(above))
     timeless = "t" not in chosen if chosen else len(places) == 1
     # The headings of chosen columns begin with one of the time, whether the file has that or not.
     shift = 1 if chosen and timeless else 0
@@ -158,7 +171,7 @@ def read(
         next(filter(None, map(stated_unit, above)), None),
         unit,
         "\n".join(above),
-        step_missing=timeless and dt is None and not counted,
+        step_missing=timeless and dt is None and written is None and not counted,
     )[shift:]
     if len(table) < 2:
         raise InputError("motion.column_one_row")
@@ -167,13 +180,15 @@ def read(
         times = headings.time_factor * table[:, time]
         counts = times[0].is_integer() and np.array_equal(times, times[0] + np.arange(len(times)))
         if counts and not (headings.texts and is_time(headings.texts[time])):
-            if dt is None:
+            if (dt := written if dt is None else dt) is None:
                 raise InputError("motion.time_counts", "dt", first=times[0], second=times[1], option="dt")
             times = dt * times
         step = regular_step(times)
         # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
         if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
             raise InputError("motion.time_column_step", "dt", given=dt, step=step)
+        if written is not None and abs(written - step) > _STATED_STEP * step:
+            raise InputError("motion.column_step", stated=written, step=step)
         step = time_step(step if dt is None else dt, None)
     elif counted:
         stated, size = sorted(numbers(split(head.rows[0]), "the_line_before_the_samples").tolist())
@@ -182,8 +197,9 @@ def read(
     else:
         # Some files begin with the number of samples: nearly as large as the number of lines, and no sample.
         if len(table) > 10 and 1 <= len(table) - table[0, 0] <= 2:
-            raise InputError("motion.column_count_first", number=float(table[0, 0]))
-        step = time_step(None, dt)
+            number = float(table[0, 0])
+            raise InputError("motion.column_count_first", "skip_lines", number=number, option="skip_lines")
+        step = time_step(written, dt)
     if chosen:
         labels = headings.names[shift:] or [""] * len(places)
     elif timeless:
@@ -218,7 +234,9 @@ def _chosen_columns(head: _Head, chosen: Mapping[str, str]) -> tuple[Sequence[in
     texts = [*(["t"] if "t" not in chosen else []), *(with_units[place] for place in places if written)]
     headings = read_headings(["".join(f"{text};" for text in texts)], [], len({"t", *chosen}), "")
     if headings.time:
-        raise InputError("motion.column_no_time", column=excerpt(headings.texts[0]))
+        raise InputError(
+            "motion.column_no_time", "columns", column=excerpt(headings.texts[0]), option="columns"
+        )
     return places, headings
 
 

@@ -14,6 +14,8 @@ from stayput.motion.processing import STEP_RANGE
 from stayput.motion.units import ACCELERATION_UNITS, UNIT_NAMES, known_unit, unit_factor
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from numpy.typing import NDArray
 
 UNIT_OF_TIME = re.compile(r"m?s(?:ec(?:ond)?s?)?", re.IGNORECASE)
@@ -42,6 +44,21 @@ _VELOCITY = re.compile(
 _DISPLACEMENT = re.compile(
     r"(?<![a-z])disp(?:lacement)?(?![a-z])|[(\[] ?[cm]?m ?[)\]]|_[cm]m$|^[cm]?m$", re.IGNORECASE
 )
+_NUMBER = r"[0-9]*\.?[0-9]+(?:[eE][+\-]?[0-9]+)?"
+_STEP = re.compile(
+    r"(?:(?<![a-z])(?:dt|delta[ _]?t|(?:time|sampl(?:e|ing))[ _-]?(?:step|interval|period))"
+    r"|時間(?:刻み|間隔)|サンプリング(?:間隔|周期))"
+    rf"[^0-9a-z.\n-]{{0,4}}(?:s(?:ec)?[)\]])?[ :=：＝]*(?P<step>{_NUMBER})(?P<ms> ?m(?:illi)?s)?"
+    r"|(?:(?<![a-z])sampl(?:e|ing)[ _-]?(?:rate|freq(?:uency)?)|サンプリング(?:周波数|レート))"
+    rf"[^0-9a-z.\n-]{{0,4}}(?:hz[)\]])?[ :=：＝]*(?P<rate>{_NUMBER})(?! ?k| ?m?s)",
+    re.IGNORECASE,
+)
+_FACTOR = re.compile(
+    r"(?:(?<![a-z])(?:scal(?:e|ing)|(?:scal(?:e|ing)|conversion|calibration|multiplication)[ _-]?factor"
+    r"|multipl(?:y|ied)[a-z ]{0,20} by)|^(?:factor|multiplier)|倍率|スケール(?:ファクター)?)"
+    rf"[ :=：＝]{{0,4}}({_NUMBER})(?![\w.])",
+    re.IGNORECASE,
+)
 _COUNTS = re.compile(r"(?:digital )?(?:counts?|cts|lsb|m?volts?)(?![a-z])", re.IGNORECASE)
 
 
@@ -53,6 +70,21 @@ def stated_unit(header: str) -> str | None:
         if not UNIT_OF_TIME.fullmatch(unit) and (not match[1] or known_unit(unit) or quantity_of(unit)):
             return unit
     return None
+
+
+def stated_step(header: str) -> float | None:
+    """Return the one time step that a header states: "dt = 0.005", "Sampling rate: 100 Hz"; in s."""
+    steps = {
+        1.0 / float(m["rate"]) if m["rate"] else float(m["step"]) * (1e-3 if m["ms"] else 1.0)
+        for m in _STEP.finditer(header)
+        if float(m["rate"] or m["step"]) > 0.0
+    }
+    return steps.pop() if len(steps) == 1 else None
+
+
+def stated_factor(lines: Iterable[str]) -> str | None:
+    """Return a line that states a factor of the numbers other than 1: "scale factor: 0.1"."""
+    return next((line for line in lines if (m := _FACTOR.search(line)) and float(m[1]) != 1.0), None)
 
 
 def mentioned_unit(header: str) -> str | None:

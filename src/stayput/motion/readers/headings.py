@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
-from stayput.motion.channels import is_direction, is_vertical
+from stayput.motion.channels import is_direction, is_down, is_vertical
 from stayput.motion.readers.header import UNIT_OF_TIME, acceleration_unit, mentioned_unit, quantity_of
 from stayput.motion.units import UNIT_NAMES, known_unit, unit_factor
 
@@ -36,7 +36,14 @@ _FACTOR = re.compile(
     r"|(?P<before>.*?)\s*[x×*]\s*[0-9][0-9.^e+\-−]*",
     re.IGNORECASE,
 )
-_NEGATIVE = re.compile(r"\([-−]\)")
+_NEGATIVE = re.compile(
+    r"\([-−]\)|^[-−](?=[A-Za-z])|[A-Za-z][-−]$|.[\s_(+]down(?:wards?)?\b|下向き", re.IGNORECASE
+)
+_POSITIVE_DOWN = re.compile(
+    r"(?:positive|\+ ?(?:is|=)?|plus) ?down|down(?:wards?)? ?(?:is|=|:)? ?(?:positive|\+)"
+    r"|下(?:向き|方)?[がを、 ]?(?:正|プラス|[+＋])",
+    re.IGNORECASE,
+)
 _LONGEST_NAME = 40
 
 _ORDER = re.compile(
@@ -148,7 +155,9 @@ def is_title(line: str) -> bool:
     fields = headings_in(line)
     if _RULE.fullmatch(line):
         return True
-    if all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in fields) or units_in(line):
+    if all(
+        _NAME.match(text.lstrip("+-−")) and not _NOT_FINITE.fullmatch(text) for text in fields
+    ) or units_in(line):
         return True
     figures = sum(bool(_NUMERIC.fullmatch(text) or _NOT_FINITE.fullmatch(text)) for text in fields)
     keyed = line[0].isalpha() and (":" in line or "=" in line)
@@ -199,15 +208,22 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     named = (component,) * count if component and count <= 2 else ()
     ordered = _stated_order(lines, count)
     texts, place = (ordered, 0) if ordered else _among(titles, comments, count)
+    downward = next(filter(_POSITIVE_DOWN.search, lines), None)
+    turned = len(texts) == count and any(map(is_down, texts))
+    if downward and not turned and (count > 3 or any(map(is_vertical, texts))):
+        raise InputError("motion.positive_down", line=excerpt(downward))
     if len(texts) != count:
         if ordered or (_states_columns(texts) and _all_names(texts)):
             raise InputError("motion.column_order", columns=_listed(texts), count=count)
         if count > 2 and (unread := _unread_order(lines)):
             raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
         return Headings(names=named)
-    if negative := next(filter(_NEGATIVE.search, texts), None):
-        raise InputError("motion.column_negative", column=excerpt(negative))
     times, names = _times(texts), _names(texts)
+    called = zip(texts, names or texts, strict=True)
+    if negative := next(
+        (text for text, name in called if _NEGATIVE.search(text) and not is_down(name)), None
+    ):
+        raise InputError("motion.column_negative", column=excerpt(negative))
     first = names[0] if names else texts[0]
     names = names if any(map(is_direction, names)) else named or names
     alike = bool(times) and (times[0] == 0 or _mark(lines[place]) == _mark(row))
@@ -220,7 +236,7 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     if len(times) > 1:
         raise InputError("motion.column_times", columns=_listed([texts[i] for i in times]))
     if not times and (is_direction(first) or _COUNTED.fullmatch(texts[0]) or _is_motion(texts[0])):
-        raise InputError("motion.column_no_time", column=excerpt(texts[0]))
+        raise InputError("motion.column_no_time", "columns", column=excerpt(texts[0]), option="columns")
     time = times[0] if times else 0
     if count > 2 and not names:  # of headings that are not understood any may be the vertical
         raise InputError("motion.column_order", columns=_listed(texts), count=count)

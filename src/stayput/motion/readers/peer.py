@@ -24,6 +24,7 @@ _BARE = re.compile(r"([^ ,=]{1,40}) ([^ ,=]{1,40}) NPTS ?, ?DT\b.*", re.IGNORECA
 _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _DIRECTION = re.compile(
     r"(?:[0-9]{1,3}|[NSEWUVZ]|[NEUV][SWD]|UP|DOWN|DWN|DN|VERT?|VERTICAL"
+    r"|NORTH|SOUTH|EAST|WEST|H[12]|[LRTXY]|LONG|TRANS?"
     r"|(?:[BCEHLMNS][HLGN][NE]|[A-Z]{2}Z)[0-9]{0,2})(?= *(?:$|\())",
     re.IGNORECASE,
 )
@@ -65,10 +66,11 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         raise InputError("motion.peer_no_npts")
     before, size, start = header
     titles = [line.strip() for line in before if line.strip()]
-    kind = next((line for line in titles if "UNITS" in line.upper() or "TIME" in line.upper()), "")
+    # The last such line: the first one may hold any text.
+    kind = next((line for line in titles[::-1] if "UNITS" in line.upper() or "TIME" in line.upper()), "")
     if other := _OTHER.search(kind):
         raise InputError("motion.peer_no_acceleration", kind=phrase(f"motion.{other[1].lower()}"))
-    factor = acceleration_unit(stated_unit(" ".join(titles)), unit, " ".join(titles))
+    factor = acceleration_unit(stated_unit(kind) or stated_unit(" ".join(titles)), unit, " ".join(titles))
     match = _NAMED.search(size) or _BARE.fullmatch(size)
     if match is None:
         raise InputError("motion.peer_npts_line", line=excerpt(size))

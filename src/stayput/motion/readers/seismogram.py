@@ -1,7 +1,8 @@
 """SAC and miniSEED, read by ObsPy: the channels of one station, in the unit that the caller states.
 
 Source: SAC's file format, https://ds.iris.edu/files/sac-manual; SEED 2.4, https://www.fdsn.org. Neither says
-what a number is in m/s²; SAC's ``idep`` 6 and 7 say that it is no acceleration.
+what a number is in m/s²; SAC's ``idep`` 6 and 7 say that it is no acceleration, and so does a channel's code
+of an instrument that is no accelerometer, unless ``idep`` is 8, acceleration.
 """
 
 from __future__ import annotations
@@ -14,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.files import LARGEST_RECORD
 from stayput.motion.readers.header import acceleration_unit, time_step
-from stayput.motion.readers.text import LARGEST_FILE
-from stayput.motion.traces import channels_of_traces
+from stayput.motion.traces import channels_of_traces, other_instrument
 
 if TYPE_CHECKING:
     import os
@@ -77,8 +78,8 @@ def read(
         ObsPy is absent, the file is damaged or of no acceleration, no unit; or as `channels_of_traces`.
     """
     acceleration_unit(None, unit)
-    if (size := Path(path).stat().st_size) > LARGEST_FILE:
-        raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_FILE)
+    if (size := Path(path).stat().st_size) > LARGEST_RECORD:
+        raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_RECORD)
     try:
         from obspy import read as obspy_read
     except ImportError:
@@ -92,6 +93,8 @@ def read(
             kind = _OTHER_THAN_ACCELERATION.get(getattr(getattr(trace.stats, "sac", None), "idep", 0))
             if kind is not None:
                 raise InputError("motion.peer_no_acceleration", kind=phrase(f"motion.{kind}"))
+            if values := other_instrument(trace):
+                raise InputError("motion.other_instrument", **values)
             time_step(float(trace.stats.delta), dt)
         return channels_of_traces(traces, unit or "", None, location)
     except InputError:

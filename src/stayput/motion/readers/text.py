@@ -9,14 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, reason_of
+from stayput.files import LARGEST_RECORD
 from stayput.motion.readers.others import kind_of_binary
 
 if TYPE_CHECKING:
     import os
     from collections.abc import Iterator
-
-LARGEST_FILE = 512 * 1024 * 1024
-"""Largest file that is read [bytes]."""
 
 LONGEST_LINE = 10_000
 """Longest line that is read; the formats' own end below 500 characters."""
@@ -45,8 +43,8 @@ def file_text(path: str | os.PathLike[str]) -> str:
         size = file.stat().st_size
         if not file.is_file():
             raise InputError("motion.file_is_device", path=str(path))
-        if size > LARGEST_FILE:
-            raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_FILE)
+        if size > LARGEST_RECORD:
+            raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_RECORD)
         data = file.read_bytes()
     except FileNotFoundError:
         raise InputError("motion.file_missing", path=str(path)) from None

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
-from stayput.motion.channels import is_vertical, labels_phrase, refuse_vertical
+from stayput.motion.channels import is_vertical, labels_phrase, plain_origin, refuse_vertical
 from stayput.motion.readers import along, motion_of, read_file
 
 if TYPE_CHECKING:
@@ -25,16 +25,23 @@ if TYPE_CHECKING:
 _PASSED_OVER = (".md",)
 """Endings of files that may stand beside records without a word."""
 
-_NO_RECORD = re.compile(r"SearchResults\.csv$|\.(?:ps|gz|pdf|png|jpe?g|gif|html?)$", re.IGNORECASE)
-"""Names of PEER's tables of what was found, and of pictures and archives."""
+_NO_RECORD = re.compile(
+    r"SearchResults\.csv$|\.(?:ps|gz|pdf|png|jpe?g|gif|html?)$|^(?:read[ _-]?me|licen[cs]e|copying)\b",
+    re.IGNORECASE,
+)
+"""Names of PEER's tables of what was found, of pictures and archives, and of texts about the records."""
 
-_NO_ACCELERATION = {
-    "motion.peer_no_acceleration",
-    "motion.esm_no_acceleration",
-    "motion.cosmos_no_acceleration",
-    "motion.column_quantity",
-}
-"""Refusals of files that state another quantity."""
+_LEFT_OUT = dict.fromkeys(
+    (
+        "motion.peer_no_acceleration",
+        "motion.esm_no_acceleration",
+        "motion.cosmos_no_acceleration",
+        "motion.column_quantity",
+        "motion.other_instrument",
+    ),
+    "no_acceleration",
+) | {"motion.unknown_format": "no_record"}
+"""Refusals of files that are left out, and as what."""
 
 _RECORD_NUMBER = re.compile(r"RSN([0-9]{1,7})_", re.IGNORECASE)
 _LISTED = 3
@@ -80,9 +87,9 @@ def records_in(
             with naming(path):
                 file = read_file(path, unit, several=True, **options)
         except InputError as error:
-            if error.code not in _NO_ACCELERATION:
+            if error.code not in _LEFT_OUT:
                 raise
-            left_out.setdefault("no_acceleration", []).append(path.name)
+            left_out.setdefault(_LEFT_OUT[error.code], []).append(path.name)
             continue
         if all(channel.borehole for channel in file.channels):
             left_out.setdefault("in_borehole", []).append(path.name)
@@ -117,7 +124,7 @@ def _record_of(file: ReadFile) -> Hashable:
     if number := _RECORD_NUMBER.match(file.path.name):
         return int(number[1])
     origin = channel.origin or channel.name
-    return " ".join(origin.casefold().split()) if channel.label and origin else None
+    return plain_origin(origin) if channel.label and origin else None
 
 
 def _motion(files: Sequence[ReadFile], component: str | None) -> Motion:
