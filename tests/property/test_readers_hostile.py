@@ -170,18 +170,12 @@ def _read(file, name, content, told=None) -> Motion | None:
     return motion
 
 
-def _needs(name):
-    if name == "knet":
-        pytest.importorskip("obspy", reason="ObsPy is not installed")
-
-
 hostile = settings(max_examples=max(60, settings.default.max_examples))
 each_format = pytest.mark.parametrize("name", FORMATS)
 
 
 @each_format
 def test_the_undamaged_file_is_the_wave(name, file):
-    _needs(name)
     motion = _read(file, name, FORMATS[name])
     assert motion is not None
     size = 9.80665e-3 if name == "peer" else 0.01
@@ -197,7 +191,6 @@ def test_the_undamaged_file_is_the_wave(name, file):
 @hostile
 @given(data=st.data())
 def test_truncated_anywhere(name, file, data):
-    _needs(name)
     content = FORMATS[name]
     motion = _read(file, name, content[: data.draw(st.integers(0, len(content) - 1))])
     if motion is None:
@@ -226,7 +219,6 @@ ONCE = {  # the time step, where a format states it once: nothing else tells tha
 @hostile
 @given(data=st.data())
 def test_one_piece_of_damage(name, file, data):
-    _needs(name)
     text = FORMATS[name].decode("cp932")
     whole = _read(file, name, FORMATS[name])
     assert whole is not None
@@ -258,7 +250,6 @@ def test_the_time_step_in_odd_spellings(name, file, data):
 @hostile
 @given(data=st.data())
 def test_bytes_overwritten(name, file, data):
-    _needs(name)
     content = bytearray(FORMATS[name])
     for _ in range(data.draw(st.integers(1, 8))):
         content[data.draw(st.integers(0, len(content) - 1))] = data.draw(st.integers(0, 255))
@@ -269,7 +260,6 @@ def test_bytes_overwritten(name, file, data):
 @hostile
 @given(data=st.data())
 def test_lines_swapped_dropped_and_doubled(name, file, data):
-    _needs(name)
     lines = FORMATS[name].split(b"\n")
     for _ in range(data.draw(st.integers(1, 3))):
         place = st.integers(0, len(lines) - 1)
@@ -291,7 +281,6 @@ BAD = ["nan", "NaN", "inf", "-Infinity", "1e999", "*****", "1_0", "0x1F", "1,5",
 @hostile
 @given(data=st.data())
 def test_a_sample_that_is_no_number_is_refused(name, file, data):
-    _needs(name)
     text = FORMATS[name].decode("cp932")
     places = list(re.finditer(r"-?[0-9.]+(?:E[+-][0-9]+)?", text, re.IGNORECASE))
     last = {"csmip": "END OF DATA", "cosmos": "End-of-data"}.get(name)

@@ -26,7 +26,6 @@ def told(path, **options):
 
 @pytest.mark.parametrize("direction", "123456")
 def test_a_file_of_one_channel_says_which_sensor_it_is_of(tmp_path, direction):
-    pytest.importorskip("obspy", reason="ObsPy is not installed")
     file = tmp_path / "record"
     file.write_text(knet(direction), encoding="utf-8")
     motion, heard = told(file, component="channel 1")
@@ -72,7 +71,6 @@ def test_traces_of_both_sensors_are_of_the_surface(tmp_path, recwarn):
 
 
 def test_surface_and_borehole_are_two_records(tmp_path):
-    pytest.importorskip("obspy", reason="ObsPy is not installed")
     parts = []
     for k, direction in enumerate("42"):
         file = tmp_path / direction

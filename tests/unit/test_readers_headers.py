@@ -334,7 +334,6 @@ def test_other_headers_in_any_case_and_spacing(read):
 
 
 def test_knet_headers_in_any_case(read):
-    pytest.importorskip("obspy", reason="ObsPy is not installed")
     whole = knet()
     for spell in (
         str.lower,

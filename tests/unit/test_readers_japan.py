@@ -1,7 +1,5 @@
 """JMA CSV, K-NET ASCII (through ObsPy) and K-NET CSV."""
 
-import sys
-
 import numpy as np
 import pytest
 
@@ -147,7 +145,6 @@ def knet(
     ],
 )
 def test_knet_is_calibrated_once_and_freed_of_its_offset(read, changes):
-    pytest.importorskip("obspy", reason="ObsPy is not installed")
     motion = read(knet(**changes))
     assert motion.x == pytest.approx(0.01 * SCALE * (COUNTS - COUNTS.mean()), rel=1e-12)
     assert motion.pga == pytest.approx(0.01 * PEAK, rel=1e-3)
@@ -160,7 +157,6 @@ def test_knet_is_calibrated_once_and_freed_of_its_offset(read, changes):
     ("direction", "name"), [("1", "NS1"), ("3", "UD1"), ("5", "EW2"), ("6", "UD2"), ("U-D", "UD")]
 )
 def test_kiknet_directions(read, direction, name):
-    pytest.importorskip("obspy", reason="ObsPy is not installed")
     assert read(knet(direction)).name == f"TST001, {name}"
 
 
@@ -173,7 +169,8 @@ def test_kiknet_directions(read, direction, name):
         (knet(seconds=3), "must agree"),
         (knet(scale="2000(V)/8388608"), "scale factor in gal"),
         (knet(scale="2000(gal)/0"), "header"),
-        (knet().replace("2006/01/18 23:25:00", "yesterday"), "header cannot be read"),
+        (knet(direction=""), "direction"),
+        (knet().replace("Max. Acc. (gal)   ", "Max. Acc. (gal)   ca. "), "peak"),
         (knet().replace("Memo.", "Note."), "line 17"),
         (knet().replace("Sampling Freq(Hz) 100Hz", "Sampling Freq(Hz) ?"), "sampling frequency"),
         (knet().replace(f"{COUNTS[5]:9d}", "     nan "), "'nan'"),
@@ -181,15 +178,8 @@ def test_kiknet_directions(read, direction, name):
     ],
 )
 def test_knet_files_that_are_refused(read, text, message):
-    pytest.importorskip("obspy", reason="ObsPy is not installed")
     with pytest.raises(InputError, match=message):
         read(text)
-
-
-def test_knet_without_obspy_says_what_to_install(read, monkeypatch):
-    monkeypatch.setitem(sys.modules, "obspy", None)
-    with pytest.raises(InputError, match="pip install obspy"):
-        read(knet())
 
 
 def knet_csv(offset="#Offset(gal),10.5,-2.25,100.0", names="#Datetime,Relative Time(s),NS,EW,UD", rows=ROWS):

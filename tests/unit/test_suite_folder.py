@@ -50,7 +50,6 @@ def peer(tmp_path):
 
 @pytest.fixture
 def nied(tmp_path):
-    pytest.importorskip("obspy", reason="ObsPy is not installed")
     folder = tmp_path / "nied"
     folder.mkdir()
     for station in ("MYG004", "IWT010"):

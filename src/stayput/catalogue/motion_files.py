@@ -194,6 +194,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_esm_peak": ("PGA_CM/S^2", "「PGA_CM/S^2」"),
     "sampling_rate": ("sampling rate", "サンプリングレート"),
     "sampling_frequency": ("sampling frequency", "サンプリング周波数"),
+    "direction": ("direction", "方向"),
     "duration": ("duration", "継続時間"),
     "scale_factor": ("scale factor in gal", "スケールファクター（gal）"),
     "npts": ("NPTS", "「NPTS」"),

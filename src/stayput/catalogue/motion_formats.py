@@ -119,10 +119,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "成分名に「{name}」があります。「NS」「EW」「UD」のいずれかでなければなりません。",
     ),
     # K-NET.
-    "knet_header_unread": (
-        "The header cannot be read ({reason}); it must be the 17 lines of the format.",
-        "ヘッダーを読み取れません（「{reason}」）。形式どおりの17行が必要です。",
-    ),
     "knet_no_memo": (
         "The header does not end with Memo. on line 17; it must be the format's 17 lines.",
         "ヘッダーの17行目が「Memo.」ではありません。形式どおりの17行が必要です。",

@@ -1,17 +1,14 @@
-"""K-NET and KiK-net ASCII, read by ObsPy: 17 header lines, then counts, 8 a line; one channel a file.
+"""K-NET and KiK-net ASCII: 17 lines of a header, then counts, 8 a line; one channel a file.
 
 Source: NIED, https://www.kyoshin.bosai.go.jp/kyoshin/man/knetform_en.html. The acceleration is (count −
 mean of all counts) × scale factor, which gives the header's own "Max. Acc."; Dir. 1–3 is KiK-net's
-borehole and 4–6 its surface sensor. "Record Time" includes the logger's delay of 15 s (ObsPy takes it
-off the start time); the samples are not concerned.
+borehole and 4–6 its surface sensor.
 """
 
 from __future__ import annotations
 
 import re
-from io import BytesIO
 from itertools import islice
-from typing import Any
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
@@ -22,22 +19,8 @@ from stayput.motion.readers.text import lines
 
 FORMAT = "K-NET ASCII"
 
-_KEYS = {  # as ObsPy wants them, by their letters and by what else some files write
-    "".join(filter(str.isalpha, key.lower())): key
-    for key in (
-        *("Origin Time", "Lat.", "Long.", "Depth. (km)", "Mag.", "Station Code", "Station Lat."),
-        *(
-            "Station Long.",
-            "Station Height(m)",
-            "Record Time",
-            "Sampling Freq(Hz)",
-            "Duration Time(s)",
-            "Dir.",
-        ),
-        *("Scale Factor", "Max. Acc. (gal)", "Last Correction", "Memo."),
-    )
-} | {"lon": "Long.", "stationlon": "Station Long.", "maxacc": "Max. Acc. (gal)"}
 _HEADER_LINES = 17
+_KIKNET = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"}
 _SCALE = re.compile(
     r"([0-9]{1,9}(?:\.[0-9]{0,9})?) *\(gal\) */ *([0-9]{1,12}(?:\.[0-9]{0,9})?)", re.IGNORECASE
 )
@@ -49,32 +32,16 @@ def recognise(text: str) -> bool:
     return head.startswith("origin time") and "scale factor" in head
 
 
-def _entry(header: list[str], key: str, what: str) -> str:
+def _entry(header: dict[str, str], key: str, what: str) -> str:
     """Return what the header has behind a key."""
-    value = next((line[18:].strip() for line in header if line.startswith(key)), "")
-    if not value:
-        raise InputError("motion.no_header_entry", what=phrase(f"motion.{what}"))
-    return value
+    if value := header.get(_letters(key), ""):
+        return value
+    raise InputError("motion.no_header_entry", what=phrase(f"motion.{what}"))
 
 
-def _obspy_read(text: str) -> Any:
-    try:
-        from obspy import read as obspy_read
-    except ImportError:
-        raise InputError("motion.no_obspy", format=FORMAT) from None
-    try:
-        return obspy_read(BytesIO(text.encode()), format="KNET")[0]
-    except Exception as error:  # a broken header raises whatever it meets
-        raise InputError("motion.knet_header_unread", reason=" ".join(str(error).split())) from None
-
-
-def _header(lines: list[str]) -> list[str]:
-    """Return the header lines with their keys as ObsPy wants them, in columns 1 to 18."""
-    header: list[str] = []
-    for line in lines[:_HEADER_LINES]:
-        key = _KEYS.get("".join(filter(str.isalpha, line[:18].lower())), line[:18])
-        header.append(f"{key:<18}{line[18:]}")
-    return header
+def _letters(key: str) -> str:
+    """Return the letters of a key, by which it is known: some files leave out points and blanks."""
+    return "".join(filter(str.isalpha, key.lower()))
 
 
 def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
@@ -83,17 +50,17 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     Raises
     ------
     InputError
-        ObsPy is absent, the header or a count is damaged, or the samples are not as long as stated.
+        The header or a count is damaged, or the samples are not as long as stated.
     """
     top = list(islice(lines(text), _HEADER_LINES + 1))
-    header = _header([line for _, line in top[:_HEADER_LINES]])
-    if len(top) <= _HEADER_LINES or not header[-1].startswith("Memo."):
+    header = {_letters(line[:18]): line[18:].strip() for _, line in top[:_HEADER_LINES]}
+    if len(top) <= _HEADER_LINES or "memo" not in header:
         raise InputError("motion.knet_no_memo")
     factor = acceleration_unit("gal", unit)
-    start, first_row = top[_HEADER_LINES]
-    counts = free_numbers(text, start, "the_counts")
+    counts = free_numbers(text, top[_HEADER_LINES][0], "the_counts")
     rate = quantity(_entry(header, "Sampling Freq(Hz)", "sampling_frequency"), ("HZ",), "sampling_frequency")
     seconds = quantity(_entry(header, "Duration Time(s)", "duration"), ("S",), "duration")
+    peak = quantity(_entry(header, "Max. Acc. (gal)", "the_peak"), ("GAL",), "the_peak")
     scale = _SCALE.fullmatch(_entry(header, "Scale Factor", "scale_factor"))
     if scale is None:
         raise InputError("motion.knet_no_scale")
@@ -101,14 +68,21 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         raise InputError("motion.knet_not_positive", rate=rate)
     if abs(len(counts) - rate * seconds) >= 1.0 - 1e-6:
         raise InputError("motion.knet_duration", stated=seconds, duration=len(counts) / rate)
-    trace = _obspy_read("\n".join([*header, first_row]))  # the header alone; a row because it needs one
     counts -= counts.mean()
-    counts *= float(trace.stats.calib)  # ObsPy's calib is in m/s² a count
-    peak = float(trace.stats.knet.accmax) * factor
-    step = time_step(1.0 / rate, dt)
-    label, station = str(trace.stats.channel), str(trace.stats.station)
-    below = label.endswith("1")
-    sensor = {"1": ", borehole", "2": ", surface"}.get(label[-1:], "")
-    origin = f"{station}{sensor}, {header[0][18:].strip()}"
-    note = ", offset removed"
-    return [Channel(label, counts, step, station, peak, note, origin=origin, borehole=below)]
+    counts *= 0.01 * float(scale[1]) / float(scale[2])  # m/s² a count
+    direction = _entry(header, "Dir.", "direction").replace("-", "")
+    label = _KIKNET.get(direction, direction)
+    sensor = {"1": ", borehole", "2": ", surface"}.get(label[-1], "")
+    origin = f"{header.get('stationcode', '')}{sensor}, {header['origintime']}"
+    return [
+        Channel(
+            label,
+            counts,
+            time_step(1.0 / rate, dt),
+            header.get("stationcode", ""),
+            peak * factor,
+            ", offset removed",
+            origin=origin,
+            borehole=label.endswith("1"),
+        )
+    ]
