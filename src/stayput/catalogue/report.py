@@ -44,12 +44,12 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Shares of all runs with their 95 % intervals. All measures met the same motions "
             "and the same draws. Ranked by overturning; where that is equal, by sliding, "
             "failing devices, and hits on a wall. “Unsure”: the runs are too few to say it "
-            "with 95 % confidence."
+            "with 95 % confidence of all measures together."
         ),
         (
             "全計算に対する割合と95%区間です。どの対策にも同じ地震動と同じ標本を用いています"
             "。順位は転倒の少なさで決め、同じなら移動、器具の破損・脱落、壁への衝突の順に比べます。"
-            "「不確実」は、計算数が少なく95%の信頼度では言えないものです。"
+            "「不確実」は、計算数が少なく、比較した対策全体で95%の信頼度では言えないものです。"
         ),
     ),
     "grade": ("Grade of its inputs", "入力の根拠"),
