@@ -306,3 +306,8 @@ def test_a_name_says_whether_it_is_of_an_upper_floor(client: httpx.Client, name:
     assert bool(found["floor"]) == above
     assert any("building" in one["message"] for one in found["warnings"]) == above
     assert all(one["message"] and one["message_ja"] for one in found["warnings"])
+    scene = {**SCENE, "shaking": found["shaking"]}
+    shaken = client.post("/api/v1/shaking", json={"scene": scene})
+    assert ("not of the place" in shaken.json()["sentence"]["en"]) == above  # though it is kept under an id
+    assert found["id"] not in shaken.text
+    assert client.delete(f"/api/v1/motions/{found['id']}").status_code == 204

@@ -35,11 +35,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     # headings
     "no_known_column": (
         (
-            'No heading of the first row is known; --columns "{proposal}" says what the columns are, with one of '
+            "No heading of the first row tells how large the pieces are, and there are no common pieces by name; "
+            '--columns "{proposal}" says what the columns are, with one of '
             "{columns} or ignore in the place of each ? (width is the depth, from front to back)."
         ),
         (
-            '1行目に分かる見出しがありません。--columns "{proposal}" の?を次のいずれかに置き換えて指定してください：'
+            '1行目の見出しから家具の寸法が分からず、品名も一般的な家具の種類ではありません。--columns "{proposal}" の?を次のいずれかに置き換えて指定してください：'
             "{columns}（widthは奥行）。使わない列はignoreとします。"
         ),
     ),
@@ -78,13 +79,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unclear": (
         (
             'Not all columns are certain; they look like --columns "{proposal}", which must be checked and '
-            "given, with what belongs in the place of a ?: {doubts}."
+            "given{fill}: {doubts}."
         ),
         (
             '意味のはっきりしない列があります。おそらく --columns "{proposal}" です。'
-            "確かめて（?があれば埋めて）指定してください：{doubts}。"
+            "確かめて{fill}指定してください：{doubts}。"
         ),
     ),
+    "fill": (", with what belongs in the place of each ?", "?を埋めて"),
     "more_doubts": ("and {count} more", "ほか{count}件"),
     "cell_without_unit": (
         "{name} is {value}; it must have a unit, as the other cells of its column have.",

@@ -39,6 +39,7 @@ from stayput.vocabulary import WORDS, meant
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from collections.abc import Set as AbstractSet
 
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell, CellReader
@@ -207,6 +208,8 @@ class _Reading:
         found: dict[str, int] = {}
         for place in self.free:
             name = self.parts[place].in_another_language
+            if self.parts[place].base == "nombre" and self.numbers(place):
+                name = "count"  # in French; in Spanish it is what a piece is called
             if name is not None and name not in self.places:
                 found.setdefault(name, place)
         if found:
@@ -269,6 +272,16 @@ class _Reading:
             else:
                 _refuse_misspelt(self.names[place], part)
             self.unused.append(self.names[place][:200])
+
+    def tells_pieces(self, known: AbstractSet[str]) -> bool:
+        """Return whether the known columns tell what the pieces are: by sizes, or by names of presets."""
+        name = self.places.get("name")
+        called = [] if name is None else [row[name] for row in self.sample if name < len(row)]
+        return (
+            {"width", "height"} <= known
+            or "preset" in known
+            or ("name" in known and (not called or any(map(preset_called, called))))
+        )
 
     def look_at_numbers(self) -> None:
         """Doubt what the numbers speak against: sizes that are no metres, storeys for a surface, totals."""
@@ -383,7 +396,7 @@ def header_of(
     reading.propose_foreign()
     reading.take_rest()
     known = reading.proposed.union(reading.places)
-    if not {"id", "name", "preset"} & known and not {"width", "height"} <= known:
+    if not reading.tells_pieces(known):
         _refuse_unknown(names, reading)
     reading.look_at_numbers()
     if reading.doubts:
@@ -446,10 +459,12 @@ def _refuse_twice(names: Sequence[str]) -> None:
 
 
 def _refuse_unknown(names: Sequence[str], reading: _Reading) -> None:
-    """Refuse a header in which nothing says what the pieces are."""
+    """Refuse a header in which nothing says what the pieces are, but columns that are not known may."""
     if not any(names):
         raise InputError("inventory.no_names", "inventory")
     unknown = reading.unused[len(reading.ignored) :][:UNKNOWN_SHOWN]
+    if not unknown:
+        return
     raise InputError(
         "inventory_tables.no_known_column",
         "columns",
@@ -477,9 +492,11 @@ def _refuse_doubts(reading: _Reading) -> None:
     more = len(reading.doubts) - len(told)
     if more:
         told.append(phrase("inventory_tables.more_doubts", count=more))
+    proposal = reading.proposal()
     raise InputError(
         "inventory_tables.unclear",
         "columns",
         doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
-        proposal=reading.proposal(),
+        proposal=proposal,
+        fill=phrase("inventory_tables.fill") if "?" in proposal else "",
     )
