@@ -35,12 +35,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     # headings
     "no_known_column": (
         (
-            "No heading of the first row tells how large the pieces are, and there are no common pieces by name; "
+            "No heading of the first row is known that tells which common pieces they are, or how large they are; "
             '--columns "{proposal}" says what the columns are, with one of '
             "{columns} or ignore in the place of each ? (width is the depth, from front to back)."
         ),
         (
-            '1行目の見出しから家具の寸法が分からず、品名も一般的な家具の種類ではありません。--columns "{proposal}" の?を次のいずれかに置き換えて指定してください：'
+            '1行目に、家具の種類や寸法が分かる見出しがありません。--columns "{proposal}" の?を次のいずれかに'
+            "置き換えて指定してください："
             "{columns}（widthは奥行）。使わない列はignoreとします。"
         ),
     ),

@@ -108,26 +108,13 @@ IN_OTHER_LANGUAGES: dict[str, tuple[str, ...]] = {
         "价格", "價格", "单价",
     ),
 }
-# fmt: on
-"""What tables in German, French, Spanish, Korean and Chinese call columns: proposed, taken where it is said."""
+"""What tables in German, French, Spanish, Korean and Chinese call columns: taken where it is said."""
 
 WIDTHS = (
-    "width",
-    "w",
-    "幅",
-    "巾",
-    "横幅",
-    "間口",
-    "幅寸法",
-    "breite",
-    "largeur",
-    "ancho",
-    "폭",
-    "너비",
-    "宽",
-    "宽度",
-    "寬度",
+    "width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "breite",
+    "largeur", "ancho", "폭", "너비", "宽", "宽度", "寬度",
 )
+# fmt: on
 """What inventories call the size along the wall where nothing else can be meant."""
 
 ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ", "largo", "长", "长度", "長度")

@@ -315,6 +315,7 @@ def _fill(
                 "read as": table.read_as,
                 "columns not used": list(header.unused),
                 "columns renamed": list(header.renamed),
+                "roofs": reader.roofs,
             }
         )
 
