@@ -150,6 +150,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "it has {nlon} by {nlat} places; they must be 2 by 2 at least, and {most:,} at most",
         "地点が{nlon}×{nlat}個あります。2×2個以上、合計{most:,}個以下にしてください",
     ),
+    "grid_twice": (
+        "it has more than one grid_specification; it must have one",
+        "grid_specificationが2つ以上あります。1つにしてください",
+    ),
+    "grid_spacing": (
+        "its {name} is {value}; it must be a number of degrees above 0",
+        "{name}が{value}になっています。0より大きい角度（°）にしてください",
+    ),
     "grid_fields": ("it has more than {most} fields", "項目（grid_field）が{most}個を超えています"),
     "grid_line": ("it has a line that does not end", "終わりのない行があります"),
     "grid_numbers": ("its grid_data holds more than numbers", "grid_dataに数値でないものがあります"),
