@@ -219,6 +219,20 @@ def test_what_is_found_is_counted_in_sentences(total, told):
     assert len(re.findall(r"\.(?: |$)", sentences)) == len(total)
 
 
+def test_a_measure_that_only_keeps_a_piece_in_its_place_is_said_to(tmp_path):
+    """It overturns with it as often as without."""
+    low = table(tmp_path, ["a,1,0.5,80,l_bracket"], "id,width,height,mass,measures")
+    strong = CITY.replace("6.0", "6.8").replace("count = 3", "count = 30")
+    done = assess(low, city(tmp_path, strong), tmp_path / "out", progress=False)
+    (row,) = rows_of_results(done)
+    assert (row["overturned"], row["best_lessens"], row["finding"]) == (0.0, "slid", "helped")
+    for language, cell in (
+        ("en", "l_bracket, against sliding too far"),
+        ("ja", "L型金具（ねじ留め）、移動の抑制"),
+    ):
+        assert f">{cell}</td>" in done.report(language).read_text(encoding="utf-8")
+
+
 def test_what_a_measure_helps_against_is_counted():
     row = dict.fromkeys(READ, 0.0) | {"count": 2, "expected_loss": None, "best_contents_out_share": None}
     total = Total()

@@ -14,6 +14,7 @@ from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.results import Finding
 from stayput.inventory.words import (
+    against_event,
     amount,
     building_named,
     counted_phrase,
@@ -31,6 +32,7 @@ from stayput.inventory.words import (
     share_of,
     share_told,
 )
+from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.names import given_name
 from stayput.report.page import framed, rendered
 from stayput.report.palette import INK, PAPER, rgb
@@ -269,7 +271,9 @@ def _map(event: str, summary: Summary, roofs: Mapping[str, int], language: str) 
 def _piece(row: Mapping[str, Any], roofs: Mapping[str, int], language: str) -> dict[str, Any]:
     """Return the cells of a piece at risk."""
     helped, best = row["best"] != NO_MEASURE, measures_named(row["best"], language)
-    by_cost, storey = row["best_by_cost"], row["storey"]
+    by_cost, storey, lessens = row["best_by_cost"], row["storey"], row["best_lessens"]
+    if lessens not in (None, OVERTURNED):  # which the columns beside it do not show
+        best = _words("best_against", language, measure=best, against=against_event(lessens))
     return {
         **{key: row[key] for key in ("row", "event", "count")},
         "piece": _called(row),

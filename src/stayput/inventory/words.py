@@ -179,12 +179,21 @@ def _known_share(total: Total, language: str) -> str:
     return share_of(total, "", language)
 
 
+def against_event(event: str) -> Phrase:
+    """Return what a measure helps against that lessens an event."""
+    return phrase(f"inventory_report.against_{event}")
+
+
 def findings_told(total: Total, language: str) -> str:
     """Return what the runs show: of how many pieces a measure helps, none is needed, or nothing is shown."""
 
     def against(finding: Finding) -> str:
         counts = ((event, total.lessened[finding, event]) for event in RANKING_ORDER)
-        parts = [say(f"inventory_report.against_{event}", language, count=n) for event, n in counts if n]
+        parts = [
+            say("inventory_report.against_counted", language, count=n, against=against_event(event))
+            for event, n in counts
+            if n
+        ]
         return say("common.listed", language).join(parts)
 
     told = (
