@@ -90,18 +90,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brief_text": (
         (
             "Shares of all runs, with the grade of the inputs. Slide: median of the peak. "
-            "I10, I50: {intensity} at which 10, 50 % overturn; ?: unsure. Below, in "
+            "I10, I50: where 10, 50 % overturn ({intensity}); ?: unsure. Below, in "
             "brackets: the 95 % interval of overturning."
         ),
         (
             "全計算に対する割合（括弧内の英字は入力の根拠の区分）。移動量：最大値の中央値。I1"
-            "0、I50：10%、50%が転倒する{intensity}。?は不確実。かっこ内：転倒の95%区間。"
+            "0、I50：10%、50%が転倒する値（{intensity}）。?は不確実。かっこ内：転倒の95%区間。"
         ),
-    ),
-    "brief_jma": ("JMA intensity", "計測震度"),
-    "brief_floor_jma": (
-        "number by JMA's formula for the motion of {floor} (not the intensity of the place)",
-        "床（{floor}）の揺れから計算した計測震度相当値（その場所の震度ではない）",
     ),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
     "change": ("Change from “Without measures”", "対策なしとの差"),

@@ -209,9 +209,8 @@ def _tell(verdict: Verdict | AssemblyVerdict | RoomVerdict, lang: str) -> None:
 def _print(verdict: Verdict, lang: str) -> None:
     from rich.console import Console
 
-    from stayput.catalogue import phrase
+    from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
     from stayput.montecarlo.counting import OVERTURNED
-    from stayput.motion.channels import floor_phrase
     from stayput.report.verdict import numbers
     from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
     from stayput.report.verdict.words import word
@@ -250,8 +249,8 @@ def _print(verdict: Verdict, lang: str) -> None:
         name = rejected.option.name if rejected.option.own_name else label
         lines.append((numbers.NO_NUMBER, name, text("brief_not_possible")))
     console.print(_fitting(text("measure"), headings, lines, len(SHARES), console))
-    jma = "report.brief_floor_jma" if verdict.floor else "report.brief_jma"
-    paragraph(text("brief_text", intensity=phrase(jma, floor=floor_phrase(verdict.floor))))
+    intensity = FLOOR_JMA if verdict.floor else JMA_INTENSITY
+    paragraph(text("brief_text", intensity=intensity.names))
     paragraph(grades_text(lang))
     colon = text("colon")
     for row in rows:
