@@ -82,13 +82,23 @@ def test_nombre_is_a_name_in_spanish_and_a_number_in_french(cells, name):
     assert proposal_of(refused.value) == f"{name}=Nombre"
 
 
-@pytest.mark.parametrize("known", ["id", "mass", "name"])
+@pytest.mark.parametrize("known", ["id", "mass", "count"])
 def test_columns_that_are_not_known_are_asked_for_where_nothing_tells_the_pieces(known):
     names, rows = [known, "Bredde", "Djup", "Höjd"], [["7", "900", "300", "1800"]]
     with pytest.raises(sp.InputError) as refused:
         header_of(names, rows)
     assert proposal_of(refused.value) == "?=Bredde,?=Djup,?=Höjd"
-    header_of(["name", *names[1:]], [["bookcase", *rows[0][1:]]])  # of its preset's sizes
+    header_of(["name", *names[1:]], [["bookcase", *rows[0][1:]]])  # some may be of a preset's size
+
+
+def test_a_heading_in_another_language_that_is_not_known_is_asked_for_while_sizes_are_missing():
+    names = ["编号", "名称", "前后", "高度", "备注"]
+    with pytest.raises(sp.InputError) as refused:
+        header_of(names, [["1", "书柜", "300", "1800", "-"]])
+    assert proposal_of(refused.value) == "id=编号,height=高度[mm],?=前后,?=备注"
+    with pytest.raises(sp.InputError) as refused:
+        header_of([*names, "深度"], [["1", "书柜", "300", "1800", "-", "300"]])
+    assert proposal_of(refused.value) == "id=编号,height=高度[mm],width=深度[mm]"
 
 
 @pytest.mark.parametrize(("heading", "mark"), [("Weight", True), ("Gewicht (kg)", False)])

@@ -35,7 +35,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # headings
     "no_known_column": (
         (
-            "No heading of the first row is known that tells which common pieces they are, or how large they are; "
+            "No heading of the first row is known that tells what the pieces are or how large they are; "
             '--columns "{proposal}" says what the columns are, with one of '
             "{columns} or ignore in the place of each ? (width is the depth, from front to back)."
         ),

@@ -39,7 +39,6 @@ from stayput.vocabulary import WORDS, meant
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
-    from collections.abc import Set as AbstractSet
 
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell, CellReader
@@ -273,16 +272,6 @@ class _Reading:
                 _refuse_misspelt(self.names[place], part)
             self.unused.append(self.names[place][:200])
 
-    def tells_pieces(self, known: AbstractSet[str]) -> bool:
-        """Return whether the known columns tell what the pieces are: by sizes, or by names of presets."""
-        name = self.places.get("name")
-        called = [] if name is None else [row[name] for row in self.sample if name < len(row)]
-        return (
-            {"width", "height"} <= known
-            or "preset" in known
-            or ("name" in known and (not called or any(map(preset_called, called))))
-        )
-
     def look_at_numbers(self) -> None:
         """Doubt what the numbers speak against: sizes that are no metres, storeys for a surface, totals."""
         for name, most in LARGEST_METRES.items():
@@ -304,7 +293,11 @@ class _Reading:
         if value is not None and by_alias and "count" in self.places:
             self.doubt("doubt_total", f"{IGNORE}={self.names[value]}", header=self._shown(value))
 
-    def proposal(self, *others: str) -> str:
+    def unknown(self) -> list[str]:
+        """Return the part of a mapping for each column of which nothing is known."""
+        return [f"?={name}" for name in self.unused[len(self.ignored) :][:UNKNOWN_SHOWN]]
+
+    def proposal(self, others: Sequence[str] = ()) -> str:
         """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
         settled = ",".join(dict.fromkeys((*(doubt.settled for doubt in self.doubts), *others)))
         kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
@@ -396,7 +389,7 @@ def header_of(
     reading.propose_foreign()
     reading.take_rest()
     known = reading.proposed.union(reading.places)
-    if not reading.tells_pieces(known):
+    if not {"name", "preset"} & known and not {"width", "height"} <= known:
         _refuse_unknown(names, reading)
     reading.look_at_numbers()
     if reading.doubts:
@@ -462,13 +455,12 @@ def _refuse_unknown(names: Sequence[str], reading: _Reading) -> None:
     """Refuse a header in which nothing says what the pieces are, but columns that are not known may."""
     if not any(names):
         raise InputError("inventory.no_names", "inventory")
-    unknown = reading.unused[len(reading.ignored) :][:UNKNOWN_SHOWN]
-    if not unknown:
+    if not (unknown := reading.unknown()):
         return
     raise InputError(
         "inventory_tables.no_known_column",
         "columns",
-        proposal=reading.proposal(*(f"?={name}" for name in unknown)),
+        proposal=reading.proposal(unknown),
         columns=", ".join(COLUMNS),
     )
 
@@ -492,7 +484,8 @@ def _refuse_doubts(reading: _Reading) -> None:
     more = len(reading.doubts) - len(told)
     if more:
         told.append(phrase("inventory_tables.more_doubts", count=more))
-    proposal = reading.proposal()
+    sized = {"width", "height"} <= reading.proposed.union(reading.places)
+    proposal = reading.proposal(reading.unknown() if reading.proposed and not sized else ())
     raise InputError(
         "inventory_tables.unclear",
         "columns",
