@@ -306,6 +306,11 @@ def test_a_name_says_whether_it_is_of_an_upper_floor(client: httpx.Client, name:
     assert bool(found["floor"]) == above
     assert any("building" in one["message"] for one in found["warnings"]) == above
     assert all(one["message"] and one["message_ja"] for one in found["warnings"])
+    scene = {**SCENE, "shaking": found["shaking"]}
+    shaken = client.post("/api/v1/shaking", json={"scene": scene})
+    assert ("not of the place" in shaken.json()["sentence"]["en"]) == above  # though it is kept under an id
+    assert found["id"] not in shaken.text
+    assert client.delete(f"/api/v1/motions/{found['id']}").status_code == 204
 
 
 def test_an_option_is_called_by_the_page_s_control_or_by_its_flag(client: httpx.Client) -> None:

@@ -52,6 +52,15 @@ def test_every_row_is_counted(done):
     assert [row["id"] for row in rows_of_results(done)] == ["b", "本棚 #13", "本棚 #14"]
 
 
+@pytest.mark.parametrize("length", [190, 200_000])
+def test_a_long_id_is_shortened_in_what_is_said_of_it(tmp_path, length):
+    rows = [f"{length * 'x'},chest", f"{length * 'x'},chest", "a,chest"]
+    done = assess(table(tmp_path, rows, "id,preset"), city(tmp_path), tmp_path / "out", progress=False)
+    assert done.facts["rejects"] == (1 if length <= 200 else 2)
+    told = (*(done.folder / "rejects.csv").read_text("utf-8-sig").splitlines(), *said(done, "ja"))
+    assert max(line.count("x") for line in told) < 500
+
+
 def test_an_id_that_is_missing_is_that_of_the_row(tmp_path):
     rows = ["1,chest", ",chest", ",", "3,chest", ",chest"]
     done = assess(table(tmp_path, rows, "id,preset"), city(tmp_path), tmp_path / "out", progress=False)

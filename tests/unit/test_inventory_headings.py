@@ -25,6 +25,9 @@ TABLES = {
     "French": "N° inventaire;Désignation;Largeur (cm);Profondeur (cm);Hauteur (cm);Poids (kg);Étage;Bâtiment;Quantité\n"
     "F1;Armoire;100;42;195;80,5;RDC;3 RC;4\nF2;Armoire;100;42;195;80;2;3 RC;4\n",
     "Korean": "관리번호,품명,폭(mm),깊이(mm),높이(mm),무게(kg),층,건물,수량\nK1,책장,900,300,1800,60,2층,4 RC,3\nK2,책장,900,300,1800,60,지하1층,4 RC,3\n",
+    "Chinese": "编号,名称,宽度(mm),深度(mm),高度(mm),重量(kg),楼层,建筑,数量\nC1,书柜,900,300,1800,60,2,4 RC,3\nC2,书柜,900,300,1800,60,B1,4 RC,3\n",
+    "Chinese, traditional": "編號,名稱,寬度(cm),深度(cm),高度(cm),重量(kg),樓層,樓棟,數量\nC1,書櫃,90,30,180,60,2,4 RC,3\nC2,書櫃,90,30,180,60,B1,4 RC,3\n",
+    "Spanish": "Código,Nombre,Ancho (cm),Profundidad (cm),Altura (cm),Peso (kg),Planta,Edificio,Cantidad\nE1,Armario,100,42,195,80,2,3 RC,4\nE2,Armario,100,42,195,80,B1,3 RC,4\n",
     "a comma in a heading": 'Nr.,"Tiefe (mm)","Höhe (mm)","Gewicht (kg)","Anzahl (Stück, gesamt)"\n1,300,1800,60,2\n2,300,1800,60,2\n',
 }  # fmt: skip
 
@@ -69,6 +72,42 @@ def test_every_heading_that_may_matter_is_in_the_proposal(tmp_path):
 def test_a_single_foreign_heading_is_proposed_too():
     with pytest.raises(sp.InputError, match=re.escape('"mass=Gewicht (kg)"')):
         header_of(["name", "depth (mm)", "height (mm)", "Gewicht (kg)"])
+
+
+@pytest.mark.parametrize(("cells", "name"), [(["Armario", "Mesa"], "name"), (["4", "12"], "count")])
+def test_nombre_is_a_name_in_spanish_and_a_number_in_french(cells, name):
+    rows = [["a", "30", "180", cell] for cell in cells]
+    with pytest.raises(sp.InputError) as refused:
+        header_of(["id", "depth (cm)", "height (cm)", "Nombre"], rows)
+    assert proposal_of(refused.value) == f"{name}=Nombre"
+
+
+@pytest.mark.parametrize("known", ["id", "mass", "count"])
+def test_columns_that_are_not_known_are_asked_for_where_nothing_tells_the_pieces(known):
+    names, rows = [known, "Bredde", "Djup", "Höjd"], [["7", "900", "300", "1800"]]
+    with pytest.raises(sp.InputError) as refused:
+        header_of(names, rows)
+    assert proposal_of(refused.value) == "?=Bredde,?=Djup,?=Höjd"
+    header_of(["name", *names[1:]], [["bookcase", *rows[0][1:]]])  # some may be of a preset's size
+
+
+def test_a_heading_in_another_language_that_is_not_known_is_asked_for_while_sizes_are_missing():
+    names = ["编号", "名称", "前后", "高度", "备注"]
+    with pytest.raises(sp.InputError) as refused:
+        header_of(names, [["1", "书柜", "300", "1800", "-"]])
+    assert proposal_of(refused.value) == "id=编号,height=高度[mm],?=前后,?=备注"
+    with pytest.raises(sp.InputError) as refused:
+        header_of([*names, "深度"], [["1", "书柜", "300", "1800", "-", "300"]])
+    assert proposal_of(refused.value) == "id=编号,height=高度[mm],width=深度[mm]"
+
+
+@pytest.mark.parametrize(("heading", "mark"), [("Weight", True), ("Gewicht (kg)", False)])
+def test_what_belongs_in_the_place_of_a_mark_is_asked_for_where_there_is_one(heading, mark):
+    with pytest.raises(sp.InputError) as refused:
+        header_of(["name", "depth (mm)", "height (mm)", heading], [["shelf", "300", "1800", "60"]])
+    assert ("?" in proposal_of(refused.value)) == mark
+    assert ("in the place of each ?" in refused.value.told("en")) == mark
+    assert ("?を埋めて" in refused.value.told("ja")) == mark
 
 
 def test_unknown_headings_are_proposed_with_a_mark_for_each(tmp_path):

@@ -34,7 +34,7 @@ def grid(folder, rows, fields=None, name="grid.xml", head="", size=(2, 2)):
     """A grid as ShakeMap writes it."""
     fields = fields or FIELDS
     space = "http://earthquake.usgs.gov/eqcenter/shakemap"
-    specified = f'lon_min="135" lat_min="35" lon_max="136" lat_max="36" nlon="{size[0]}" nlat="{size[1]}"'
+    specified = f'lon_min="135" lat_min="35" lon_max="136" lat_max="36" nominal_lon_spacing="1.0" nlon="{size[0]}" nlat="{size[1]}"'
     named = "".join(
         f'<grid_field index="{n}" name="{field}" units="{unit}" />\n'
         for n, (field, unit) in enumerate(fields.items(), 1)
@@ -199,6 +199,16 @@ SPECIFIED = r"<grid_specification[^>]*/>"
 DAMAGE = {
     "no specification": (SPECIFIED, "", "with a grid_specification"),
     "no specification, no numbers": (rf"{SPECIFIED}|(?<=<grid_data>)[^<]*", "", "with a grid_specification"),
+    "two specifications": (rf"({SPECIFIED})", r"\1\1", "more than one grid_specification; it must have one"),
+    **{
+        f"a spacing of {value}": (
+            'nlon="2"',
+            f'nlon="2" nominal_{axis}_spacing="{value}"',
+            f"nominal_{axis}_spacing is '{value}'; it must be a number of degrees above 0",
+        )
+        for value in ("0", "-0.0", "nan", "inf", "", "-0.1", "1_0", "wide")
+        for axis in ("lon", "lat")
+    },
     "no numbers": (r"<grid_data>[^<]*</grid_data>", "", "it has 0 numbers; it must have"),
     "no size": ('nlon="2"', "", "nlon is ''; it must be a whole number"),
     "a size in words": ('nlat="2"', 'nlat="two"', "nlat is 'two'; it must be a whole number"),

@@ -76,6 +76,21 @@ def test_results_and_report_show_basements(tmp_path):
     assert "office,-1," in (done.folder / "summary.csv").read_text()
 
 
+def test_a_roof_is_called_so(tmp_path):
+    rows = ["a,bookcase,office,R", "b,bookcase,office,5", "c,bookcase,8 RC,屋上", "d,bookcase,8 RC,5"]
+    done = assess(
+        table(tmp_path, rows, "id,preset,building,storey"), city(tmp_path), tmp_path / "out", progress=False
+    )
+    assert [row["storey"] for row in rows_of_results(done)] == [5, 5, 9, 5]
+    assert done.facts["roofs"] == {"office": 5, "8 RC": 9}
+    for language, roof, fifth in (("en", "roof", "5F"), ("ja", "屋上", "5階")):
+        page = done.report(language).read_text(encoding="utf-8")
+        assert [page.count(f">{told}<") for told in (roof, fifth, "9F", "9階")] == [5, 3, 0, 0]
+        between = ", " if language == "en" else "、"
+        assert f"office{between}{roof}" in page
+        assert f"{between}{fifth}" in page
+
+
 def test_a_map_leaves_no_basement_out_between():
     total = Total(rows=1, pieces=1)
     page = storey_map({("a", -3): total, ("a", 1): total}, False, "a map")

@@ -152,7 +152,7 @@ def test_empty_rows_are_counted(tmp_path):
 
 
 def test_columns_that_are_not_known_are_named():
-    assert header_of(["id", "owner", "room no."]).unused == ("owner", "room no.")
+    assert header_of(["preset", "owner", "room no."]).unused == ("owner", "room no.")
 
 
 def excel(folder, rows):

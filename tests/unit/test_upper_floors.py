@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+from dataclasses import replace
 from functools import partial
 from html import unescape
 
@@ -20,6 +21,7 @@ from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, spectral_a
 from stayput.fragility.intensity_measures import FLOOR_JMA
 from stayput.fragility.nrml import in_openquake
 from stayput.motion.measures import Intensities
+from stayput.report.plot import plot_run
 from stayput.report.room.data import room_data
 from stayput.report.several.data import several_data
 from stayput.report.verdict.curves import curves_svg
@@ -92,6 +94,63 @@ def test_what_is_said_of_the_ground_alone_refuses_a_floor_in_one_sentence():
     ):
         refused(call, allowed)
     assert floor.scaled(2.0).floor == "storey 6"
+
+
+@pytest.mark.parametrize("target", [sp.japanese_design(), sp.asce7(1.0, 0.6)])
+def test_a_design_spectrum_of_the_ground_takes_no_floor(target):
+    for call in (
+        lambda: FLOORS.to_spectrum(target),
+        lambda: FLOORS.matched(target),
+        lambda: FLOORS.selected(target, 1),
+        lambda: FLOORS.deviation(target),
+    ):
+        refused(call, "a target spectrum is one of the ground")
+
+
+def test_another_spectrum_may_be_of_a_floor_and_the_label_stays():
+    required = sp.ac156(1.0, 0.7).horizontal
+    own = sp.TargetSpectrum([0.05, 5.0], [8.0, 1.0])
+    for target in (required, own):
+        assert FLOORS.to_spectrum(target).floor == FLOORS.selected(target, 2).floor == "storey 6"
+    assert FLOORS.matched(required, (0.2, 1.0)).floor == "storey 6"
+
+
+def test_a_target_on_the_command_line_refuses_a_floor(folder, tmp_path):
+    line = ["motion", "suite", "--records", str(folder), "--target", "japan", "--out", str(tmp_path / "out")]
+    done = CliRunner().invoke(app, line)
+    assert not (tmp_path / "out").exists()
+    assert isinstance(done.exception, (SystemExit, sp.InputError))
+    assert "is of floor 6 of a building" in done.output + str(done.exception)
+
+
+@pytest.mark.parametrize(
+    ("motion", "labels"),
+    [
+        (FLOORS[0], ("Acceleration of\nstorey 6 [m/s²]", "床（6階）の\n加速度 [m/s²]")),
+        (replace(GROUND[0], floor="roof"), ("Acceleration of\nroof [m/s²]", "床（屋上）の\n加速度 [m/s²]")),
+        (GROUND[0], ("Floor\nacceleration [m/s²]", "床の\n加速度 [m/s²]")),
+    ],
+)
+def test_the_picture_of_a_run_says_which_floor_moves(motion, labels):
+    run = sp.simulate(BODY, sp.Room(), replace(motion, y=None))
+    in_space = sp.simulate(BODY, sp.Room(), motion)
+    for language, label in zip(("en", "ja"), labels, strict=True):
+        assert plot_run(run, language=language).axes[0].get_ylabel() == label
+        for one in (run, in_space):
+            assert one.plot(what="acceleration", language=language).get_ylabel() == label
+
+
+def test_the_legend_of_capacities_says_that_a_floor_moves(folder, tmp_path):
+    file = tmp_path / "room.toml"
+    given = (
+        f'furniture = {{ preset = "bookcase" }}\n[shaking]\nsuite = "{folder}"\n[uncertainty]\nsamples = 2\n'
+    )
+    file.write_text(given, encoding="utf-8")
+    for language, name in zip(("en", "ja"), FLOOR_JMA.names, strict=True):
+        line = ["verify", str(file), "--lang", language, "--quiet"]
+        done = CliRunner().invoke(app, line, env={"COLUMNS": "400"})
+        told = done.stdout.replace("\n", " " if language == "en" else "")
+        assert f"{'overturn (' if language == 'en' else '転倒する値（'}{name}" in told, done.output
 
 
 @pytest.mark.parametrize("key", STRENGTHS)

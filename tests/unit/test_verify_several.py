@@ -23,6 +23,7 @@ from stayput.report.several.tables import settlement_assumptions
 from stayput.scenario import AssemblyScenario
 from stayput.simulation.placing import placed
 from stayput.verification.several_options import label, options_of_several
+from stayput.verification.several_words import headline_of_several
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -69,6 +70,26 @@ def parsed(**changed: Any) -> AssemblyScenario:
 @pytest.fixture(scope="module")
 def verdict() -> AssemblyVerdict:
     return sp.verify(parsed(), threads=2, progress=False)
+
+
+@pytest.mark.parametrize(
+    ("shape", "told"),
+    [
+        ({"length": 0.9, "width": 0.3}, ("nothing else was compared, as none", "どの案も設置できないため")),
+        ({"bottom": 0.3, "top": 0.3}, ("without joints and measures.", "家具のいずれかが")),
+    ],
+)
+def test_without_another_option_nothing_is_said_of_those_compared(
+    shape: dict[str, float], told: tuple[str, str]
+) -> None:
+    one = {"name": "one", "height": 1.8, "mass": 40.0, **shape}
+    belt = {"measures": [{"type": "belt"}]} if "length" in shape else {}
+    open_room = {"floor": {"static_friction": 0.6, "kinetic_friction": 0.5}}
+    furniture = [{**one, **belt}, {**one, **belt, "name": "two", "at": [2.0, 0.0]}]
+    made = parsed(furniture=furniture, joints=[], room=open_room)
+    found = sp.verify(made, threads=2, progress=False)
+    for language, part in zip(("en", "ja"), told, strict=True):
+        assert part in headline_of_several(found, language)
 
 
 def test_the_usual_options() -> None:

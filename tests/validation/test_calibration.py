@@ -107,6 +107,22 @@ def test_no_difference_is_seldom_called_clear(motions: int) -> None:
     assert float(np.mean((low > 0.0) | (high < 0.0))) < 0.05 + _error(0.05, 500)
 
 
+@pytest.mark.parametrize(("motions", "comparisons"), [(5, 8), (20, 3), (20, 8), (40, 8)])
+def test_the_best_of_several_that_do_nothing_is_seldom_called_clear(motions: int, comparisons: int) -> None:
+    same = Mixture("no gain", (replace(FAMILIES[0].kinds[0], gain=0.0),), apart=(0.2, 0.1))
+    bits, studies, wrong, alone = random_bits(11), 300, 0, 0
+    for _ in range(studies):
+        # what each set changes is drawn anew for the same motions: as samples of one study, side by side
+        falls = same.draw(motions, 4 * comparisons, bits)
+        sets = [np.s_[:, 4 * k : 4 * k + 4] for k in range(comparisons)]
+        best = min(sets, key=lambda each: float(falls.held[each].mean() - falls.bare[each].mean()))
+        pair = falls.held[best], falls.bare[best]
+        wrong += difference(*pair, comparisons=comparisons).high < 0.0
+        alone += difference(*pair).high < 0.0
+    assert wrong / studies < 0.05 + _error(0.05, studies)
+    assert wrong < alone  # as if it had been the only one
+
+
 @pytest.mark.parametrize("shape", [(20, 2), (5, 4), (40, 10), (1, 10)])
 def test_counts_without_a_scatter_have_honest_intervals(shape: tuple[int, int]) -> None:
     nothing = np.zeros(shape, bool)

@@ -17,7 +17,7 @@ import numpy as np
 from stayput.app.refusals import RefusedError, problem, refused
 from stayput.app.replies import ChannelReply, DoubtReply, MotionReply, PreviewReply
 from stayput.errors import InputError
-from stayput.motion.channels import upper_floor, upper_floor_warning
+from stayput.motion.channels import upper_floor
 from stayput.motion.intensity import EXCEEDED, intensity_class
 from stayput.report.summary import number
 
@@ -34,7 +34,10 @@ if TYPE_CHECKING:
 MOST_INTERVALS = 1000
 """Most intervals of a preview, each with its lowest and highest value."""
 
-_NAME = re.compile(r"\b[0-9a-f]{32}\b")
+ID = "[0-9a-f]{32}(?:_floor[0-9]+|_roof)?"
+"""Pattern of an uploaded motion's id, its file's name here, with the upper floor that the user's tells."""
+
+_NAME = re.compile(rf"\b{ID}\b")
 _UNSAFE = re.compile(r"[^\w .,()+-]", re.ASCII)
 
 
@@ -46,7 +49,6 @@ class StoredMotion:
     shaking: dict[str, Any]
     size: int
     warnings: tuple[InputWarning, ...] = ()
-    file_name: str = ""  # by the user, in any script
     last_used: float = field(default_factory=time.monotonic)
 
 
@@ -113,6 +115,8 @@ class Motions:
             It is no record in a known format, or it is too long.
         """
         label, size, name = safe_label(upload.name), len(upload.data), secrets.token_hex(16)
+        if floor := upper_floor([upload.name or ""]):
+            name += f"_{floor.replace(' ', '')}"
         path = self.folder / name
         options: dict[str, Any] = {
             "unit": upload.unit,
@@ -123,7 +127,7 @@ class Motions:
         shaking = {"record": name} | {key: value for key, value in options.items() if value is not None}
         try:
             await asyncio.to_thread(path.write_bytes, upload.data)
-            stored = await self._read(shaking, label, size, upload.name or label, "file")
+            stored = await self._read(shaking, label, size, "file")
         except BaseException:
             path.unlink(missing_ok=True)
             raise
@@ -144,11 +148,9 @@ class Motions:
         if component is None or component == stored.shaking.get("component"):
             return stored
         shaking = {**stored.shaking, "component": component}
-        return await self._read(shaking, stored.motion.name, stored.size, stored.file_name, "component")
+        return await self._read(shaking, stored.motion.name, stored.size, "component")
 
-    async def _read(
-        self, shaking: dict[str, Any], label: str, size: int, file_name: str, about: str
-    ) -> StoredMotion:
+    async def _read(self, shaking: dict[str, Any], label: str, size: int, about: str) -> StoredMotion:
         """Read a file of the folder in a process of its own, as a scene's shaking asks for it."""
         name = shaking["record"]
         options = [shaking.get(key) for key in ("component", "unit", "dt")]
@@ -164,11 +166,8 @@ class Motions:
             known = error.rewritten(rewrite)
             raise RefusedError(422, known.about(known.field or about)) from None
         motion = replace(motion, name=label)
-        if not motion.floor and (floor := upper_floor([file_name])):  # the reader knows no user's names
-            motion = replace(motion, floor=floor)
-            warnings = (*warnings, upper_floor_warning(floor).at(label))
         known = tuple(warning.rewritten(rewrite) for warning in warnings)
-        return StoredMotion(motion, shaking, size, known, file_name)
+        return StoredMotion(motion, shaking, size, known)
 
     def about(self, name: str, stored: StoredMotion | None = None) -> MotionReply:
         """Return the facts about a motion.

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 from fastapi import Path as InPath
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
 
+from stayput.app.motions import ID
 from stayput.montecarlo.counting import SLIDE_LIMIT
 
 STANDS_FOR = "x-stands-for"
@@ -31,7 +32,7 @@ Lease = Annotated[
 MeasureData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Measure"})]
 """A measure as it came."""
 
-Name = Annotated[str, InPath(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
+Name = Annotated[str, InPath(pattern=f"^{ID}$", description="An id that this server gave.")]
 
 Measures = Annotated[
     list[MeasureData], Field(default_factory=list, max_length=8, description="In place together.")

@@ -32,9 +32,6 @@ TABLES = frozenset(
 )
 """Keys of a scene."""
 
-ID = re.compile(r"[0-9a-f]{32}")
-"""What the id of an uploaded motion or of a job looks like."""
-
 
 def read_scene(
     data: Mapping[str, Any], measures: Sequence[Mapping[str, Any]], limits: Limits, motions: Motions
@@ -181,7 +178,7 @@ def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) ->
     for key in RECORD_FILES:
         name = shaking.get(key)
         if isinstance(name, str):
-            if not ID.fullmatch(name) or not motions.knows(name):
+            if not motions.knows(name):
                 place = f"shaking.{key}"
                 raise refused(422, "app.no_such_record", f"scene.{place}", name=place)
             motions.touch(name)

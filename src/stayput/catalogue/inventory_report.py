@@ -25,16 +25,29 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{pieces}は、対策なしでも転倒と大きな移動の95%区間の上限がいずれも{safe}%未満で、対策不要です。",
     ),
     "helped_counted": (
-        "A compared measure helps {pieces} by more than chance.",
-        "{pieces}には、偶然の差を超えて効果のある対策があります。",
+        "A compared measure helps {pieces} by more than chance ({against}).",
+        "{pieces}には、偶然の差を超えて効果のある対策があります（{against}）。",
     ),
     "may_be_chance_counted": (
-        "For {pieces} a measure does better in these runs, which may be chance: the runs are too few.",
-        "{pieces}には今回の計算で成績のよい対策がありますが、計算数が少なく、偶然の差かもしれません。",
+        "For {pieces} a measure does better in these runs ({against}), which may be chance: the runs are too few.",
+        "{pieces}には今回の計算で成績のよい対策がありますが（{against}）、計算数が少なく、偶然の差かもしれません。",
     ),
+    "against_overturned": ("against overturning", "転倒の防止"),
+    "against_slid": ("against sliding too far", "移動の抑制"),
+    "against_device_failed": ("against a failing device", "器具の破損・脱落の防止"),
+    "against_hit_wall": ("against hitting a wall", "壁への衝突の防止"),
+    "against_counted": ("{count:,} {against}", "{against}{count:,}点"),
     "not_helped_counted": (
         "For {pieces} none of the compared measures is seen to help.",
         "{pieces}では、比較した対策の効果を確認できませんでした。",
+    ),
+    "none_possible_counted": (
+        "For {pieces} no measure was compared: none of those that were asked for is possible.",
+        "{pieces}では、指定した対策をどれも設置できないため、対策を比較していません。",
+    ),
+    "none_compared_counted": (
+        "For {pieces} no measure was asked for, so none was compared.",
+        "{pieces}では、対策の指定がないため、対策を比較していません。",
     ),
     "too_few_runs_counted": (
         (
@@ -103,8 +116,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "contents_out_best": ("Contents out with it", "対策後に飛び出す収納物"),
     "best_by_cost": ("Best for its cost", "費用に見合う対策"),
     "loss": ("Expected loss", "損失の見込み"),
+    "best_against": ("{measure}, {against}", "{measure}、{against}"),
     "may_be_chance": ("{measure} (may be chance)", "{measure}（偶然の可能性あり）"),
     "not_helped": ("none seen to help", "効果を確認できた対策なし"),
+    "none_possible": ("none possible", "設置できる対策なし"),
+    "none_compared": ("none compared", "対策の比較なし"),
     "needs_none": ("needs none", "対策不要"),
     "too_few_runs": ("not enough runs to tell", "計算数が足りず判定できない"),
     "not_worth": ("none shown to be worth it", "費用に見合うと確認できたものなし"),
@@ -189,11 +205,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "best_chosen": (
         (
             "The best measure is chosen by the runs that score it, which flatters it; sums and maps with the best "
-            "measures count only those that help by more than chance, compared run by run."
+            "measures count only those that help by more than chance, compared run by run: of several sets, by "
+            "intervals that hold together (Bonferroni)."
         ),
         (
             "最も有効な対策は、成績を示すのと同じ計算から選ぶため、効果がやや大きめに出ます。対策後の合計と地図には、"
-            "計算ごとに比べて偶然の差を超える効果のある対策だけを数えます。"
+            "計算ごとに比べて偶然の差を超える効果のある対策だけを数えます（複数の対策の比較では、全体で95%となる区間によります：ボンフェローニ法）。"
         ),
     ),
     "shake_map": (

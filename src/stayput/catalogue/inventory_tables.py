@@ -35,11 +35,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     # headings
     "no_known_column": (
         (
-            'No heading of the first row is known; --columns "{proposal}" says what the columns are, with one of '
+            "No heading of the first row is known that tells what the pieces are or how large they are; "
+            '--columns "{proposal}" says what the columns are, with one of '
             "{columns} or ignore in the place of each ? (width is the depth, from front to back)."
         ),
         (
-            '1行目に分かる見出しがありません。--columns "{proposal}" の?を次のいずれかに置き換えて指定してください：'
+            '1行目に、家具の種類や寸法が分かる見出しがありません。--columns "{proposal}" の?を次のいずれかに'
+            "置き換えて指定してください："
             "{columns}（widthは奥行）。使わない列はignoreとします。"
         ),
     ),
@@ -78,13 +80,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unclear": (
         (
             'Not all columns are certain; they look like --columns "{proposal}", which must be checked and '
-            "given, with what belongs in the place of a ?: {doubts}."
+            "given{fill}: {doubts}."
         ),
         (
             '意味のはっきりしない列があります。おそらく --columns "{proposal}" です。'
-            "確かめて（?があれば埋めて）指定してください：{doubts}。"
+            "確かめて{fill}指定してください：{doubts}。"
         ),
     ),
+    "fill": (", with what belongs in the place of each ?", "?を埋めて"),
     "more_doubts": ("and {count} more", "ほか{count}件"),
     "cell_without_unit": (
         "{name} is {value}; it must have a unit, as the other cells of its column have.",
@@ -146,6 +149,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "grid_size": (
         "it has {nlon} by {nlat} places; they must be 2 by 2 at least, and {most:,} at most",
         "地点が{nlon}×{nlat}個あります。2×2個以上、合計{most:,}個以下にしてください",
+    ),
+    "grid_twice": (
+        "it has more than one grid_specification; it must have one",
+        "grid_specificationが2つ以上あります。1つにしてください",
+    ),
+    "grid_spacing": (
+        "its {name} is {value}; it must be a number of degrees above 0",
+        "{name}が{value}になっています。0より大きい角度（°）にしてください",
     ),
     "grid_fields": ("it has more than {most} fields", "項目（grid_field）が{most}個を超えています"),
     "grid_line": ("it has a line that does not end", "終わりのない行があります"),

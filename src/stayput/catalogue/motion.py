@@ -306,6 +306,10 @@ TEXTS: dict[str, tuple[str, str]] = {
             "地面の揺れの地震動を使ってください"
         ),
     ),
+    "ground_alone_spectrum": (
+        "a target spectrum is one of the ground, so give motions of the ground",
+        "目標スペクトルは地面の揺れのものです。地面の揺れを使ってください",
+    ),
     "ground_alone_suite": (
         "others beside it are of the ground, so give motions of the ground alone, or of upper floors alone",
         "一緒に指定された地震動には地面の揺れがあります。地面の揺れだけ、または上の階の揺れだけにしてください",

@@ -176,10 +176,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "oneChannel": ("Component: {name}.", "成分：{name}。"),
     "verticalChannel": ("{name} (vertical)", "{name}（上下動）"),
-    "twiceUp": (
-        "The record “{name}” was made on an upper floor, by its name, and here goes through a building once more. Put the room on the ground.",
-        "記録「{name}」は、名前によると建物の上の階で得られたものです。ここではさらに建物を通した揺れになります。部屋は「地面の上」にしてください。",
-    ),
     "recordGone": (
         "The record{name} is no longer on the server; drop it again under “Set the scene”.",
         "記録{name}はサーバーに残っていません。「条件を決める」でもう一度ドロップしてください。",

@@ -97,6 +97,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "floor_x": ("x, horizontal", "x、水平"),
     "floor_z": ("z, vertical", "z、上下"),
     "floor_acceleration": ("Floor\nacceleration [m/s²]", "床の\n加速度 [m/s²]"),
+    "acceleration_of": ("Acceleration of\n{floor} [m/s²]", "床（{floor}）の\n加速度 [m/s²]"),
     "tilt": ("Tilt [°]\n(+ to the right)", "傾き [°]\n（右が＋）"),
     "slide": ("Slide [cm]\n(+ to the right)", "移動量 [cm]\n（右が＋）"),
     "mode": ("Mode", "状態"),

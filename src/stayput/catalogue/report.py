@@ -44,12 +44,12 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Shares of all runs with their 95 % intervals. All measures met the same motions "
             "and the same draws. Ranked by overturning; where that is equal, by sliding, "
             "failing devices, and hits on a wall. “Unsure”: the runs are too few to say it "
-            "with 95 % confidence."
+            "with 95 % confidence of all measures together."
         ),
         (
             "全計算に対する割合と95%区間です。どの対策にも同じ地震動と同じ標本を用いています"
             "。順位は転倒の少なさで決め、同じなら移動、器具の破損・脱落、壁への衝突の順に比べます。"
-            "「不確実」は、計算数が少なく95%の信頼度では言えないものです。"
+            "「不確実」は、計算数が少なく、比較した対策全体で95%の信頼度では言えないものです。"
         ),
     ),
     "grade": ("Grade of its inputs", "入力の根拠"),
@@ -90,12 +90,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brief_text": (
         (
             "Shares of all runs, with the grade of the inputs. Slide: median of the peak. "
-            "I10, I50: JMA intensity at which 10, 50 % overturn; ?: unsure. Below, in "
+            "I10, I50: where 10, 50 % overturn ({intensity}); ?: unsure. Below, in "
             "brackets: the 95 % interval of overturning."
         ),
         (
             "全計算に対する割合（括弧内の英字は入力の根拠の区分）。移動量：最大値の中央値。I1"
-            "0、I50：10%、50%が転倒する計測震度。?は不確実。かっこ内：転倒の95%区間。"
+            "0、I50：10%、50%が転倒する値（{intensity}）。?は不確実。かっこ内：転倒の95%区間。"
         ),
     ),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),

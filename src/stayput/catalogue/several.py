@@ -32,6 +32,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "{strength}の揺れで、接合・対策がなければ家具のいずれかが{falls}。比較した案では明らかには減りません。",
     ),
+    "bare_falls": (
+        "In shaking of JMA intensity {strength} furniture overturns {falls} without joints and measures.",
+        "{strength}の揺れで、接合・対策がなければ家具のいずれかが{falls}。",
+    ),
+    "none_possible": (
+        (
+            "In shaking of JMA intensity {strength} furniture overturns {falls} without joints and measures; nothing "
+            "else was compared, as none of the options is possible."
+        ),
+        "{strength}の揺れで、接合・対策がなければ家具のいずれかが{falls}。どの案も設置できないため、比較していません。",
+    ),
     # Why an option stands where it does: clauses
     "overturns": ("furniture overturns {falls}", "家具のいずれかが{falls}"),
     "about_as_often": (

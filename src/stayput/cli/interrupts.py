@@ -6,12 +6,14 @@ This module is loaded before all others of the command line, and loads nothing t
 from __future__ import annotations
 
 import os
-import signal
 import sys
 from _thread import interrupt_main
 
 TYPE_CHECKING = False  # as in typing, which takes longer to load than all else here
-if TYPE_CHECKING:
+if not TYPE_CHECKING:
+    import _signal as signal  # what signal takes its functions from, after it has loaded enum and collections
+else:
+    import signal
     from collections.abc import Callable
     from types import FrameType
     from typing import Any

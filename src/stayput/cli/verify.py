@@ -209,6 +209,7 @@ def _tell(verdict: Verdict | AssemblyVerdict | RoomVerdict, lang: str) -> None:
 def _print(verdict: Verdict, lang: str) -> None:
     from rich.console import Console
 
+    from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
     from stayput.montecarlo.counting import OVERTURNED
     from stayput.report.verdict import numbers
     from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
@@ -248,7 +249,8 @@ def _print(verdict: Verdict, lang: str) -> None:
         name = rejected.option.name if rejected.option.own_name else label
         lines.append((numbers.NO_NUMBER, name, text("brief_not_possible")))
     console.print(_fitting(text("measure"), headings, lines, len(SHARES), console))
-    paragraph(text("brief_text"))
+    intensity = FLOOR_JMA if verdict.floor else JMA_INTENSITY
+    paragraph(text("brief_text", intensity=intensity.names))
     paragraph(grades_text(lang))
     colon = text("colon")
     for row in rows:

@@ -6,6 +6,10 @@ proportions (Tango 1998), which holds for few such pairs and for none, with the 
 their design effect. That effect is estimated as that of a probability is, with one motion in which every
 pair is for the one and one in which every pair is for the other added, so that pairs that are all equal
 count as no more than one a motion.
+
+Where several are compared with the same one, the intervals hold together: each has the confidence
+1 − 0.05 / m of m comparisons (Bonferroni; Dunn 1961), so that it also holds for the best of them, chosen by
+the same runs.
 """
 
 from __future__ import annotations
@@ -47,7 +51,7 @@ class Difference:
     estimate : float
         First less second; NaN without any pair of runs.
     low, high : float
-        Ends of the interval.
+        Ends of the interval; of several comparisons of intervals that hold together.
     more, fewer : int
         Pairs of runs in which it happened in the first only, and in the second only.
     pairs : int
@@ -94,7 +98,9 @@ class Difference:
         return self.texts[0]
 
 
-def difference(first: ArrayLike, second: ArrayLike, missing: ArrayLike | None = None) -> Difference:
+def difference(
+    first: ArrayLike, second: ArrayLike, missing: ArrayLike | None = None, *, comparisons: int = 1
+) -> Difference:
     """Return how much likelier something is in the first runs than in the second.
 
     Parameters
@@ -103,6 +109,8 @@ def difference(first: ArrayLike, second: ArrayLike, missing: ArrayLike | None = 
         Whether it happened, run by run with the same motion and the same draw.
     missing : array_like of bool, same shape, optional
         Pairs of which a run was given up.
+    comparisons : int
+        How many are compared with the second runs: their 95 % intervals hold together, and so for the best.
 
     Returns
     -------
@@ -133,20 +141,20 @@ def difference(first: ArrayLike, second: ArrayLike, missing: ArrayLike | None = 
     if pairs == 0:
         return Difference(math.nan, -1.0, 1.0, 0, 0, 0, lost)
     independent = pairs / _design_effect(d, n, up + down)
-    share = independent / pairs
-    low, high = score_interval(up * share, down * share, independent)
+    share, confidence = independent / pairs, 1.0 - (1.0 - CONFIDENCE) / comparisons
+    low, high = score_interval(up * share, down * share, independent, confidence)
     if len(n) > 1:
-        half = _student_half_width(d, n)
+        half = _student_half_width(d, n, confidence)
         middle = float(d.sum() / n.sum())
         low, high = min(low, max(middle - half, -1.0)), max(high, min(middle + half, 1.0))
     return Difference((up - down) / pairs, low, high, up, down, pairs, lost)
 
 
-def _student_half_width(d: NDArray[np.float64], n: NDArray[np.float64]) -> float:
+def _student_half_width(d: NDArray[np.float64], n: NDArray[np.float64], confidence: float) -> float:
     """Return the half width of Student's t interval of the ratio of the motions' sums of d and n."""
     count, total = len(n), float(n.sum())
     scatter = float(((d - float(d.sum()) / total * n) ** 2).sum())
-    return student(count) * math.sqrt(count / (count - 1.0) * scatter) / total
+    return student(count, confidence) * math.sqrt(count / (count - 1.0) * scatter) / total
 
 
 def _design_effect(d: NDArray[np.float64], n: NDArray[np.float64], differing: int) -> float:
@@ -165,7 +173,9 @@ def _design_effect(d: NDArray[np.float64], n: NDArray[np.float64], differing: in
     return min(max(scatter / total / variance, 1.0), max(size, 1.0))
 
 
-def score_interval(more: float, fewer: float, pairs: float) -> tuple[float, float]:
+def score_interval(
+    more: float, fewer: float, pairs: float, confidence: float = CONFIDENCE
+) -> tuple[float, float]:
     """Return the score interval of a difference of paired proportions (Tango 1998, equations 8 to 11).
 
     Parameters
@@ -174,13 +184,15 @@ def score_interval(more: float, fewer: float, pairs: float) -> tuple[float, floa
         Pairs in which it happened in the first only, and in the second only; they need not be whole.
     pairs : float
         All pairs, independent of each other.
+    confidence : float
+        How often the interval holds the truth.
 
     Examples
     --------
     >>> [round(end, 4) for end in score_interval(0, 0, 10)]
     [-0.2775, 0.2775]
     """
-    z = float(ndtri(0.5 + 0.5 * CONFIDENCE))
+    z = float(ndtri(0.5 + 0.5 * confidence))
     middle = (more - fewer) / pairs
 
     def inside(difference: float) -> bool:

@@ -201,9 +201,9 @@ def quantile(motions: int, runs: int) -> float:
     return student(motions + 2 if motions > 1 else runs)
 
 
-def student(units: int) -> float:
-    """Return the quantile of Student's t for the 95 % interval from a number of independent units."""
-    return float(stdtrit(max(units - 1, 1), 0.5 + 0.5 * CONFIDENCE))
+def student(units: int, confidence: float = CONFIDENCE) -> float:
+    """Return the quantile of Student's t for an interval from a number of independent units."""
+    return float(stdtrit(max(units - 1, 1), 0.5 + 0.5 * confidence))
 
 
 def design_effect(fell: NDArray[np.float64], runs: NDArray[np.float64]) -> float:

@@ -83,29 +83,41 @@ LISTS = ("cg_offset", "load", "costs", "floor")
 IN_OTHER_LANGUAGES: dict[str, tuple[str, ...]] = {
     "id": (
         "nr", "inventarnummer", "inventarnr", "inventar nr", "inv nr", "n° inventaire", "numéro",
-        "관리번호", "자산번호", "번호",
+        "número", "código", "no inventario", "관리번호", "자산번호", "번호",
+        "编号", "編號", "资产编号", "資產編號", "序号", "序號",
     ),
     "name": (
         "bezeichnung", "gegenstand", "möbel", "möbelstück", "désignation", "libellé", "meuble",
-        "품명", "가구", "비품명",
+        "nombre", "mueble", "artículo", "descripción", "품명", "가구", "비품명",
+        "名稱", "家具名称", "资产名称",
     ),
-    "width": ("tiefe", "profondeur", "깊이"),
-    "height": ("höhe", "hauteur", "높이"),
-    "mass": ("gewicht", "poids", "masse", "무게", "중량"),
-    "floor": ("bodenbelag", "revêtement de sol", "바닥재"),
-    "gap": ("wandabstand", "distance au mur", "벽과의 거리"),
-    "building": ("gebäude", "bâtiment", "건물", "건물명"),
-    "storey": ("stockwerk", "geschoss", "etage", "étage", "층"),
-    "count": ("anzahl", "menge", "stück", "stückzahl", "quantité", "nombre", "수량", "개수"),
-    "value": ("preis", "wert", "anschaffungswert", "prix", "valeur", "가격", "단가"),
+    "width": ("tiefe", "profondeur", "profundidad", "fondo", "깊이", "深度", "进深", "深"),
+    "height": ("höhe", "hauteur", "altura", "alto", "높이", "高度"),
+    "mass": ("gewicht", "poids", "masse", "peso", "무게", "중량", "质量"),
+    "floor": ("bodenbelag", "revêtement de sol", "suelo", "바닥재", "地板"),
+    "gap": ("wandabstand", "distance au mur", "distancia a la pared", "벽과의 거리", "离墙距离"),
+    "building": (
+        "gebäude", "bâtiment", "edificio", "건물", "건물명", "建筑", "建筑物", "建築物", "楼栋", "樓棟",
+    ),
+    "storey": ("stockwerk", "geschoss", "etage", "étage", "planta", "piso", "층", "楼层", "樓層", "层", "層"),
+    "count": (
+        "anzahl", "menge", "stück", "stückzahl", "quantité", "cantidad", "unidades", "수량", "개수", "數量",
+    ),
+    "value": (
+        "preis", "wert", "anschaffungswert", "prix", "valeur", "precio", "valor", "가격", "단가",
+        "价格", "價格", "单价",
+    ),
 }
-# fmt: on
-"""What tables in German, French and Korean call columns: they are proposed, and taken where it is said."""
+"""What tables in German, French, Spanish, Korean and Chinese call columns: taken where it is said."""
 
-WIDTHS = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "breite", "largeur", "폭", "너비")
+WIDTHS = (
+    "width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "breite",
+    "largeur", "ancho", "폭", "너비", "宽", "宽度", "寬度",
+)
+# fmt: on
 """What inventories call the size along the wall where nothing else can be meant."""
 
-ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
+ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ", "largo", "长", "长度", "長度")
 """What inventories call the size along the wall, which is across the shaking."""
 
 SIZES_TOGETHER = re.compile(

@@ -207,6 +207,8 @@ class _Reading:
         found: dict[str, int] = {}
         for place in self.free:
             name = self.parts[place].in_another_language
+            if self.parts[place].base == "nombre" and self.numbers(place):
+                name = "count"  # in French; in Spanish it is what a piece is called
             if name is not None and name not in self.places:
                 found.setdefault(name, place)
         if found:
@@ -291,7 +293,11 @@ class _Reading:
         if value is not None and by_alias and "count" in self.places:
             self.doubt("doubt_total", f"{IGNORE}={self.names[value]}", header=self._shown(value))
 
-    def proposal(self, *others: str) -> str:
+    def unknown(self) -> list[str]:
+        """Return the part of a mapping for each column of which nothing is known."""
+        return [f"?={name}" for name in self.unused[len(self.ignored) :][:UNKNOWN_SHOWN]]
+
+    def proposal(self, others: Sequence[str] = ()) -> str:
         """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
         settled = ",".join(dict.fromkeys((*(doubt.settled for doubt in self.doubts), *others)))
         kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
@@ -383,7 +389,7 @@ def header_of(
     reading.propose_foreign()
     reading.take_rest()
     known = reading.proposed.union(reading.places)
-    if not {"id", "name", "preset"} & known and not {"width", "height"} <= known:
+    if not {"name", "preset"} & known and not {"width", "height"} <= known:
         _refuse_unknown(names, reading)
     reading.look_at_numbers()
     if reading.doubts:
@@ -446,14 +452,15 @@ def _refuse_twice(names: Sequence[str]) -> None:
 
 
 def _refuse_unknown(names: Sequence[str], reading: _Reading) -> None:
-    """Refuse a header in which nothing says what the pieces are."""
+    """Refuse a header in which nothing says what the pieces are, but columns that are not known may."""
     if not any(names):
         raise InputError("inventory.no_names", "inventory")
-    unknown = reading.unused[len(reading.ignored) :][:UNKNOWN_SHOWN]
+    if not (unknown := reading.unknown()):
+        return
     raise InputError(
         "inventory_tables.no_known_column",
         "columns",
-        proposal=reading.proposal(*(f"?={name}" for name in unknown)),
+        proposal=reading.proposal(unknown),
         columns=", ".join(COLUMNS),
     )
 
@@ -477,9 +484,12 @@ def _refuse_doubts(reading: _Reading) -> None:
     more = len(reading.doubts) - len(told)
     if more:
         told.append(phrase("inventory_tables.more_doubts", count=more))
+    sized = {"width", "height"} <= reading.proposed.union(reading.places)
+    proposal = reading.proposal(reading.unknown() if reading.proposed and not sized else ())
     raise InputError(
         "inventory_tables.unclear",
         "columns",
         doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
-        proposal=reading.proposal(),
+        proposal=proposal,
+        fill=phrase("inventory_tables.fill") if "?" in proposal else "",
     )

@@ -165,11 +165,17 @@ class RowReader:
     ----------
     scenarios : Scenarios
         The scenarios.
+
+    Attributes
+    ----------
+    roofs : dict of str to int
+        Number of the roof of each building that has a piece there.
     """
 
     def __init__(self, scenarios: Scenarios) -> None:
         self.scenarios = scenarios
         self.bodies, self.rooms, self.buildings, self.grounds = (ResultCache() for _ in range(4))
+        self.roofs: dict[str, int] = {}
 
     def item(self, row: int, cells: Mapping[str, Cell]) -> Item:
         """Return the item of a row.
@@ -263,10 +269,13 @@ class RowReader:
             if plain("storey", cell) is not None:
                 raise InputError("inventory.building_missing", "building", name="building")
             return None, None, 1
-        storey = storey_of(cell, building.highest()) or (shaking.storey if stated is None else None)
+        highest, name = building.highest(), stated or building.building().name
+        storey = storey_of(cell, highest) or (shaking.storey if stated is None else None)
         if storey is None:
             raise InputError("inventory.storey_missing", "storey", name="storey")
-        return stated or building.building().name, building if storey > 0 else None, storey
+        if storey == highest:
+            self.roofs[name] = storey
+        return name, building if storey > 0 else None, storey
 
     def _named(self, name: str) -> BuildingTable:
         named = self.scenarios.buildings

@@ -10,7 +10,7 @@ from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, Self
 
 from stayput.catalogue import is_phrase, phrase
-from stayput.errors import InputError, excerpt
+from stayput.errors import InputError, excerpt, quoted
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.cells import Unusable, is_empty
 from stayput.inventory.columns import COLUMNS, JAPANESE
@@ -315,6 +315,7 @@ def _fill(
                 "read as": table.read_as,
                 "columns not used": list(header.unused),
                 "columns renamed": list(header.renamed),
+                "roofs": reader.roofs,
             }
         )
 
@@ -342,7 +343,7 @@ def _checked(
         piece = reader.item(number, header.cells(cells))
         first = store.row_of(piece.id, number)
         if first != number:
-            raise InputError("inventory.id_twice", "id", name="id", id=repr(piece.id), row=first)
+            raise InputError("inventory.id_twice", "id", name="id", id=quoted(piece.id), row=first)
     except InputError as error:
         rejects.add(number, name, called, _in_words_of_the_table(error, header))
         return None

@@ -14,6 +14,7 @@ from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.results import Finding
 from stayput.inventory.words import (
+    against_event,
     amount,
     building_named,
     counted_phrase,
@@ -31,6 +32,7 @@ from stayput.inventory.words import (
     share_of,
     share_told,
 )
+from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.names import given_name
 from stayput.report.page import framed, rendered
 from stayput.report.palette import INK, PAPER, rgb
@@ -76,7 +78,13 @@ def _ink(fill: str) -> str:
     return INK if 0.299 * red + 0.587 * green + 0.114 * blue > 140.0 else PAPER
 
 
-def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str, language: str = "en") -> str:
+def storey_map(
+    totals: Mapping[tuple[str, int], Total],
+    best: bool,
+    name: str,
+    language: str = "en",
+    roofs: Mapping[str, int] = {},
+) -> str:
     """Return a map of risk: storeys over buildings, each cell with its share in per cent, as SVG.
 
     Parameters
@@ -89,6 +97,8 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str, l
         What the map shows, for those who hear it.
     language : str
         "en" or "ja".
+    roofs : mapping
+        Number of the roof of each building that has a piece there.
     """
     fallen: dict[str, float] = {}
     for (building, _), total in totals.items():
@@ -102,11 +112,13 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str, l
     parts: list[str] = []
     for j, storey in enumerate(storeys):
         y = TOP + ROW * j
-        floor = _floor(storey, language)
-        parts.append(label(LEFT - 8.0, y + 0.7 * ROW, floor, "axis", "end"))
+        here = [building for building in buildings if (building, storey) in totals]
+        roof = bool(here) and all(roofs.get(building) == storey for building in here)
+        parts.append(label(LEFT - 8.0, y + 0.7 * ROW, _floor(storey, language, roof), "axis", "end"))
         for i, building in enumerate(buildings):
             total = totals.get((building, storey))
             if total is not None:
+                floor = _floor(storey, language, roofs.get(building) == storey)
                 where = _words("place", language, building=called[building], floor=floor)
                 parts.append(_map_cell(LEFT + CELL * i, y, total, best, where, language))
     y = TOP + ROW * len(storeys) + 12.0
@@ -158,8 +170,10 @@ def _storeys(storeys: set[int]) -> list[int]:
     return [n for n in range(max(storeys), low - 1, -1) if n or 0 in storeys]
 
 
-def _floor(storey: int, language: str) -> str:
-    """Return what a storey is called on a map, the ground being 0."""
+def _floor(storey: int, language: str, roof: bool) -> str:
+    """Return what a storey is called, the ground being 0."""
+    if roof:
+        return say("motion.roof", language)
     if not storey:
         return _words("on_ground", language)
     return _words("floor" if storey > 0 else "basement", language, storey=abs(storey))
@@ -205,7 +219,7 @@ def report_html(
     language : str
         "en" or "ja".
     """
-    maps = [_map(event, summary, language) for event in summary.events]
+    maps = [_map(event, summary, facts["roofs"], language) for event in summary.events]
     contents = any(row["contents_out_share"] is not None for row in summary.worst)
     rows = counted_phrase(facts["rows"] - facts["empty rows"], "row", "行")
     head = framed(language, "inventory_report", _words("title", language), ["inventory/inventory.css"])
@@ -214,7 +228,7 @@ def report_html(
         "maps": maps,
         "narrow": narrow_told(facts, language),
         "several": len(maps) > 1,
-        "worst": [_piece(row, language) for row in summary.worst],
+        "worst": [_piece(row, facts["roofs"], language) for row in summary.worst],
         "contents": contents,
         "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
         "impossible": impossible_told(facts, language),
@@ -237,7 +251,7 @@ def report_html(
     return rendered("inventory/inventory.html", page)
 
 
-def _map(event: str, summary: Summary, language: str) -> dict[str, Any]:
+def _map(event: str, summary: Summary, roofs: Mapping[str, int], language: str) -> dict[str, Any]:
     totals = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
     total, buildings = summary.events[event], len({building for building, _ in totals})
     left_out = buildings - MOST_BUILDINGS
@@ -249,20 +263,22 @@ def _map(event: str, summary: Summary, language: str) -> dict[str, Any]:
         "expected": expected(total, language),
         "more": further(total, language),
         "left_out": _words("left_out", language, buildings=more, verb=verb) if left_out > 0 else "",
-        "without": Markup(storey_map(totals, False, f"{event}: {names[False]}", language)),
-        "best": Markup(storey_map(totals, True, f"{event}: {names[True]}", language)),
+        "without": Markup(storey_map(totals, False, f"{event}: {names[False]}", language, roofs)),
+        "best": Markup(storey_map(totals, True, f"{event}: {names[True]}", language, roofs)),
     }
 
 
-def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
+def _piece(row: Mapping[str, Any], roofs: Mapping[str, int], language: str) -> dict[str, Any]:
     """Return the cells of a piece at risk."""
     helped, best = row["best"] != NO_MEASURE, measures_named(row["best"], language)
-    by_cost = row["best_by_cost"]
+    by_cost, storey, lessens = row["best_by_cost"], row["storey"], row["best_lessens"]
+    if lessens not in (None, OVERTURNED):  # which the columns beside it do not show
+        best = _words("best_against", language, measure=best, against=against_event(lessens))
     return {
         **{key: row[key] for key in ("row", "event", "count")},
         "piece": _called(row),
         "building": given_name(row["building"] or "", language),
-        "storey": _floor(row["storey"], language) if row["storey"] else "",
+        "storey": _floor(storey, language, roofs.get(row["building"]) == storey) if storey else "",
         "overturned": interval_told(row, "overturned", language),
         "out": share_told(row["contents_out_share"], language),
         "best": best if row["finding"] == Finding.HELPED else _words(row["finding"], language, measure=best),

@@ -51,6 +51,8 @@ class Finding(StrEnum):
     HELPED = "helped"
     MAY_BE_CHANCE = "may_be_chance"
     NOT_HELPED = "not_helped"
+    NONE_POSSIBLE = "none_possible"
+    NONE_COMPARED = "none_compared"
     TOO_FEW_RUNS = "too_few_runs"
 
 
@@ -134,13 +136,14 @@ def schema(metadata: Mapping[str, str]) -> Any:
             pa.string(),
         ),
         number("best_change", "probability of that event with the best less that without, run by run"),
-        number("best_change_low", "95 % interval from"),
+        number("best_change_low", "95 % interval from, which holds for all sets that are compared together"),
         number("best_change_high", "95 % interval to"),
         number(
             "finding",
             "helped: the interval of best_change is below 0; may_be_chance: it is not; needs_none: no set is "
             f"better, and the intervals of overturning and sliding too far end below {SAFE}; too_few_runs: "
-            "they do not, though it hardly happened; not_helped: no set is seen to help; null: no runs",
+            "they do not, though it hardly happened; not_helped: no set is seen to help; none_possible, "
+            "none_compared: there was none to compare; null: no runs",
             pa.string(),
         ),
         number(f"best_{OUT}", "expected share of the contents that come out with the best"),
@@ -174,7 +177,8 @@ def _change(records: NDArray[np.void], option: int, event: str) -> Difference:
     """Return how much likelier an event, or overturning, is with an option than without, run by run."""
     each = np.unpackbits(records["each"][[option, 0]], axis=-1).view(np.bool_)
     happened = each[:, EVENTS.index(event)] | each[:, EVENTS.index(OVERTURNED)]
-    return difference(happened[0], happened[1], each[:, -1].any(axis=0))
+    given_up = each[:, -1].any(axis=0)
+    return difference(happened[0], happened[1], given_up, comparisons=len(records) - 1)
 
 
 def choose(
@@ -230,15 +234,18 @@ def choose(
 
 
 def finding_of(row: Mapping[str, Any], choice: Choice) -> Finding | None:
-    """Return what is shown of a row with the numbers of its first option; none without any run."""
+    """Return what is shown of a row of the plan with the numbers of its first option; none without runs."""
     if not row["runs"]:
         return None
     if choice.change is not None:
         return Finding.HELPED if choice.change.high < 0.0 else Finding.MAY_BE_CHANCE
     if max(row[f"{event}_high"] for event in (OVERTURNED, SLID)) < SAFE:
         return Finding.NEEDS_NONE
-    hardly = max(row[OVERTURNED], row[SLID]) < SMALL
-    return Finding.TOO_FEW_RUNS if hardly else Finding.NOT_HELPED
+    if max(row[OVERTURNED], row[SLID]) < SMALL:
+        return Finding.TOO_FEW_RUNS
+    if len(row["options"]) > 1:
+        return Finding.NOT_HELPED
+    return Finding.NONE_POSSIBLE if row["not_possible"] else Finding.NONE_COMPARED
 
 
 def part_names(parts: int) -> list[str]:
@@ -330,7 +337,7 @@ class Writer:
         for end in ("", "_low", "_high"):
             line[f"best_overturned{end}"] = best[f"{OVERTURNED}{end}"]
             line[f"best_change{end}"] = getattr(choice.change, end.lstrip("_") or "estimate", None)
-        line["best_lessens"], line["finding"] = choice.event, finding_of(without, choice)
+        line["best_lessens"], line["finding"] = choice.event, finding_of({**row, **without}, choice)
         line[f"best_{OUT}"] = best[OUT]
         line["risk_reduction"] = without[OVERTURNED] - best[OVERTURNED]
         line["best_by_cost"] = None if choice.by_cost is None else row["options"][choice.by_cost]

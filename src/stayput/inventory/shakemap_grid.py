@@ -16,6 +16,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, quoted
+from stayput.inventory.cells import number_or_none
 from stayput.inventory.places import unwrapped
 
 if TYPE_CHECKING:
@@ -81,6 +82,10 @@ class _Reader:
                 parts = (attributes.get(name, "").strip() for name in ("event_id", "shakemap_version"))
                 self.event = ", version ".join(part for part in parts if part)
             case "grid_specification":
+                if self.size:
+                    raise self.refused("twice")
+                for axis in ("lon", "lat"):
+                    self._spacing(attributes, f"nominal_{axis}_spacing")
                 self.size = {name: self._whole(attributes, name) for name in ("nlon", "nlat")}
                 if min(self.size.values()) < 2 or self.size["nlon"] * self.size["nlat"] > MOST_POINTS:
                     raise self.refused("size", **self.size, most=MOST_POINTS)
@@ -126,6 +131,11 @@ class _Reader:
         if re.fullmatch(r"-?\d{1,9}", value, re.ASCII) is None:
             raise self.refused("whole", name=name, value=quoted(value))
         return int(value)
+
+    def _spacing(self, attributes: dict[str, str], name: str) -> None:
+        value = attributes.get(name)
+        if value is not None and not (number_or_none(value) or 0.0) > 0.0:
+            raise self.refused("spacing", name=name, value=quoted(value))
 
     def refused(self, key: str, **values: object) -> InputError:
         """Return the refusal of the file."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, reason_of, warn, within
+from stayput.errors import InputError, InputWarning, quoted, reason_of, warn, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.map_fields import field_of, field_of_grid
 from stayput.inventory.places import LIMITS, PLACE, ShakeMap, unwrapped
@@ -115,7 +115,7 @@ def _check_event(grid: MapGrid, path: Path, other: MapGrid, uncertainty: Path) -
     if not (grid.event and other.event):
         warn(InputWarning("inventory_tables.event_unstated", "uncertainty", **named))
     elif grid.event != other.event:
-        events: dict[str, Any] = {"event": repr(grid.event), "other_event": repr(other.event)}
+        events: dict[str, Any] = {"event": quoted(grid.event), "other_event": quoted(other.event)}
         raise InputError("inventory_tables.other_event", "uncertainty", **named, **events)
 
 

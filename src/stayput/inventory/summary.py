@@ -58,6 +58,7 @@ READ = (
     "best_overturned",
     "best_overturned_low",
     "best_overturned_high",
+    "best_lessens",
     "finding",
     "best_by_cost",
     "expected_loss",
@@ -83,6 +84,7 @@ class Total:
     loss_best: float | None = None
     unknown: int = 0
     found: Counter[str] = field(default_factory=Counter[str])
+    lessened: Counter[tuple[str, str]] = field(default_factory=Counter[tuple[str, str]])
     filled: int = 0
     out: float = 0.0
     out_best: float = 0.0
@@ -95,6 +97,8 @@ class Total:
             self.unknown += row["count"]
             return
         self.found[row["finding"]] += row["count"]
+        if row["best_lessens"] is not None:
+            self.lessened[row["finding"], row["best_lessens"]] += row["count"]
         taken = "best_" if row["finding"] == Finding.HELPED else ""
         for end in ("", "_low", "_high"):
             for sums, column in ((f"fallen{end}", "overturned"), (f"fallen_best{end}", f"{taken}overturned")):

@@ -12,6 +12,7 @@ from stayput.inventory.results import Finding, least_motions
 from stayput.measures import MEASURES
 from stayput.report.names import given_name
 from stayput.verification.contents import MOTIONS
+from stayput.verification.ranking import RANKING_ORDER
 from stayput.verification.words import SAFE
 from stayput.wording import counted
 
@@ -178,13 +179,29 @@ def _known_share(total: Total, language: str) -> str:
     return share_of(total, "", language)
 
 
+def against_event(event: str) -> Phrase:
+    """Return what a measure helps against that lessens an event."""
+    return phrase(f"inventory_report.against_{event}")
+
+
 def findings_told(total: Total, language: str) -> str:
     """Return what the runs show: of how many pieces a measure helps, none is needed, or nothing is shown."""
+
+    def against(finding: Finding) -> str:
+        counts = ((event, total.lessened[finding, event]) for event in RANKING_ORDER)
+        parts = [
+            say("inventory_report.against_counted", language, count=n, against=against_event(event))
+            for event, n in counts
+            if n
+        ]
+        return say("common.listed", language).join(parts)
+
     told = (
         say(
             f"inventory_report.{finding}_counted",
             language,
             pieces=pieces_counted(total.found[finding]),
+            against=against(finding),
             safe=percent(SAFE),
             least=least_motions(),
         )

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
 from stayput.catalogue.names import FAMILIES, MOTIONS, PIECES, PLACES, STRUCTURES, SURFACES
+from stayput.motion.channels import floor_phrase
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
@@ -70,6 +71,12 @@ def given_name(name: str, language: str) -> str:
         if parts["place"] != floor["place"]:
             return say("report.motion_on_floor", language, **parts)
     return named(name, language)
+
+
+def acceleration_label(motion: Motion, language: str) -> str:
+    """Return the label of the axis of what a piece stands on; of an upper floor's motion, which floor."""
+    key = "plots.acceleration_of" if motion.floor else "plots.floor_acceleration"
+    return say(key, language, floor=floor_phrase(motion.floor))
 
 
 def motion_label(motion: Motion, language: str = "en") -> str:

@@ -20,7 +20,7 @@ from stayput.motion.record import MotionHistory
 from stayput.report.figures import FONT, LINE, colour_beside, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.history import history
-from stayput.report.names import motion_label
+from stayput.report.names import acceleration_label, motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
 from stayput.simulation.outcome import EventKind, Mode
 from stayput.simulation.run import RunHistory
@@ -274,7 +274,7 @@ def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
                 linewidth=0.9,
                 label=say(f"plots.floor_{component}", language),
             )
-    axis.set_ylabel(say("plots.floor_acceleration", language), fontsize=FONT)
+    axis.set_ylabel(acceleration_label(motion, language), fontsize=FONT)
     axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85)
 
 

@@ -257,7 +257,12 @@ def _verdicts(
                 option=option,
                 rank=rank,
                 probabilities=chances[i],
-                change=difference(runs.overturned, stated[0].overturned, runs.missing | stated[0].missing)
+                change=difference(
+                    runs.overturned,
+                    stated[0].overturned,
+                    runs.missing | stated[0].missing,
+                    comparisons=len(options) - 1,
+                )
                 if option.measures
                 else None,
                 slide=Quantiles.of(runs.slide, runs.overturned),

@@ -128,7 +128,9 @@ def _verdicts(
                 option=options[i],
                 rank=rank,
                 probabilities=chances[i],
-                change=difference(own.overturned, bare_runs.overturned, missing) if i else None,
+                change=difference(own.overturned, bare_runs.overturned, missing, comparisons=len(options) - 1)
+                if i
+                else None,
                 slide=Quantiles.of(own.slide, own.overturned),
                 tilt=Quantiles.of(own.tilt, own.overturned),
                 pieces=tuple(

@@ -68,9 +68,14 @@ def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
             then=phrase(then, share=share_text(held)),
             chance=phrase("verification.may_be_chance") if unclear else "",
         )
-    key = "several.stays_upright" if share < SMALL else "several.none_helps"
+    if share < SMALL:
+        key = "stays_upright"
+    elif len(verdict.options) > 1:
+        key = "none_helps"
+    else:
+        key = "none_possible" if verdict.rejected else "bare_falls"
     unsure = doubt(without.probabilities[OVERTURNED])
-    return say(key, language, strength=strength, falls=falls, doubt=unsure)
+    return say(f"several.{key}", language, strength=strength, falls=falls, doubt=unsure)
 
 
 def reason_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict, language: str) -> str:

@@ -3,7 +3,7 @@
 import { el, fill, part } from "./dom.js";
 import { leftOut } from "./panel_measures.js";
 import { wordedOfScenario } from "./refusals.js";
-import { change, current, throughBuilding } from "./scene.js";
+import { change, current } from "./scene.js";
 import { length, t } from "./words.js";
 
 /** What is left out for want of a wall or a ceiling, as a sentence, or nothing. */
@@ -20,12 +20,6 @@ export const ceilingTooLow = (scene) =>
     ? null
     : t("ceilingTooLow", { ceiling: length(scene.ceiling), height: length(scene.height) });
 
-/** That a record of an upper floor goes through a building once more, as a sentence, or nothing. */
-const twiceUp = (scene) =>
-  throughBuilding(scene) && scene.record?.motion.floor
-    ? t("twiceUp", { name: scene.record.name })
-    : null;
-
 /** Why what a link names is not shown: a record that the server has no more, or a file of several pieces. */
 function whyGone({ name, vertical, file, error }) {
   if (vertical) return [t("recordGone", { name: t("recordName", { name }) }), t("space"), t("withoutVertical")];
@@ -41,7 +35,6 @@ export function update() {
     missing(scene, "wall"),
     ceilingTooLow(scene),
     missing(scene, "ceiling"),
-    twiceUp(scene),
   ].filter(Boolean);
   const gone = scene.gone && [
     ...whyGone(scene.gone),

@@ -166,6 +166,7 @@ def matched(
     low = max(float(target.periods[0]), inside[0] / BAND_MARGIN)
     high = min(float(target.periods[-1]), inside[-1] * BAND_MARGIN)
     periods = band_periods((low, high))
+    target.refuse_floors(motions)
     for motion in motions:
         for name, a in motion.components.items():
             if not np.any(a):

@@ -315,6 +315,7 @@ class Suite(Sequence[Motion]):
         """Return ln(target/Sa) of x over a band, shape (n, m)."""
         periods = band_periods(band)
         wanted = np.log(target(periods))
+        target.refuse_floors(self.motions)
         return wanted - self._logs(periods, target.damping, "x")
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, list_of, numbers, within, word_of
 from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.motion.channels import of_the_ground
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.readers.text import file_text
 from stayput.motion.response import DAMPING, PERIOD_RANGE, checked_periods
@@ -18,8 +19,11 @@ from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Iterable
 
     from numpy.typing import ArrayLike, NDArray
+
+    from stayput.motion.record import Motion
 
 DEFAULT_BAND = (0.1, 5.0)
 """Shortest and longest period over which a target counts where nothing is said [s]."""
@@ -48,6 +52,8 @@ class TargetSpectrum:
         What it is called.
     damping : float
         Damping ratio.
+    of_the_ground : bool
+        Whether it is one of the ground, as those of codes are: motions of upper floors are then refused.
 
     Raises
     ------
@@ -67,11 +73,17 @@ class TargetSpectrum:
     sa: NDArray[np.float64]
     name: str = "target spectrum"
     damping: float = DAMPING
+    of_the_ground: bool = False
 
     if TYPE_CHECKING:  # taken as whatever NumPy makes an array of, and kept as arrays
 
         def __init__(
-            self, periods: ArrayLike, sa: ArrayLike, name: str = ..., damping: float = DAMPING
+            self,
+            periods: ArrayLike,
+            sa: ArrayLike,
+            name: str = ...,
+            damping: float = DAMPING,
+            of_the_ground: bool = False,
         ) -> None: ...
 
     def __post_init__(self) -> None:
@@ -106,6 +118,12 @@ class TargetSpectrum:
             name = phrase("motion.name_target_period", target=self.name)
             within(name, float(outside.flat[0]), low, high, "s", "periods")
         return np.exp(np.interp(np.log(asked), np.log(self.periods), np.log(self.sa)))
+
+    def refuse_floors(self, motions: Iterable[Motion]) -> None:
+        """Refuse motions of an upper floor where the spectrum is one of the ground."""
+        if self.of_the_ground:
+            for motion in motions:
+                of_the_ground(motion, "spectrum")
 
 
 def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
@@ -169,7 +187,7 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
     t = _table_periods(corners)
     name = f"Japanese design spectrum, {level}, soil {soil}"
-    return TargetSpectrum(t, LEVELS[level] * _bedrock(t) * site_factor(t, soil), name)
+    return TargetSpectrum(t, LEVELS[level] * _bedrock(t) * site_factor(t, soil), name, of_the_ground=True)
 
 
 def asce7(sds: float, sd1: float, tl: float = 8.0) -> TargetSpectrum:
@@ -207,7 +225,7 @@ def asce7(sds: float, sd1: float, tl: float = 8.0) -> TargetSpectrum:
     falling = np.where(t <= late, long / t, long * late / t**2)
     sa = np.where(t < t0, rise, np.where(t <= ts, short, falling))
     name = f"ASCE 7, SDS {short:g} g, SD1 {long:g} g, TL {late:g} s"
-    return TargetSpectrum(t, STANDARD_GRAVITY * sa, name)
+    return TargetSpectrum(t, STANDARD_GRAVITY * sa, name, of_the_ground=True)
 
 
 def _table_periods(corners: list[float]) -> NDArray[np.float64]:

@@ -14,7 +14,7 @@ from stayput.catalogue.names import OUTCOMES
 from stayput.errors import word_of
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable, with_face, wrapped
-from stayput.report.names import motion_label
+from stayput.report.names import acceleration_label, motion_label
 from stayput.report.palette import BODY_COLOURS, COMPONENT_COLOURS, INK, MUTED, ROOM
 from stayput.report.space.histories import at_time
 from stayput.report.space.said import names_of
@@ -180,7 +180,7 @@ def _draw_acceleration(axis: Axes, run: SpaceRun, language: str) -> None:
     for name, a in run.motion.components.items():
         label = say(f"space.floor_{name}", language)
         axis.plot(run.motion.time, a, color=COMPONENT_COLOURS[name], linewidth=0.9, label=label)
-    axis.set_ylabel(say("plots.floor_acceleration", language), fontsize=FONT)
+    axis.set_ylabel(acceleration_label(run.motion, language), fontsize=FONT)
     title = drawable(motion_label(run.motion, language))
     axis.set_title(title, fontsize=FONT - 0.5, color=MUTED, loc="left")
     axis.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), fontsize=FONT - 1.5, frameon=False, ncols=3)
