@@ -95,10 +95,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "doubt_no_unit": ("{header} has no unit", "{header}に単位がありません"),
     "doubt_unit": ("{header} is in a unit that is unknown for it", "{header}の単位が分かりません"),
-    "doubt_large": (
-        "{header} would be in m, and its numbers are about {number}",
-        "{header}はm単位のはずですが、数値が{number}前後です",
-    ),
     "doubt_note": (
         "{header} may be something else, because of {note!r}",
         "{header}は「{note}」とあるので、別のものかもしれません",

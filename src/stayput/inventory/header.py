@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import partial
-from statistics import median
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase
@@ -49,9 +48,6 @@ MOST = 200
 
 LIKENESS = 0.8
 """From this likeness on a column counts as a misspelt one."""
-
-LARGEST_METRES = {"width": 3.0, "height": 4.0, "gap": 3.0, "lip": 1.0}
-"""Sizes [m] that the median of a column is not above: beyond, its numbers are in another unit."""
 
 UNKNOWN_SHOWN = 12
 """Most columns that a proposal has with a "?" for what they are."""
@@ -272,17 +268,8 @@ class _Reading:
                 _refuse_misspelt(self.names[place], part)
             self.unused.append(self.names[place][:200])
 
-    def look_at_numbers(self) -> None:
-        """Doubt what the numbers speak against: sizes that are no metres, storeys for a surface, totals."""
-        for name, most in LARGEST_METRES.items():
-            place = self.places.get(name)
-            # an alias without a unit is doubted already
-            if place is None or self.units[name] is not None or not self._is_stated(name, place):
-                continue
-            numbers = self.numbers(place)
-            if numbers and (middle := median(numbers)) > most:
-                header = self._shown(place)
-                self.doubt("doubt_large", self._proposed(name, place), header=header, number=f"{middle:g}")
+    def look_at_cells(self) -> None:
+        """Doubt what the cells speak against: storeys for a surface, totals for the value of one piece."""
         floor = self.places.get("floor")
         if floor is not None and "storey" not in self.places:
             cells = [str(row[floor]) for row in self.sample if floor < len(row) and row[floor]]
@@ -313,39 +300,19 @@ class _Reading:
                 return place, unit or (None if depth is None else self.units["width"])
         return None
 
-    def _is_stated(self, name: str, place: int) -> bool:
-        return place in self.mapped or self.names[place].lower() == name
-
     def _shown(self, place: int) -> str:
         return shown(self.names[place])
 
     def _proposed(self, name: str, place: int) -> str:
-        """Return the part of a mapping that is likely meant, with "?" for a unit that cannot be known."""
-        kind, part = COLUMNS[name].unit, self.parts[place]
-        if kind not in ("m", "kg") or part.unit in UNITS[kind]:
-            return f"{name}={self.names[place]}"
-        metric = not self.names[place].isascii() or part.in_another_language is not None
-        unit = _likely_unit(name, self.numbers(place), metric)
-        return f"{name}={self.names[place]}[{unit}]"
+        """Return the part of a mapping that is likely meant, with "?" for a unit that is not written."""
+        kind = COLUMNS[name].unit
+        known = kind not in ("m", "kg") or self.parts[place].unit in UNITS[kind]
+        return f"{name}={self.names[place]}" if known else f"{name}={self.names[place]}[?]"
 
 
 def _is_size(part: HeaderName) -> bool:
     """Return whether a column seems to be a size: by its name, or by its unit."""
     return LOOKS_LIKE_SIZE.fullmatch(part.base) is not None or part.unit in UNITS["m"]
-
-
-def _likely_unit(name: str, numbers: Sequence[float], metric: bool) -> str:
-    """Return the unit that numbers are likely in, or "?"."""
-    if name == "mass":
-        return "kg" if metric else "?"
-    if not numbers:
-        return "?"
-    middle = median(numbers)
-    if middle <= 3.0:
-        return "m"
-    if middle >= (400.0 if name == "height" else 100.0):
-        return "mm"
-    return "cm" if metric or middle > 100.0 else "?"
 
 
 def header_of(
@@ -391,7 +358,7 @@ def header_of(
     known = reading.proposed.union(reading.places)
     if not {"name", "preset"} & known and not {"width", "height"} <= known:
         _refuse_unknown(names, reading)
-    reading.look_at_numbers()
+    reading.look_at_cells()
     if reading.doubts:
         _refuse_doubts(reading)
     places = {name: reading.places[name] for name in COLUMNS if name in reading.places}
