@@ -71,10 +71,6 @@ class PlanSheet:
             self.margin("far_side_wall") + self.scale * (self.plan.length - y),
         )
 
-    def at_wall(self, wall: str, along: float, into: float = 0.0) -> tuple[float, float]:
-        """Return where a point lies [px] that is so far along a wall and so far into the room [m]."""
-        return self.place(*self.plan.on_wall(wall, along, into))
-
     def polygon(self, points: ArrayLike, class_: str) -> str:
         """Return a filled outline through points of the plan."""
         return svg.polygon(self._places(points), class_)
