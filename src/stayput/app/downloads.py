@@ -148,6 +148,7 @@ def film(
     seconds: float | None = None,
     note: str = "",
     named: Callable[[str], str] = str,
+    progress: Callable[[int, int], None] | None = None,
 ) -> bytes:
     """Return a run as a film: a page that plays it, a GIF, or an MP4.
 
@@ -169,6 +170,8 @@ def film(
         A sentence that stands in every frame of a GIF or MP4.
     named : callable
         Puts the users' names for their files into a text.
+    progress : callable, optional
+        Called with each frame that is drawn; it may raise.
 
     Raises
     ------
@@ -186,11 +189,21 @@ def film(
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
             run = _of_named_motion(run_of(scenario, motion, measures), named)
-            animate_run(run, path, name=name, language=language, seconds=seconds, note=note)
+            animate_run(
+                run, path, name=name, language=language, seconds=seconds, note=note, progress=progress
+            )
         else:
             shown, names = _shown_in_space(scenario, held=held)
             run = _of_named_motion(shown, named)
-            animate_space_run(run, path, names=names(language), language=language, seconds=seconds, note=note)
+            animate_space_run(
+                run,
+                path,
+                names=names(language),
+                language=language,
+                seconds=seconds,
+                note=note,
+                progress=progress,
+            )
         return path.read_bytes()
 
 

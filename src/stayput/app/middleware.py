@@ -13,10 +13,12 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import ClientDisconnect
 
 from stayput.app.refusals import RefusedError, error_response, refused
-from stayput.app.turns import CLIENT, CLIENT_HEADER, LONGEST_CLIENT, Client
+from stayput.app.turns import CLIENT, CLIENT_HEADER, Client
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
     from stayput.app.limits import Limits
@@ -44,6 +46,9 @@ REPORT_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsa
 UPLOADS = "/api/v1/motions"
 """Where larger bodies are accepted."""
 
+LONGEST_PAGE = 64
+"""So many characters of the header that names a page count."""
+
 _HOST = re.compile(r"(?:\[(?P<version6>[^\[\]@/?#\s]+)\]|(?P<name>[^\[\]:@/?#\s]+))(?::[0-9]{0,5})?")
 _ORIGIN = re.compile(r"https?://(?P<host>[^@/?#\s]+)", re.IGNORECASE)
 
@@ -59,14 +64,14 @@ class Guard:
         What comes next.
     limits : Limits
         Sizes of bodies.
-    host : str
-        The address that the server is bound to.
+    names : sequence of str
+        Names of the server besides this machine's: what it is bound to, and what a proxy calls it.
     """
 
-    def __init__(self, app: ASGIApp, limits: Limits, host: str) -> None:
+    def __init__(self, app: ASGIApp, limits: Limits, names: Sequence[str]) -> None:
         self._app = app
         self._limits = limits
-        self._names = {"localhost", host.lower(), socket.gethostname().lower()}
+        self._names = {name.lower() for name in ("localhost", socket.gethostname(), *names)}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, or refuse it."""
@@ -97,13 +102,9 @@ class Guard:
             return
         is_upload = scope["path"].rstrip("/") == UPLOADS and scope["method"] == "POST"
         most = self._limits.upload if is_upload else self._limits.body
+        # behind a proxy Uvicorn takes the address from X-Forwarded-For
         address = scope["client"][0] if scope["client"] else ""
-        CLIENT.set(Client(address, headers.get(CLIENT_HEADER, "")[:LONGEST_CLIENT]))
-        too_large = refused(413, "app.body_too_large", most=most)
-        stated = headers.get("content-length", "")
-        if stated.isdigit() and int(stated[:20]) > 4 * most:
-            await too_large.response()(scope, receive, answer)
-            return
+        CLIENT.set(Client(address, headers.get(CLIENT_HEADER, "")[:LONGEST_PAGE]))
         seen, complete, deadline = 0, False, asyncio.get_running_loop().time() + self._limits.seconds
 
         async def counted() -> Message:
@@ -111,15 +112,15 @@ class Guard:
             try:
                 async with asyncio.timeout_at(None if complete else deadline):
                     message = await receive()
+                    seen += len(message.get("body", b""))
+                    while most < seen < 4 * most and message.get("more_body"):  # the client is to see the answer
+                        message = await receive()
+                        seen += len(message.get("body", b""))
             except TimeoutError:
                 raise refused(408, "app.body_too_slow") from None
-            complete = not message.get("more_body", False)
-            seen += len(message.get("body", b""))
             if seen > most:
-                while message.get("more_body") and seen < 4 * most:  # so that the client sees the answer
-                    message = await receive()
-                    seen += len(message.get("body", b""))
-                raise too_large
+                raise refused(413, "app.body_too_large", most=most)
+            complete = not message.get("more_body", False)
             return message
 
         try:

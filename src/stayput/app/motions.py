@@ -16,6 +16,7 @@ import numpy as np
 
 from stayput.app.refusals import RefusedError, problem, refused
 from stayput.app.replies import ChannelReply, DoubtReply, MotionReply, PreviewReply
+from stayput.app.turns import CLIENT, Client, first_to_go
 from stayput.errors import InputError
 from stayput.motion.channels import upper_floor, upper_floor_warning
 from stayput.motion.intensity import EXCEEDED, intensity_class
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.app.limits import Limits
-    from stayput.app.readers import ReaderPool
+    from stayput.app.readers import Reader
     from stayput.app.uploads import Upload
     from stayput.errors import InputWarning
     from stayput.motion import Motion
@@ -47,6 +48,7 @@ class StoredMotion:
     size: int
     warnings: tuple[InputWarning, ...] = ()
     file_name: str = ""  # by the user, in any script
+    client: Client = field(default_factory=CLIENT.get)
     last_used: float = field(default_factory=time.monotonic)
 
 
@@ -76,17 +78,15 @@ class Motions:
         The server's own folder.
     limits : Limits
         How many, how large, how long.
-    readers : ReaderPool
+    reader : Reader
         What reads them.
     in_use : callable
         Returns the names of the motions that must stay, whatever their age.
     """
 
-    def __init__(
-        self, folder: Path, limits: Limits, readers: ReaderPool, in_use: Callable[[], set[str]]
-    ) -> None:
+    def __init__(self, folder: Path, limits: Limits, reader: Reader, in_use: Callable[[], set[str]]) -> None:
         self.folder = folder
-        self._readers = readers
+        self._reader = reader
         self._in_use = in_use
         self._limits = limits
         self._stored: dict[str, StoredMotion] = {}
@@ -157,7 +157,7 @@ class Motions:
             return self.with_file_names(text, {name: label})
 
         try:
-            motion, warnings = await self._readers.read(
+            motion, warnings = await self._reader.read(
                 self.folder / name, *options, remove_mean="remove_mean" in shaking
             )
         except InputError as error:
@@ -265,22 +265,20 @@ class Motions:
             self._drop(name)
 
     def expire(self) -> None:
-        """Forget motions unused for too long, and the oldest of too many.
+        """Forget motions unused for too long, and of too many those of the client that has most.
 
         Those in use neither go nor count.
         """
         limits, now, in_use = self._limits, time.monotonic(), self._in_use()
         with self._lock:
-            free = [name for name in self._stored if name not in in_use]
-            oldest = sorted(free, key=lambda name: self._stored[name].last_used)
-            size = sum(self._stored[name].size for name in free)
-            count = len(oldest)
-            for name in oldest:
-                stored = self._stored[name]
-                too_old = now - stored.last_used > limits.keep
-                if too_old or count > limits.motions or size > limits.motion_bytes:
-                    count, size = count - 1, size - stored.size
-                    self._drop(name)
+            free = {name: one for name, one in self._stored.items() if name not in in_use}
+            for name in [name for name, one in free.items() if now - one.last_used > limits.keep]:
+                self._drop(name)
+                del free[name]
+            while len(free) > limits.motions or sum(one.size for one in free.values()) > limits.motion_bytes:
+                name = first_to_go(free.values()).shaking["record"]
+                self._drop(name)
+                del free[name]
 
     def close(self) -> None:
         """Forget all motions, and remove the folder."""

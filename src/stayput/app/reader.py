@@ -20,6 +20,7 @@ from stayput.errors import InputError, InputWarning, warnings_to
 from stayput.motion.readers import read_shaking
 
 if TYPE_CHECKING:
+    from stayput.app.limits import Limits
     from stayput.motion import Motion
 
 _SEPARATORS = np.zeros(256, np.bool_)
@@ -36,10 +37,8 @@ class ReadingTask:
         The file.
     component, unit, dt, remove_mean
         As `read_shaking` takes them.
-    numbers, samples : int
-        Most numbers in the file, most samples of the motion.
-    duration, seconds : float
-        Longest motion, longest time to read it [s].
+    limits : Limits
+        What is accepted.
     """
 
     path: str
@@ -47,10 +46,7 @@ class ReadingTask:
     unit: str | None
     dt: float | None
     remove_mean: bool
-    numbers: int
-    samples: int
-    duration: float
-    seconds: float
+    limits: Limits
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,13 +72,14 @@ def read(task: ReadingTask) -> ReadingResult:
 
 
 def _read(task: ReadingTask) -> Motion:
+    limits = task.limits
     with open(task.path, "rb") as file:  # noqa: PTH123 - a plain path is all that came
-        _check_numbers(file.read(), task.numbers)
+        _check_numbers(file.read(), limits.numbers)
     motion = read_shaking(task.path, task.component, task.unit, dt=task.dt, remove_mean=task.remove_mean)
-    if motion.duration > task.duration:
-        raise InputError("app.long_motion", value=motion.duration, most=task.duration)
-    if len(motion) > task.samples:
-        raise InputError("app.many_samples", value=len(motion), most=task.samples)
+    if motion.duration > limits.duration:
+        raise InputError("app.long_motion", value=motion.duration, most=limits.duration)
+    if len(motion) > limits.samples_of_motion:
+        raise InputError("app.many_samples", value=len(motion), most=limits.samples_of_motion)
     return motion
 
 
@@ -125,7 +122,7 @@ def main(memory: int) -> None:
     send(replies, None)
     while (task := receive(requests)) is not None:
         # The server ends a process that is too slow; where it is gone, the process ends itself.
-        faulthandler.dump_traceback_later(2.0 * task.seconds + 5.0, exit=True, file=nowhere)
+        faulthandler.dump_traceback_later(2.0 * task.limits.reading_seconds + 5.0, exit=True, file=nowhere)
         result = read(task)
         faulthandler.cancel_dump_traceback_later()
         send(replies, result)

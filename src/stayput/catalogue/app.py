@@ -85,10 +85,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "文字列に不完全な文字があります。Unicodeで指定してください。",
     ),
     # Too much at once
-    "many_files": (
-        "Too many files are waiting to be read; try again in a moment.",
-        "読み込みを待っているファイルが多すぎます。少し待ってからもう一度お試しください。",
-    ),
     "busy": (
         "The server is busy; try again in a moment.",
         "サーバーが混み合っています。少し待ってからもう一度お試しください。",
