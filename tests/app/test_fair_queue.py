@@ -12,11 +12,13 @@ import httpx
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from raw import connected
 from serving import COMPILING, SCENE, Running, client_of, running
 
-from stayput.app import api, turns
+from stayput.app import action_plan_api, api, jobs, turns
 from stayput.app.limits import Limits
-from stayput.app.turns import CLIENT_HEADER, Client, StoppedError, Turn, Turns, first_to_go
+from stayput.app.turns import CLIENT_HEADER, NOBODY, Client, StoppedError, Turn, Turns, first_to_go
+from stayput.rooms.verdict import RoomVerdict
 from waiting import wait_until
 
 if TYPE_CHECKING:
@@ -201,3 +203,29 @@ def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest
     with pytest.raises(StoppedError), Turn(shared, lambda: False):
         pass
     assert shared.queue == []
+
+
+def test_a_plan_lets_another_pass_and_ends_when_its_client_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(turns, "SLICE", 0.02)
+    monkeypatch.setattr(action_plan_api, "plan_html", lambda *_: "made")
+
+    def plan(job: jobs.Job, *_: object) -> None:
+        *_, note_progress = _
+        while job.id == endless.id:
+            note_progress(1)
+
+    monkeypatch.setattr(action_plan_api, "_plan", plan)
+    verdict = object.__new__(RoomVerdict)  # at which nothing looks
+    endless, short = (jobs.Job(name * 32, 1, NOBODY, state="done", verdict=verdict) for name in "ab")
+    with running() as server:
+        service = server.app.state.service
+        service.jobs._jobs |= {job.id: job for job in (endless, short)}
+        with connected(server) as leaving, client_of(server) as client:
+            head = f"GET /api/v1/jobs/{endless.id}/plan HTTP/1.1\r\nHost: localhost\r\n\r\n"
+            leaving.sendall(head.encode())
+            wait_until(lambda: sum(endless.plan_runs.values()) > 0)
+            assert client.get(f"/api/v1/jobs/{short.id}/plan").text == "made"
+            before = sum(endless.plan_runs.values())
+            wait_until(lambda: sum(endless.plan_runs.values()) > before)  # and goes on
+        wait_until(lambda: not service.planners.asking)
+        assert service.turns.queue == []

@@ -1,4 +1,4 @@
-"""Uploads are read in processes of their own, which are bounded, replaced, and gone with the server."""
+"""Uploads are read in a process of their own, which is bounded, replaced, and gone with the server."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from test_api_uploads import RECORD, folder_of, upload
 import stayput as sp
 from stayput.app import reader
 from stayput.app.limits import MEBIBYTE, Limits
-from stayput.app.readers import ReaderPool
+from stayput.app.readers import Reader
 from stayput.errors import InputError, warn
 from waiting import PATIENCE, wait_until
 
@@ -39,8 +39,8 @@ ON_POSIX = pytest.mark.skipif(os.name != "posix", reason="signals and limits of 
 
 
 @pytest.fixture
-def readers() -> Iterator[ReaderPool]:
-    found = ReaderPool(Limits())
+def own() -> Iterator[Reader]:
+    found = Reader(Limits())
     yield found
     found.close()
 
@@ -67,23 +67,23 @@ def gone(pids: set[int]) -> bool:
     return True
 
 
-def test_a_motion_is_the_one_that_is_read_here(tmp_path: Path, readers: ReaderPool) -> None:
+def test_a_motion_is_the_one_that_is_read_here(tmp_path: Path, own: Reader) -> None:
     path = tmp_path / "record.csv"
     path.write_text(RECORD)
-    found, _ = asyncio.run(readers.read(path, unit="gal"))
+    found, _ = asyncio.run(own.read(path, unit="gal"))
     here = sp.read_motion(path, unit="gal")
     assert found == here
     assert not found.x.flags.writeable
 
 
 @pytest.mark.parametrize("text", ["", "hello\n", "0.0,nan\n", "0.0,1\n0.5,1\n0.51,1\n", RECORD])
-def test_refusals_are_the_same_as_here(tmp_path: Path, readers: ReaderPool, text: str) -> None:
+def test_refusals_are_the_same_as_here(tmp_path: Path, own: Reader, text: str) -> None:
     path = tmp_path / "記録.csv"
     path.write_text(text)
     with pytest.raises(InputError) as here:
         sp.read_motion(path)
     with pytest.raises(InputError) as there:
-        asyncio.run(readers.read(path))
+        asyncio.run(own.read(path))
     assert str(there.value) == str(here.value)
 
 
@@ -95,11 +95,11 @@ def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     path = tmp_path / "a"
     path.write_text("1")
     monkeypatch.setattr(reader, "read_shaking", read_shaking)
-    task = reader.ReadingTask(str(path), None, None, None, False, 9, 10_000, 600.0, 9.0)
+    task = reader.ReadingTask(str(path), None, None, None, False, Limits())
     assert reader.read(task).warnings == ("It is very strong.",)
 
 
-def test_a_file_that_takes_too_long_is_refused_and_others_go_on() -> None:
+def test_a_file_that_takes_too_long_is_refused_and_the_next_one_is_read() -> None:
     limits = replace(Limits(), reading_seconds=0.01)
     with running(limits) as server, client_of(server) as client:
         answer = upload(client, LONG, unit="gal")
@@ -111,8 +111,8 @@ def test_a_file_that_takes_too_long_is_refused_and_others_go_on() -> None:
         assert "0.01秒" in problem["message_ja"]
         assert not list(folder_of(server).iterdir())
         service: Service = server.app.state.service
-        service.readers._limits = Limits()  # a small one takes less, but not on every machine
-        assert asyncio.run(service.readers.read(_small(folder_of(server)), unit="gal", dt=0.01))
+        service.reader._limits = Limits()  # a small one takes less, but not on every machine
+        assert asyncio.run(service.reader.read(_small(folder_of(server)), unit="gal", dt=0.01))
 
 
 def _small(folder: Path) -> Path:
@@ -156,7 +156,6 @@ def test_the_app_goes_on_while_a_file_is_stuck(monkeypatch: pytest.MonkeyPatch) 
         (patience,) = Patience.all
         assert patience.seconds == Limits().reading_seconds
         assert client.get("/api/v1/ping").status_code == 200
-        assert upload(client, RECORD, unit="gal").status_code == 201
         assert not answers
         patience.end()
         thread.join()
@@ -182,34 +181,16 @@ def test_a_file_that_needs_too_much_memory_is_refused() -> None:
 
 
 @ON_POSIX
-def test_a_process_that_died_while_it_waited_is_not_the_file_s_fault(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, readers: ReaderPool
-) -> None:
-    """Its death may come between the look at it and the task."""
+def test_a_process_that_died_while_it_waited_is_not_the_file_s_fault(tmp_path: Path, own: Reader) -> None:
     path = tmp_path / "record.csv"
     path.write_text(RECORD)
     others = _readers()
-    asyncio.run(readers.read(path, unit="gal"))
+    asyncio.run(own.read(path, unit="gal"))
     (first,) = children(os.getpid()) & _readers() - others
     os.kill(first, signal.SIGKILL)
     assert gone({first})
-    monkeypatch.setattr("stayput.app.readers.ReaderProcess.alive", property(lambda _: True))
-    found, _ = asyncio.run(readers.read(path, unit="gal"))
+    found, _ = asyncio.run(own.read(path, unit="gal"))
     assert found == sp.read_motion(path, unit="gal")
-
-
-@ON_POSIX
-def test_a_process_that_died_is_replaced() -> None:
-    others = _readers()
-    with running() as server, client_of(server) as client:
-        assert upload(client, RECORD, unit="gal").status_code == 201
-        (first,) = children(os.getpid()) & _readers() - others
-        os.kill(first, signal.SIGKILL)
-        assert gone({first})
-        assert upload(client, RECORD, unit="gal").status_code == 201
-        (second,) = children(os.getpid()) & _readers() - others
-        assert second != first
-    assert gone({second})
 
 
 @ON_POSIX

@@ -113,7 +113,9 @@ class Guard:
                 async with asyncio.timeout_at(None if complete else deadline):
                     message = await receive()
                     seen += len(message.get("body", b""))
-                    while most < seen < 4 * most and message.get("more_body"):  # the client is to see the answer
+                    while most < seen < 4 * most and message.get(
+                        "more_body"
+                    ):  # the client is to see the answer
                         message = await receive()
                         seen += len(message.get("body", b""))
             except TimeoutError:
