@@ -148,7 +148,7 @@ def test_an_address_of_version_6_is_in_brackets() -> None:
 
 def test_the_command_says_what_it_takes() -> None:
     text = CliRunner().invoke(app, ["app", "--help"]).output
-    for option in ("--host", "--port", "--no-browser"):
+    for option in ("--host", "--port", "--name", "--no-browser"):
         assert option in text
 
 

@@ -29,8 +29,6 @@ class Limits:
         Most samples of a motion.
     film : float
         Longest motion of which a GIF is drawn [s].
-    numbers : int
-        Most numbers in an uploaded file.
     motions : int
         Most motions kept; those of who has most go first.
     motion_bytes : int
@@ -82,7 +80,6 @@ class Limits:
     duration: float = 600.0
     samples_of_motion: int = 200_000
     film: float = 120.0
-    numbers: int = 1_000_000
     motions: int = 32
     motion_bytes: int = 64 * MEBIBYTE
     keep: float = 7200.0

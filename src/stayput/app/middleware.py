@@ -7,6 +7,7 @@ import ipaddress
 import logging
 import re
 import socket
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -49,8 +50,7 @@ UPLOADS = "/api/v1/motions"
 LONGEST_PAGE = 64
 """So many characters of the header that names a page count."""
 
-_HOST = re.compile(r"(?:\[(?P<version6>[^\[\]@/?#\s]+)\]|(?P<name>[^\[\]:@/?#\s]+))(?::[0-9]{0,5})?")
-_ORIGIN = re.compile(r"https?://(?P<host>[^@/?#\s]+)", re.IGNORECASE)
+_PORT = re.compile(":[0-9]*$")
 
 _log = logging.getLogger("stayput.app")
 
@@ -93,11 +93,11 @@ class Guard:
             await send(message)
 
         headers = Headers(scope=scope)
-        if not self._is_ours(headers.get("host")):
+        host, origin = headers.get("host", ""), headers.get("origin")
+        if not self._is_ours(host):
             await error_response(400, InputError("app.other_host"))(scope, receive, answer)
             return
-        origin = headers.get("origin")
-        if origin is not None and _host_of(origin) != headers.get("host", "").lower():
+        if origin is not None and origin.lower() not in (f"http://{host}".lower(), f"https://{host}".lower()):
             await error_response(403, InputError("app.other_site"))(scope, receive, answer)
             return
         is_upload = scope["path"].rstrip("/") == UPLOADS and scope["method"] == "POST"
@@ -113,9 +113,8 @@ class Guard:
                 async with asyncio.timeout_at(None if complete else deadline):
                     message = await receive()
                     seen += len(message.get("body", b""))
-                    while most < seen < 4 * most and message.get(
-                        "more_body"
-                    ):  # the client is to see the answer
+                    # more is read than is accepted, so that the client sees the answer
+                    while most < seen < 4 * most and message.get("more_body"):
                         message = await receive()
                         seen += len(message.get("body", b""))
             except TimeoutError:
@@ -137,25 +136,12 @@ class Guard:
             _log.exception("%s %s failed", scope["method"], scope["path"])
             await error_response(500, InputError("app.failed"))(scope, receive, answer)
 
-    def _is_ours(self, host: str | None) -> bool:
+    def _is_ours(self, host: str) -> bool:
         """Return whether a Host header can only mean this server: a known name, or an address as such.
 
         A foreign page can make its own name point here, but it cannot make its requests carry another name.
         """
-        match = _HOST.fullmatch(host or "")
-        if match is None:
-            return False
-        try:
-            if match["version6"]:
-                ipaddress.IPv6Address(match["version6"])
-            elif match["name"].lower() not in self._names:
-                ipaddress.IPv4Address(match["name"])
-        except ValueError:
-            return False
-        return True
-
-
-def _host_of(origin: str) -> str | None:
-    """Return the host and port of an Origin header, or None where it has none or is no origin."""
-    match = _ORIGIN.fullmatch(origin)
-    return match["host"].lower() if match else None
+        name = _PORT.sub("", host.lower())
+        with suppress(ValueError):
+            return name in self._names or bool(ipaddress.ip_address(name.strip("[]")))
+        return False

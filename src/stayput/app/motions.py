@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.app.limits import Limits
-    from stayput.app.readers import Reader
+    from stayput.app.readers import Readers
     from stayput.app.uploads import Upload
     from stayput.errors import InputWarning
     from stayput.motion import Motion
@@ -78,15 +78,17 @@ class Motions:
         The server's own folder.
     limits : Limits
         How many, how large, how long.
-    reader : Reader
+    readers : Readers
         What reads them.
     in_use : callable
         Returns the names of the motions that must stay, whatever their age.
     """
 
-    def __init__(self, folder: Path, limits: Limits, reader: Reader, in_use: Callable[[], set[str]]) -> None:
+    def __init__(
+        self, folder: Path, limits: Limits, readers: Readers, in_use: Callable[[], set[str]]
+    ) -> None:
         self.folder = folder
-        self._reader = reader
+        self._readers = readers
         self._in_use = in_use
         self._limits = limits
         self._stored: dict[str, StoredMotion] = {}
@@ -157,7 +159,7 @@ class Motions:
             return self.with_file_names(text, {name: label})
 
         try:
-            motion, warnings = await self._reader.read(
+            motion, warnings = await self._readers.read(
                 self.folder / name, *options, remove_mean="remove_mean" in shaking
             )
         except InputError as error:

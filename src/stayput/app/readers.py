@@ -1,7 +1,7 @@
-"""The process that reads uploaded records: started ahead of need, ended and replaced when it takes too long.
+"""Uploads are read in a process of their own, one at a time: it is ended when it takes too long.
 
 It is a plain child process with pipes, which all systems have; Ctrl-C does not reach it, and it ends with the
-server, however that ends.
+server.
 """
 
 from __future__ import annotations
@@ -10,11 +10,9 @@ import os
 import pickle
 import subprocess
 import sys
-import threading
-from typing import TYPE_CHECKING, BinaryIO, cast
+from typing import TYPE_CHECKING
 
 from stayput.app import reader
-from stayput.app.refusals import refused
 from stayput.app.turns import Workers
 from stayput.errors import InputError
 
@@ -25,48 +23,26 @@ if TYPE_CHECKING:
     from stayput.errors import InputWarning
     from stayput.motion import Motion
 
-START = "import sys; sys.path[:] = sys.argv[2:]; from stayput.app.reader import main; main(int(sys.argv[1]))"
+START = "import sys; sys.path[:] = sys.argv[1:]; from stayput.app.reader import main; main()"
 """What the process runs; it finds the package where this one does."""
 
-STARTING = 60.0
-"""How long it may take to be ready, on a slow machine [s]."""
+OF_WINDOWS = ("CREATE_NEW_PROCESS_GROUP", "CREATE_NO_WINDOW")
+"""How Windows starts it."""
 
 
-class Reader:
-    """A process that runs `stayput.app.reader`, one record after the other.
+class Readers:
+    """Processes that run `stayput.app.reader`, one after the other.
 
     Parameters
     ----------
     limits : Limits
-        How many may wait, and what it may take for one.
+        How many uploads may wait, and what one may take.
     """
 
     def __init__(self, limits: Limits) -> None:
         self._limits = limits
         self._workers = Workers(1, limits.reading_waiting)
-        self._lock = threading.Lock()
         self._process: subprocess.Popen[bytes] | None = None
-        self._ready = self._closed = False
-
-    def start(self) -> subprocess.Popen[bytes]:
-        """Have the process started, and return it."""
-        with self._lock:
-            if self._closed:
-                raise refused(503, "app.ends")
-            if self._process is None:
-                # a group of its own: the terminal's Ctrl-C is for the server, which ends it
-                windows = ("CREATE_NEW_PROCESS_GROUP", "CREATE_NO_WINDOW")
-                self._process = subprocess.Popen(
-                    [sys.executable, "-c", START, str(self._limits.reading_memory), *map(str, sys.path)],
-                    stdin=subprocess.PIPE,
-                    stdout=subprocess.PIPE,
-                    stderr=subprocess.DEVNULL,
-                    env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONIOENCODING": "utf-8"},
-                    creationflags=sum(getattr(subprocess, name, 0) for name in windows),
-                    start_new_session=os.name == "posix",
-                )
-                self._ready = False
-            return self._process
 
     async def read(
         self,
@@ -94,54 +70,28 @@ class Reader:
 
     def close(self) -> None:
         """End the process."""
-        with self._lock:
-            self._closed = True
-        self._end()
         self._workers.close()
+        if self._process is not None:
+            self._process.kill()
 
     def _read(self, task: reader.ReadingTask) -> reader.ReadingResult:
-        seconds = task.limits.reading_seconds
-        for _ in range(2):  # it may have died while it waited, which is not the file's fault
-            process = self.start()
+        with subprocess.Popen(
+            [sys.executable, "-c", START, *map(str, sys.path)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            # a group of its own: the terminal's Ctrl-C is for the server, which ends it
+            creationflags=sum(getattr(subprocess, name, 0) for name in OF_WINDOWS),
+            start_new_session=os.name == "posix",
+        ) as process:
+            self._process = process
             try:
-                if not self._ready:
-                    self._answer(process, STARTING)
-                    self._ready = True
-                reader.send(cast("BinaryIO", process.stdin), task)
-                return cast("reader.ReadingResult", self._answer(process, seconds))
-            except TimeoutError:
-                self._end()
-                return reader.ReadingResult(None, InputError("app.reading_slow", seconds=seconds))
-            except (
-                EOFError,
-                OSError,
-                ValueError,
-                pickle.UnpicklingError,
-            ):  # it ended, half an answer or none
-                self._end()
-        return reader.ReadingResult(None, InputError("app.reading_died"))
-
-    @staticmethod
-    def _answer(process: subprocess.Popen[bytes], seconds: float) -> object:
-        late = threading.Event()
-
-        def end() -> None:
-            late.set()
-            process.kill()
-
-        timer = threading.Timer(seconds, end)
-        timer.daemon = True
-        timer.start()
+                told, _ = process.communicate(pickle.dumps(task), task.limits.reading_seconds)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                error = InputError("app.reading_slow", seconds=task.limits.reading_seconds)
+                return reader.ReadingResult(None, error)
         try:
-            return pickle.load(cast("BinaryIO", process.stdout))
-        finally:
-            timer.cancel()
-            if late.is_set():
-                raise TimeoutError
-
-    def _end(self) -> None:
-        with self._lock:
-            process, self._process = self._process, None
-        if process is not None:
-            process.kill()
-            process.wait()
+            return pickle.loads(told)
+        except (EOFError, pickle.UnpicklingError):  # it ended without its whole answer
+            return reader.ReadingResult(None, None)

@@ -32,7 +32,7 @@ from stayput.app.middleware import Guard
 from stayput.app.motions import Motions
 from stayput.app.pages import page_routes
 from stayput.app.presets import SCENE, SCENE_MEASURES
-from stayput.app.readers import Reader
+from stayput.app.readers import Readers
 from stayput.app.refusals import RefusedError, error_response, refusal_of_request
 from stayput.app.running import simulated
 from stayput.app.service import Service
@@ -79,15 +79,13 @@ def create_app(names: Sequence[str] = (), limits: Limits | None = None, *, warmi
     quick = Workers(allowed.workers, allowed.waiting)
     slow = Workers(allowed.slow_workers, allowed.slow_waiting)
     planners = Workers(allowed.planners, allowed.slow_waiting)
-    reader, turns = Reader(allowed), Turns(allowed.jobs_running)
+    readers, turns = Readers(allowed), Turns(allowed.jobs_running)
     jobs = Jobs(allowed, turns)
-    motions = Motions(folder, allowed, reader, jobs.motions)
-    service = Service(allowed, quick, slow, planners, turns, reader, motions, jobs)
+    motions = Motions(folder, allowed, readers, jobs.motions)
+    service = Service(allowed, quick, slow, planners, turns, readers, motions, jobs)
 
     @asynccontextmanager
     async def life(_app: FastAPI) -> AsyncGenerator[None]:
-        with contextlib.suppress(OSError):  # the system allows none now; an upload tries again
-            reader.start()
         if warming:
             threading.Thread(target=_warm, args=(service,), name="stayput-warm", daemon=True).start()
         interval = sys.getswitchinterval()

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from stayput.app.jobs import AnyVerdict, Job, Jobs, JobWork
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
-    from stayput.app.readers import Reader
+    from stayput.app.readers import Readers
     from stayput.app.verdict_replies import JobReply
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.room import RoomScenario
@@ -66,8 +66,8 @@ class Service:
         Threads that compute: what is short, what is not, and plans to buy and do, which take longest.
     turns : Turns
         Of verifications and plans.
-    reader : Reader
-        The process that reads uploads.
+    readers : Readers
+        What reads uploads.
     motions : Motions
         What was uploaded.
     jobs : Jobs
@@ -83,7 +83,7 @@ class Service:
     slow: Workers
     planners: Workers
     turns: Turns
-    reader: Reader
+    readers: Readers
     motions: Motions
     jobs: Jobs
     ready: bool = False
@@ -96,7 +96,7 @@ class Service:
         self.workers.close()
         self.slow.close()
         self.planners.close()
-        self.reader.close()
+        self.readers.close()
         self.motions.close()
 
     async def while_awaited(

@@ -97,7 +97,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The server has too little memory for this; try something smaller.",
         "サーバーのメモリが足りません。条件を小さくしてお試しください。",
     ),
-    "ends": ("The server ends.", "サーバーは終了するところです。"),
     "failed": ("The server failed; its log says why.", "サーバーでエラーが起きました。"),
     # Verifications
     "no_report_yet": (
@@ -181,10 +180,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "many_samples": (
         "The motion has {value} samples; this server allows {most}.",
         "データが多すぎます（{value}個）。{most}個まで使えます。",
-    ),
-    "many_numbers": (
-        "The file has about {value} numbers; this server reads {most}.",
-        "数値が多すぎます（約{value}個）。{most}個まで読めます。",
     ),
     "reading_memory": (
         "The file needs more memory to be read than this server allows; it must be smaller.",
