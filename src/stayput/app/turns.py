@@ -47,17 +47,17 @@ CLIENT: ContextVar[Client] = ContextVar("client", default=NOBODY)
 """Who has sent the request that is being answered."""
 
 
-class Kept(Protocol):
+class OfClient(Protocol):
     """Something that is kept for a client."""
 
     client: Client
     last_used: float
 
 
-AnyKept = TypeVar("AnyKept", bound=Kept)
+AnyOfClient = TypeVar("AnyOfClient", bound=OfClient)
 
 
-def first_to_go(kept: Collection[AnyKept]) -> AnyKept:
+def first_to_go(kept: Collection[AnyOfClient]) -> AnyOfClient:
     """Return what goes where too much is kept: the oldest of the page with most, at the address with most."""
     of_address = Counter(one.client.address for one in kept)
     of_page = Counter(one.client for one in kept)

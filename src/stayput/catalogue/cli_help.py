@@ -475,7 +475,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "server_name": (
         "Name by which a proxy calls the server; may be given several times.",
-        "プロキシ経由で使うときのサーバー名。繰り返し指定できる",
+        "プロキシ経由で使うときのサーバー名（複数可）",
     ),
     "port": ("Port; 0 takes a free one.", "ポート番号（0なら空いているもの）"),
     "browser": ("Open the page.", "ブラウザーでページを開くかどうか"),
