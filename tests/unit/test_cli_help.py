@@ -132,8 +132,7 @@ Options:
                             machines in.  [default: 127.0.0.1]
   --port <int range>        Port; 0 takes a free one.  [default: 8000;
                             0<=x<=65535]
-  --name NAME               Name by which a proxy calls the server; may be
-                            given several times.
+  --name NAME               Name of the server behind a proxy; repeatable.
   --browser / --no-browser  Open the page.  [default: browser]
   --lang en|ja              Language of what is printed, drawn and reported.
                             [default: (the locale's)]

@@ -474,7 +474,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "待ち受けるアドレス。ループバック以外では、ほかのマシンからも接続できる",
     ),
     "server_name": (
-        "Name by which a proxy calls the server; may be given several times.",
+        "Name of the server behind a proxy; repeatable.",
         "プロキシ経由で使うときのサーバー名（複数可）",
     ),
     "port": ("Port; 0 takes a free one.", "ポート番号（0なら空いているもの）"),
