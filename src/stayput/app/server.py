@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import gc
 import logging
 import os
 import sys
@@ -53,9 +52,6 @@ ABOUT = (
     "Furniture in earthquakes, without and with measures that hold it. Units stand in the names of the keys; "
     "a scene is a scenario file as JSON."
 )
-SWITCH_SECONDS = 0.0005
-"""How long a thread of Python keeps the others waiting: a ping is answered in between."""
-
 _log = logging.getLogger("stayput.app")
 
 REFUSED_BY_STARLETTE = {404: "app.no_such_address", 405: "app.wrong_method"}
@@ -88,13 +84,8 @@ def create_app(names: Sequence[str] = (), limits: Limits | None = None, *, warmi
     async def life(_app: FastAPI) -> AsyncGenerator[None]:
         if warming:
             threading.Thread(target=_warm, args=(service,), name="stayput-warm", daemon=True).start()
-        interval = sys.getswitchinterval()
-        sys.setswitchinterval(SWITCH_SECONDS)
-        try:
-            yield
-        finally:
-            sys.setswitchinterval(interval)
-            service.close()
+        yield
+        service.close()
 
     app = FastAPI(
         title="stayput",
@@ -131,8 +122,6 @@ def _warm(service: Service) -> None:
         if service.closed:  # the server ends before they were done
             return
         _log.exception("The first runs, which compile, failed")
-    gc.collect()
-    gc.freeze()  # what was loaded stays: looking through it again would make pings wait
     service.ready = True
 
 
