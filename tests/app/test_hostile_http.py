@@ -129,7 +129,7 @@ PART = b'--b\r\nContent-Disposition: form-data; name="file"; filename="a"\r\n\r\
 )
 def test_broken_forms(server: Running, body: bytes) -> None:
     status, told = sent(server, request("/api/v1/motions", body, FORM))
-    assert status == 422
+    assert status in (400, 422)
     assert json.loads(told)["message"]
 
 

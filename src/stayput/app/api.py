@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Form, Query, Request
 from starlette.responses import Response
 
 import stayput
@@ -28,6 +28,7 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
     ShakingRequest,
     SimulateRequest,
     TomlRequest,
+    Upload,
     VerifyRequest,
 )
 from stayput.app.room_api import add_rooms
@@ -39,7 +40,6 @@ from stayput.app.shaking import shaking_reply
 from stayput.app.space_replies import SpaceSimulateReply
 from stayput.app.space_running import simulated_in_space, simulated_pieces
 from stayput.app.turns import StoppedError
-from stayput.app.uploads import read_upload
 from stayput.app.verdict_replies import EverydayReply, JobReply
 from stayput.app.verification import everyday_reply, runs_of, with_everyday, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
@@ -57,33 +57,6 @@ if TYPE_CHECKING:
     from stayput.simulation.space_engine import Stop
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
-
-UPLOAD_FORM: dict[str, Any] = {
-    "requestBody": {
-        "required": True,
-        "content": {
-            "multipart/form-data": {
-                "schema": {
-                    "type": "object",
-                    "required": ["file"],
-                    "additionalProperties": False,
-                    "properties": {
-                        "file": {"type": "string", "format": "binary", "description": "A record's file."},
-                        "unit": {"type": "string", "maxLength": 20, "description": "Where it states none."},
-                        "dt": {"type": "number", "description": "Time step [s], where it states none."},
-                        "component": {"type": "string", "maxLength": 60, "description": "Channel of x."},
-                        "remove_mean": {
-                            "type": "boolean",
-                            "description": "Whether the mean of each component is taken off.",
-                        },
-                    },
-                }
-            }
-        },
-    }
-}
-"""What the description of the API says of an upload, which is read here, not by FastAPI."""
-
 
 FILMS = {"html": "text/html; charset=utf-8", "gif": "image/gif", "mp4": "video/mp4"}
 """Media types of films."""
@@ -353,11 +326,10 @@ def _add_motions(router: APIRouter, service: Service) -> None:
         response_model=MotionReply,
         tags=["motions"],
         responses=problems(400, 413, 422, 429, 503),
-        openapi_extra=UPLOAD_FORM,
     )
-    async def add(request: Request) -> Response:
+    async def add(upload: Annotated[Upload, Form()]) -> Response:
         """Upload a record; it is kept for a while under the id that is returned."""
-        name = await service.motions.add(await read_upload(request, service.limits))
+        name = await service.motions.add(upload)
         return await service.workers.run(lambda: json_response(service.motions.about(name), 201))
 
     @router.get(

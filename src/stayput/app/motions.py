@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from stayput.app.limits import Limits
     from stayput.app.readers import Readers
-    from stayput.app.uploads import Upload
+    from stayput.app.requests import Upload
     from stayput.errors import InputWarning
     from stayput.motion import Motion
 
@@ -114,18 +114,14 @@ class Motions:
         RefusedError
             It is no record in a known format, or it is too long.
         """
-        label, size, name = safe_label(upload.name), len(upload.data), secrets.token_hex(16)
-        path = self.folder / name
-        options: dict[str, Any] = {
-            "unit": upload.unit,
-            "dt": upload.dt,
-            "component": upload.component,
-            "remove_mean": upload.remove_mean or None,
-        }
-        shaking = {"record": name} | {key: value for key, value in options.items() if value is not None}
+        data, file_name, name = await upload.file.read(), upload.file.filename, secrets.token_hex(16)
+        if not data:
+            raise refused(422, "app.empty_file", "file")
+        label, path = safe_label(file_name), self.folder / name
+        shaking = {"record": name, **upload.model_dump(exclude={"file"}, exclude_defaults=True)}
         try:
-            await asyncio.to_thread(path.write_bytes, upload.data)
-            stored = await self._read(shaking, label, size, upload.name or label, "file")
+            await asyncio.to_thread(path.write_bytes, data)
+            stored = await self._read(shaking, label, len(data), file_name or label, "file")
         except BaseException:
             path.unlink(missing_ok=True)
             raise

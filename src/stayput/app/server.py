@@ -54,7 +54,7 @@ ABOUT = (
 )
 _log = logging.getLogger("stayput.app")
 
-REFUSED_BY_STARLETTE = {404: "app.no_such_address", 405: "app.wrong_method"}
+REFUSED_BY_STARLETTE = {400: "app.body_not_read", 404: "app.no_such_address", 405: "app.wrong_method"}
 """What is said of a request that no function answers, by its status."""
 
 

@@ -194,25 +194,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ファイルの読み込みに{seconds:g}秒以上かかるため、中止しました。",
     ),
     # Forms
-    "no_form": (
-        "An upload must be a form (multipart/form-data) with a file.",
-        "アップロードはファイルを含むフォーム（multipart/form-data）で送ってください。",
-    ),
-    "form_not_read": ("The form cannot be read: {message}", "フォームを読み取れません：{message}"),
-    "form_not_multipart": (
-        "The form cannot be read; it must be multipart/form-data.",
-        "フォームを読み取れません。multipart/form-dataで送ってください。",
-    ),
-    "form_no_file": (
-        "The form has no file; it must be sent as 'file'.",
-        "フォームにファイルがありません。「file」という名前で送ってください。",
-    ),
-    "form_unknown_field": (
-        "The form has an unknown field; it may have file, unit, dt, component, remove_mean.",
-        "フォームに不明な項目があります。使えるのはfile、unit、dt、component、remove_meanです。",
+    "body_not_read": (
+        "The body cannot be read; it must be JSON, or that of an upload multipart/form-data.",
+        "送信されたデータを読み取れません。JSON（アップロードではmultipart/form-data）で送ってください。",
     ),
     "empty_file": ("The file is empty; it must hold a record.", "ファイルが空です。"),
-    "dt_not_a_number": ("dt must be a number [s].", "時間刻みは秒単位の数値で入力してください。"),
     # Starting
     "not_served": (
         "The address is {host}, port {port}; it cannot be served: {reason}.",
