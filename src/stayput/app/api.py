@@ -327,7 +327,7 @@ def _add_motions(router: APIRouter, service: Service) -> None:
         tags=["motions"],
         responses=problems(400, 413, 422, 429, 503),
     )
-    async def add(upload: Annotated[Upload, Form()]) -> Response:
+    async def add(upload: Annotated[Upload, Form(media_type="multipart/form-data")]) -> Response:
         """Upload a record; it is kept for a while under the id that is returned."""
         name = await service.motions.add(upload)
         return await service.workers.run(lambda: json_response(service.motions.about(name), 201))
