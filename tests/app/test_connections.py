@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from raw import answer, connected, is_closed, request
-from serving import client_of, running
+from serving import SCENE, client_of, running
 from test_api_space import PIECES
 
 from stayput.app import downloads, space_running
@@ -19,6 +19,8 @@ from stayput.app.space_running import pieces_run
 from waiting import PATIENCE, wait_until
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from stayput.scenario import AssemblyScenario
     from stayput.simulation.space_run import SpaceRun
 
@@ -84,3 +86,20 @@ def test_several_pieces_are_given_up_when_their_client_leaves(
             assert begun.wait(PATIENCE)
         wait_until(lambda: not server.app.state.service.slow.asking)
         assert client.get("/api/v1/ping").status_code == 200
+
+
+def test_a_film_is_drawn_no_further_when_its_client_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun = threading.Event()
+
+    def endless(*_: object, progress: Callable[[int, int], None], **__: object) -> None:
+        begun.set()
+        while True:
+            progress(1, 2)
+
+    monkeypatch.setattr(downloads, "animate_run", endless)
+    body = json.dumps({"scene": SCENE}).encode()
+    with running() as server:
+        with connected(server) as connection:
+            connection.sendall(request("/api/v1/simulate/film", body, "Content-Type: application/json"))
+            assert begun.wait(PATIENCE)
+        wait_until(lambda: not server.app.state.service.slow.asking)

@@ -9,7 +9,7 @@ import tempfile
 import threading
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from starlette.responses import Response
@@ -183,27 +183,18 @@ def film(
     motion = scenario.motion()
     if kind != "html" and seconds is None and motion.duration > limits.film:
         raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
+    told: dict[str, Any] = {"language": language, "seconds": seconds, "note": note, "progress": progress}
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
         if isinstance(scenario, Scenario) and scenario.dimensions == 2:
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
             run = _of_named_motion(run_of(scenario, motion, measures), named)
-            animate_run(
-                run, path, name=name, language=language, seconds=seconds, note=note, progress=progress
-            )
+            animate_run(run, path, name=name, **told)
         else:
             shown, names = _shown_in_space(scenario, held=held)
             run = _of_named_motion(shown, named)
-            animate_space_run(
-                run,
-                path,
-                names=names(language),
-                language=language,
-                seconds=seconds,
-                note=note,
-                progress=progress,
-            )
+            animate_space_run(run, path, names=names(language), **told)
         return path.read_bytes()
 
 

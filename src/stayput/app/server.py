@@ -84,8 +84,10 @@ def create_app(names: Sequence[str] = (), limits: Limits | None = None, *, warmi
     async def life(_app: FastAPI) -> AsyncGenerator[None]:
         if warming:
             threading.Thread(target=_warm, args=(service,), name="stayput-warm", daemon=True).start()
-        yield
-        service.close()
+        try:
+            yield
+        finally:
+            service.close()
 
     app = FastAPI(
         title="stayput",
