@@ -165,19 +165,14 @@ class Record:
 def test_nobody_who_has_less_gives_way(found: list[tuple[str, str, int]]) -> None:
     kept = [Record(Client(address, name), used) for address, name, used in found]
 
-    def most(count: Callable[[Record], int]) -> int:
-        return max(map(count, kept))
+    def share(one: Record) -> tuple[int, int]:
+        clients = [each.client for each in kept]
+        return [each.address for each in clients].count(one.client.address), clients.count(one.client)
 
     gone = first_to_go(kept)
-    at_address = [one for one in kept if one.client.address == gone.client.address]
-    assert len(at_address) == most(lambda one: [x.client.address for x in kept].count(one.client.address))
-    of_page = [one for one in at_address if one.client == gone.client]
-    assert all([one.client for one in at_address].count(one.client) <= len(of_page) for one in at_address)
-    assert gone.last_used == min(
-        one.last_used
-        for one in at_address
-        if [each.client for each in at_address].count(one.client) == len(of_page)
-    )
+    largest = [one for one in kept if share(one) == max(map(share, kept))]
+    assert gone in largest
+    assert gone.last_used == min(one.last_used for one in largest)
 
 
 def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
