@@ -107,7 +107,7 @@ def main() -> None:
     parser.add_argument("--times", type=int, default=7, help="how often the page is opened")
     times: int = parser.parse_args().times
     bound = bind("127.0.0.1", 0)
-    app = create_app("127.0.0.1")
+    app = create_app()
     server = server_of(app)
     thread = threading.Thread(target=lambda: server.run(sockets=[bound]), daemon=True)
     thread.start()

@@ -76,7 +76,7 @@ def _served() -> Iterator[str]:
     from stayput.app.server import create_app, server_of
 
     bound = bind("127.0.0.1", 0)
-    server = server_of(create_app("127.0.0.1", None, warming=False))
+    server = server_of(create_app(warming=False))
     thread = threading.Thread(target=lambda: server.run(sockets=[bound]), daemon=True)
     thread.start()
     while not server.started and thread.is_alive():

@@ -43,9 +43,9 @@ class Running(NamedTuple):
 
 
 @contextmanager
-def running(limits: Limits | None = None, *, warming: bool = False) -> Generator[Running]:
+def running(limits: Limits | None = None, *names: str, warming: bool = False) -> Generator[Running]:
     """Serve until the block ends."""
-    app = create_app("127.0.0.1", limits, warming=warming)
+    app = create_app(names, limits, warming=warming)
     bound = bind("127.0.0.1", 0)
     server = server_of(app)
     thread = threading.Thread(target=lambda: server.run(sockets=[bound]), daemon=True)

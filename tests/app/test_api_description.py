@@ -64,6 +64,7 @@ def test_the_description_is_openapi_3_1_and_closed(client: httpx.Client) -> None
     assert references <= set(schemas)
     assert {"Scenario", "Measure", "Problem"} <= references
     assert "x-stands-for" not in str(found)
+    assert [*found["paths"]["/api/v1/motions"]["post"]["requestBody"]["content"]] == ["multipart/form-data"]
     for methods in found["paths"].values():
         for route in methods.values():
             assert route["description"].endswith((".", ")"))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import gzip
 import json
 import threading
-import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -137,7 +136,7 @@ def test_other_hosts_and_origins_are_refused(client: httpx.Client, server: Runni
     refused(client.get("/", headers={"host": "evil.example@127.0.0.1"}), 400)
     refused(client.post("/api/v1/simulate", json={}, headers={"origin": "http://evil.example"}), 403)
     refused(client.post("/api/v1/simulate", json={}, headers={"origin": "null"}), 403)
-    for host in ("[::1", "[::1]x", "[1.2.3.4]", "::1", "[]", "", "[", "]", "localhost:x", "a@localhost"):
+    for host in ("[::1]x", "[]", "", "[", "]", "localhost:x", "a@localhost"):
         refused(client.get("/api/v1/ping", headers={"host": host}), 400)
     for origin in ("http://[", "http://", "", "http://[::1", "ftp://localhost", "http://a@b", "\xe9"):
         refused(client.get("/api/v1/ping", headers={"origin": origin.encode("latin-1")}), 403)
@@ -145,6 +144,23 @@ def test_other_hosts_and_origins_are_refused(client: httpx.Client, server: Runni
     assert client.get("/api/v1/ping", headers={"host": "localhost:1234"}).status_code == 200
     own = {"origin": server.address}
     assert client.get("/api/v1/ping", headers=own).status_code == 200
+
+
+def test_behind_a_proxy_the_server_goes_by_the_name_that_it_was_given() -> None:
+    host, addresses = "stayput.example.org", ["192.0.2.1", "192.0.2.2"]
+    with running(None, host) as server, client_of(server) as client:
+        for origin, status in ((f"https://{host}", 422), ("https://evil.example", 403)):
+            headers = {"host": host, "origin": origin}
+            refused(client.post("/api/v1/simulate", json={}, headers=headers), status)
+        refused(client.get("/", headers={"host": f"{host}.evil.example"}), 400)
+        with client_of(server) as uploading:
+            for address in addresses:
+                forwarded = {"host": host, "x-forwarded-for": address}
+                file = {"file": ("a", "1\n-1\n0\n" * 9)}
+                given = {"unit": "gal", "dt": "0.01"}
+                assert uploading.post("/api/v1/motions", files=file, data=given, headers=forwarded).is_success
+        stored = server.app.state.service.motions._stored.values()
+        assert [one.client.address for one in stored] == addresses
 
 
 def test_every_answer_has_its_headers(client: httpx.Client) -> None:
@@ -253,32 +269,3 @@ def test_a_busy_server_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
             found = [one.result().status_code for one in asked]
         assert sorted(found) == [200] * 2 + [503] * 10
         assert simulate(client, SCENE).status_code == 200
-
-
-def test_pings_are_answered_while_others_compute(client: httpx.Client) -> None:
-    """A lenient bound, in one of three attempts: `benchmarks/app.py` measures it."""
-    stop = threading.Event()
-    scene = {**SCENE, "uncertainty": {"samples": 200}}
-    job = client.post("/api/v1/verify", json={"scene": scene, "measures": [{"type": "belt"}]}).json()
-
-    def load() -> None:
-        while not stop.is_set():
-            simulate(client, SCENE, [{"type": "l_bracket"}])
-
-    def usual() -> float:
-        """How long nine of ten pings take at most [s]."""
-        times = []
-        for _ in range(50):
-            start = time.perf_counter()
-            assert client.get("/api/v1/ping").status_code == 200
-            times.append(time.perf_counter() - start)
-        return sorted(times)[45]
-
-    loader = threading.Thread(target=load)
-    loader.start()
-    try:
-        assert any(usual() < 0.25 for _ in range(3))
-    finally:
-        stop.set()
-        loader.join()
-        client.delete(f"/api/v1/jobs/{job['id']}")

@@ -102,7 +102,7 @@ def test_memory_stays_flat() -> None:
             shaking = {"builtin": "near-fault", "scale": 0.3 + 0.0001 * number}
             body = {"scene": {**SCENE, "shaking": shaking}, "measures": [{"type": "belt"}]}
             match number % 10:
-                case 0:
+                case 0 if number % 50 == 0:  # each takes a process
                     answer = client.post("/api/v1/motions", files={"file": ("a", RECORD)}, data=GIVEN)
                 case 1:
                     answer = client.post("/api/v1/scenario/toml", json=body)
@@ -148,7 +148,7 @@ def test_an_address_of_version_6_is_in_brackets() -> None:
 
 def test_the_command_says_what_it_takes() -> None:
     text = CliRunner().invoke(app, ["app", "--help"]).output
-    for option in ("--host", "--port", "--no-browser"):
+    for option in ("--host", "--port", "--name", "--no-browser"):
         assert option in text
 
 

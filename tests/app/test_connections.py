@@ -8,14 +8,21 @@ from contextlib import ExitStack
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import pytest
 from raw import answer, connected, is_closed, request
-from serving import client_of, running
+from serving import SCENE, client_of, running
+from test_api_space import PIECES
 
+from stayput.app import downloads, space_running
 from stayput.app.limits import Limits
-from waiting import wait_until
+from stayput.app.space_running import pieces_run
+from waiting import PATIENCE, wait_until
 
 if TYPE_CHECKING:
-    import pytest
+    from collections.abc import Callable
+
+    from stayput.scenario import AssemblyScenario
+    from stayput.simulation.space_run import SpaceRun
 
 FORM = "Content-Type: multipart/form-data; boundary=b"
 HEAD = b'--b\r\nContent-Disposition: form-data; name="file"; filename="a"\r\n\r\n'
@@ -55,3 +62,44 @@ def test_a_thread_that_serves_ends_with_clients_still_connected() -> None:
             held = [stack.enter_context(connected(server)) for _ in range(3)]
         assert all(map(is_closed, held))
         assert "stayput-worker" not in {thread.name for thread in threading.enumerate() if thread.is_alive()}
+
+
+@pytest.mark.parametrize("path", ["simulate", "simulate/csv"])
+def test_several_pieces_are_given_up_when_their_client_leaves(
+    monkeypatch: pytest.MonkeyPatch, path: str
+) -> None:
+    """They would take for ever: only a run that is given up ends them."""
+    begun = threading.Event()
+
+    def run(scenario: AssemblyScenario) -> SpaceRun:
+        begun.set()
+        while not (found := pieces_run(scenario)).given_up:
+            pass
+        return found
+
+    monkeypatch.setattr(space_running, "pieces_run", run)
+    monkeypatch.setattr(downloads, "pieces_run", run)
+    body = json.dumps({"scene": PIECES}).encode()
+    with running() as server, client_of(server) as client:
+        with connected(server) as connection:
+            connection.sendall(request(f"/api/v1/{path}", body, "Content-Type: application/json"))
+            assert begun.wait(PATIENCE)
+        wait_until(lambda: not server.app.state.service.slow.asking)
+        assert client.get("/api/v1/ping").status_code == 200
+
+
+def test_a_film_is_drawn_no_further_when_its_client_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun = threading.Event()
+
+    def endless(*_: object, progress: Callable[[int, int], None], **__: object) -> None:
+        begun.set()
+        while True:
+            progress(1, 2)
+
+    monkeypatch.setattr(downloads, "animate_run", endless)
+    body = json.dumps({"scene": SCENE}).encode()
+    with running() as server:
+        with connected(server) as connection:
+            connection.sendall(request("/api/v1/simulate/film", body, "Content-Type: application/json"))
+            assert begun.wait(PATIENCE)
+        wait_until(lambda: not server.app.state.service.slow.asking)

@@ -1,17 +1,12 @@
-"""Uploads are read in processes of their own, which are bounded, replaced, and gone with the server."""
+"""An upload is read in a process of its own, which is bounded and gone with the server."""
 
 from __future__ import annotations
 
 import asyncio
-import os
-import re
-import signal
-import subprocess
 import sys
-import threading
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -19,14 +14,14 @@ from serving import client_of, running
 from test_api_uploads import RECORD, folder_of, upload
 
 import stayput as sp
-from stayput.app import reader
+from stayput.app import reader, readers
 from stayput.app.limits import MEBIBYTE, Limits
-from stayput.app.readers import ReaderPool
+from stayput.app.readers import Readers
 from stayput.errors import InputError, warn
-from waiting import PATIENCE, wait_until
+from waiting import wait_until
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
     from pathlib import Path
 
     from stayput.app.service import Service
@@ -34,56 +29,31 @@ if TYPE_CHECKING:
 LONG = "".join(f"{0.01 * i:.2f},{i % 7 - 3}\n" for i in range(200_000))
 """Takes a second or so to be read."""
 
-START = "from stayput.cli import main; main()"
-ON_POSIX = pytest.mark.skipif(os.name != "posix", reason="signals and limits of memory are those of POSIX")
-
 
 @pytest.fixture
-def readers() -> Iterator[ReaderPool]:
-    found = ReaderPool(Limits())
+def own() -> Iterator[Readers]:
+    found = Readers(Limits())
     yield found
     found.close()
 
 
-def children(parent: int) -> set[int]:
-    """The processes that a process has started and that are still there."""
-    told = subprocess.run(["ps", "-A", "-o", "pid=,ppid=,stat="], capture_output=True, text=True, check=True)
-    rows = [line.split() for line in told.stdout.splitlines()]
-    return {int(pid) for pid, of, state in rows if int(of) == parent and not state.startswith("Z")}
-
-
-def alive(pid: int) -> bool:
-    try:
-        os.kill(pid, 0)
-    except ProcessLookupError:
-        return False
-    told = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True, check=False)
-    return bool(told.stdout.strip()) and not told.stdout.strip().startswith("Z")
-
-
-def gone(pids: set[int]) -> bool:
-    """Wait for the end of processes."""
-    wait_until(lambda: not any(map(alive, pids)))
-    return True
-
-
-def test_a_motion_is_the_one_that_is_read_here(tmp_path: Path, readers: ReaderPool) -> None:
+def test_a_motion_is_the_one_that_is_read_here(tmp_path: Path, own: Readers) -> None:
     path = tmp_path / "record.csv"
     path.write_text(RECORD)
-    found, _ = asyncio.run(readers.read(path, unit="gal"))
+    found, _ = asyncio.run(own.read(path, unit="gal"))
     here = sp.read_motion(path, unit="gal")
     assert found == here
     assert not found.x.flags.writeable
 
 
 @pytest.mark.parametrize("text", ["", "hello\n", "0.0,nan\n", "0.0,1\n0.5,1\n0.51,1\n", RECORD])
-def test_refusals_are_the_same_as_here(tmp_path: Path, readers: ReaderPool, text: str) -> None:
+def test_refusals_are_the_same_as_here(tmp_path: Path, own: Readers, text: str) -> None:
     path = tmp_path / "記録.csv"
     path.write_text(text)
     with pytest.raises(InputError) as here:
         sp.read_motion(path)
     with pytest.raises(InputError) as there:
-        asyncio.run(readers.read(path))
+        asyncio.run(own.read(path))
     assert str(there.value) == str(here.value)
 
 
@@ -95,11 +65,11 @@ def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     path = tmp_path / "a"
     path.write_text("1")
     monkeypatch.setattr(reader, "read_shaking", read_shaking)
-    task = reader.ReadingTask(str(path), None, None, None, False, 9, 10_000, 600.0, 9.0)
+    task = reader.ReadingTask(str(path), None, None, None, False, Limits())
     assert [str(warning) for warning in reader.read(task).warnings] == ["It is very strong."]
 
 
-def test_a_file_that_takes_too_long_is_refused_and_others_go_on() -> None:
+def test_a_file_that_takes_too_long_is_refused_and_the_next_one_is_read() -> None:
     limits = replace(Limits(), reading_seconds=0.01)
     with running(limits) as server, client_of(server) as client:
         answer = upload(client, LONG, unit="gal")
@@ -121,53 +91,21 @@ def _small(folder: Path) -> Path:
     return path
 
 
-class Patience:
-    """Stands for the timers of the readers: it runs out when the test says so."""
-
-    all: ClassVar[list[Patience]] = []
-
-    def __init__(self, seconds: float, end: Callable[[], None]) -> None:
-        self.seconds, self.end, self.daemon = seconds, end, False
-
-    def start(self) -> None:
-        self.all.append(self)
-
-    def cancel(self) -> None:
-        self.all.remove(self)
-
-
-@ON_POSIX
 def test_the_app_goes_on_while_a_file_is_stuck(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A process that is stopped stands for one that computes for ever."""
-    monkeypatch.setattr(Patience, "all", [])
-    with_patience = SimpleNamespace(**{**vars(threading), "Timer": Patience})
-    monkeypatch.setattr("stayput.app.readers.threading", with_patience)
-    others = _readers()  # other tests' servers have theirs
-    with running() as server, client_of(server) as client:
-        assert upload(client, RECORD, unit="gal").status_code == 201
-        (stuck,) = children(os.getpid()) & _readers() - others
-        os.kill(stuck, signal.SIGSTOP)
-        answers: list[int] = []
-        thread = threading.Thread(
-            target=lambda: answers.append(upload(client, RECORD, unit="gal").status_code)
-        )
-        thread.start()
-        wait_until(lambda: Patience.all)  # it has got its file
-        (patience,) = Patience.all
-        assert patience.seconds == Limits().reading_seconds
-        assert client.get("/api/v1/ping").status_code == 200
-        assert upload(client, RECORD, unit="gal").status_code == 201
-        assert not answers
-        patience.end()
-        thread.join()
-        assert answers == [422]
-        assert gone({stuck})
-        assert upload(client, RECORD, unit="gal").status_code == 201
-
-
-def _readers() -> set[int]:
-    told = subprocess.run(["ps", "-A", "-ww", "-o", "pid=,args="], capture_output=True, text=True, check=True)
-    return {int(line.split()[0]) for line in told.stdout.splitlines() if "stayput.app.reader" in line}
+    """A process that sleeps stands for one that computes for ever; it is ended with the server."""
+    with running(replace(Limits(), reading_seconds=1e4)) as server, client_of(server) as client:
+        service: Service = server.app.state.service
+        monkeypatch.setattr(readers, "START", "import time; time.sleep(1e5)")
+        with ThreadPoolExecutor(1) as pool:
+            answer = pool.submit(upload, client, RECORD, unit="gal")
+            wait_until(lambda: service.readers._process)
+            assert client.get("/api/v1/ping").status_code == 200
+            assert not answer.done()
+            service.readers.close()
+            assert answer.result().status_code == 422
+        stuck = service.readers._process
+        assert stuck is not None
+        assert stuck.poll() is not None
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit a process's memory")
@@ -181,54 +119,17 @@ def test_a_file_that_needs_too_much_memory_is_refused() -> None:
         assert client.get("/api/v1/ping").status_code == 200
 
 
-@ON_POSIX
-def test_a_process_that_died_while_it_waited_is_not_the_file_s_fault(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, readers: ReaderPool
+@pytest.mark.parametrize("program", ["raise SystemExit(1)", "import os; os._exit(0)"])
+def test_a_process_that_dies_is_the_end_of_its_file_alone(
+    monkeypatch: pytest.MonkeyPatch, program: str
 ) -> None:
-    """Its death may come between the look at it and the task."""
-    path = tmp_path / "record.csv"
-    path.write_text(RECORD)
-    others = _readers()
-    asyncio.run(readers.read(path, unit="gal"))
-    (first,) = children(os.getpid()) & _readers() - others
-    os.kill(first, signal.SIGKILL)
-    assert gone({first})
-    monkeypatch.setattr("stayput.app.readers.ReaderProcess.alive", property(lambda _: True))
-    found, _ = asyncio.run(readers.read(path, unit="gal"))
-    assert found == sp.read_motion(path, unit="gal")
-
-
-@ON_POSIX
-def test_a_process_that_died_is_replaced() -> None:
-    others = _readers()
     with running() as server, client_of(server) as client:
+        with monkeypatch.context() as patched:
+            patched.setattr(readers, "START", program)
+            answer = upload(client, RECORD, unit="gal")
+        assert answer.status_code == 422
+        assert "was ended" in answer.json()["message"]
         assert upload(client, RECORD, unit="gal").status_code == 201
-        (first,) = children(os.getpid()) & _readers() - others
-        os.kill(first, signal.SIGKILL)
-        assert gone({first})
-        assert upload(client, RECORD, unit="gal").status_code == 201
-        (second,) = children(os.getpid()) & _readers() - others
-        assert second != first
-    assert gone({second})
-
-
-@ON_POSIX
-@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-def test_no_process_outlives_the_server(how: signal.Signals) -> None:
-    command = [sys.executable, "-c", START, "app", "--port", "0", "--no-browser"]
-    pipe = subprocess.PIPE
-    with subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True) as started:
-        try:
-            assert started.stdout is not None
-            assert re.search(r"http://127\.0\.0\.1:\d+", started.stdout.readline())
-            wait_until(lambda: children(started.pid) & _readers(), every=0.1)
-            found = children(started.pid) & _readers()
-            started.send_signal(how)
-            _, told = started.communicate(timeout=PATIENCE)
-        finally:
-            started.kill()
-    assert gone(found)
-    assert "Traceback" not in told
 
 
 def test_a_process_limits_its_memory_only_where_it_can(monkeypatch: pytest.MonkeyPatch) -> None:

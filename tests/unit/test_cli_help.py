@@ -132,6 +132,7 @@ Options:
                             machines in.  [default: 127.0.0.1]
   --port <int range>        Port; 0 takes a free one.  [default: 8000;
                             0<=x<=65535]
+  --name NAME               Name of the server behind a proxy; repeatable.
   --browser / --no-browser  Open the page.  [default: browser]
   --lang en|ja              Language of what is printed, drawn and reported.
                             [default: (the locale's)]
@@ -150,6 +151,7 @@ IN_JAPANESE = """\
                             ンからも接続できる  [既定値：127.0.0.1]
   --port <int range>        ポート番号（0なら空いているもの）
                             [既定値：8000、0～65535]
+  --name NAME               プロキシ経由で使うときのサーバー名（複数可）
   --browser / --no-browser  ブラウザーでページを開くかどうか
                             [既定値：--browser]
   --lang en|ja              表示、図、レポートの言語  [既定値：ロケールの言語]

@@ -7,6 +7,7 @@ import pytest
 
 import stayput as sp
 from stayput.report.summary import place_called
+from stayput.simulation.space_engine import Stop
 from stayput.simulation.space_fate import fates_of, lies_on_floor
 
 BOX = sp.Solid.box
@@ -209,6 +210,19 @@ def test_a_stack_that_takes_too_much_work_is_given_up():
     assert set(run.outcomes) == {sp.Outcome.FAILED}
     assert np.isfinite(run.place).all()
     assert not np.isfinite(run.overturn_time).any()
+
+
+def test_a_run_that_is_stopped_is_given_up() -> None:
+    body, motion = sp.Standing(BOX(0.3, 0.3, 1.5, 20.0)), sp.near_fault()
+    whole, stop = sp.simulate(body, sp.Room(), motion), Stop()
+    with stop.ending_runs():
+        same = sp.simulate(body, sp.Room(), motion)
+        stop.set()
+        stopped = sp.simulate(body, sp.Room(), motion)
+    assert same.place.tobytes() == whole.place.tobytes()
+    assert stopped.given_up
+    assert stopped.steps < whole.steps
+    assert not sp.simulate(body, sp.Room(), motion).given_up
 
 
 def test_joints_of_the_same_two_bodies_have_names_of_their_own() -> None:

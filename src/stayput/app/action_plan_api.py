@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Annotated
 from fastapi import Depends, Query, Request
 from starlette.responses import Response
 
-from stayput.app.jobs import Job, StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.requests import Name  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.room_replies import PlanProgressReply
 from stayput.app.service import json_response, problems
+from stayput.app.turns import Turn
 from stayput.catalogue import LANGUAGES, Language
 from stayput.errors import InputError
 from stayput.report.action_plan.html import plan_html
@@ -23,13 +23,14 @@ from stayput.rooms.steps import Home
 from stayput.rooms.verdict import RoomVerdict
 
 if TYPE_CHECKING:
-    import threading
     from collections.abc import Callable
 
     from fastapi import APIRouter
 
+    from stayput.app.jobs import Job
     from stayput.app.service import Service
     from stayput.rooms.steps import ActionPlan
+    from stayput.simulation.space_engine import Stop
 
 
 def _asked_home(
@@ -71,15 +72,15 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
         job, verdict = finished(name)
         reports, key = job.reports, _key(lang, home)
 
-        def work(client_left: threading.Event) -> Response:
-            def go_on(runs: int) -> None:
-                if client_left.is_set():
-                    raise StoppedError
+        def work(left: Stop) -> Response:
+            def note_progress(runs: int) -> None:
                 job.plan_runs[str(home)] += runs
+                turn.go_on()
 
             if key not in reports:
                 job.plan_runs[str(home)] = 0
-                made = _plan(job, verdict, home, service.limits.threads, go_on)
+                with Turn(service.turns, lambda: not left.is_set()) as turn:
+                    made = _plan(job, verdict, home, service.limits.threads, note_progress)
                 for language in LANGUAGES:  # the page's language may be changed
                     reports[_key(language, home)] = plan_html(made, language).encode("utf-8")
             headers = {"Content-Security-Policy": REPORT_POLICY}

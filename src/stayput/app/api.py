@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Form, Query, Request
 from starlette.responses import Response
 
 import stayput
@@ -28,6 +28,7 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
     ShakingRequest,
     SimulateRequest,
     TomlRequest,
+    Upload,
     VerifyRequest,
 )
 from stayput.app.room_api import add_rooms
@@ -38,7 +39,7 @@ from stayput.app.service import Service, json_response, problems
 from stayput.app.shaking import shaking_reply
 from stayput.app.space_replies import SpaceSimulateReply
 from stayput.app.space_running import simulated_in_space, simulated_pieces
-from stayput.app.uploads import read_upload
+from stayput.app.turns import StoppedError
 from stayput.app.verdict_replies import EverydayReply, JobReply
 from stayput.app.verification import everyday_reply, runs_of, with_everyday, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
@@ -53,35 +54,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from stayput.scenario import Scenario
+    from stayput.simulation.space_engine import Stop
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
-
-UPLOAD_FORM: dict[str, Any] = {
-    "requestBody": {
-        "required": True,
-        "content": {
-            "multipart/form-data": {
-                "schema": {
-                    "type": "object",
-                    "required": ["file"],
-                    "additionalProperties": False,
-                    "properties": {
-                        "file": {"type": "string", "format": "binary", "description": "A record's file."},
-                        "unit": {"type": "string", "maxLength": 20, "description": "Where it states none."},
-                        "dt": {"type": "number", "description": "Time step [s], where it states none."},
-                        "component": {"type": "string", "maxLength": 60, "description": "Channel of x."},
-                        "remove_mean": {
-                            "type": "boolean",
-                            "description": "Whether the mean of each component is taken off.",
-                        },
-                    },
-                }
-            }
-        },
-    }
-}
-"""What the description of the API says of an upload, which is read here, not by FastAPI."""
-
 
 FILMS = {"html": "text/html; charset=utf-8", "gif": "image/gif", "mp4": "video/mp4"}
 """Media types of films."""
@@ -148,10 +123,10 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post(
         "/simulate", response_model=SimulateReply | SpaceSimulateReply, tags=["runs"], responses=refusals
     )
-    async def simulate(body: SimulateRequest) -> Response:
+    async def simulate(request: Request, body: SimulateRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
-        def work() -> Response:
+        def work(_left: Stop) -> Response:
             scenario = service.shaken(body.scene, body.measures)
             if isinstance(scenario, AssemblyScenario):
                 reply = simulated_pieces(scenario)
@@ -162,7 +137,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
             return json_response(reply)
 
         workers = service.slow if several_pieces(body.scene) else service.workers
-        return await workers.run(work)
+        return await service.while_awaited(workers, request, work)
 
     @router.post(
         "/simulate/csv",
@@ -171,16 +146,18 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         responses={200: {"content": {"text/csv": {}}}, **refusals},
     )
     async def simulate_csv(
-        body: SimulateRequest, which: Annotated[Literal["without", "with"], Query()] = "without"
+        request: Request,
+        body: SimulateRequest,
+        which: Annotated[Literal["without", "with"], Query()] = "without",
     ) -> Response:
         """Run a scene without or with measures; return its histories at the record's samples."""
 
-        def work() -> Response:
+        def work(_left: Stop) -> Response:
             scenario = service.shaken(body.scene, body.measures)
             text = run_csv(scenario, held=which == "with")
             return attachment(text, f"run_{which}.csv", "text/csv; charset=utf-8")
 
-        return await service.slow.run(work)
+        return await service.while_awaited(service.slow, request, work)
 
     @router.post(
         "/simulate/film",
@@ -193,6 +170,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         },
     )
     async def simulate_film(
+        request: Request,
         body: SimulateRequest,
         which: Annotated[Literal["without", "with"], Query()] = "without",
         kind: Annotated[Literal["html", "gif", "mp4"], Query()] = "html",
@@ -203,18 +181,30 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         """Run a scene without or with measures; return a page that plays it, a GIF, or an MP4."""
         note = "" if job is None else service.done(job)[1].sentence(lang)
 
-        def work() -> Response:
+        def work(left: Stop) -> Response:
+            def go_on(*_frames: int) -> None:
+                if left.is_set():
+                    raise StoppedError
+
             scenario = service.shaken(body.scene, body.measures)
             held = which == "with"
             named = service.motions.named
             content = film(
-                scenario, kind, lang, service.limits, held=held, seconds=seconds, note=note, named=named
+                scenario,
+                kind,
+                lang,
+                service.limits,
+                held=held,
+                seconds=seconds,
+                note=note,
+                named=named,
+                progress=go_on,
             )
             answer = attachment(content, f"run_{which}.{kind}", FILMS[kind])
             answer.headers["Content-Security-Policy"] = REPORT_POLICY
             return answer
 
-        return await service.slow.run(work)
+        return await service.while_awaited(service.slow, request, work)
 
     @router.post("/shaking", response_model=ShakingReply, tags=["runs"], responses=refusals)
     async def strength(body: ShakingRequest) -> Response:
@@ -295,19 +285,19 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         tags=["verification"],
         responses={200: {"content": {"text/html": {}}}, **problems(404, 409, 422, 503)},
     )
-    async def report(name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
+    async def report(request: Request, name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
         """Return the report of a job: one HTML file."""
         job, verdict = service.done(name)
         reports = job.reports  # those of this verdict
 
-        def work() -> Response:
+        def work(_left: Stop) -> Response:
             if lang not in reports:
                 reports[lang] = report_page(verdict, lang, service.motions)
             answer = attachment(reports[lang], "stayput_report.html", "text/html; charset=utf-8")
             answer.headers["Content-Security-Policy"] = REPORT_POLICY
             return answer
 
-        return await service.slow.run(work)
+        return await service.while_awaited(service.slow, request, work)
 
     @router.get(
         "/jobs/{name}/csv",
@@ -336,11 +326,10 @@ def _add_motions(router: APIRouter, service: Service) -> None:
         response_model=MotionReply,
         tags=["motions"],
         responses=problems(400, 413, 422, 429, 503),
-        openapi_extra=UPLOAD_FORM,
     )
-    async def add(request: Request) -> Response:
+    async def add(upload: Annotated[Upload, Form(media_type="multipart/form-data")]) -> Response:
         """Upload a record; it is kept for a while under the id that is returned."""
-        name = await service.motions.add(await read_upload(request, service.limits))
+        name = await service.motions.add(upload)
         return await service.workers.run(lambda: json_response(service.motions.about(name), 201))
 
     @router.get(

@@ -9,7 +9,7 @@ import tempfile
 import threading
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from starlette.responses import Response
@@ -148,6 +148,7 @@ def film(
     seconds: float | None = None,
     note: str = "",
     named: Callable[[str], str] = str,
+    progress: Callable[[int, int], None] | None = None,
 ) -> bytes:
     """Return a run as a film: a page that plays it, a GIF, or an MP4.
 
@@ -169,6 +170,8 @@ def film(
         A sentence that stands in every frame of a GIF or MP4.
     named : callable
         Puts the users' names for their files into a text.
+    progress : callable, optional
+        Called with each frame that is drawn; it may raise.
 
     Raises
     ------
@@ -180,17 +183,18 @@ def film(
     motion = scenario.motion()
     if kind != "html" and seconds is None and motion.duration > limits.film:
         raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
+    told: dict[str, Any] = {"language": language, "seconds": seconds, "note": note, "progress": progress}
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
         if isinstance(scenario, Scenario) and scenario.dimensions == 2:
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
             run = _of_named_motion(run_of(scenario, motion, measures), named)
-            animate_run(run, path, name=name, language=language, seconds=seconds, note=note)
+            animate_run(run, path, name=name, **told)
         else:
             shown, names = _shown_in_space(scenario, held=held)
             run = _of_named_motion(shown, named)
-            animate_space_run(run, path, names=names(language), language=language, seconds=seconds, note=note)
+            animate_space_run(run, path, names=names(language), **told)
         return path.read_bytes()
 
 

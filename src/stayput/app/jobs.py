@@ -1,7 +1,7 @@
 """Jobs: verifications in the background, with their progress; each can be cancelled at any time.
 
-Where there are several they go on by turns: one that has had its `SLICE` waits where it notes its progress
-until the others have had theirs. So a long job does not keep a short one waiting.
+Where there are several they go on by turns, which change where a job notes its progress: so a long job does
+not keep a short one waiting.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 from stayput.app.refusals import RefusedError, refused, unprinted
-from stayput.app.turns import CLIENT, NOBODY, Client, Turns
+from stayput.app.turns import CLIENT, Client, StoppedError, Turn, Turns, first_to_go
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
@@ -31,16 +31,6 @@ if TYPE_CHECKING:
 JobState = Literal["waiting", "running", "done", "cancelled", "failed"]
 _log = logging.getLogger("stayput.app")
 
-SLICE = 0.5
-"""How long a job goes on while others wait [s]."""
-
-CHECK_INTERVAL = 1.0
-"""How often a job that waits for its turn looks whether it is wanted [s]."""
-
-
-class StoppedError(Exception):
-    """Raised within a job that is to stop."""
-
 
 @dataclass(slots=True, eq=False)
 class Job:
@@ -54,10 +44,10 @@ class Job:
         Where it stands.
     done, total : int
         Simulations done, and in all.
-    motions : frozenset of str
-        The uploaded motions that it reads.
     client : Client
         Who has asked for it.
+    motions : frozenset of str
+        The uploaded motions that it reads.
     verdict : Verdict, RoomVerdict or None
         Its result; while it runs, as far as it is known.
     error : InputError or None
@@ -74,9 +64,9 @@ class Job:
 
     id: str
     total: int
+    client: Client
     motions: frozenset[str] = frozenset()
     lease: float | None = None
-    client: Client = NOBODY
     state: JobState = "waiting"
     done: int = 0
     verdict: AnyVerdict | None = None
@@ -88,7 +78,7 @@ class Job:
     plan_runs: dict[str, int] = field(default_factory=dict[str, int])
     before: RoomScenario | None = None
     stop: threading.Event = field(default_factory=threading.Event)
-    slice_began: float = 0.0
+    turn: Turn = field(init=False)
 
     @property
     def seconds(self) -> float:
@@ -109,14 +99,15 @@ class Jobs:
     ----------
     limits : Limits
         How many.
+    turns : Turns
+        Among which they go on.
     """
 
-    def __init__(self, limits: Limits) -> None:
+    def __init__(self, limits: Limits, turns: Turns) -> None:
         self._limits = limits
         self._jobs: dict[str, Job] = {}
-        self._lock = threading.Condition()
-        self._turns: Turns[Job] = Turns()
-        self._at_work: list[Job] = []
+        self._lock = threading.Lock()
+        self._turns = turns
 
     def start(
         self,
@@ -158,18 +149,15 @@ class Jobs:
                 or sum(job.client == client for job in own) >= limits.jobs_per_page
             ):
                 raise refused(429, "app.many_jobs", retry_after=10, count=len(active))
-            job = Job(secrets.token_hex(16), total, motions, lease, client, before=before)
+            job = Job(secrets.token_hex(16), total, client, motions, lease, before=before)
             self._jobs[job.id] = job
-            self._turns.add(client, job)
-            self._give_turns()
+            job.turn = Turn(self._turns, lambda: job.wanted)
         threading.Thread(target=self._run, args=(job, work), name="stayput-job").start()
         return job
 
     def position(self, job: Job) -> int | None:
-        """Return how many jobs have their turn before one that has not begun; None of another."""
-        with self._lock:
-            waiting = self._turns.in_order() if job.state == "waiting" else []
-            return len(self._at_work) + waiting.index(job) if job in waiting else None
+        """Return how many have their turn before a job that has not begun; None of another."""
+        return job.turn.position if job.state == "waiting" else None
 
     def motions(self) -> set[str]:
         """Return the uploaded motions that jobs at work or waiting read."""
@@ -215,7 +203,7 @@ class Jobs:
         with self._lock:
             for job in self._jobs.values():
                 job.stop.set()
-            self._lock.notify_all()
+                job.turn.leave()
 
     def _run(self, job: Job, work: JobWork) -> None:
         def note_verdict(verdict: AnyVerdict) -> None:
@@ -225,11 +213,13 @@ class Jobs:
 
         def note_progress(done: int, total: int) -> None:
             job.done, job.total = done, total
-            self._let_others(job)
+            job.turn.go_on()
 
         try:
-            self._await_turn(job)
-            with unprinted():
+            with job.turn, unprinted():
+                with self._lock:
+                    if job.ended is None:
+                        job.state = "running"
                 verdict = work(note_progress, note_verdict)
         except StoppedError:
             self._end(job, "cancelled")
@@ -246,71 +236,30 @@ class Jobs:
         else:
             self._end(job, "done", verdict=verdict)
 
-    def _let_others(self, job: Job) -> None:
-        """Wait where others wait and the job has had its slice.
-
-        Raises
-        ------
-        StoppedError
-            It is no longer wanted.
-        """
-        if not job.wanted:
-            raise StoppedError
-        if time.monotonic() - job.slice_began < SLICE or not len(self._turns):
-            return
-        with self._lock:
-            self._at_work.remove(job)
-            self._turns.add(job.client, job, again=True)
-            self._give_turns()
-        self._await_turn(job)
-
-    def _await_turn(self, job: Job) -> None:
-        with self._lock:
-            while job not in self._at_work:
-                if not job.wanted:
-                    raise StoppedError
-                self._lock.wait(CHECK_INTERVAL)
-            if not job.wanted:
-                raise StoppedError
-            job.state, job.slice_began = "running", time.monotonic()
-
-    def _give_turns(self) -> None:
-        """Let those go on whose turn it is; called with the lock held."""
-        while len(self._at_work) < self._limits.jobs_running:
-            job = self._turns.take()
-            if job is None:
-                break
-            self._at_work.append(job)
-        self._lock.notify_all()
-
     def _end(
         self, job: Job, state: JobState, verdict: AnyVerdict | None = None, error: InputError | None = None
     ) -> None:
         """Let a job's thread go; a job that was cancelled meanwhile stays so."""
         with self._lock:
-            if job in self._at_work:
-                self._at_work.remove(job)
-            self._turns.remove(job)
-            self._give_turns()
             if job.ended is None:
                 job.state, job.verdict, job.error, job.ended = state, verdict, error, time.monotonic()
 
     def _cancel(self, job: Job) -> None:
         """Mark a job that has not ended as cancelled; called with the lock held."""
         job.stop.set()
-        self._turns.remove(job)
-        self._lock.notify_all()
+        job.turn.leave()
         if job.ended is None:
             job.state, job.verdict, job.ended = "cancelled", None, time.monotonic()
 
     def _expire(self) -> None:
-        """Cancel abandoned jobs; forget those that ended long ago, and the oldest of too many."""
+        """Cancel abandoned jobs; forget those that ended long ago, and of too many those of who has most."""
         now = time.monotonic()
-        for job in self._jobs.values():
+        for job in list(self._jobs.values()):
             if job.ended is None and not job.wanted:
                 self._cancel(job)
-        ended = [job for job in self._jobs.values() if job.ended is not None]
-        surplus = len(self._jobs) - self._limits.jobs_kept
-        for place, job in enumerate(sorted(ended, key=lambda job: job.last_used)):
-            if place < surplus or now - job.last_used > self._limits.keep:
+            elif job.ended is not None and now - job.last_used > self._limits.keep:
                 del self._jobs[job.id]
+        while len(self._jobs) > self._limits.jobs_kept and (
+            ended := [job for job in self._jobs.values() if job.ended is not None]
+        ):
+            del self._jobs[first_to_go(ended).id]

@@ -29,16 +29,14 @@ class Limits:
         Most samples of a motion.
     film : float
         Longest motion of which a GIF is drawn [s].
-    numbers : int
-        Most numbers in an uploaded file.
     motions : int
-        Most motions kept; the oldest go first.
+        Most motions kept; those of who has most go first.
     motion_bytes : int
         Most bytes of all motions kept.
     keep : float
         How long a motion or a finished job is kept after its last use [s].
-    readers, reading_waiting : int
-        Most processes that read uploads, and most uploads that wait for one.
+    reading_waiting : int
+        Most uploads that wait to be read.
     reading_seconds : float
         Longest time to read an upload [s].
     reading_memory : int
@@ -68,7 +66,9 @@ class Limits:
     waiting : int
         Most such requests that wait for a thread.
     slow_workers, slow_waiting : int
-        The same for maps, tables and reports.
+        The same for runs of several pieces, tables, films and reports.
+    planners : int
+        Most plans to buy and do that are made by turns.
     threads : int
         Threads of one verification or map.
     """
@@ -80,11 +80,9 @@ class Limits:
     duration: float = 600.0
     samples_of_motion: int = 200_000
     film: float = 120.0
-    numbers: int = 1_000_000
-    motions: int = 8
+    motions: int = 32
     motion_bytes: int = 64 * MEBIBYTE
     keep: float = 7200.0
-    readers: int = 2
     reading_waiting: int = 8
     reading_seconds: float = 10.0
     reading_memory: int = 768 * MEBIBYTE
@@ -106,4 +104,5 @@ class Limits:
     waiting: int = 64
     slow_workers: int = 1
     slow_waiting: int = 32
+    planners: int = 8
     threads: int = max(1, cores() - 1)

@@ -7,16 +7,19 @@ import ipaddress
 import logging
 import re
 import socket
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import ClientDisconnect
 
 from stayput.app.refusals import RefusedError, error_response, refused
-from stayput.app.turns import CLIENT, CLIENT_HEADER, LONGEST_CLIENT, Client
+from stayput.app.turns import CLIENT, CLIENT_HEADER, Client
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
     from stayput.app.limits import Limits
@@ -44,8 +47,10 @@ REPORT_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsa
 UPLOADS = "/api/v1/motions"
 """Where larger bodies are accepted."""
 
-_HOST = re.compile(r"(?:\[(?P<version6>[^\[\]@/?#\s]+)\]|(?P<name>[^\[\]:@/?#\s]+))(?::[0-9]{0,5})?")
-_ORIGIN = re.compile(r"https?://(?P<host>[^@/?#\s]+)", re.IGNORECASE)
+LONGEST_PAGE = 64
+"""So many characters of the header that names a page count."""
+
+_PORT = re.compile(":[0-9]*$")
 
 _log = logging.getLogger("stayput.app")
 
@@ -59,14 +64,14 @@ class Guard:
         What comes next.
     limits : Limits
         Sizes of bodies.
-    host : str
-        The address that the server is bound to.
+    names : sequence of str
+        Names of the server besides this machine's: what it is bound to, and what a proxy calls it.
     """
 
-    def __init__(self, app: ASGIApp, limits: Limits, host: str) -> None:
+    def __init__(self, app: ASGIApp, limits: Limits, names: Sequence[str]) -> None:
         self._app = app
         self._limits = limits
-        self._names = {"localhost", host.lower(), socket.gethostname().lower()}
+        self._names = {name.lower() for name in ("localhost", socket.gethostname(), *names)}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, or refuse it."""
@@ -88,22 +93,18 @@ class Guard:
             await send(message)
 
         headers = Headers(scope=scope)
-        if not self._is_ours(headers.get("host")):
+        host, origin = headers.get("host", ""), headers.get("origin")
+        if not self._is_ours(host):
             await error_response(400, InputError("app.other_host"))(scope, receive, answer)
             return
-        origin = headers.get("origin")
-        if origin is not None and _host_of(origin) != headers.get("host", "").lower():
+        if origin is not None and origin.lower() not in (f"http://{host}".lower(), f"https://{host}".lower()):
             await error_response(403, InputError("app.other_site"))(scope, receive, answer)
             return
         is_upload = scope["path"].rstrip("/") == UPLOADS and scope["method"] == "POST"
         most = self._limits.upload if is_upload else self._limits.body
+        # behind a proxy Uvicorn takes the address from X-Forwarded-For
         address = scope["client"][0] if scope["client"] else ""
-        CLIENT.set(Client(address, headers.get(CLIENT_HEADER, "")[:LONGEST_CLIENT]))
-        too_large = refused(413, "app.body_too_large", most=most)
-        stated = headers.get("content-length", "")
-        if stated.isdigit() and int(stated[:20]) > 4 * most:
-            await too_large.response()(scope, receive, answer)
-            return
+        CLIENT.set(Client(address, headers.get(CLIENT_HEADER, "")[:LONGEST_PAGE]))
         seen, complete, deadline = 0, False, asyncio.get_running_loop().time() + self._limits.seconds
 
         async def counted() -> Message:
@@ -111,15 +112,16 @@ class Guard:
             try:
                 async with asyncio.timeout_at(None if complete else deadline):
                     message = await receive()
+                    seen += len(message.get("body", b""))
+                    # more is read than is accepted, so that the client sees the answer
+                    while most < seen < 4 * most and message.get("more_body"):
+                        message = await receive()
+                        seen += len(message.get("body", b""))
             except TimeoutError:
                 raise refused(408, "app.body_too_slow") from None
-            complete = not message.get("more_body", False)
-            seen += len(message.get("body", b""))
             if seen > most:
-                while message.get("more_body") and seen < 4 * most:  # so that the client sees the answer
-                    message = await receive()
-                    seen += len(message.get("body", b""))
-                raise too_large
+                raise refused(413, "app.body_too_large", most=most)
+            complete = not message.get("more_body", False)
             return message
 
         try:
@@ -134,25 +136,12 @@ class Guard:
             _log.exception("%s %s failed", scope["method"], scope["path"])
             await error_response(500, InputError("app.failed"))(scope, receive, answer)
 
-    def _is_ours(self, host: str | None) -> bool:
+    def _is_ours(self, host: str) -> bool:
         """Return whether a Host header can only mean this server: a known name, or an address as such.
 
         A foreign page can make its own name point here, but it cannot make its requests carry another name.
         """
-        match = _HOST.fullmatch(host or "")
-        if match is None:
-            return False
-        try:
-            if match["version6"]:
-                ipaddress.IPv6Address(match["version6"])
-            elif match["name"].lower() not in self._names:
-                ipaddress.IPv4Address(match["name"])
-        except ValueError:
-            return False
-        return True
-
-
-def _host_of(origin: str) -> str | None:
-    """Return the host and port of an Origin header, or None where it has none or is no origin."""
-    match = _ORIGIN.fullmatch(origin)
-    return match["host"].lower() if match else None
+        name = _PORT.sub("", host.lower())
+        with suppress(ValueError):
+            return name in self._names or bool(ipaddress.ip_address(name.strip("[]")))
+        return False

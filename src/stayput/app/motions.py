@@ -16,6 +16,7 @@ import numpy as np
 
 from stayput.app.refusals import RefusedError, problem, refused
 from stayput.app.replies import ChannelReply, DoubtReply, MotionReply, PreviewReply
+from stayput.app.turns import CLIENT, Client, first_to_go
 from stayput.errors import InputError
 from stayput.motion.channels import upper_floor
 from stayput.motion.intensity import EXCEEDED, intensity_class
@@ -26,8 +27,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.app.limits import Limits
-    from stayput.app.readers import ReaderPool
-    from stayput.app.uploads import Upload
+    from stayput.app.readers import Readers
+    from stayput.app.requests import Upload
     from stayput.errors import InputWarning
     from stayput.motion import Motion
 
@@ -49,6 +50,7 @@ class StoredMotion:
     shaking: dict[str, Any]
     size: int
     warnings: tuple[InputWarning, ...] = ()
+    client: Client = field(default_factory=CLIENT.get)
     last_used: float = field(default_factory=time.monotonic)
 
 
@@ -78,14 +80,14 @@ class Motions:
         The server's own folder.
     limits : Limits
         How many, how large, how long.
-    readers : ReaderPool
+    readers : Readers
         What reads them.
     in_use : callable
         Returns the names of the motions that must stay, whatever their age.
     """
 
     def __init__(
-        self, folder: Path, limits: Limits, readers: ReaderPool, in_use: Callable[[], set[str]]
+        self, folder: Path, limits: Limits, readers: Readers, in_use: Callable[[], set[str]]
     ) -> None:
         self.folder = folder
         self._readers = readers
@@ -114,20 +116,16 @@ class Motions:
         RefusedError
             It is no record in a known format, or it is too long.
         """
-        label, size, name = safe_label(upload.name), len(upload.data), secrets.token_hex(16)
-        if floor := upper_floor([upload.name or ""]):
+        data, file_name, name = await upload.file.read(), upload.file.filename, secrets.token_hex(16)
+        if not data:
+            raise refused(422, "app.empty_file", "file")
+        if floor := upper_floor([file_name or ""]):
             name += f"_{floor.replace(' ', '')}"
-        path = self.folder / name
-        options: dict[str, Any] = {
-            "unit": upload.unit,
-            "dt": upload.dt,
-            "component": upload.component,
-            "remove_mean": upload.remove_mean or None,
-        }
-        shaking = {"record": name} | {key: value for key, value in options.items() if value is not None}
+        label, path = safe_label(file_name), self.folder / name
+        shaking = {"record": name, **upload.model_dump(exclude={"file"}, exclude_defaults=True)}
         try:
-            await asyncio.to_thread(path.write_bytes, upload.data)
-            stored = await self._read(shaking, label, size, "file")
+            await asyncio.to_thread(path.write_bytes, data)
+            stored = await self._read(shaking, label, len(data), "file")
         except BaseException:
             path.unlink(missing_ok=True)
             raise
@@ -264,22 +262,20 @@ class Motions:
             self._drop(name)
 
     def expire(self) -> None:
-        """Forget motions unused for too long, and the oldest of too many.
+        """Forget motions unused for too long, and of too many those of the client that has most.
 
         Those in use neither go nor count.
         """
         limits, now, in_use = self._limits, time.monotonic(), self._in_use()
         with self._lock:
-            free = [name for name in self._stored if name not in in_use]
-            oldest = sorted(free, key=lambda name: self._stored[name].last_used)
-            size = sum(self._stored[name].size for name in free)
-            count = len(oldest)
-            for name in oldest:
-                stored = self._stored[name]
-                too_old = now - stored.last_used > limits.keep
-                if too_old or count > limits.motions or size > limits.motion_bytes:
-                    count, size = count - 1, size - stored.size
-                    self._drop(name)
+            free = {name: one for name, one in self._stored.items() if name not in in_use}
+            for name in [name for name, one in free.items() if now - one.last_used > limits.keep]:
+                self._drop(name)
+                del free[name]
+            while len(free) > limits.motions or sum(one.size for one in free.values()) > limits.motion_bytes:
+                name = first_to_go(free.values()).shaking["record"]
+                self._drop(name)
+                del free[name]
 
     def close(self) -> None:
         """Forget all motions, and remove the folder."""

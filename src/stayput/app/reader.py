@@ -1,7 +1,6 @@
-"""The program of a reading process: it reads uploaded records, so that a crash does not end the server.
+"""The program of a reading process: it reads an uploaded record, so that a crash does not end the server.
 
-Messages go as pickles over its standard input and output. It ends when its input does, which is so when the
-server ends in any way, and when a record takes too long.
+Messages go as pickles over its standard input and output.
 """
 
 from __future__ import annotations
@@ -12,9 +11,7 @@ import os
 import pickle
 import sys
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, BinaryIO, TypeVar
-
-import numpy as np
+from typing import TYPE_CHECKING, TypeVar
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warnings_to
@@ -22,15 +19,13 @@ from stayput.motion.readers import read_shaking
 from stayput.motion.readers.chosen import OPTIONS
 
 if TYPE_CHECKING:
+    from stayput.app.limits import Limits
     from stayput.motion import Motion
 
 T = TypeVar("T", InputError, InputWarning)
 
 _CONTROLS = {"dt": "page.file_dt", "remove_mean": "page.file_remove_mean"}
 """The labels of the page's controls for options of reading that have one."""
-
-_SEPARATORS = np.zeros(256, np.bool_)
-_SEPARATORS[list(b" \t\n\r\v\f,;")] = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,10 +38,8 @@ class ReadingTask:
         The file.
     component, unit, dt, remove_mean
         As `read_shaking` takes them.
-    numbers, samples : int
-        Most numbers in the file, most samples of the motion.
-    duration, seconds : float
-        Longest motion, longest time to read it [s].
+    limits : Limits
+        What is accepted.
     """
 
     path: str
@@ -54,10 +47,7 @@ class ReadingTask:
     unit: str | None
     dt: float | None
     remove_mean: bool
-    numbers: int
-    samples: int
-    duration: float
-    seconds: float
+    limits: Limits
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,22 +85,13 @@ def _on_page(told: T) -> T:
 
 
 def _read(task: ReadingTask) -> Motion:
-    with open(task.path, "rb") as file:  # noqa: PTH123 - a plain path is all that came
-        _check_numbers(file.read(), task.numbers)
+    limits = task.limits
     motion = read_shaking(task.path, task.component, task.unit, dt=task.dt, remove_mean=task.remove_mean)
-    if motion.duration > task.duration:
-        raise InputError("app.long_motion", value=motion.duration, most=task.duration)
-    if len(motion) > task.samples:
-        raise InputError("app.many_samples", value=len(motion), most=task.samples)
+    if motion.duration > limits.duration:
+        raise InputError("app.long_motion", value=motion.duration, most=limits.duration)
+    if len(motion) > limits.samples_of_motion:
+        raise InputError("app.many_samples", value=len(motion), most=limits.samples_of_motion)
     return motion
-
-
-def _check_numbers(data: bytes, most: int) -> None:
-    """Refuse more numbers than any record needs before a list is made of them."""
-    between = _SEPARATORS[np.frombuffer(data, np.uint8)]
-    count = int(np.count_nonzero(between[1:] & ~between[:-1])) + 1
-    if count > most:
-        raise InputError("app.many_numbers", value=count, most=most)
 
 
 def limit_memory(more: int) -> None:
@@ -128,37 +109,13 @@ def limit_memory(more: int) -> None:
         resource.setrlimit(resource.RLIMIT_AS, (wanted if hard < 0 else min(wanted, hard), hard))
 
 
-def main(memory: int) -> None:
-    """Read records until the input ends.
-
-    Parameters
-    ----------
-    memory : int
-        How much memory it may take for them [bytes].
-    """
-    requests, replies = sys.stdin.buffer, os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, sys.stdout.fileno())  # nothing that prints gets between the answers
-    faulthandler.disable()
-    limit_memory(memory)
-    send(replies, None)
-    while (task := receive(requests)) is not None:
-        # The server ends a process that is too slow; where it is gone, the process ends itself.
-        faulthandler.dump_traceback_later(2.0 * task.seconds + 5.0, exit=True, file=nowhere)
-        result = read(task)
-        faulthandler.cancel_dump_traceback_later()
-        send(replies, result)
-
-
-def send(stream: BinaryIO, value: object) -> None:
-    """Write a message."""
-    pickle.dump(value, stream, pickle.HIGHEST_PROTOCOL)
-    stream.flush()
-
-
-def receive(stream: BinaryIO) -> ReadingTask | None:
-    """Read a task, or None at the end."""
-    try:
-        return pickle.load(stream)
-    except EOFError:
-        return None
+def main() -> None:
+    """Read the record that the standard input asks for, and answer on the standard output."""
+    replies = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # nothing that prints gets into the answer
+    task: ReadingTask = pickle.load(sys.stdin.buffer)
+    # the server ends a process that is too slow; where it is gone, the process ends itself
+    faulthandler.dump_traceback_later(2.0 * task.limits.reading_seconds, exit=True)
+    limit_memory(task.limits.reading_memory)
+    with replies:
+        pickle.dump(read(task), replies, pickle.HIGHEST_PROTOCOL)

@@ -96,8 +96,7 @@ def error_response(status: int, error: InputError, headers: Mapping[str, str] | 
 
 def refusal_of_request(error: Mapping[str, Any]) -> InputError:
     """Return the refusal of a request by the first error that pydantic found in it."""
-    place = [str(part) for part in error["loc"] if part not in ("body", "path", "query")]
-    field = ".".join(place) or None
+    field = ".".join(map(str, error["loc"][1:])) or None  # behind body or query
     name = field or phrase("app.the_body")
     if error["type"] == "missing":
         return InputError("app.field_missing", field, name=name)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 from fastapi import Path as InPath
+from fastapi import UploadFile
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
 
 from stayput.app.motions import ID
@@ -103,3 +104,15 @@ class TomlRequest(Request):
 
     scene: AnySceneData
     measures: Measures
+
+
+class Upload(BaseModel):
+    """The form of an upload."""
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False, str_strip_whitespace=True)
+
+    file: UploadFile = Field(description="A record's file.")
+    unit: str | None = Field(default=None, max_length=20, description="Where the file states none.")
+    dt: float | None = Field(default=None, description="Time step [s], where the file states none.")
+    component: str | None = Field(default=None, max_length=60, description="Channel of x.")
+    remove_mean: bool = Field(default=False, description="Whether the mean of each component is taken off.")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import gc
 import logging
 import os
 import sys
@@ -32,10 +31,11 @@ from stayput.app.middleware import Guard
 from stayput.app.motions import Motions
 from stayput.app.pages import page_routes
 from stayput.app.presets import SCENE, SCENE_MEASURES
-from stayput.app.readers import ReaderPool
+from stayput.app.readers import Readers
 from stayput.app.refusals import RefusedError, error_response, refusal_of_request
 from stayput.app.running import simulated
-from stayput.app.service import Service, Workers
+from stayput.app.service import Service
+from stayput.app.turns import Turns, Workers
 from stayput.catalogue import say
 from stayput.errors import InputError, InputWarning
 from stayput.scenario import Scenario
@@ -43,7 +43,7 @@ from stayput.verification import verify
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncGenerator, Callable
+    from collections.abc import AsyncGenerator, Callable, Sequence
 
     from starlette.requests import Request
     from starlette.responses import Response
@@ -52,22 +52,19 @@ ABOUT = (
     "Furniture in earthquakes, without and with measures that hold it. Units stand in the names of the keys; "
     "a scene is a scenario file as JSON."
 )
-SWITCH_SECONDS = 0.0005
-"""How long a thread of Python keeps the others waiting: a ping is answered in between."""
-
 _log = logging.getLogger("stayput.app")
 
-REFUSED_BY_STARLETTE = {404: "app.no_such_address", 405: "app.wrong_method"}
+REFUSED_BY_STARLETTE = {400: "app.body_not_read", 404: "app.no_such_address", 405: "app.wrong_method"}
 """What is said of a request that no function answers, by its status."""
 
 
-def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming: bool = True) -> FastAPI:
+def create_app(names: Sequence[str] = (), limits: Limits | None = None, *, warming: bool = True) -> FastAPI:
     """Make the app.
 
     Parameters
     ----------
-    host : str
-        The address that it is bound to.
+    names : sequence of str
+        Names of the server besides this machine's.
     limits : Limits, optional
         What is accepted.
     warming : bool
@@ -77,22 +74,19 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
     folder = Path(tempfile.mkdtemp(prefix="stayput-"))
     quick = Workers(allowed.workers, allowed.waiting)
     slow = Workers(allowed.slow_workers, allowed.slow_waiting)
-    planners = Workers(allowed.slow_workers, allowed.slow_waiting)
-    readers, jobs = ReaderPool(allowed), Jobs(allowed)
+    planners = Workers(allowed.planners, allowed.slow_waiting)
+    readers, turns = Readers(allowed), Turns(allowed.jobs_running)
+    jobs = Jobs(allowed, turns)
     motions = Motions(folder, allowed, readers, jobs.motions)
-    service = Service(allowed, quick, slow, planners, readers, motions, jobs)
+    service = Service(allowed, quick, slow, planners, turns, readers, motions, jobs)
 
     @asynccontextmanager
     async def life(_app: FastAPI) -> AsyncGenerator[None]:
-        readers.start()
         if warming:
             threading.Thread(target=_warm, args=(service,), name="stayput-warm", daemon=True).start()
-        interval = sys.getswitchinterval()
-        sys.setswitchinterval(SWITCH_SECONDS)
         try:
             yield
         finally:
-            sys.setswitchinterval(interval)
             service.close()
 
     app = FastAPI(
@@ -108,7 +102,7 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
     app.include_router(api(service))
     app.router.routes.extend(page_routes())
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=4)  # 9 takes thrice as long for 2 %
-    app.add_middleware(Guard, limits=allowed, host=host)
+    app.add_middleware(Guard, limits=allowed, names=names)
     _add_refusals(app, service.motions.with_file_names)
     app.openapi = described(app)
     return app
@@ -130,8 +124,6 @@ def _warm(service: Service) -> None:
         if service.closed:  # the server ends before they were done
             return
         _log.exception("The first runs, which compile, failed")
-    gc.collect()
-    gc.freeze()  # what was loaded stays: looking through it again would make pings wait
     service.ready = True
 
 
@@ -180,7 +172,14 @@ def server_of(app: FastAPI) -> uvicorn.Server:
     return uvicorn.Server(config)
 
 
-def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True, language: str = "en") -> None:
+def serve(
+    host: str = "127.0.0.1",
+    port: int = 8000,
+    *,
+    names: Sequence[str] = (),
+    browser: bool = True,
+    language: str = "en",
+) -> None:
     """Bind, print the address, and serve until interrupted.
 
     Parameters
@@ -189,6 +188,8 @@ def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True, la
         Address to bind to; others than loopback let other machines in.
     port : int
         Port; 0 takes one that is free.
+    names : sequence of str
+        Names by which a proxy calls the server.
     browser : bool
         Whether to open the page.
     language : str
@@ -202,7 +203,7 @@ def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True, la
     warnings.filterwarnings("ignore", category=InputWarning)  # who sent a record is told by the reply
     bound = bind(host, port)
     address = address_of(bound)
-    app = create_app(host)
+    app = create_app((host, *names))
     server = server_of(app)
     print(say("app.at_address", language, address=address), flush=True)
     warning = warning_of(bound, language)

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import asyncio
-import threading
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from starlette.responses import Response
 
-from stayput.app.jobs import StoppedError
-from stayput.app.refusals import RefusedError, refused, unprinted
+from stayput.app.refusals import refused
 from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import (
     read_pieces,
@@ -20,10 +17,10 @@ from stayput.app.scenes import (
     several_pieces,
     uploaded_motions,
 )
-from stayput.app.turns import CLIENT, Turns
+from stayput.app.turns import StoppedError, Turns, Workers
 from stayput.app.verification import job_reply
-from stayput.errors import InputError
 from stayput.rooms.verdict import RoomVerdict
+from stayput.simulation.space_engine import Stop
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,7 +30,7 @@ if TYPE_CHECKING:
     from stayput.app.jobs import AnyVerdict, Job, Jobs, JobWork
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
-    from stayput.app.readers import ReaderPool
+    from stayput.app.readers import Readers
     from stayput.app.verdict_replies import JobReply
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.room import RoomScenario
@@ -41,80 +38,6 @@ if TYPE_CHECKING:
 
 POLL_INTERVAL = 0.5
 """How often a long request checks whether its client has left [s]."""
-
-P = ParamSpec("P")
-T = TypeVar("T")
-
-
-class Workers:
-    """A bounded pool of threads that compute, off the event loop; where clients wait, they take turns.
-
-    Parameters
-    ----------
-    threads : int
-        How many threads.
-    waiting : int
-        How many requests may wait for one.
-    """
-
-    def __init__(self, threads: int, waiting: int) -> None:
-        self._pool = ThreadPoolExecutor(threads, "stayput-worker")
-        self._free, self._most = threads, waiting
-        self.waiting: Turns[asyncio.Future[None]] = Turns()
-
-    async def run(self, work: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """Do some work on a thread.
-
-        Raises
-        ------
-        RefusedError
-            Too much is waiting, or the input is refused.
-        """
-
-        def quietly() -> T:
-            with unprinted():
-                return work(*args, **kwargs)
-
-        await self._turn()
-        try:
-            return await asyncio.get_running_loop().run_in_executor(self._pool, quietly)
-        except InputError as error:
-            raise RefusedError(422, error.about(None)) from None
-        except MemoryError:
-            raise refused(503, "app.little_memory") from None
-        finally:
-            self._next()
-
-    async def _turn(self) -> None:
-        """Wait for a free thread."""
-        if self._free and not len(self.waiting):
-            self._free -= 1
-            return
-        client = CLIENT.get()
-        # half of the places are for other addresses
-        if len(self.waiting) >= self._most or self.waiting.of_address(client.address) > self._most // 2:
-            raise refused(503, "app.busy", retry_after=2)
-        turn: asyncio.Future[None] = asyncio.get_running_loop().create_future()
-        self.waiting.add(client, turn)
-        try:
-            await turn
-        except asyncio.CancelledError:
-            if turn.done() and not turn.cancelled():
-                self._next()
-            self.waiting.remove(turn)
-            raise
-
-    def _next(self) -> None:
-        """Give a thread that has become free to whose turn it is."""
-        while (turn := self.waiting.take()) is not None:
-            if not turn.done():
-                turn.set_result(None)
-                return
-        self._free += 1
-
-    def close(self) -> None:
-        """Shut the threads down; work that has not begun is dropped."""
-        self._pool.shutdown(wait=False, cancel_futures=True)
 
 
 def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
@@ -141,8 +64,10 @@ class Service:
         What is accepted.
     workers, slow, planners : Workers
         Threads that compute: what is short, what is not, and plans to buy and do, which take longest.
-    readers : ReaderPool
-        Processes that read uploads.
+    turns : Turns
+        Of verifications and plans.
+    readers : Readers
+        What reads uploads.
     motions : Motions
         What was uploaded.
     jobs : Jobs
@@ -157,7 +82,8 @@ class Service:
     workers: Workers
     slow: Workers
     planners: Workers
-    readers: ReaderPool
+    turns: Turns
+    readers: Readers
     motions: Motions
     jobs: Jobs
     ready: bool = False
@@ -174,9 +100,9 @@ class Service:
         self.motions.close()
 
     async def while_awaited(
-        self, workers: Workers, request: Request, work: Callable[[threading.Event], Response]
+        self, workers: Workers, request: Request, work: Callable[[Stop], Response]
     ) -> Response:
-        """Do slow work on a thread; it is told by an event when its client has left.
+        """Do slow work on a thread, which ends when its client has left.
 
         Parameters
         ----------
@@ -185,19 +111,21 @@ class Service:
         request : Request
             The request that it answers.
         work : callable
-            Does it; called with the event, after which it raises `StoppedError` as soon as it can.
+            Does it; called with what is set when the client has left. Runs in space end then by themselves.
         """
-        client_left = threading.Event()
+        left = Stop()
 
         def unless_left() -> Response:
-            if client_left.is_set():
+            with left.ending_runs():
+                answer = None if left.is_set() else work(left)
+            if answer is None or left.is_set():
                 raise StoppedError
-            return work(client_left)
+            return answer
 
         async def watch() -> None:
             while not await request.is_disconnected():
                 await asyncio.sleep(POLL_INTERVAL)
-            client_left.set()
+            left.set()
 
         watcher = asyncio.create_task(watch())
         try:

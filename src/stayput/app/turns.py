@@ -1,22 +1,36 @@
-"""Whose turn it is: addresses take turns, at each address its pages, and of each page what came first.
+"""Who asks, and whose turn it is: threads and long work are shared among clients.
 
-A page that is open somewhere says in the header `CLIENT_HEADER` which it is. So ten people behind one address
-take turns, and who opens a hundred pages gets one turn of the addresses all the same.
+A client is a page at an address; the header `CLIENT_HEADER` says which of the pages there it is.
 """
 
 from __future__ import annotations
 
-from collections import OrderedDict, deque
+import asyncio
+import threading
+import time
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
-from typing import Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, ParamSpec, Protocol, TypeVar
+from weakref import WeakValueDictionary
 
+from stayput.app.refusals import RefusedError, refused, unprinted
+from stayput.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection
+
+P = ParamSpec("P")
 T = TypeVar("T")
 
 CLIENT_HEADER = "x-stayput-client"
 """Header in which a page says which of the pages at its address it is."""
 
-LONGEST_CLIENT = 64
-"""So many of its characters count."""
+SLICE = 0.5
+"""How long work goes on while other work waits [s]."""
+
+CHECK_INTERVAL = 1.0
+"""How often work that waits for its turn looks whether it is wanted [s]."""
 
 
 class Client(NamedTuple):
@@ -33,56 +47,146 @@ CLIENT: ContextVar[Client] = ContextVar("client", default=NOBODY)
 """Who has sent the request that is being answered."""
 
 
-class Turns(Generic[T]):
-    """Items that wait for their turn."""
+class OfClient(Protocol):
+    """Something that is kept for a client."""
 
-    def __init__(self) -> None:
-        self._addresses: OrderedDict[str, OrderedDict[str, deque[T]]] = OrderedDict()
+    client: Client
+    last_used: float
 
-    def __len__(self) -> int:
-        """Return how many wait."""
-        return sum(len(items) for pages in self._addresses.values() for items in pages.values())
 
-    def of_address(self, address: str) -> int:
-        """Return how many of an address wait."""
-        pages = self._addresses.get(address)
-        return 0 if pages is None else sum(len(items) for items in pages.values())
+AnyOfClient = TypeVar("AnyOfClient", bound=OfClient)
 
-    def add(self, client: Client, item: T, *, again: bool = False) -> None:
-        """Let an item wait; ``again``: it has begun and goes on before others of its client."""
-        items = self._addresses.setdefault(client.address, OrderedDict()).setdefault(client.page, deque())
-        if again:
-            items.appendleft(item)
-        else:
-            items.append(item)
 
-    def take(self) -> T | None:
-        """Return whose turn it is, or None where nobody waits; its address and its client go to the end."""
-        if not self._addresses:
-            return None
-        address, pages = self._addresses.popitem(last=False)
-        page, items = pages.popitem(last=False)
-        item = items.popleft()
-        if items:
-            pages[page] = items
-        if pages:
-            self._addresses[address] = pages
-        return item
+def first_to_go(kept: Collection[AnyOfClient]) -> AnyOfClient:
+    """Return what goes where too much is kept: the oldest of the page with most, at the address with most."""
+    of_address = Counter(one.client.address for one in kept)
+    of_page = Counter(one.client for one in kept)
+    return max(kept, key=lambda one: (of_address[one.client.address], of_page[one.client], -one.last_used))
 
-    def remove(self, item: T) -> None:
-        """Let an item wait no longer; nothing happens where it does not."""
-        for address, pages in list(self._addresses.items()):
-            for page, items in list(pages.items()):
-                if item in items:
-                    items.remove(item)
-                if not items:
-                    del pages[page]
-            if not pages:
-                del self._addresses[address]
 
-    def in_order(self) -> list[T]:
-        """Return all that wait, in the order of their turns if nobody else comes."""
-        rehearsal: Turns[T] = Turns()
-        for address, pages in self._addresses.items():
-            rehearsal._addresses[address] = OrderedDict((page, deque(own)) for page, own in pages.items())
-        return [item for _ in range(len(rehearsal)) if (item := rehearsal.take()) is not None]
+class StoppedError(Exception):
+    """Raised within work that is no longer wanted."""
+
+
+class Turns:
+    """Long work, of which some goes on and the rest waits for its turn.
+
+    Parameters
+    ----------
+    at_once : int
+        How many go on at a time.
+    """
+
+    def __init__(self, at_once: int) -> None:
+        self.at_once = at_once
+        self.queue: list[Turn] = []
+        self.changed = threading.Condition()
+
+
+class Turn:
+    """The place of some work among the others; within ``with`` it has its turn.
+
+    Parameters
+    ----------
+    turns : Turns
+        The others.
+    wanted : callable
+        Returns whether the work is to go on.
+    """
+
+    def __init__(self, turns: Turns, wanted: Callable[[], bool]) -> None:
+        self._turns, self._wanted, self._began = turns, wanted, 0.0
+        with turns.changed:
+            turns.queue.append(self)
+
+    def __enter__(self) -> Turn:
+        """Wait for the turn; raise `StoppedError` where the work is no longer wanted."""
+        turns = self._turns
+        with turns.changed:
+            while self._wanted() and self not in turns.queue[: turns.at_once]:
+                turns.changed.wait(CHECK_INTERVAL)
+        if not self._wanted():
+            self.leave()
+            raise StoppedError
+        self._began = time.monotonic()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.leave()
+
+    def go_on(self) -> None:
+        """Let others go on, where some wait and this work has had its slice; raises as ``with`` does."""
+        if not self._wanted():
+            raise StoppedError
+        turns = self._turns
+        if time.monotonic() - self._began >= SLICE and len(turns.queue) > turns.at_once:
+            with turns.changed:
+                self.leave()
+                turns.queue.append(self)
+            self.__enter__()
+
+    def leave(self) -> None:
+        """Give up the place; nothing happens where that has been done."""
+        with self._turns.changed:
+            if self in self._turns.queue:
+                self._turns.queue.remove(self)
+            self._turns.changed.notify_all()
+
+    @property
+    def position(self) -> int | None:
+        """How many have their turn before this work; None where it has no place."""
+        queue = self._turns.queue.copy()
+        return queue.index(self) if self in queue else None
+
+
+class Workers:
+    """A bounded pool of threads that compute, off the event loop; no client keeps others waiting for long.
+
+    Parameters
+    ----------
+    threads : int
+        How many threads; a client has no more in use or next in the queue.
+    waiting : int
+        How many requests may wait for one; half of the places are for other addresses.
+    """
+
+    def __init__(self, threads: int, waiting: int) -> None:
+        self._pool = ThreadPoolExecutor(threads, "stayput-worker")
+        self._threads, self._waiting = threads, waiting
+        self._free = asyncio.Semaphore(threads)
+        self._own: WeakValueDictionary[Client, asyncio.Semaphore] = WeakValueDictionary()
+        self.asking: Counter[str] = Counter()
+        """Requests at work or waiting, by their addresses."""
+
+    async def run(self, work: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Do some work on a thread.
+
+        Raises
+        ------
+        RefusedError
+            Too much is waiting, or the input is refused.
+        """
+
+        def quietly() -> T:
+            with unprinted():
+                return work(*args, **kwargs)
+
+        client = CLIENT.get()
+        others = self._threads + self._waiting // 2
+        if self.asking.total() >= self._threads + self._waiting or self.asking[client.address] > others:
+            raise refused(503, "app.busy", retry_after=2)
+        self.asking[client.address] += 1
+        own = self._own.setdefault(client, asyncio.Semaphore(self._threads))
+        try:
+            async with own, self._free:
+                return await asyncio.get_running_loop().run_in_executor(self._pool, quietly)
+        except InputError as error:
+            raise RefusedError(422, error.about(None)) from None
+        except MemoryError:
+            raise refused(503, "app.little_memory") from None
+        finally:
+            self.asking -= Counter([client.address])
+
+    def close(self) -> None:
+        """Shut the threads down; work that has not begun is dropped."""
+        self._pool.shutdown(wait=False, cancel_futures=True)

@@ -85,10 +85,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "文字列に不完全な文字があります。Unicodeで指定してください。",
     ),
     # Too much at once
-    "many_files": (
-        "Too many files are waiting to be read; try again in a moment.",
-        "読み込みを待っているファイルが多すぎます。少し待ってからもう一度お試しください。",
-    ),
     "busy": (
         "The server is busy; try again in a moment.",
         "サーバーが混み合っています。少し待ってからもう一度お試しください。",
@@ -101,7 +97,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The server has too little memory for this; try something smaller.",
         "サーバーのメモリが足りません。条件を小さくしてお試しください。",
     ),
-    "ends": ("The server ends.", "サーバーは終了するところです。"),
     "failed": ("The server failed; its log says why.", "サーバーでエラーが起きました。"),
     # Verifications
     "no_report_yet": (
@@ -186,10 +181,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion has {value} samples; this server allows {most}.",
         "データが多すぎます（{value}個）。{most}個まで使えます。",
     ),
-    "many_numbers": (
-        "The file has about {value} numbers; this server reads {most}.",
-        "数値が多すぎます（約{value}個）。{most}個まで読めます。",
-    ),
     "reading_memory": (
         "The file needs more memory to be read than this server allows; it must be smaller.",
         "ファイルの読み込みに必要なメモリが多すぎます。",
@@ -203,26 +194,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ファイルの読み込みに{seconds:g}秒以上かかるため、中止しました。",
     ),
     # Forms
-    "no_form": (
-        "An upload must be a form (multipart/form-data) with a file.",
-        "アップロードはファイルを含むフォーム（multipart/form-data）で送ってください。",
-    ),
-    "form_not_read": ("The form cannot be read: {message}", "フォームを読み取れません：{message}"),
-    "form_not_multipart": (
-        "The form cannot be read; it must be multipart/form-data.",
-        "フォームを読み取れません。multipart/form-dataで送ってください。",
-    ),
-    "form_no_file": (
-        "The form has no file; it must be sent as 'file'.",
-        "フォームにファイルがありません。「file」という名前で送ってください。",
-    ),
     "flag": ("{flag} on the command line", "コマンドの{flag}"),
-    "form_unknown_field": (
-        "The form has an unknown field; it may have file, unit, dt, component, remove_mean.",
-        "フォームに不明な項目があります。使えるのはfile、unit、dt、component、remove_meanです。",
+    "body_not_read": (
+        "The body cannot be read; it must be JSON, or that of an upload multipart/form-data.",
+        "送信されたデータを読み取れません。JSON（アップロードではmultipart/form-data）で送ってください。",
     ),
     "empty_file": ("The file is empty; it must hold a record.", "ファイルが空です。"),
-    "dt_not_a_number": ("dt must be a number [s].", "時間刻みは秒単位の数値で入力してください。"),
     # Starting
     "not_served": (
         "The address is {host}, port {port}; it cannot be served: {reason}.",

@@ -473,6 +473,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Address to bind to; others than loopback let other machines in.",
         "待ち受けるアドレス。ループバック以外では、ほかのマシンからも接続できる",
     ),
+    "server_name": (
+        "Name of the server behind a proxy; repeatable.",
+        "プロキシ経由で使うときのサーバー名（複数可）",
+    ),
     "port": ("Port; 0 takes a free one.", "ポート番号（0なら空いているもの）"),
     "browser": ("Open the page.", "ブラウザーでページを開くかどうか"),
 }

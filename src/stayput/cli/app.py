@@ -15,6 +15,7 @@ PORT = 8000
 def app(
     host: Annotated[str, typer.Option(help="cli_help.host")] = "127.0.0.1",
     port: Annotated[int, typer.Option(min=0, max=65535, help="cli_help.port")] = PORT,
+    name: Annotated[list[str] | None, typer.Option(metavar="NAME", help="cli_help.server_name")] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="cli_help.browser")] = True,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
@@ -28,4 +29,4 @@ def app(
         if error.name is not None and error.name.startswith("stayput"):
             raise
         raise absent("The app", error.name or "a library", "app") from None
-    serve(host, port, browser=browser, language=lang)
+    serve(host, port, names=name or (), browser=browser, language=lang)

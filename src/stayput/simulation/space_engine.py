@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import threading
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -14,6 +17,8 @@ from stayput.simulation.space_gaps import Gaps, gaps_of, refuse_overlaps
 from stayput.simulation.space_records import scratch_of
 
 if TYPE_CHECKING:
+    from collections.abc import Generator
+
     from numpy.typing import NDArray
 
 STEP = 1e-3
@@ -21,6 +26,38 @@ STEP = 1e-3
 
 MOST_HITS = 10_000
 """Most hits that are listed."""
+
+
+_STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)
+
+
+class Stop(threading.Event):
+    """Ends runs of another thread once it is set: they are given up at the next sample."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._works: list[NDArray[np.float64]] = []
+
+    def set(self) -> None:
+        """End the runs, and those that are still to come."""
+        super().set()
+        for work in self._works:
+            work[2] = np.inf
+
+    def watch(self, work: NDArray[np.float64]) -> None:
+        """Let a run that begins be ended: by its work, at which the engine looks."""
+        self._works.append(work)
+        if self.is_set():
+            self.set()
+
+    @contextmanager
+    def ending_runs(self) -> Generator[None]:
+        """End the runs of this thread within the block."""
+        token = _STOP.set(self)
+        try:
+            yield
+        finally:
+            _STOP.reset(token)
 
 
 class SpaceTrace(NamedTuple):
@@ -112,6 +149,8 @@ def run_world(
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
     numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(3)
+    if (stop := _STOP.get()) is not None:
+        stop.watch(work)
     output = histories, forces, hits, numbers, peaks, work
     times = np.array([dt, longest_step(springs, world[0], step), gravity])
     scratch = scratch_of(world, len(springs))
