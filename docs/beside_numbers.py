@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import stayput as sp
-import stayput.studies.three_dimensions_runs as shapes
-import stayput.studies.tombstones_runs as cemetery
+import studies.three_dimensions_runs as shapes
+import studies.tombstones_runs as cemetery
 from stayput.everyday import CARPET
-from stayput.studies.ac156 import passing
-from stayput.studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTION, TESTS
-from stayput.studies.consumer_centre import GAPS, agreement
-from stayput.studies.consumer_centre import TESTS as SHOWN
-from stayput.studies.study import listed, span
-from stayput.studies.three_dimensions import (
+from studies.ac156 import passing
+from studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTION, TESTS
+from studies.consumer_centre import GAPS, agreement
+from studies.consumer_centre import TESTS as SHOWN
+from studies.study import listed, span
+from studies.three_dimensions import (
     PLANE,
     SPACE,
     STRONGER,
@@ -26,12 +26,12 @@ from stayput.studies.three_dimensions import (
     pulses,
     slide_ratio,
 )
-from stayput.studies.tip_over import LIGHT_CHEST
-from stayput.studies.tombstones import inside
+from studies.tip_over import LIGHT_CHEST
+from studies.tombstones import inside
 from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
-    from stayput.studies import Study
+    from studies import Study
 
 Numbers = dict[str, Any]
 

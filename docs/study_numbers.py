@@ -14,24 +14,24 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from beside_numbers import ac156, consumer_centre, three_dimensions, tip_over, tombstones
 
-import stayput.studies.baseline_runs as baselines
-import stayput.studies.capacity_runs as capacities
-import stayput.studies.critical_ratio_runs as amplitudes
-import stayput.studies.friction_runs as sliding
-import stayput.studies.spectrum_runs as spectra
-import stayput.studies.tokyo_runs as tokyo_test
-import stayput.studies.walls as walls
-from stayput import studies
+import studies.baseline_runs as baselines
+import studies.capacity_runs as capacities
+import studies.critical_ratio_runs as amplitudes
+import studies.friction_runs as sliding
+import studies.spectrum_runs as spectra
+import studies.tokyo_runs as tokyo_test
+import studies.walls as walls
+import studies
 from stayput.estimates import SCATTER
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Wall
 from stayput.simulation.run import LAWS
-from stayput.studies.capacity import inside, stated
-from stayput.studies.contents import LIP, RANGES, SEVEN, SIX_UPPER, SLOPE, WALL
-from stayput.studies.study import NO, listed, span
-from stayput.studies.tokyo import names
-from stayput.studies.wall_gap import NEAR, SHARES, TURNS_OVER, WIDE, WIDTHS, nearest_walls, ruled
-from stayput.studies.wall_gap_record import differences, nearest, rows_of
+from studies.capacity import inside, stated
+from studies.contents import LIP, RANGES, SEVEN, SIX_UPPER, SLOPE, WALL
+from studies.study import NO, listed, span
+from studies.tokyo import names
+from studies.wall_gap import NEAR, SHARES, TURNS_OVER, WIDE, WIDTHS, nearest_walls, ruled
+from studies.wall_gap_record import differences, nearest, rows_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     import stayput as sp
-    from stayput.studies import Study
+    from studies import Study
 
 Numbers = dict[str, Any]
 

@@ -9,12 +9,12 @@ import study_numbers
 
 import stayput as sp
 import workload
-from stayput import studies
-from stayput.studies.study import NO, PARTLY, YES, claims_table, table_as_markdown
+import studies
+from studies.study import NO, PARTLY, YES, claims_table, table_as_markdown
 
 if TYPE_CHECKING:
-    from stayput.studies import Study
-    from stayput.studies.study import Claim
+    from studies import Study
+    from studies.study import Claim
 
 TEXTS = Path(__file__).parent / "studies"
 """What was done and found, study by study; ``{{name}}`` stands for a number of the run."""

@@ -35,7 +35,7 @@ LAYERS = (
     {"verification", "fallen"},
     {"rooms"},
     {"report"},
-    {"studies", "inventory"},
+    {"inventory"},
     {"app"},
     {"cli"},
 )

@@ -9,9 +9,9 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.studies import ac156_runs
-from stayput.studies.ac156 import ac156, passing
-from stayput.studies.ac156_runs import BUILDINGS, HEIGHTS, ROOMS, TESTS, bodies, earthquakes
+from studies import ac156_runs
+from studies.ac156 import ac156, passing
+from studies.ac156_runs import BUILDINGS, HEIGHTS, ROOMS, TESTS, bodies, earthquakes
 
 RECORDS = Path(__file__).parents[3] / "shared" / "motions"
 

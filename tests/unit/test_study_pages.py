@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput import studies
+import studies
 
 DOCS = Path(__file__).parents[2] / "docs"
 TEXTS = sorted((DOCS / "studies").glob("*.md"))

@@ -7,9 +7,9 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.studies.wall_gap import ruled, wall_gap
-from stayput.studies.wall_gap_record import paper_words, ranges, wall_gap_record, words
-from stayput.studies.walls import table_4_2, turnover
+from studies.wall_gap import ruled, wall_gap
+from studies.wall_gap_record import paper_words, ranges, wall_gap_record, words
+from studies.walls import table_4_2, turnover
 
 SMALL = {
     "widths": [0.5, 1.1],

@@ -7,7 +7,7 @@ only.
 import pytest
 
 import stayput as sp
-from stayput.studies.consumer_centre import TESTS, agreement, consumer_centre
+from studies.consumer_centre import TESTS, agreement, consumer_centre
 
 BARE, WEDGE, REFRIGERATOR, POLES, STRONGEST = range(len(TESTS))
 

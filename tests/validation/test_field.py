@@ -5,8 +5,8 @@ import pytest
 
 from stayput import Body, studies
 from stayput.estimates import LOSS_MODEL_RATIO, kaneko_hayashi_median, kaneko_hayashi_velocity
-from stayput.studies.baseline import FREE, WALL, field_of
-from stayput.studies.baseline_runs import LOSS_MODEL
+from studies.baseline import FREE, WALL, field_of
+from studies.baseline_runs import LOSS_MODEL
 
 
 @pytest.fixture(scope="module")

@@ -10,8 +10,8 @@ import pytest
 import stayput as sp
 from stayput.estimates import kaneko_hayashi_median
 from stayput.fragility import CurveState
-from stayput.studies.capacity import capacity
-from stayput.studies.capacity_runs import (
+from studies.capacity import capacity
+from studies.capacity_runs import (
     OTHERS,
     STATED,
     Shakings,

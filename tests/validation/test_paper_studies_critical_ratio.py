@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.studies.critical_ratio import critical_ratio
-from stayput.studies.critical_ratio_runs import (
+from studies.critical_ratio import critical_ratio
+from studies.critical_ratio_runs import (
     EQUATION_4_1,
     Conditions,
     critical_amplitudes,

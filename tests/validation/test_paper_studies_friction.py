@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.studies.friction import friction
-from stayput.studies.friction_runs import (
+from studies.friction import friction
+from studies.friction_runs import (
     FREE,
     HELD,
     PAPER_ROWS,

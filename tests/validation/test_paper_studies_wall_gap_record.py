@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.studies.wall_gap_record import wall_gap_record
+from studies.wall_gap_record import wall_gap_record
 
 RECORD = Path(__file__).parents[3] / "shared" / "motions" / "jma_kobe_1995_ns.AT2"
 needs_record = pytest.mark.skipif(not RECORD.is_file(), reason="the record of JMA Kobe 1995 NS is absent")

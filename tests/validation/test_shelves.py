@@ -16,7 +16,7 @@ from stayput.measures import element_rows, hold
 from stayput.mechanics.columns import COULOMB
 from stayput.mechanics.runner import shaking
 from stayput.simulation.flat_fields import case_columns
-from stayput.studies.contents import contents
+from studies.contents import contents
 
 PIECE = sp.Body(0.45, 1.8, 100.0)
 SQUAT = sp.Body(1.0, 0.02, 100.0)

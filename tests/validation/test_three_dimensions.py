@@ -5,8 +5,8 @@ import pytest
 
 import stayput as sp
 from stayput.simulation.case import simulate
-from stayput.studies.three_dimensions import PLANE, SPACE, STRONGER, differing, less_space, three_dimensions
-from stayput.studies.three_dimensions_runs import ENGINES, SETTINGS, Shaken, outcomes
+from studies.three_dimensions import PLANE, SPACE, STRONGER, differing, less_space, three_dimensions
+from studies.three_dimensions_runs import ENGINES, SETTINGS, Shaken, outcomes
 
 
 @pytest.fixture(scope="module")

@@ -129,7 +129,7 @@ def test_the_scenario_s_table_and_the_verdict_s_line():
 
 
 def test_the_study():
-    from stayput import studies
+    import studies
 
     study = studies.tip_over()
     margin = study.data["margin"]

@@ -15,9 +15,9 @@ import pytest
 import stayput as sp
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
-from stayput.studies.study import span
-from stayput.studies.tokyo import MOST, claims, tokyo
-from stayput.studies.tokyo_runs import (
+from studies.study import span
+from studies.tokyo import MOST, claims, tokyo
+from studies.tokyo_runs import (
     ALONE,
     BODIES,
     LEVELS,

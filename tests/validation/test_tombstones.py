@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.studies.tombstones import inside, tombstones
-from stayput.studies.tombstones_runs import IDEALS, SETTINGS, STATED, cemeteries, stones
+from studies.tombstones import inside, tombstones
+from studies.tombstones_runs import IDEALS, SETTINGS, STATED, cemeteries, stones
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from setups import STICKING, G, block
 
 import stayput as sp
 from stayput.simulation.boundary import trace_boundary
-from stayput.studies.spectrum import spectrum
+from studies.spectrum import spectrum
 
 ALPHA, E, P = 0.25, 0.9, 2.14
 BANDS = [3.032, 6.743, 7.493]

@@ -103,26 +103,6 @@ class Impossible:
         return self.error.told("ja" if language == "ja" else "en")
 
 
-def require_coulomb(scenario: Scenario, purpose: str) -> None:
-    """Refuse a scenario with the paper's contact law, which knows no devices.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The scenario.
-    purpose : str
-        Id of the text for what needs the other law.
-
-    Raises
-    ------
-    InputError
-        The contact law is not "coulomb".
-    """
-    if scenario.contact != "coulomb":
-        what = phrase(purpose)
-        raise InputError("verification.needs_coulomb", "contact", contact=scenario.contact, what=what)
-
-
 def partition_options(
     options: Sequence[Option], body: Body, room: Room
 ) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:

@@ -16,8 +16,8 @@ from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK
 from stayput.simulation.run import LAWS
 from stayput.simulation.sweep import sweep
-from stayput.studies.study import Quantity, Study, increasing
-from stayput.studies.walls import FALLEN, RATIO, SIDES, WALLS, results_about, table_4_2, turnover
+from studies.study import Quantity, Study, increasing
+from studies.walls import FALLEN, RATIO, SIDES, WALLS, results_about, table_4_2, turnover
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -93,7 +93,7 @@ def wall_gap_record(
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.wall_gap_record(widths=[0.1, 0.2], gaps=[0.0, 0.2, 0.4])
     >>> reversed_motion = {"contact": "paper", "motion.scale": -1.0, "wall": "both"}
     >>> quick.data.overturned.sel(reversed_motion).to_pandas()

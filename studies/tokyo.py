@@ -15,8 +15,8 @@ from stayput.motion import near_fault
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK, MUTED
-from stayput.studies.study import NO, PARTLY, YES, Claim, Quantity, Study, claims_table, outcome_of, span
-from stayput.studies.tokyo_runs import (
+from studies.study import NO, PARTLY, YES, Claim, Quantity, Study, claims_table, outcome_of, span
+from studies.tokyo_runs import (
     ALONE,
     BODIES,
     LEVELS,
@@ -91,7 +91,7 @@ def tokyo(
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.tokyo(samples=1, variations=False)
     >>> for claim in (quick.claims[0], quick.claims[3]):
     ...     print(f"{claim.published}: {claim.outcome}")

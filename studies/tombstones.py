@@ -16,8 +16,8 @@ from stayput.motion.suites import synthetic_suite
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK, MUTED
-from stayput.studies.study import Claim, Quantity, Study, outcome_of
-from stayput.studies.tombstones_runs import (
+from studies.study import Claim, Quantity, Study, outcome_of
+from studies.tombstones_runs import (
     ASPECT,
     DENSITY,
     FRICTION,
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from stayput.fragility.fallen import IntensityEstimate
-    from stayput.studies.tombstones_runs import CemeterySetting
+    from studies.tombstones_runs import CemeterySetting
 
 
 COUNTED, FELL = 40, (0, 4, 10, 20, 30, 36, 40)
@@ -78,7 +78,7 @@ def tombstones(
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.tombstones(motions=2, stones=2)
     >>> for name in ("share_5_upper", "share_7"):  # of the stones [%], ours and observed
     ...     print(f"{quick.quantities[name]}, {quick.quantities[name].published}")

@@ -15,7 +15,7 @@ from matplotlib.ticker import MaxNLocator
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK, MUTED
-from stayput.studies.friction_runs import (
+from studies.friction_runs import (
     FREE,
     HELD,
     PAPER_ROWS,
@@ -30,7 +30,7 @@ from stayput.studies.friction_runs import (
     slides_under,
     unit_sine,
 )
-from stayput.studies.study import Quantity, Study, rising
+from studies.study import Quantity, Study, rising
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -88,7 +88,7 @@ def friction(
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> sines = {"amplitudes": [8.0, 10.0], "frequencies": [1.5, 2.0], "duration": 5.0}
     >>> quick = studies.friction(**sines, coefficients=[0.1, 0.3])
     >>> quick.quantities["sine_held"].value

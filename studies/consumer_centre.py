@@ -30,7 +30,7 @@ from stayput.motion.suites import synthetic_suite
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK
-from stayput.studies.study import NO, PARTLY, YES, Claim, Quantity, Study, outcome_of, span
+from studies.study import NO, PARTLY, YES, Claim, Quantity, Study, outcome_of, span
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -131,7 +131,7 @@ def consumer_centre(motions: int = 24, *, samples: int = 8, seed: int = 1) -> St
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.consumer_centre(motions=2, samples=1)
     >>> print(quick.quantities["met"], "of", quick.quantities["met"].published)
     1 of 5

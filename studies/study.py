@@ -41,7 +41,7 @@ class Quantity:
 
     Examples
     --------
-    >>> from stayput.studies import Quantity
+    >>> from studies import Quantity
     >>> slide = Quantity("largest slide [cm]", value=12.345, published=11.8)
     >>> f"{slide.label}: {slide}, published {slide.published}"
     'largest slide [cm]: 12.3, published 11.8'
@@ -141,7 +141,7 @@ class Study:
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> study = studies.tip_over()
     >>> study.title, list(study.figures)
     ('Tip-over without an earthquake', ['margins'])

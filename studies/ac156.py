@@ -17,7 +17,7 @@ from stayput.motion.suites import asce7
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK
-from stayput.studies.ac156_runs import (
+from studies.ac156_runs import (
     BUILDINGS,
     HEIGHTS,
     LONG_PERIOD_RATIO,
@@ -31,7 +31,7 @@ from stayput.studies.ac156_runs import (
     slides,
     test_motions,
 )
-from stayput.studies.study import Quantity, Study, increasing
+from studies.study import Quantity, Study, increasing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -89,7 +89,7 @@ def ac156(
     Examples
     --------
     >>> import stayput as sp
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.ac156(sds=[1.0], tests=1, ground=sp.Suite((sp.near_fault(),), "near the fault"))
     >>> wardrobe = quick.data.sel(sds=1.0, height=1.0, piece="wardrobe", floor="vinyl")  # on top floors
     >>> bool(wardrobe.passes.sel(test="AC156, ASCE 7-22"))

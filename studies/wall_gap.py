@@ -20,8 +20,8 @@ from stayput.motion import sine
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK, MUTED
 from stayput.simulation.run import LAWS
-from stayput.studies.study import Quantity, Study, increasing, span
-from stayput.studies.walls import DURATION, FALLEN, RATIO, SIDES, WALLS, results_about, table_4_2, turnover
+from studies.study import Quantity, Study, increasing, span
+from studies.walls import DURATION, FALLEN, RATIO, SIDES, WALLS, results_about, table_4_2, turnover
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -106,7 +106,7 @@ def wall_gap(
     -------
     Study
         ``data`` holds ``overturned`` over law, wall, width and distance, and ``overturned_free`` without a
-        wall; and what `stayput.studies.wall_gap.rule_tested` gives, over law, aspect ratio and sine.
+        wall; and what `studies.wall_gap.rule_tested` gives, over law, aspect ratio and sine.
 
     Raises
     ------
@@ -115,7 +115,7 @@ def wall_gap(
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.wall_gap(
     ...     widths=[0.4, 0.8, 1.2], gaps=[0.0, 0.1, 0.2], amplitudes=[5.0], frequencies=[0.8], ratios=[0.36]
     ... )

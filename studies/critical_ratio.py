@@ -13,7 +13,7 @@ from stayput.errors import InputError, within
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
 from stayput.simulation.run import LAWS
-from stayput.studies.critical_ratio_runs import (
+from studies.critical_ratio_runs import (
     EQUATION_4_1,
     STICKING,
     Conditions,
@@ -24,7 +24,7 @@ from stayput.studies.critical_ratio_runs import (
     regression,
     rows_of,
 )
-from stayput.studies.study import Quantity, Study, rising
+from studies.study import Quantity, Study, rising
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -97,7 +97,7 @@ def critical_ratio(
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.critical_ratio(ratios=[0.3, 0.4, 0.5], frequencies=[0.8, 1.0], step=0.1)
     >>> main = quick.data.to_dataframe().query("part == 'main'").set_index("ratio")
     >>> main[["frequency", "critical", "eq_4_1"]].round(1)  # ours and the paper's amplitudes [m/s²]

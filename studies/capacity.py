@@ -20,7 +20,7 @@ from stayput.model.body import Body
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, plain_log, style
 from stayput.report.palette import INK, MUTED
-from stayput.studies.capacity_runs import (
+from studies.capacity_runs import (
     CORNERS,
     DRAWN,
     OTHERS,
@@ -33,7 +33,7 @@ from stayput.studies.capacity_runs import (
     of_spectra,
     overturning,
 )
-from stayput.studies.study import Claim, Quantity, Study, outcome_of
+from studies.study import Claim, Quantity, Study, outcome_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.studies.capacity_runs import BodyCapacity, Shakings
+    from studies.capacity_runs import BodyCapacity, Shakings
 
 BAND = 0.2
 """How far a median may be from the formula's."""
@@ -122,7 +122,7 @@ def capacity(
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> few = studies.capacity(2, corners=[0.8], sizes=["bookcase"], step=0.2, variations=False)
     >>> for name in ("mean", "first"):  # of a bookcase under two motions; 1 is the formula
     ...     print(few.quantities[name], few.quantities[name].label)

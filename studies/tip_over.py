@@ -15,7 +15,7 @@ from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
 from stayput.report.figures import FONT, new_figure, plain_log, style
 from stayput.report.palette import ALARM, INK
-from stayput.studies.study import Quantity, Study
+from studies.study import Quantity, Study
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -63,7 +63,7 @@ def tip_over(everyday: Everyday | None = None) -> Study:
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> margin = studies.tip_over().data.margin.sel(piece="light chest of drawers")
     >>> margin.to_pandas().round(2)
     case                   pull  load  one_drawer  all_drawers

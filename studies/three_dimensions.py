@@ -13,8 +13,8 @@ from stayput.fragility import difference, probability
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
-from stayput.studies.study import Quantity, Study, increasing
-from stayput.studies.three_dimensions_runs import (
+from studies.study import Quantity, Study, increasing
+from studies.three_dimensions_runs import (
     CABINETS,
     ENGINES,
     FAMILIES,
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility import Difference, Probability
-    from stayput.studies.three_dimensions_runs import ShapeSetting
+    from studies.three_dimensions_runs import ShapeSetting
 
 PLANE, STRONGER, SPACE = ENGINES
 
@@ -77,7 +77,7 @@ def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS,
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.three_dimensions(motions=2, headings=[0.0])
     >>> print(f"{quick.quantities['plane_differs'].label}: {quick.quantities['plane_differs']}")
     Verdicts that differ, component along the depth [%]: 12

@@ -22,7 +22,7 @@ from stayput.motion.suites import synthetic_suite
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, plain_log, style
 from stayput.report.palette import INK, MUTED
-from stayput.studies.baseline_runs import (
+from studies.baseline_runs import (
     AT_HOME,
     EFFECTS,
     GROUND_LEVELS,
@@ -39,14 +39,14 @@ from stayput.studies.baseline_runs import (
     run_baselines,
     run_storeys,
 )
-from stayput.studies.study import NO, PARTLY, YES, Claim, Quantity, Study, outcome_of, span
+from studies.study import NO, PARTLY, YES, Claim, Quantity, Study, outcome_of, span
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from stayput.montecarlo.sampling import Rows
-    from stayput.studies.baseline_runs import Effect
+    from studies.baseline_runs import Effect
 
 CLASSES = {"5-upper": 5.25, "6-lower": 5.75, "6-upper": 6.25, "7": 6.75}
 """JMA classes of the table of observations, and the intensity in the middle of each."""
@@ -112,7 +112,7 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.baseline(motions=2, samples=1)
     >>> for name in ("free_formula", "wall_formula"):  # where half fall, over what the formula says
     ...     print(quick.quantities[name], quick.quantities[name].label.partition(", ")[2])

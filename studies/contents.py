@@ -21,7 +21,7 @@ from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
 from stayput.simulation.case import Case
-from stayput.studies.study import PARTLY, YES, Claim, Quantity, Study, claims_table, increasing, outcome_of
+from studies.study import PARTLY, YES, Claim, Quantity, Study, claims_table, increasing, outcome_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -132,7 +132,7 @@ def contents(motion: Motion | None = None, intensities: ArrayLike = INTENSITIES)
 
     Examples
     --------
-    >>> from stayput import studies
+    >>> import studies
     >>> quick = studies.contents(intensities=[5.5])
     >>> for name in ("out_held", "out_bare"):
     ...     print(f"{quick.quantities[name].label}: {quick.quantities[name]}")
