@@ -1,67 +1,81 @@
 """The baseline: what the ideal block leaves out and is worth, and where bare furniture lies in the field.
 
-Published medians of unanchored furniture are formulas where they could be read (`baseline_runs.LOSS_MODEL`,
+Published medians of unanchored furniture are formulas where they could be read (`LOSS_MODEL`,
 `stayput.estimates`); what was observed are shares in rooms. Both stand beside the simulation, nothing fitted.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
-import pandas as pd
 import xarray as xr
 
-from stayput.errors import whole_within
-from stayput.estimates import LOSS_MODEL_RATIO, kaneko_hayashi_velocity
+from stayput.estimates import kaneko_hayashi_velocity
+from stayput.fragility import JMA_INTENSITY, PFV, Trials, fragility_curve
 from stayput.measures import Held
 from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
-from stayput.motion.suites import synthetic_suite
-from stayput.progress import bar
-from stayput.report.figures import FONT, new_figure, plain_log, style
-from stayput.report.palette import INK, MUTED
-from studies.baseline_runs import (
-    AT_HOME,
-    EFFECTS,
-    GROUND_LEVELS,
-    IDEAL,
-    LEVELS,
-    LOSS_MODEL,
-    PIECES,
-    STANDS,
-    STOREYS,
-    Baseline,
-    default_rows,
-    hazards,
-    ideal_rows,
-    run_baselines,
-    run_storeys,
-)
-from studies.study import NO, PARTLY, YES, Claim, Quantity, Study, outcome_of, span
+from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.panel import panel_restitution
+from stayput.model.room import SURFACES, Floor, Room, Wall
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.levels import run_levels
+from stayput.montecarlo.runs import run_level
+from stayput.montecarlo.sampling import draws, rows_of, stated_rows
+from stayput.motion.suites import Suite, synthetic_suite
+from stayput.report.palette import INK
+from stayput.scenario.building import BuildingTable
+from studies.study import Quantity, Study, claim, panels, span
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    import pandas as pd
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from stayput.montecarlo.sampling import Rows
-    from studies.baseline_runs import Effect
+    from stayput.motion import Motion
 
-CLASSES = {"5-upper": 5.25, "6-lower": 5.75, "6-upper": 6.25, "7": 6.75}
-"""JMA classes of the table of observations, and the intensity in the middle of each."""
+LEVELS: NDArray[np.float64] = np.arange(4.0, 7.61, 0.15)
+"""JMA intensities at which every body is run."""
+
+PIECES = ("bookcase", "cupboard", "chest", "wardrobe")
+"""Presets of which the effects are told."""
+
+AT_HOME = ("bookcase", "empty bookcase", "wardrobe", "cupboard", "chest", "refrigerator", "television")
+"""Presets of a home, whose mean share is set beside what surveys tell of furniture at home."""
+
+WOOD = Floor.of("wood flooring")
+IDEAL = Room(Floor(WOOD.static_friction, WOOD.kinetic_friction))
+"""Where the ideal block stands: free, on a rigid floor; it lands by Housner's rule."""
+
+STANDS = 0.02
+"""Gap to the wall behind in the rows with one [m]; it is the default of the app."""
+
+STUDS, STUD_DAMPING = 45.0, 0.05
+"""Mass that two studs with boards on both sides move where a piece of 1.8 m hits them [kg]: half of it, 22 kg
+over the span, for either is in the first mode, which has half its swing there. Damping ratio, assumed."""
+
+IDEAL_BLOCK = "the ideal block, free"
+FREE, WALL = "as a verdict draws it, free", f"as a verdict draws it, a wall {100 * STANDS:g} cm behind"
+"""Settings of the published sizes."""
+
+STOREYS, GROUND_LEVELS = (1, 5, 10), (5.25, 5.75, 6.25)
+"""Storeys of a reinforced-concrete building of ten, and JMA intensities of its ground."""
 
 OBSERVED = {
-    "5-upper": "JMA's table: unfixed furniture may fall",
-    "6-lower": "JMA's table: most of it moves, some falls",
-    "6-upper": "JMA's table: nearly all of it moves, more of it falls",
-    "7": "JMA's table: nearly all moves or falls; Kobe: furniture fell in about 60 % of the rooms of houses "
-    "that stood",
+    "5-upper": (5.25, "JMA's table: unfixed furniture may fall", (0.01, 0.1)),
+    "6-lower": (5.75, "JMA's table: most of it moves, some falls", (0.02, 0.25)),
+    "6-upper": (6.25, "JMA's table: nearly all of it moves, more of it falls", (0.2, 0.6)),
+    "7": (6.75, "JMA's table: nearly all moves or falls; Kobe: it fell in 60 % of the rooms", (0.5, 1.0)),
 }
-"""What was observed: JMA's explanatory table, and the survey of Kobe by architects."""
-
-WORDS = {"5-upper": (0.01, 0.1), "6-lower": (0.02, 0.25), "6-upper": (0.2, 0.6), "7": (0.5, 1.0)}
-"""What JMA's words are taken to mean here, as shares of pieces that fall: may, some, more, nearly all."""
+"""JMA's classes: the middle of each, its explanatory table and the architects' survey of Kobe (houses that stood), and what the
+words are taken to mean here, as shares of pieces that fall."""
 
 REPORTED = {
     "low storeys: about 20 %": (0.1, 0.3),
@@ -70,21 +84,200 @@ REPORTED = {
 }
 """Furniture that fell in Kobe, by storey, the ground at 6-lower to 7 (second hand); and as a range."""
 
-EFFECTS_CAPTION = (
-    "What the ideal block leaves out: peak floor velocity at which half overturn, over the ideal block's, "
-    "and the mean change of the JMA intensity at which half do; – where half do not by 7.6"
-)
-FIELD_CAPTION = (
-    "Published medians, all of them formulas, and ours: peak floor velocity at which half overturn [cm/s]; "
-    "in brackets over Kaneko and Hayashi's and over FEMA P-58's; – where half do not by intensity 7.6"
-)
-HOME_CAPTION = "Observed, and the share of pieces at home that fall in a verdict, a wall 2 cm behind [%]"
-STOREY_CAPTION = (
-    "Kobe by storey, as reported at second hand, and the mean share of seven pieces at home that fall in a "
-    "verdict [%]: ten storeys of reinforced concrete, by the intensity of the ground"
-)
 
-FREE, WALL = "as a verdict draws it, free", f"as a verdict draws it, a wall {100 * STANDS:g} cm behind"
+@dataclass(frozen=True, slots=True)
+class Published:
+    """A published median of unanchored furniture.
+
+    Parameters
+    ----------
+    name : str
+        Its id and what it is.
+    width, height : float
+        Depth and height [m].
+    velocity : float
+        Median peak floor velocity at which it overturns [m/s].
+    """
+
+    name: str
+    width: float
+    height: float
+    velocity: float
+
+    @property
+    def body(self) -> Body:
+        """A uniform block of its size."""
+        return Body(self.width, self.height, 100.0)
+
+
+LOSS_MODEL = tuple(
+    Published(f"{name} in", 0.0254 * depth, 0.0254 * height, velocity)
+    for name, depth, height, velocity in (
+        ("E2022.102a bookcase, 2 shelves, 12⅝ × 29", 12.625, 29.0, 0.724),
+        ("E2022.103a bookcase, 3 shelves, 12⅝ × 41", 12.625, 41.0, 0.493),
+        ("E2022.104a bookcase, 4 shelves, 12⅝ × 56", 12.625, 56.0, 0.361),
+        ("E2022.105a bookcase, 5 shelves, 12⅝ × 71", 12.625, 71.0, 0.290),
+        ("E2022.106a bookcase, 6 shelves, 12⅝ × 81¼", 12.625, 81.25, 0.251),
+        ("E2022.112a filing cabinet, 2 drawers, 15 × 24", 15.0, 24.0, 1.229),
+        ("E2022.114a filing cabinet, 4 drawers, 15 × 52", 15.0, 52.0, 0.498),
+        ("E2022.124a lateral cabinet, 18.6 × 52.5", 18.6, 52.5, 0.688),
+        ("E2022.125a lateral cabinet, 18.6 × 67.75", 18.6, 67.75, 0.526),
+    )
+)
+"""Unanchored furniture of FEMA P-58 (second edition), as its fragility library lists it.
+
+Its notes say how the velocities were found: "calculated as a function of the aspect ratio". They are a
+formula's, not observations.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """One thing that the ideal block leaves out.
+
+    Parameters
+    ----------
+    name : str
+        What it is, with its value.
+    source : str
+        Where the value comes from.
+    held : callable
+        Given the ideal body, what stands instead, and where.
+    turned : bool
+        Whether motions are turned so that the piece has the stronger horizontal direction across its depth.
+    vertical : bool
+        Whether the vertical motion acts.
+    """
+
+    name: str
+    source: str
+    held: Callable[[Body], Held]
+    turned: bool = False
+    vertical: bool = True
+
+
+def _body(**change: Callable[[Body], object]) -> Callable[[Body], Held]:
+    return lambda body: Held(replace(body, **{name: of(body) for name, of in change.items()}), IDEAL)
+
+
+def _floor(**change: float) -> Callable[[Body], Held]:
+    return lambda body: Held(body, replace(IDEAL, floor=replace(IDEAL.floor, **change)))
+
+
+def _inset(share: float) -> Callable[[Body], Held]:
+    return _body(base_insets=lambda body: (share * body.width, share * body.width))
+
+
+def _soft_feet(settlement: float) -> Callable[[Body], Held]:
+    """Return feet at the edges that sink in: E/mg = a²/(2z) − w₀/2, so that a'² = a² − z w₀."""
+
+    def inset(body: Body) -> tuple[float, float]:
+        a, z = body.width / 2, body.centre_of_gravity[1]
+        less = a - math.sqrt(max(0.0, a * a - z * settlement))
+        return less, less
+
+    return _body(base_insets=inset)
+
+
+def _lean(angle: float) -> Callable[[Body], Held]:
+    return _body(base_heights=lambda body: (0.0, -angle * body.width))
+
+
+def _wall(gap: float, restitution: float = Wall(0.0).restitution) -> Callable[[Body], Held]:
+    return lambda body: Held(body, replace(IDEAL, left_wall=Wall(gap, restitution)))
+
+
+def _studs(body: Body) -> Held:
+    """Return a wall of studs: a rigid one that returns as much of the speed."""
+    x, z = body.centre_of_gravity
+    about_front = body.inertia_about_cg + body.mass * ((body.width / 2 - x) ** 2 + z**2)
+    returned = panel_restitution(about_front / body.height**2, STUDS, STUD_DAMPING)
+    return _wall(STANDS, returned)(body)
+
+
+def _raised(factor: float) -> Callable[[Body], Held]:
+    return _body(cg_offset=lambda body: (0.0, 0.5 * (factor - 1.0) * body.height))
+
+
+CARPET = SURFACES["carpet"].settlement
+
+EFFECTS = (
+    Effect("feet or plinth 2 % of the depth inside either edge", "geometry; assumed", _inset(0.02)),
+    Effect("feet or plinth 4 % inside, or edges rounded so far", "geometry; assumed", _inset(0.04)),
+    Effect("soft feet at the edges that sink in by 1 mm", "closed form; assumed", _soft_feet(1e-3)),
+    Effect("a flat base on wood flooring, 0.05 mm", "assumed", _floor(settlement=WOOD.settlement)),
+    Effect("a flat base on tatami, 0.5 mm", "assumed", _floor(settlement=0.5e-3)),
+    Effect("a flat base on carpet, 1 mm", "Barnett 2020: tips 40 % easier", _floor(settlement=CARPET)),
+    Effect(
+        "the same, and its landings lose like rubber's, 0.67",
+        "ElGawady, rubber; aspect 5",
+        _floor(settlement=CARPET, restitution=0.67),
+    ),
+    Effect("landings push at 2/3 of half the base", "Kalliontzis et al. 2016", _floor(landing_place=2 / 3)),
+    Effect("landings push at 1/3 of half the base", "bodies on springs", _floor(landing_place=1 / 3)),
+    Effect("landings of 0.95 times Housner's rate", "ElGawady, concrete", _floor(restitution=0.95)),
+    Effect("landings of 0.9 times Housner's rate", "assumed", _floor(restitution=0.9)),
+    Effect("the floor leans forward, or a bulged base tips, by 3/1000", "Japanese quality act", _lean(0.003)),
+    Effect("the floor leans forward by 6/1000", "the same; a likely defect", _lean(0.006)),
+    Effect(
+        "a fifth of the inertia is loose shelves, doors, contents",
+        "bound, assumed",
+        _body(inertia=lambda body: 0.8 * body.uniform_inertia),
+    ),
+    Effect("the centre of gravity 10 % lower", "heavy below; assumed", _raised(0.9)),
+    Effect("the centre of gravity 10 % higher", "heavy above; assumed", _raised(1.1)),
+    Effect("friction 0.3 and 0.25", "field's values", _floor(static_friction=0.3, kinetic_friction=0.25)),
+    Effect("friction 0.6 and 0.5", "field's values", _floor(static_friction=0.6, kinetic_friction=0.5)),
+    Effect(
+        "the stronger of the two horizontal directions", "bound", lambda body: Held(body, IDEAL), turned=True
+    ),
+    Effect("no vertical motion", "bound", lambda body: Held(body, IDEAL), vertical=False),
+    Effect("a wall behind, touching", "the app's choice", _wall(0.0)),
+    Effect("a wall 2 cm behind", "default, not measured", _wall(STANDS)),
+    Effect("a wall 5 cm behind", "the same", _wall(0.05)),
+    Effect("a wall 2 cm behind that returns 0.6 of the speed", "upper end of the draws", _wall(STANDS, 0.6)),
+    Effect("a wall of two studs with boards 2 cm behind", "law of the theory page", _studs),
+)
+"""What the ideal block leaves out."""
+
+
+def turned(motion: Motion) -> Motion:
+    """Return a motion turned so that its peak horizontal velocity lies along x."""
+    angles = np.linspace(0.0, math.pi, 36, endpoint=False)
+    return max((motion.rotated(float(angle)) for angle in angles), key=lambda one: one.pgv)
+
+
+def run_baselines(rows: Sequence[Rows], hazard: Hazard) -> xr.Dataset:
+    """Run pieces at all levels.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``velocity`` [m/s] and ``intensity`` at which half of each piece's runs overturn, NaN where that was
+        not reached, over ``row``; ``share`` that overturns, over ``row`` and ``level``.
+    """
+    floors_at = cache(hazard.at)
+    falls, _ = run_levels(rows, LEVELS, floors_at, progress=lambda _: None)
+    medians: list[list[float]] = []
+    for im in (PFV, JMA_INTENSITY):
+        strength = np.stack([floors_at(float(level)).measures[im] for level in LEVELS])
+        trials = [Trials.from_runs(im, strength, one.overturned, one.missing) for one in falls]
+        medians.append([fragility_curve(one).capacity(0.5).estimate for one in trials])
+    shares = np.stack([one.overturned.mean(axis=(1, 2)) for one in falls])
+    fields = {"velocity": ("row", medians[0]), "intensity": ("row", medians[1])}
+    return xr.Dataset(fields | {"share": (("row", "level"), shares)})
+
+
+def run_storeys(rows: Sequence[Rows], ground: Suite) -> NDArray[np.float64]:
+    """Return the share of each piece that falls, shape [storey, level, piece]."""
+    building = BuildingTable(storeys=STOREYS[-1], structure="RC")
+    by_storey = [Hazard(ground, building, storey) for storey in STOREYS]
+    return np.array(
+        [
+            [[runs.overturned.mean() for runs in run_level(rows, one.at(level))] for level in GROUND_LEVELS]
+            for one in by_storey
+        ]
+    )
 
 
 def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
@@ -102,361 +295,165 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
     Returns
     -------
     Study
-        Figures "effects" and "field". Data over ``effect`` and ``piece``, over ``published`` and ``setting``,
-        and over ``home`` and ``level``.
-
-    Raises
-    ------
-    InputError
-        A value out of range.
-
-    Examples
-    --------
-    >>> import studies
-    >>> quick = studies.baseline(motions=2, samples=1)
-    >>> for name in ("free_formula", "wall_formula"):  # where half fall, over what the formula says
-    ...     print(quick.quantities[name], quick.quantities[name].label.partition(", ")[2])
-    0.74 as a verdict draws it, free
-    1.76 as a verdict draws it, a wall 2 cm behind
+        Data over ``effect`` and ``piece``, over ``published`` and ``setting``, and over ``home`` and
+        ``level``, and ``storey`` and ``ground``.
     """
-    count = whole_within("studies.motions", motions, 2, 1000)
-    each = whole_within("studies.samples", samples, 1, 1000)
-    ground = synthetic_suite("mixed", count, seed)
-    hazard_of = hazards(ground)
-    pieces = {name: _body(name) for name in PIECES}
-    sizes = {one.name: Body(one.width, one.height, 100.0) for one in LOSS_MODEL}
-    home = {name: _body(name) for name in AT_HOME}
-    single = count * len(LEVELS)
-    runs = single * len(pieces) * (1 + len(EFFECTS)) + single * each * (
-        2 * len(pieces) + 2 * len(sizes) + len(home)
+    ground = synthetic_suite("mixed", motions, seed)
+
+    @cache
+    def hazard(is_turned: bool = False, vertical: bool = True) -> Hazard:
+        return Hazard(Suite(tuple(map(turned, ground))) if is_turned else ground, vertical=vertical)
+
+    def drawn(bodies: Sequence[Body], wall: Wall | None) -> list[Rows]:
+        room = Room(WOOD, left_wall=wall)
+        return [rows_of(body, room, (), draws(motions, samples, seed), STANDARD_GRAVITY) for body in bodies]
+
+    def stated(held: Sequence[Held]) -> list[Rows]:
+        return [stated_rows(one, motions, STANDARD_GRAVITY) for one in held]
+
+    def settings(bodies: Sequence[Body]) -> dict[str, xr.Dataset]:
+        rows = {
+            IDEAL_BLOCK: stated([Held(body, IDEAL) for body in bodies]),
+            FREE: drawn(bodies, None),
+            WALL: drawn(bodies, Wall(STANDS)),
+        }
+        return {name: run_baselines(of, hazard()) for name, of in rows.items()}
+
+    pieces, home = [_preset(name) for name in PIECES], [_preset(name) for name in AT_HOME]
+    effects = settings(pieces) | {
+        one.name: run_baselines(stated([one.held(body) for body in pieces]), hazard(one.turned, one.vertical))
+        for one in EFFECTS
+    }
+    by_effect = xr.concat(list(effects.values()), xr.Variable("effect", list(effects))).rename(row="piece")
+    field = settings([one.body for one in LOSS_MODEL])
+    by_setting = xr.concat(list(field.values()), xr.Variable("setting", list(field))).rename(row="published")
+    at_home = drawn(home, Wall(STANDS))
+    ideal = by_effect.sel(effect=IDEAL_BLOCK)
+    data = xr.Dataset(
+        {
+            "velocity": by_effect["velocity"].assign_attrs(units="m/s", long_name="median floor velocity"),
+            "ratio": by_effect["velocity"] / ideal["velocity"],
+            "shift": by_effect["intensity"] - ideal["intensity"],
+            "simulated": by_setting["velocity"].assign_attrs(units="m/s"),
+            "loss_model": ("published", [one.velocity for one in LOSS_MODEL], {"units": "m/s"}),
+            "formula": (
+                "published",
+                [kaneko_hayashi_velocity(one.body) for one in LOSS_MODEL],
+                {"units": "m/s"},
+            ),
+            "share": run_baselines(at_home, hazard())["share"].rename(row="home"),
+            "storey_share": (("storey", "ground", "home"), run_storeys(at_home, ground)),
+        },
+        {
+            "piece": list(PIECES),
+            "published": [one.name for one in LOSS_MODEL],
+            "home": list(AT_HOME),
+            "level": LEVELS,
+            "storey": list(STOREYS),
+            "ground": list(GROUND_LEVELS),
+        },
     )
-    runs += count * each * len(home) * len(STOREYS) * len(GROUND_LEVELS)
-    with bar(runs + single * len(sizes), "progress.studying") as advance:
-
-        def run(rows: list[Rows], effect: Effect | None = None) -> list[Baseline]:
-            return run_baselines(rows, hazard_of(effect), advance)
-
-        def drawn(bodies: dict[str, Body], *, wall: bool) -> list[Baseline]:
-            return run([default_rows(body, count, each, seed, wall=wall) for body in bodies.values()])
-
-        ideal = run([ideal_rows(Held(body, IDEAL), count) for body in pieces.values()])
-        changed = {
-            effect.name: run([ideal_rows(effect.held(body), count) for body in pieces.values()], effect)
-            for effect in EFFECTS
-        }
-        changed |= {FREE: drawn(pieces, wall=False), WALL: drawn(pieces, wall=True)}
-        field = {
-            "ideal": run([ideal_rows(Held(body, IDEAL), count) for body in sizes.values()]),
-            FREE: drawn(sizes, wall=False),
-            WALL: drawn(sizes, wall=True),
-        }
-        at_home = drawn(home, wall=True)
-        at_home_rows = [default_rows(body, count, each, seed, wall=True) for body in home.values()]
-        by_storey = run_storeys(at_home_rows, ground, advance)
-    data = _dataset(ideal, changed, field, at_home, by_storey)
     return Study(
         name="baseline",
         title="The baseline: what the ideal block leaves out, and the field",
         quantities=_quantities(data),
         data=data,
-        figures={"effects": draw_effects(data), "field": draw_field(data)},
+        figure=_drawn(data),
         tables={
-            EFFECTS_CAPTION: effects_table(data),
-            FIELD_CAPTION: field_table(data),
-            HOME_CAPTION: home_table(data),
-            STOREY_CAPTION: storey_table(data),
+            "What the ideal block leaves out: peak floor velocity at which half overturn, over the ideal "
+            "block's, and the mean change of the JMA intensity at which half do": effects_table(data),
+            "Published medians, all of them formulas, and ours: peak floor velocity at which half overturn "
+            "[cm/s]": field_table(data),
         },
-        claims=claims(data),
+        claims=tuple(claims(data)),
     )
 
 
-def _body(name: str) -> Body:
+def _preset(name: str) -> Body:
     preset = FURNITURE[name]
     return Body(preset.width, preset.height, preset.mass)
 
 
-def _dataset(
-    ideal: list[Baseline],
-    changed: dict[str, list[Baseline]],
-    field: dict[str, list[Baseline]],
-    at_home: list[Baseline],
-    by_storey: NDArray[np.float64],
-) -> xr.Dataset:
-    def medians(runs: list[Baseline], name: str) -> list[float]:
-        return [getattr(one, name) for one in runs]
+def field_of(data: xr.Dataset, setting: str, published: str = "formula") -> float:
+    """Return the geometric mean of a setting's medians over the published ones.
 
-    velocity, intensity = (
-        np.array([medians(runs, name) for runs in changed.values()])
-        for name in ("median_velocity", "median_intensity")
-    )
-    reference = np.array(medians(ideal, "median_velocity"))
-    reference_intensity = np.array(medians(ideal, "median_intensity"))
-    over = {"units": "m/s", "long_name": "median peak floor velocity"}
-    return xr.Dataset(
-        {
-            "ideal": ("piece", reference, over),
-            "ideal_intensity": ("piece", reference_intensity, {"long_name": "median JMA intensity"}),
-            "velocity": (("effect", "piece"), velocity, over),
-            "ratio": (("effect", "piece"), velocity / reference, {"long_name": "over the ideal block's"}),
-            "shift": (
-                ("effect", "piece"),
-                intensity - reference_intensity,
-                {"long_name": "median JMA intensity, less the ideal block's"},
-            ),
-            "simulated": (
-                ("setting", "published"),
-                np.array([medians(runs, "median_velocity") for runs in field.values()]),
-                over,
-            ),
-            "loss_model": ("published", [one.velocity for one in LOSS_MODEL], over),
-            "formula": (
-                "published",
-                [kaneko_hayashi_velocity(Body(one.width, one.height, 1.0)) for one in LOSS_MODEL],
-                over,
-            ),
-            "share": (
-                ("home", "level"),
-                np.array([one.shares for one in at_home]),
-                {"long_name": "share that overturns"},
-            ),
-            "storey_share": (
-                ("storey", "ground", "home"),
-                by_storey,
-                {"long_name": "share that overturns in a building of ten storeys"},
-            ),
-        },
-        {
-            "piece": list(PIECES),
-            "effect": list(changed),
-            "setting": list(field),
-            "published": [one.name for one in LOSS_MODEL],
-            "home": list(AT_HOME),
-            "level": ("level", LEVELS, {"long_name": "JMA intensity of the ground"}),
-            "storey": list(STOREYS),
-            "ground": ("ground", list(GROUND_LEVELS), {"long_name": "JMA intensity of the ground"}),
-        },
-    )
-
-
-def mean_ratio(values: NDArray[np.float64]) -> float:
-    """Return the geometric mean of the ratios that are known."""
-    return float(np.exp(np.nanmean(np.log(values))))
-
-
-@dataclass(frozen=True, slots=True)
-class Field:
-    """Where a setting lies against the published medians.
-
-    Parameters
-    ----------
-    formula, loss_model : float
-        Geometric means of the simulated medians over Kaneko and Hayashi's and over the loss model's, over the
-        sizes that have a median in every setting, so that settings can be compared.
+    It is of the sizes that have a median in every setting, so that settings can be compared.
     """
-
-    formula: float
-    loss_model: float
-
-
-def field_of(data: xr.Dataset, setting: str) -> Field:
-    """Return where a setting lies against the published medians."""
     known = data["simulated"].notnull().all("setting")
-    simulated = data["simulated"].sel(setting=setting).where(known).to_numpy()
-    return Field(
-        mean_ratio(simulated / data["formula"].to_numpy()),
-        mean_ratio(simulated / data["loss_model"].to_numpy()),
-    )
+    ratio = (data["simulated"].sel(setting=setting) / data[published]).where(known)
+    return float(np.exp(np.log(ratio).mean()))
 
 
 def _quantities(data: xr.Dataset) -> dict[str, Quantity]:
-    settings = {"ideal": "the ideal block", "free": FREE, "wall": WALL}
     found: dict[str, Quantity] = {}
-    for key, setting in settings.items():
-        lies = field_of(data, "ideal" if key == "ideal" else setting)
-        found[f"{key}_formula"] = Quantity(
-            f"Median over Kaneko and Hayashi's formula, {setting}", lies.formula, 1.0, ".2f"
-        )
-        found[f"{key}_loss"] = Quantity(
-            f"Median over the loss model's formula, {setting}", lies.loss_model, 1.0, ".2f"
-        )
-    margin = mean_ratio(data["loss_model"].to_numpy() / data["formula"].to_numpy())
-    found["margin"] = Quantity("Loss model's median over Kaneko and Hayashi's", margin, form=".2f")
-    ratio = data["ratio"]
-    found["free_ratio"] = Quantity(f"Median over the ideal block's, {FREE}", span(ratio.sel(effect=FREE)))
-    found["wall_ratio"] = Quantity(f"Median over the ideal block's, {WALL}", span(ratio.sel(effect=WALL)))
+    for key, setting in {"ideal": IDEAL_BLOCK, "free": FREE, "wall": WALL}.items():
+        for published, name in {"formula": "Kaneko and Hayashi's formula", "loss_model": "FEMA P-58"}.items():
+            label = f"Median over {name}, {setting}"
+            found[f"{key}_{published}"] = Quantity(label, field_of(data, setting, published), 1.0, ".2f")
+    for key, setting in {"free": FREE, "wall": WALL}.items():
+        ratio = span(data["ratio"].sel(effect=setting))
+        found[f"{key}_ratio"] = Quantity(f"Median over the ideal block's, {setting}", ratio)
     return found
-
-
-def _number(value: float, form: str) -> str:
-    return format(value, form) if np.isfinite(value) else "–"
 
 
 def effects_table(data: xr.Dataset) -> pd.DataFrame:
     """Return a row for each thing left out: the ratio for every piece, and the shift of intensity."""
+    table = data["ratio"].to_pandas().round(2).rename_axis("left out", axis=0)
+    table["mean"] = np.exp(np.log(data["ratio"]).mean("piece")).round(2)
+    table["JMA"] = data["shift"].mean("piece").round(2)
     sources = {effect.name: effect.source for effect in EFFECTS}
-    rows: list[dict[str, object]] = []
-    reference = {
-        str(piece): f"{_number(100 * float(value), '.0f')} cm/s"
-        for piece, value in zip(data["piece"].to_numpy(), data["ideal"].to_numpy(), strict=True)
-    }
-    rows.append(
-        {"left out": "the ideal block itself, free", "source": "", **reference, "mean": "1", "JMA": ""}
-    )
-    for name in data["effect"].to_numpy():
-        at = data.sel(effect=name)
-        ratios = at["ratio"].to_numpy()
-        rows.append(
-            {
-                "left out": str(name),
-                "source": sources.get(str(name), "all of a verdict's draws"),
-                **{
-                    str(piece): _number(ratio, ".2f")
-                    for piece, ratio in zip(data["piece"].to_numpy(), ratios, strict=True)
-                },
-                "mean": f"{mean_ratio(ratios):.2f}",
-                "JMA": f"{float(np.nanmean(at['shift'].to_numpy())):+.2f}",
-            }
-        )
-    return pd.DataFrame(rows)
+    table.insert(0, "source", [sources.get(name, "") for name in table.index])
+    return table.reset_index()
 
 
 def field_table(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each published piece: its medians by formula and by simulation."""
-    rows: list[dict[str, object]] = []
-    for name in data["published"].to_numpy():
-        at = data.sel(published=name)
-        loss, formula = float(at["loss_model"]), float(at["formula"])
-        row: dict[str, object] = {
-            "piece, depth × height": str(name),
-            "FEMA P-58": round(100 * loss),
-            "Kaneko–Hayashi": round(100 * formula),
-        }
-        for setting in data["setting"].to_numpy():
-            value = float(at["simulated"].sel(setting=setting))
-            ratios = f" ({value / formula:.2f}, {value / loss:.2f})" if np.isfinite(value) else ""
-            row[str(setting)] = _number(100 * value, ".0f") + ratios
-        rows.append(row)
-    return pd.DataFrame(rows)
+    """Return a row for each published piece: its medians by formula and by simulation [cm/s]."""
+    table = 100.0 * data["simulated"].transpose("published", "setting").to_pandas()
+    table.insert(0, "Kaneko and Hayashi", 100.0 * data["formula"])
+    table.insert(0, "FEMA P-58", 100.0 * data["loss_model"])
+    return table.round(0).rename_axis("piece, depth × height").reset_index()
 
 
-def home_table(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each JMA class: what was observed, and the shares that fall in a verdict."""
-    rows: list[dict[str, object]] = []
-    for name, level in CLASSES.items():
-        at = data["share"].interp(level=level)
-        rows.append(
-            {
-                "class": name,
-                "observed": OBSERVED[name],
-                "mean of the pieces": f"{100 * float(at.mean()):.0f}",
-                **{str(piece): f"{100 * float(at.sel(home=piece)):.0f}" for piece in at["home"].to_numpy()},
-            }
-        )
-    return pd.DataFrame(rows)
-
-
-def storey_table(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each storey: what was reported of Kobe, and mean shares by the ground's intensity."""
-    share = 100.0 * data["storey_share"].mean("home")
-    rows: list[dict[str, object]] = []
-    for storey, reported in zip(STOREYS, REPORTED, strict=True):
-        row: dict[str, object] = {"storey": storey, "Kobe, 1995": reported}
-        for level in GROUND_LEVELS:
-            row[f"ground {level:g}"] = f"{float(share.sel(storey=storey, ground=level)):.0f}"
-        rows.append(row)
-    return pd.DataFrame(rows)
-
-
-def claims(data: xr.Dataset) -> tuple[Claim, ...]:
+def claims(data: xr.Dataset) -> list[dict[str, str]]:
     """Return what was observed and what formulas say, beside a verdict with everything drawn."""
-    found: list[Claim] = []
+    found: list[dict[str, str]] = []
     at_home = data["share"].mean("home")
-    for name, (low, high) in WORDS.items():
-        share = float(at_home.interp(level=CLASSES[name]))
-        found.append(
-            Claim(
-                f"Furniture at home, JMA {name}",
-                OBSERVED[name],
-                f"{100 * share:.0f} % of seven pieces fall, a wall {100 * STANDS:g} cm behind",
-                outcome_of(int(low <= share <= high), 1),
-            )
-        )
+    for name, (level, words, (low, high)) in OBSERVED.items():
+        share = float(at_home.interp(level=level))
+        ours = f"{100 * share:.0f} % of seven pieces fall, a wall {100 * STANDS:g} cm behind"
+        found.append(claim(f"Furniture at home, JMA {name}", words, ours, int(low <= share <= high), 1))
     by_storey = data["storey_share"].mean("home")
     for storey, (reported, (low, high)) in zip(STOREYS, REPORTED.items(), strict=True):
         weak, strong = (float(by_storey.sel(storey=storey, ground=level)) for level in GROUND_LEVELS[1:])
-        found.append(
-            Claim(
-                "Kobe 1995 by storey (second hand)",
-                reported,
-                f"storey {storey} of {STOREYS[-1]}: {100 * weak:.0f} to {100 * strong:.0f} %, the ground at "
-                f"{GROUND_LEVELS[1]:g} to {GROUND_LEVELS[2]:g}",
-                _of_a_range(weak, strong, low, high),
-            )
+        ours = (
+            f"storey {storey} of {STOREYS[-1]}: {100 * weak:.0f} to {100 * strong:.0f} %, the ground at "
+            f"{GROUND_LEVELS[1]:g} to {GROUND_LEVELS[2]:g}"
         )
-    free, wall = field_of(data, FREE), field_of(data, WALL)
-    for name, one, other in (
-        ("Kaneko and Hayashi's formula, free pieces", free.formula, wall.formula),
-        ("FEMA P-58's formula, unanchored", free.loss_model, wall.loss_model),
+        met = 2 if low <= weak and strong <= high else int(weak <= high and strong >= low)
+        found.append(claim("Kobe 1995 by storey (second hand)", reported, ours, met, 2))
+    for published, name in (
+        ("formula", "Kaneko and Hayashi's formula, free pieces"),
+        ("loss_model", "FEMA P-58's formula, unanchored"),
     ):
-        near = abs(one - 1.0) <= 0.2
-        found.append(
-            Claim(
-                name,
-                "median velocities of nine pieces",
-                f"{one:.2f} times it free, {other:.2f} times with a wall {100 * STANDS:g} cm behind",
-                PARTLY if near else NO,
-            )
-        )
-    return tuple(found)
+        free, wall = (field_of(data, setting, published) for setting in (FREE, WALL))
+        ours = f"{free:.2f} times it free, {wall:.2f} times with a wall {100 * STANDS:g} cm behind"
+        met = int(abs(free - 1.0) <= 0.2)
+        found.append(claim(name, "median velocities of nine pieces", ours, met, 2))
+    return found
 
 
-def _of_a_range(weak: float, strong: float, low: float, high: float) -> str:
-    """Return the outcome where the ground was between two intensities: yes where both shares are as told."""
-    if low <= weak and strong <= high:
-        return YES
-    return PARTLY if weak <= high and strong >= low else NO
-
-
-def draw_effects(data: xr.Dataset) -> Figure:
+def _drawn(data: xr.Dataset) -> Figure:
     """Draw the ratio to the ideal block's median for each thing left out: the mean, and every piece."""
-    names = [str(name) for name in data["effect"].to_numpy()]
-    ratios = data["ratio"].to_numpy()
-    rows = np.arange(len(names))
-    figure = new_figure(11.5, 0.3 * len(names) + 1.6)
-    axis = figure.subplots()
-    means = np.array([mean_ratio(row) for row in ratios])
+    ratios = data["ratio"].isel(effect=slice(1, None))
+    rows = np.arange(ratios.sizes["effect"])
+    figure, (axis,) = panels(1, width=11.5, height=10.0)
+    means = np.exp(np.log(ratios).mean("piece")).to_numpy()
     axis.barh(rows, means - 1.0, 0.7, 1.0, color="#b9d9ee", edgecolor=INK, linewidth=0.5, label="mean")
-    for place, (piece, marker) in enumerate(zip(data["piece"].to_numpy(), "os^D", strict=True)):
-        axis.plot(
-            ratios[:, place], rows, marker, color=INK, markersize=4.5, fillstyle="none", label=str(piece)
-        )
+    for piece, marker in zip(PIECES, "os^D", strict=True):
+        axis.plot(ratios.sel(piece=piece), rows, marker, color=INK, fillstyle="none", label=piece)
     axis.axvline(1.0, color=INK, linewidth=1.0)
-    style(axis, zero=False)
-    axis.set_yticks(rows, names, fontsize=FONT - 1.0)
-    axis.set_ylim(len(names) - 0.5, -0.5)
-    axis.set_xlabel("median floor velocity that overturns, over the ideal free block's [–]", fontsize=FONT)
-    axis.legend(loc="center right", fontsize=FONT - 1.0)
-    return figure
-
-
-def draw_field(data: xr.Dataset) -> Figure:
-    """Draw the simulated medians over Kaneko and Hayashi's, beside both formulas."""
-    figure = new_figure(7.5, 5.5)
-    axis = figure.subplots()
-    formula = 100 * data["formula"].to_numpy()
-    looks = (("#6b7580", "o"), ("#d55e00", "s"), ("#0072b2", "^"))
-    for setting, (colour, marker) in zip(data["setting"].to_numpy(), looks, strict=True):
-        simulated = 100 * data["simulated"].sel(setting=setting).to_numpy()
-        axis.plot(formula, simulated, marker, color=colour, markersize=7, label=str(setting))
-    across = np.array([0.85 * formula.min(), 1.15 * formula.max()])
-    axis.plot(across, across, color=INK, label="Kaneko and Hayashi (formula)")
-    axis.plot(across, LOSS_MODEL_RATIO * across, "--", color=MUTED, label="FEMA P-58 (formula)")
-    plain_log(axis)
-    ticks = (20, 30, 40, 60, 80, 100, 150, 200, 300)
-    axis.set_xticks([tick for tick in ticks if across[0] <= tick <= across[1]])
-    axis.set_yticks([tick for tick in ticks if tick <= 1.2 * axis.get_ylim()[1]])
-    style(axis, zero=False)
-    axis.set_xlabel("median of Kaneko and Hayashi's formula [cm/s]", fontsize=FONT)
-    axis.set_ylabel("peak floor velocity at which half overturn [cm/s]", fontsize=FONT)
-    axis.legend(loc="upper left", fontsize=FONT - 1.0)
+    axis.set_yticks(rows, ratios["effect"].to_numpy())
+    axis.invert_yaxis()
+    axis.set_xlabel("median floor velocity that overturns, over the ideal free block's [–]")
+    axis.legend(loc="center right")
     return figure

@@ -15,9 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.patches import Patch
 
-from stayput.errors import whole_within
 from stayput.measures import TensionPole, WedgeStopper
 from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
@@ -27,27 +25,26 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
-from stayput.progress import bar
-from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK
-from studies.study import NO, PARTLY, YES, Claim, Quantity, Study, outcome_of, span
+from studies.study import NO, PARTLY, YES, Quantity, Study, claim, panels, span
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from stayput.measures import Measure
 
-OVERTURNED, MOVED, STAYED = "overturned", "moved", "stayed"
-"""What became of a piece: it fell; it moved 10 cm or more; it stayed within that."""
-
-MOVED_FROM = 0.10
-"""Slide from which on a piece that stands has moved [m] (ours)."""
+LOOKS = {
+    "overturned": ("overturns", ALARM, "////"),
+    "moved": ("moves 10 cm or more", "#f0e442", ""),
+    "stayed": ("stays", "#b9d9ee", ""),
+}
+"""What became of a piece, what that is called, its colour and its hatch; 10 cm is ours."""
 
 MOST = 0.5
 """Share of the cases from which on a result counts as ours."""
 
-GAPS = (0.0, 0.02, 0.05, None)
-"""Distances to the wall behind, which was not read [m]; None is no wall."""
+GAPS = {"touching": 0.0, "2 cm": 0.02, "5 cm": 0.05, "no wall": None}
+"""Distances to the wall behind, which was not read [m]."""
 
 SHAKINGS = {
     "crustal": ("crustal", 0.0),
@@ -56,9 +53,6 @@ SHAKINGS = {
     "near-fault, 0.2 stronger": ("near-fault", 0.2),
 }
 """Families of motions, and how far above the middle of the class: the records were not read either."""
-
-CEILING = Ceiling(2.4)
-"""Height of the ceiling, which was not read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,22 +82,20 @@ class ShownTest:
     intensity: float
     published: tuple[str, ...]
 
+    @property
+    def name(self) -> str:
+        """What it is called: "cupboard, wedge, 6-lower"."""
+        return f"{self.piece}, {self.device}, {self.strength}"
+
 
 TESTS = (
-    ShownTest("cupboard", "no device", (), "6-lower", 5.75, (OVERTURNED,)),
-    ShownTest("cupboard", "wedge", (WedgeStopper(),), "6-lower", 5.75, (STAYED, MOVED)),
-    ShownTest("refrigerator", "no device", (), "6-upper", 6.25, (MOVED,)),
-    ShownTest("refrigerator", "poles", (TensionPole(),), "6-upper", 6.25, (STAYED,)),
-    ShownTest("cupboard", "no device", (), "7", 6.75, (OVERTURNED,)),
+    ShownTest("cupboard", "no device", (), "6-lower", 5.75, ("overturned",)),
+    ShownTest("cupboard", "wedge", (WedgeStopper(),), "6-lower", 5.75, ("stayed", "moved")),
+    ShownTest("refrigerator", "no device", (), "6-upper", 6.25, ("moved",)),
+    ShownTest("refrigerator", "poles", (TensionPole(),), "6-upper", 6.25, ("stayed",)),
+    ShownTest("cupboard", "no device", (), "7", 6.75, ("overturned",)),
 )
 """The tests; of a wedge it was said only that the piece did not fall."""
-
-LOOKS = {
-    OVERTURNED: ("overturns", ALARM, "////"),
-    MOVED: ("moves 10 cm or more", "#f0e442", ""),
-    STAYED: ("stays", "#b9d9ee", ""),
-}
-"""What each outcome is called, its colour and its hatch."""
 
 
 def consumer_centre(motions: int = 24, *, samples: int = 8, seed: int = 1) -> Study:
@@ -121,80 +113,57 @@ def consumer_centre(motions: int = 24, *, samples: int = 8, seed: int = 1) -> St
     Returns
     -------
     Study
-        Figure "outcomes". Data over ``test``, ``shaking``, ``gap`` (NaN: no wall) and ``outcome``: ``share``
-        of the cases.
-
-    Raises
-    ------
-    InputError
-        A number out of range.
-
-    Examples
-    --------
-    >>> import studies
-    >>> quick = studies.consumer_centre(motions=2, samples=1)
-    >>> print(quick.quantities["met"], "of", quick.quantities["met"].published)
-    1 of 5
-    >>> dict(quick.data.share.sizes)
-    {'test': 5, 'shaking': 4, 'gap': 4, 'outcome': 3}
+        Data over ``test``, ``shaking``, ``gap`` and ``outcome``: ``share`` of the cases.
     """
-    count = whole_within("studies.motions", motions, 1, 1000)
-    each = whole_within("studies.samples", samples, 1, 10_000)
-    drawn = draws(count, each, seed)
+    drawn = draws(motions, samples, seed)
     share = np.zeros((len(TESTS), len(SHAKINGS), len(GAPS), len(LOOKS)))
     given_up = 0
-    hazards = {family: Hazard(synthetic_suite(family, count, seed)) for family in ("crustal", "near-fault")}
-    work = list(product(enumerate(TESTS), enumerate(SHAKINGS.values())))
-    with bar(len(work), "progress.studying", unit="progress.cases") as advance:
-        for (row, test), (shaking, (family, above)) in work:
-            preset = FURNITURE[test.piece]
-            body = Body(preset.width, preset.height, preset.mass)
-            floors = hazards[family].at(test.intensity + above)
-            for column, gap in enumerate(GAPS):
-                wall = None if gap is None else Wall(gap)
-                room = Room(Floor.of("wood flooring"), left_wall=wall, ceiling=CEILING)
-                rows = rows_of(body, room, test.measures, drawn, STANDARD_GRAVITY)
-                (runs,) = run_level([rows], floors)
-                known = ~runs.missing
-                moved = known & ~runs.overturned & (runs.slide >= MOVED_FROM)
-                fell = known & runs.overturned
-                counts = np.array([fell.sum(), moved.sum(), (known & ~fell & ~moved).sum()])
-                share[row, shaking, column] = counts / max(int(known.sum()), 1)
-                given_up += int(runs.missing.sum())
-            advance(1)
-    data = xr.Dataset(
-        {"share": (("test", "shaking", "gap", "outcome"), share, {"long_name": "share of the cases"})},
+    hazards = {name: Hazard(synthetic_suite(name, motions, seed)) for name in ("crustal", "near-fault")}
+    for (row, test), (shaking, (family, above)) in product(enumerate(TESTS), enumerate(SHAKINGS.values())):
+        preset = FURNITURE[test.piece]
+        body = Body(preset.width, preset.height, preset.mass)
+        floors = hazards[family].at(test.intensity + above)
+        for column, gap in enumerate(GAPS.values()):
+            wall = None if gap is None else Wall(gap)
+            room = Room(Floor.of("wood flooring"), left_wall=wall, ceiling=Ceiling(2.4))
+            (runs,) = run_level([rows_of(body, room, test.measures, drawn, STANDARD_GRAVITY)], floors)
+            known = ~runs.missing
+            fell, moved = known & runs.overturned, known & ~runs.overturned & (runs.slide >= 0.10)
+            counts = np.array([fell.sum(), moved.sum(), (known & ~fell & ~moved).sum()])
+            share[row, shaking, column] = counts / max(int(known.sum()), 1)
+            given_up += int(runs.missing.sum())
+    data = xr.DataArray(
+        share,
         {
-            "test": [name_of(test) for test in TESTS],
+            "test": [test.name for test in TESTS],
             "shaking": list(SHAKINGS),
-            "gap": ("gap", [np.nan if gap is None else gap for gap in GAPS], {"units": "m"}),
+            "gap": list(GAPS),
             "outcome": list(LOOKS),
         },
-        {"motions": count, "samples": each},
-    )
-    table = outcomes_table(data)
-    met = table["comes out"].tolist().count("yes")
+        name="share",
+    ).to_dataset()
+    claims = tuple(_claim(data, place) for place in range(len(TESTS)))
+    met = [one["comes out"] for one in claims].count(YES)
     return Study(
-        name="consumer-centre",
+        name="consumer_centre",
         title="The consumer centre's shake table of 2018",
         quantities={
             "met": Quantity("Tests that come out at every distance to the wall", met, len(TESTS), "d"),
             "given_up": Quantity("Runs given up, and left out", given_up, form="d"),
         },
         data=data,
-        figures={"outcomes": draw_outcomes(data)},
+        figure=_drawn(data),
         tables={
-            "What was published, and the share of our cases that agree [%], by distance to the wall, under "
-            "crustal motions": table,
-            "The same by motions, with a wall at 2 cm and without one": shakings_table(data),
+            "What was published, and ours under crustal motions": pd.DataFrame(claims),
+            "The share of our cases that agree [%], by motions and distance to the wall": pd.concat(
+                {test.name: (100.0 * agreement(data, n)).to_pandas() for n, test in enumerate(TESTS)},
+                names=["test"],
+            )
+            .round(0)
+            .reset_index(),
         },
-        claims=tuple(_claim(data, place) for place in range(len(TESTS))),
+        claims=claims,
     )
-
-
-def name_of(test: ShownTest) -> str:
-    """Return what a test is called: "cupboard, wedge, 6-lower"."""
-    return f"{test.piece}, {test.device}, {test.strength}"
 
 
 def agreement(data: xr.Dataset, place: int) -> xr.DataArray:
@@ -202,64 +171,32 @@ def agreement(data: xr.Dataset, place: int) -> xr.DataArray:
     return data["share"].isel(test=place).sel(outcome=list(TESTS[place].published)).sum("outcome")
 
 
-def _claim(data: xr.Dataset, place: int) -> Claim:
+def _claim(data: xr.Dataset, place: int) -> dict[str, str]:
     """Return a test beside the share of our cases that agree, by distance to the wall."""
     test, agrees = TESTS[place], agreement(data, place).isel(shaking=0).to_numpy()
-    outcome = outcome_of(int((agrees >= MOST).sum()), len(GAPS))
-    bare = next(n for n, one in enumerate(TESTS) if (one.piece, one.strength) == (test.piece, test.strength))
-    if outcome == YES and test.measures and _claim(data, bare).outcome == NO:
-        outcome = PARTLY  # what does not fall without the device says little of the device
-    return Claim(
-        f"Consumer centre 2018, {name_of(test)}",
+    row = claim(
+        f"Consumer centre 2018, {test.name}",
         " or ".join(LOOKS[kind][0] for kind in test.published),
         f"so in {span(100.0 * agrees, '.0f')} % of the cases by distance to the wall",
-        outcome,
+        int((agrees >= MOST).sum()),
+        len(GAPS),
     )
+    bare = next(n for n, one in enumerate(TESTS) if (one.piece, one.strength) == (test.piece, test.strength))
+    if row["comes out"] == YES and test.measures and _claim(data, bare)["comes out"] == NO:
+        row["comes out"] = PARTLY  # what does not fall without the device says little of the device
+    return row
 
 
-def outcomes_table(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each test."""
-    rows: list[dict[str, str]] = []
-    for place, test in enumerate(TESTS):
-        agrees = agreement(data, place).isel(shaking=0).to_numpy()
-        row = {"test": name_of(test), "published": " or ".join(LOOKS[kind][0] for kind in test.published)}
-        for gap, share in zip(GAPS, agrees, strict=True):
-            row["no wall" if gap is None else f"{100 * gap:g} cm"] = f"{100 * share:.0f}"
-        row["comes out"] = _claim(data, place).outcome
-        rows.append(row)
-    return pd.DataFrame(rows)
-
-
-def shakings_table(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each test: the share that agrees [%] by motions, with a wall and without."""
-    near, none = GAPS.index(0.02), GAPS.index(None)
-    rows: list[dict[str, str]] = []
-    for place, test in enumerate(TESTS):
-        row = {"test": name_of(test)}
-        for shaking in SHAKINGS:
-            agrees = 100.0 * agreement(data, place).sel(shaking=shaking).to_numpy()
-            row[shaking] = f"{agrees[near]:.0f}, {agrees[none]:.0f}"
-        rows.append(row)
-    return pd.DataFrame(rows)
-
-
-def draw_outcomes(data: xr.Dataset) -> Figure:
+def _drawn(data: xr.Dataset) -> Figure:
     """Draw the shares of each outcome by test and distance to the wall, under crustal motions."""
-    gaps = ["no wall" if gap is None else f"{100 * gap:g} cm" for gap in GAPS]
-    labels = [f"{name}; {gap}" for name in data["test"].to_numpy() for gap in gaps]
-    rows = np.arange(len(labels))
-    figure = new_figure(9.0, 0.28 * len(labels) + 1.4)
-    axis = figure.subplots()
+    labels = [f"{test.name}; {gap}" for test, gap in product(TESTS, GAPS)]
+    figure, (axis,) = panels(1, width=9.0, height=7.0)
     start = np.zeros(len(labels))
-    for place, (_, colour, hatch) in enumerate(LOOKS.values()):
-        width = 100.0 * data["share"].isel(shaking=0, outcome=place).to_numpy().ravel()
-        axis.barh(rows, width, 0.78, start, color=colour, hatch=hatch, edgecolor=INK, linewidth=0.5)
+    for outcome, (words, colour, hatch) in LOOKS.items():
+        width = 100.0 * data["share"].isel(shaking=0).sel(outcome=outcome).to_numpy().ravel()
+        axis.barh(labels, width, 0.78, start, color=colour, hatch=hatch, edgecolor=INK, label=words)
         start = start + width
-    style(axis, zero=False)
-    axis.set_yticks(rows, labels, fontsize=FONT - 2.0)
-    axis.set_ylim(len(labels) - 0.5, -0.5)
-    axis.set_xlim(0.0, 100.0)
-    axis.set_xlabel("share of the cases [%]", fontsize=FONT)
-    patches = [Patch(facecolor=c, hatch=h, edgecolor=INK, label=words) for words, c, h in LOOKS.values()]
-    figure.legend(handles=patches, loc="outside lower center", ncols=3, fontsize=FONT, frameon=False)
+    axis.invert_yaxis()
+    axis.set(xlim=(0.0, 100.0), xlabel="share of the cases [%]")
+    figure.legend(loc="outside lower center", ncols=3, frameon=False)
     return figure

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,17 +17,13 @@ from stayput.model.body import Body
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
 from stayput.motion import near_fault, sine
-from stayput.progress import bar
-from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
 from stayput.simulation.case import Case
-from studies.study import PARTLY, YES, Claim, Quantity, Study, claims_table, increasing, outcome_of
+from studies.study import PARTLY, YES, Quantity, Study, claim, panels
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from matplotlib.figure import Figure
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from stayput.motion import Motion
 
@@ -110,163 +106,105 @@ REPORTS = (
 def contents(motion: Motion | None = None, intensities: ArrayLike = INTENSITIES) -> Study:
     """Compute what comes out of a bookcase and a cupboard, bare and held, and compare with reports.
 
-    Both pieces stand with their backs 2 cm from a wall and are shaken along x in both facings; shares are
-    means of the two.
-
     Parameters
     ----------
     motion : Motion, optional
         The record, which is scaled to each intensity; default `near_fault`.
     intensities : array_like
-        JMA intensities, rising; those of the reports are computed besides.
+        JMA intensities; those of the reports are computed besides.
 
     Returns
     -------
     Study
-        Figure "shares". Data over ``setting``, ``held`` and ``intensity``.
-
-    Raises
-    ------
-    InputError
-        Intensities that do not rise.
-
-    Examples
-    --------
-    >>> import studies
-    >>> quick = studies.contents(intensities=[5.5])
-    >>> for name in ("out_held", "out_bare"):
-    ...     print(f"{quick.quantities[name].label}: {quick.quantities[name]}")
-    Books out of a bookcase with L-brackets at 6-upper: 38 %
-    Books out of the same bookcase on the floor: 100 %
+        Data over ``setting``, ``held`` and ``intensity``.
     """
     shaking = near_fault() if motion is None else motion
-    asked = increasing("studies.intensities", intensities, 3.0, 7.5)
-    levels = np.unique([*asked.tolist(), SIX_UPPER, SEVEN])
-    with bar(len(SETTINGS) * len(HELD) * len(levels) * 2, "progress.studying") as advance:
-        data = _computed(shaking, levels, advance)
-    results = claims(data)
-    pallets = _pallets()
-    agree = [claim.outcome for claim in results].count(YES)
+    levels = np.unique([*np.ravel(intensities), SIX_UPPER, SEVEN])
+    shape = (len(SETTINGS), len(HELD), len(levels))
+    out, fell = np.zeros(shape), np.zeros(shape)
+    room = Room(Floor.of("wood flooring"), left_wall=Wall(WALL))
+    for place, number, level in np.ndindex(*shape):
+        body, inside = list(SETTINGS.values())[place]
+        scaled = shaking.to_intensity(float(levels[level]))
+        case = Case(body, room, scaled, measures=(LBracket(),) if number else ())
+        both = [spill(replace(case, motion=m), inside) for m in (scaled, scaled.flipped())]
+        out[place, number, level] = np.mean([one.share_out for one in both])
+        fell[place, number, level] = np.mean([one.overturned for one in both])
+    over = ("setting", "held", "intensity")
+    data = xr.Dataset(
+        {
+            "out": (over, out, {"long_name": "share of the items that come out"}),
+            "overturned": (over, fell, {"long_name": "share of the runs in which the piece overturns"}),
+        },
+        {"setting": list(SETTINGS), "held": list(HELD), "intensity": levels},
+    )
+    results = tuple(_claim(data, report) for report in REPORTS)
+    books = 100.0 * data["out"].sel(setting="books, open", intensity=SIX_UPPER)
+    agree = [one["comes out"] for one in results].count(YES)
     return Study(
         name="contents",
         title="What is inside, beside tests and reports",
         quantities={
             "agree": Quantity("Reports that ours agrees with", agree, len(results), "d"),
             "out_held": Quantity(
-                "Books out of a bookcase with L-brackets at 6-upper",
-                f"{100.0 * _share(data, 'books, open', HELD[1], SIX_UPPER):.0f} %",
+                "Books out of a bookcase with L-brackets at 6-upper [%]", float(books[1]), form=".0f"
             ),
             "out_bare": Quantity(
-                "Books out of the same bookcase on the floor",
-                f"{100.0 * _share(data, 'books, open', HELD[0], SIX_UPPER):.0f} %",
+                "Books out of the same bookcase on the floor [%]", float(books[0]), form=".0f"
             ),
-            "pallets": Quantity("Pallet loads shed at rest [%]", pallets[0], 0.0, ".0f"),
-            "pallets_shaken": Quantity("The same under a sine of 0.25 g and 2 Hz", pallets[1], form=".0f"),
+            "pallets": Quantity("Pallet loads shed at rest [%]", _shed(0.0), 0.0, ".0f"),
+            "pallets_shaken": Quantity("The same under a sine of 0.25 g and 2 Hz", _shed(0.25), form=".0f"),
         },
         data=data,
-        figures={"shares": draw_shares(data)},
+        figure=_drawn(data),
         tables={
-            "Reports beside ours: share of the items that come out": claims_table(results),
-            "Presets of contents (assumed but for the friction of pallet loads)": presets_table(),
+            "Reports beside ours: share of the items that come out": pd.DataFrame(results),
+            "Presets of contents (assumed but for the friction of pallet loads); m, and shares": (
+                pd.DataFrame(map(asdict, CONTENTS.values()), list(CONTENTS))
+                .rename_axis("contents")
+                .reset_index()
+            ),
         },
         claims=results,
     )
 
 
-def _computed(motion: Motion, levels: NDArray[np.float64], advance: Callable[[int], None]) -> xr.Dataset:
-    """Return the share that comes out and that of the pieces which overturn."""
-    shape = (len(SETTINGS), len(HELD), len(levels))
-    out, fell = np.zeros(shape), np.zeros(shape)
-    room = Room(Floor.of("wood flooring"), left_wall=Wall(WALL))
-    for place, (body, inside) in enumerate(SETTINGS.values()):
-        for number, measures in enumerate(((), (LBracket(),))):
-            for level, intensity in enumerate(levels.tolist()):
-                scaled = motion.to_intensity(intensity)
-                case = Case(body, room, scaled, measures=measures)
-                both = [spill(replace(case, motion=m), inside) for m in (scaled, scaled.flipped())]
-                out[place, number, level] = np.mean([one.share_out for one in both])
-                fell[place, number, level] = np.mean([one.overturned for one in both])
-                advance(2)
-    over = ("setting", "held", "intensity")
-    return xr.Dataset(
-        {
-            "out": (over, out, {"long_name": "share of the items that come out"}),
-            "overturned": (over, fell, {"long_name": "share of the runs in which the piece overturns"}),
-        },
-        {
-            "setting": list(SETTINGS),
-            "held": list(HELD),
-            "intensity": ("intensity", levels, {"long_name": "JMA intensity"}),
-        },
+def _claim(data: xr.Dataset, report: Report) -> dict[str, str]:
+    """Return a report beside our share; whether it agrees is by `RANGES`."""
+    at = data.sel(setting=report.setting, held=report.held, intensity=report.intensity)
+    share, fell = float(at["out"]), float(at["overturned"])
+    agrees = any(RANGES[word][0] <= share <= RANGES[word][1] for word in report.words)
+    ours = (
+        f"{report.setting}; {report.held}; {report.intensity:g}: {100.0 * share:.0f} % come out, the "
+        f"piece overturns in {100.0 * fell:.0f} %"
     )
+    row = claim(report.source, report.claim, ours, int(agrees), 1)
+    if agrees and report.words == ("none",) and fell >= 0.5:
+        row["comes out"] = PARTLY  # latched doors are taken to stay shut in a fall
+    return row
 
 
-def _share(data: xr.Dataset, setting: str, held: str, intensity: float) -> float:
-    return float(data["out"].sel(setting=setting, held=held, intensity=intensity))
-
-
-def claims(data: xr.Dataset) -> tuple[Claim, ...]:
-    """Return each report beside our share; whether it agrees is by `RANGES`."""
-    found: list[Claim] = []
-    for report in REPORTS:
-        share = _share(data, report.setting, report.held, report.intensity)
-        agrees = any(RANGES[word][0] <= share <= RANGES[word][1] for word in report.words)
-        fell = float(
-            data["overturned"].sel(setting=report.setting, held=report.held, intensity=report.intensity)
-        )
-        ours = (
-            f"{report.setting}; {report.held}; {report.intensity:g}: {100.0 * share:.0f} % come out, the "
-            f"piece overturns in {100.0 * fell:.0f} %"
-        )
-        outcome = outcome_of(int(agrees), 1)
-        if agrees and report.words == ("none",) and fell >= 0.5:
-            outcome = PARTLY  # latched doors are taken to stay shut in a fall
-        found.append(Claim(report.source, report.claim, ours, outcome))
-    return tuple(found)
-
-
-def _pallets() -> tuple[float, float]:
-    """Return the shares [%] of pallet loads shed from a rack whose shelves slope down to the front."""
+def _shed(amplitude: float) -> float:
+    """Return the share [%] of pallet loads shed from shelves that slope to the front, under a sine [g]."""
     loads = Contents("pallet loads", shelves=1, slope=-SLOPE)
-    rack = Body(1.1, 1.6, 2000.0)
-    room = Room(Floor(3.0, 3.0))
-    shares: list[float] = []
-    for amplitude in (0.0, 0.25 * STANDARD_GRAVITY):
-        motion = sine(max(amplitude, 1e-9), 2.0, 10.0)
-        shares.append(100.0 * spill(Case(rack, room, motion), loads).share_out)
-    return shares[0], shares[1]
+    motion = sine(max(amplitude * STANDARD_GRAVITY, 1e-9), 2.0, 10.0)
+    return 100.0 * spill(Case(Body(1.1, 1.6, 2000.0), Room(Floor(3.0, 3.0)), motion), loads).share_out
 
 
-def presets_table() -> pd.DataFrame:
-    """Return the presets of contents."""
-    return pd.DataFrame(
-        [
-            {
-                "contents": name,
-                "depth [m]": kind.width,
-                "height [m]": kind.height,
-                "static friction": kind.static_friction,
-                "kinetic friction": kind.kinetic_friction,
-                "setback [m]": kind.setback,
-                "share of the mass": kind.mass_share,
-            }
-            for name, kind in CONTENTS.items()
-        ]
-    )
-
-
-def draw_shares(data: xr.Dataset) -> Figure:
+def _drawn(data: xr.Dataset) -> Figure:
     """Draw what comes out over the intensity, on the floor and with L-brackets."""
-    figure = new_figure(9.0, 6.4)
-    axes = figure.subplots(2, 4, sharex=True, sharey=True).ravel()
+    figure, axes = panels(4, 2, width=2.4, height=3.2, sharex=True, sharey=True)
     for axis, setting in zip(axes, SETTINGS, strict=True):
-        for held, colour, line in zip(HELD, (MUTED, INK), ("--", "-"), strict=True):
-            shares = 100.0 * data["out"].sel(setting=setting, held=held)
-            axis.plot(data["intensity"], shares, line, color=colour, marker="o", markersize=3, label=held)
-        axis.set_title(setting, fontsize=FONT)
-        axis.set_ylim(-4.0, 104.0)
-        style(axis)
-    axes[0].legend(fontsize=FONT - 2.0, frameon=False)
-    figure.supxlabel("JMA intensity", fontsize=FONT)
-    figure.supylabel("items that come out [%]", fontsize=FONT)
+        for held, colour, line in zip(HELD, (MUTED, INK), ("--o", "-o"), strict=True):
+            axis.plot(
+                data["intensity"],
+                100.0 * data["out"].sel(setting=setting, held=held),
+                line,
+                color=colour,
+                label=held,
+            )
+        axis.set_title(setting, fontsize="medium")
+    axes[0].legend()
+    figure.supxlabel("JMA intensity")
+    figure.supylabel("items that come out [%]")
     return figure

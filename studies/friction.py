@@ -5,63 +5,150 @@ The paper does not give its input (Fig. 4.2), so the sine is searched whose thre
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.ticker import MaxNLocator
 
+from stayput.model.body import Body
 from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.report.figures import FONT, new_figure, style
-from stayput.report.palette import ALARM, INK, MUTED
-from studies.friction_runs import (
-    FREE,
-    HELD,
-    PAPER_ROWS,
-    PAPER_SLIDES,
-    PHASES,
-    Nearest,
-    deviation,
-    effects,
-    models,
-    nearest_sine,
-    slide_map,
-    slides_under,
-    unit_sine,
-)
-from studies.study import Quantity, Study, rising
+from stayput.model.room import Floor, Room
+from stayput.motion import sine
+from stayput.report.palette import ALARM, INK
+from stayput.simulation.case import Case
+from stayput.simulation.sweep import sweep
+from studies.study import Quantity, Study, panels
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.contour import ContourSet
+    from collections.abc import Sequence
+
     from matplotlib.figure import Figure
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
-AMPLITUDES = np.round(np.arange(4.0, 15.01, 0.2), 1)
-"""Amplitudes that are searched [m/s²]: from 0.4 g, where the paper's first body begins to slide."""
+    from stayput.motion import Motion
 
-FREQUENCIES = np.round(np.arange(0.5, 6.01, 0.1), 1)
-"""Frequencies that are searched [Hz]."""
+PAPER_BODY = Body(0.5, 1.0, 100.0)
+"""The paper's Table 4.1."""
 
-COEFFICIENTS = np.linspace(0.05, 0.8, 31)
-"""Coefficients of friction of the map."""
+PAPER_ROWS = ((0.4, 0.1), (0.4, 0.3), (0.6, 0.1))
+"""Static and kinetic friction of the paper's three runs (§4.2)."""
 
-WORST = 1.0
-"""Deviations from the paper are coloured up to this."""
+PAPER_SLIDES = (0.0544, 0.0310, 0.0234)
+"""The paper's largest slides in these runs [m] (§4.2)."""
 
-PAIRS = [f"({static:g}, {kinetic:g})" for static, kinetic in PAPER_ROWS]
-"""The paper's pairs of coefficients as they are printed."""
+AMPLITUDES, FREQUENCIES = np.round(np.arange(4.0, 15.01, 0.2), 1), np.round(np.arange(0.5, 6.01, 0.1), 1)
+"""What is searched [m/s², Hz]: from 0.4 g, where the paper's first body begins to slide."""
 
-UNITS = {"phase": "degree", "frequency": "Hz", "amplitude": "m/s2", "peak_slide": "m"}
+PHASES = (0.0, 90.0)
+"""Phases of the sines that are searched [°]."""
+
+MODELS = {
+    "held": "only slides",
+    "paper": "free, law of the paper",
+    "coulomb": "free, Coulomb law",
+}
+"""The model that is kept from rocking, and those that may rock, by contact law."""
+
+WIDE = 20.0
+"""Width over height of the body that only slides: it would rock beyond 20 g. A slide knows no shape."""
+
+ROUNDS, POINTS = 3, 9
+"""Rounds of the finer search about the grid's nearest sine, and its points each way."""
+
+
+@dataclass(frozen=True, slots=True)
+class Nearest:
+    """The sine whose three slides come nearest to the paper's.
+
+    Attributes
+    ----------
+    phase, frequency, amplitude : float
+        [°, Hz, m/s²].
+    slides : ndarray, shape (3,)
+        Peak slides of `PAPER_ROWS` [m].
+    deviation : float
+        Largest relative deviation of these from the paper's.
+    """
+
+    phase: float
+    frequency: float
+    amplitude: float
+    slides: NDArray[np.float64]
+    deviation: float
+
+    def __str__(self) -> str:
+        """Return amplitude, frequency and phase."""
+        return f"{self.amplitude:.2f} m/s², {self.frequency:.2f} Hz, phase {self.phase:.0f}°"
+
+
+def model(name: str, motion: Motion) -> Case:
+    """Return the case of one of `MODELS`, with the first row's friction."""
+    width = WIDE if name == "held" else PAPER_BODY.width
+    body = Body(width, PAPER_BODY.height, PAPER_BODY.mass)
+    return Case(body, Room(Floor(*PAPER_ROWS[0])), motion, "paper" if name == "paper" else "coulomb")
+
+
+def unit_sine(frequency: float, duration: float, phase: float) -> Motion:
+    """Return a sine of 1 m/s², so that ``motion.scale`` is its amplitude; the phase in degrees."""
+    return sine(1.0, frequency, duration, np.radians(phase), dt=min(0.005, 0.02 / frequency))
+
+
+def slides_under(
+    case: Case, phases: Sequence[float], frequencies: NDArray[np.float64], amplitudes: NDArray[np.float64]
+) -> xr.Dataset:
+    """Return the outcomes of the paper's three rows, over row, phase, frequency and amplitude.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``peak_slide`` [m], NaN where the body turns over, ``rocks`` and ``overturned``.
+    """
+    motions = [unit_sine(f, case.motion.duration, phase) for phase in phases for f in frequencies]
+    friction = ("room.floor.static_friction", "room.floor.kinetic_friction")
+    rows = {friction: tuple(zip(*PAPER_ROWS, strict=True))}
+    result = sweep(case, {**rows, "motion": motions, "motion.scale": amplitudes}, progress=False)
+    axes = {"phase": list(phases), "frequency": frequencies, "amplitude": amplitudes}
+    shape = len(PAPER_ROWS), *map(len, axes.values())
+    values = {
+        "peak_slide": np.where(result.overturned, np.nan, result.peak_slide),
+        "rocks": result.peak_tilt.to_numpy() > 0.0,
+        "overturned": result.overturned.to_numpy(),
+    }
+    return xr.Dataset({name: (("row", *axes), array.reshape(shape)) for name, array in values.items()}, axes)
+
+
+def deviation(slides: xr.Dataset) -> xr.DataArray:
+    """Return the largest relative deviation of the three slides from the paper's; NaN where it turns over."""
+    paper = xr.DataArray(list(PAPER_SLIDES), dims="row")
+    return abs(slides.peak_slide / paper - 1.0).max("row", skipna=False)
+
+
+def effects(slides: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
+    """Return how much less the body slides for 0.2 more static, and for 0.2 more kinetic friction [m]."""
+    base, more_kinetic, more_static = (slides.peak_slide.isel(row=row) for row in range(3))
+    return base - more_static, base - more_kinetic
+
+
+def nearest_sine(case: Case, grid: xr.Dataset) -> Nearest:
+    """Return the sine of the grid that comes nearest to the paper, refined between the grid's lines."""
+    best = grid.isel(deviation(grid).argmin(...))  # type: ignore[arg-type]
+    steps = {name: float(np.diff(grid[name]).mean()) for name in ("frequency", "amplitude")}
+    for _ in range(ROUNDS):
+        f, A = (
+            np.linspace(float(best[name]) - step, float(best[name]) + step, POINTS)
+            for name, step in steps.items()
+        )
+        finer = slides_under(case, (float(best.phase),), f, A)
+        best = finer.isel(deviation(finer).argmin(...))  # type: ignore[arg-type]
+        steps = {name: 2.0 * step / (POINTS - 1) for name, step in steps.items()}
+    phase, frequency, amplitude = (float(best[name]) for name in ("phase", "frequency", "amplitude"))
+    return Nearest(phase, frequency, amplitude, best.peak_slide.to_numpy(), float(deviation(best)))
 
 
 def friction(
-    *,
-    amplitudes: ArrayLike = AMPLITUDES,
-    frequencies: ArrayLike = FREQUENCIES,
-    coefficients: ArrayLike = COEFFICIENTS,
-    duration: float = 10.0,
+    *, amplitudes: ArrayLike = AMPLITUDES, frequencies: ArrayLike = FREQUENCIES, duration: float = 10.0
 ) -> Study:
     """Study the slide over static and kinetic friction, as the paper's §4.2.
 
@@ -69,216 +156,96 @@ def friction(
     ----------
     amplitudes, frequencies : array_like
         The sines that are searched [m/s², Hz]; at least two of each, rising.
-    coefficients : array_like
-        Coefficients of friction of the map, static and kinetic; at least two, rising.
     duration : float
         Length of the shaking [s].
 
     Returns
     -------
     Study
-        Figures "map" (peak slide over μ and μ'), "search" (how near each sine comes to the paper) and
-        "effects" (which coefficient matters more). The data have a row for each case: the searched sines
-        under the paper's three pairs of coefficients, and the map.
-
-    Raises
-    ------
-    InputError
-        Values that do not rise, fewer than two of them, or a case that is not possible.
-
-    Examples
-    --------
-    >>> import studies
-    >>> sines = {"amplitudes": [8.0, 10.0], "frequencies": [1.5, 2.0], "duration": 5.0}
-    >>> quick = studies.friction(**sines, coefficients=[0.1, 0.3])
-    >>> quick.quantities["sine_held"].value
-    '6.19 m/s², 2.59 Hz, phase 90°'
-    >>> for name in ("slide_1_held", "slide_2_held"):  # cm
-    ...     quantity = quick.quantities[name]
-    ...     print(f"{quantity.label}: {quantity.value:.1f}; in the paper {quantity.published:.1f}")
-    Peak slide at (μ, μ') = (0.4, 0.1), only slides [cm]: 5.4; in the paper 5.4
-    Peak slide at (μ, μ') = (0.4, 0.3), only slides [cm]: 2.1; in the paper 3.1
+        Data over ``model``, ``row`` (the paper's pairs of coefficients), ``phase``, ``frequency`` and
+        ``amplitude``.
     """
-    A, f = rising("studies.amplitudes", amplitudes), rising("studies.frequencies", frequencies)
-    mu = rising("studies.coefficients", coefficients)
-    searched: dict[str, xr.Dataset] = {}
-    nearest: dict[str, Nearest] = {}
-    for name, case in models(unit_sine(f[0], duration, 0.0)).items():
-        searched[name] = slides_under(case, PHASES, f, A)
-        nearest[name] = nearest_sine(case, searched[name])
-    chosen = nearest[HELD]
-    stated = models(unit_sine(chosen.frequency, duration, chosen.phase))
-    rows = {
-        name: slides_under(case, (chosen.phase,), np.array([chosen.frequency]), np.array([chosen.amplitude]))
-        for name, case in stated.items()
-    }
-    maps = {name: slide_map(case, chosen.amplitude, mu) for name, case in stated.items()}
+    A, f = np.asarray(amplitudes, np.float64), np.asarray(frequencies, np.float64)
+    cases = {name: model(name, unit_sine(f[0], duration, 0.0)) for name in MODELS}
+    parts = {name: slides_under(case, PHASES, f, A) for name, case in cases.items()}
+    nearest = {name: nearest_sine(case, parts[name]) for name, case in cases.items()}
+    data = xr.concat(list(parts.values()), xr.Variable("model", list(MODELS)))
+    static, kinetic = zip(*PAPER_ROWS, strict=True)
+    data = data.assign_coords(static_friction=("row", list(static)), kinetic_friction=("row", list(kinetic)))
+    for name, unit in {"phase": "degree", "frequency": "Hz", "amplitude": "m/s2", "peak_slide": "m"}.items():
+        data[name].attrs["units"] = unit
     return Study(
         name="friction",
         title="Sliding and the coefficients of friction",
-        quantities=_quantities(nearest),
-        data=_tidy(searched, maps, chosen),
-        figures={
-            "map": draw_map(maps, chosen),
-            "search": draw_search(searched, nearest),
-            "effects": draw_effects(searched, chosen.phase),
-        },
+        quantities=_quantities(data, nearest),
+        data=data,
+        figure=_drawn(data, nearest),
         tables={
-            f"Peak slide [cm] under the sine nearest for the body that {HELD}": _rows_table(rows),
-            "The nearest sine for each model, with its three slides [cm]": _nearest_table(nearest),
+            "The nearest sine for each model, with its three slides [cm]": nearest_table(nearest),
         },
     )
 
 
-def _quantities(nearest: dict[str, Nearest]) -> dict[str, Quantity]:
+def _quantities(data: xr.Dataset, nearest: dict[str, Nearest]) -> dict[str, Quantity]:
     quantities: dict[str, Quantity] = {}
-    first, second, third = (100.0 * slide for slide in PAPER_SLIDES)
-    for key, (name, sine) in zip(("held", *FREE), nearest.items(), strict=True):
-        quantities[f"sine_{key}"] = Quantity(f"Nearest sine, {name}", str(sine))
-        deviation = 100.0 * sine.deviation
-        quantities[f"deviation_{key}"] = Quantity(f"Its largest deviation, {name} [%]", deviation, form=".0f")
-        slides: list[float] = (100.0 * sine.slides).tolist()
-        for row, (pair, ours, paper) in enumerate(zip(PAIRS, slides, PAPER_SLIDES, strict=True), 1):
+    paper = [100.0 * slide for slide in PAPER_SLIDES]
+    for key, near in nearest.items():
+        name = MODELS[key]
+        slides: list[float] = (100.0 * near.slides).tolist()
+        quantities[f"sine_{key}"] = Quantity(f"Nearest sine, {name}", str(near))
+        off = 100.0 * near.deviation
+        quantities[f"deviation_{key}"] = Quantity(f"Its largest deviation, {name} [%]", off, form=".0f")
+        for row, pair in enumerate(PAPER_ROWS):
             label = f"Peak slide at (μ, μ') = {pair}, {name} [cm]"
-            quantities[f"slide_{row}_{key}"] = Quantity(label, ours, 100.0 * paper, ".2f")
-        for effect, row, paper in (("μ", 2, first - third), ("μ'", 1, first - second)):
+            quantities[f"slide_{row + 1}_{key}"] = Quantity(label, slides[row], paper[row], ".2f")
+        for effect, kind, row in (("μ", "static", 2), ("μ'", "kinetic", 1)):
             label = f"0.2 more {effect} shortens it by, {name} [cm]"
-            effect_key = f"by_{'static' if effect == 'μ' else 'kinetic'}_{key}"
-            quantities[effect_key] = Quantity(label, slides[0] - slides[row], paper, ".2f")
+            ours, published = slides[0] - slides[row], paper[0] - paper[row]
+            quantities[f"by_{kind}_{key}"] = Quantity(label, ours, published, ".2f")
+        static, kinetic = effects(data.sel(model=key))
+        known = static.notnull() & kinetic.notnull() & (data.peak_slide.sel(model=key, row=0) > 0.0)
+        share = 100.0 * float((kinetic > static).sum()) / max(1, int(known.sum()))
+        quantities[f"share_{key}"] = Quantity(f"Sines under which μ' matters more, {name} [%]", share)
+        lowest = float(data.amplitude.where(kinetic > static).min("amplitude").median()) / STANDARD_GRAVITY
+        label = f"Lowest amplitude at which it does, median, {name} [g]"
+        quantities[f"flip_{key}"] = Quantity(label, lowest, form=".2f")
     return quantities
 
 
-def _rows_table(rows: dict[str, xr.Dataset]) -> pd.DataFrame:
-    table = pd.DataFrame(PAPER_ROWS, columns=["μ", "μ'"])
-    paper = np.array(PAPER_SLIDES)
-    table["the paper"] = 100.0 * paper
-    for name, row in rows.items():
-        slides = row.peak_slide.to_numpy().ravel()
-        table[name] = (100.0 * slides).round(6)
-        table[f"{name}, against the paper [%]"] = 100.0 * (slides / paper - 1.0)
-    return table
-
-
-def _nearest_table(nearest: dict[str, Nearest]) -> pd.DataFrame:
+def nearest_table(nearest: dict[str, Nearest]) -> pd.DataFrame:
+    """Return a row for each model, and one for the paper."""
+    pairs = [f"({static:g}, {kinetic:g})" for static, kinetic in PAPER_ROWS]
     rows: list[dict[str, object]] = [
         {
-            "model": name,
-            "A [m/s²]": sine.amplitude,
-            "f [Hz]": sine.frequency,
-            "phase [°]": sine.phase,
-            **dict(zip(PAIRS, 100.0 * sine.slides, strict=True)),
-            "largest deviation [%]": 100.0 * sine.deviation,
-            "rocks": "yes" if sine.rocks else "no",
+            "model": MODELS[key],
+            "A [m/s²]": near.amplitude,
+            "f [Hz]": near.frequency,
+            "phase [°]": near.phase,
+            **dict(zip(pairs, 100.0 * near.slides, strict=True)),
+            "largest deviation [%]": 100.0 * near.deviation,
         }
-        for name, sine in nearest.items()
+        for key, near in nearest.items()
     ]
-    paper = dict(zip(PAIRS, 100.0 * np.array(PAPER_SLIDES), strict=True))
-    return pd.DataFrame([*rows, {"model": "the paper", **paper, "rocks": "not stated"}])
+    paper = dict(zip(pairs, 100.0 * np.array(PAPER_SLIDES), strict=True))
+    return pd.DataFrame([*rows, {"model": "the paper", **paper}])
 
 
-def _tidy(searched: dict[str, xr.Dataset], maps: dict[str, xr.Dataset], chosen: Nearest) -> xr.Dataset:
-    """Return a row for each case: the search and the map, of all models."""
-    columns = ["static_friction", "kinetic_friction", "phase", "frequency", "amplitude"]
-    columns += ["peak_slide", "rocks", "overturned"]
-    sine = {name: getattr(chosen, name) for name in ("phase", "frequency", "amplitude")}
-    parts: list[pd.DataFrame] = []
-    for name in searched:
-        for part, grid, settings in (("search", searched[name], {}), ("map", maps[name], sine)):
-            table = grid.to_dataframe().reset_index().assign(**settings)
-            parts.append(table[columns].assign(part=part, body=name))
-    table = pd.concat(parts).dropna(subset="overturned").reset_index(drop=True).rename_axis("case")
-    data = xr.Dataset.from_dataframe(table.astype({"rocks": bool, "overturned": bool}))
-    for column, unit in UNITS.items():
-        data[column].attrs["units"] = unit
-    return data
-
-
-def _panels(count: int, title: str) -> tuple[Figure, list[Axes]]:
-    """Return a figure of panels side by side with common axes."""
-    figure = new_figure(4.1 * count, 4.4)
-    figure.suptitle(title, fontsize=FONT + 1.0, color=INK)
-    axes = figure.subplots(1, count, sharex=True, sharey=True)
-    for axis in axes:
-        style(axis, zero=False)
-    return figure, list(axes)
-
-
-def draw_map(maps: dict[str, xr.Dataset], sine: Nearest) -> Figure:
-    """Draw the peak slide over static and kinetic friction, a panel for each model."""
-    figure, axes = _panels(len(maps), f"Peak slide under a sine of {sine}")
-    largest = max(float(grid.peak_slide.max()) for grid in maps.values())
-    levels = MaxNLocator(12).tick_values(0.0, 100.0 * max(largest, 1e-6))
-    drawn: list[ContourSet] = []
-    for axis, (name, grid) in zip(axes, maps.items(), strict=True):
-        mu = grid.static_friction.to_numpy()
-        slides = 100.0 * grid.peak_slide.transpose("kinetic_friction", "static_friction").to_numpy()
-        drawn.append(axis.contourf(mu, mu, slides, levels, cmap="cividis"))
-        rocks = grid.rocks.transpose("kinetic_friction", "static_friction").to_numpy()
-        axis.contourf(mu, mu, rocks, [0.5, 1.5], colors="none", hatches=["//"])
-        for static, kinetic in PAPER_ROWS:
-            axis.plot(static, kinetic, "o", color="white", markeredgecolor=INK, markersize=8.0)
-        axis.set_title(name + (", hatched: rocks" if np.nanmax(rocks) > 0.0 else ""), fontsize=FONT)
-        axis.set_xlabel("Static friction μ [–]", fontsize=FONT)
-    axes[0].set_ylabel("Kinetic friction μ' [–]", fontsize=FONT)
-    axes[0].plot([], [], "o", color="white", markeredgecolor=INK, markersize=8.0, label="the paper's rows")
-    axes[0].legend(loc="upper left", fontsize=FONT - 1.0)
-    figure.colorbar(drawn[0], ax=axes, label="Peak slide [cm]")
-    return figure
-
-
-def draw_search(searched: dict[str, xr.Dataset], nearest: dict[str, Nearest]) -> Figure:
-    """Draw how near each sine comes to the paper's three slides, a panel for each model."""
-    figure, axes = _panels(len(searched), "Largest deviation of the three slides from the paper's")
-    drawn: list[ContourSet] = []
-    for axis, (name, grid) in zip(axes, searched.items(), strict=True):
-        sine = nearest[name]
-        far = deviation(grid).sel(phase=sine.phase).transpose("amplitude", "frequency")
-        levels = np.linspace(0.0, WORST, 11)
-        drawn.append(
-            axis.contourf(grid.frequency, grid.amplitude, far, levels, cmap="cividis_r", extend="max")
-        )
-        axis.plot(sine.frequency, sine.amplitude, "*", color=ALARM, markeredgecolor="white", markersize=16.0)
-        axis.set_title(
-            f"{name}\nnearest: {sine}: {100.0 * sine.deviation:.0f} %",
-            fontsize=FONT - 1.0,
-            color=INK,
-        )
-        axis.set_xlabel("Frequency [Hz]", fontsize=FONT)
-    axes[0].set_ylabel("Amplitude [m/s²]", fontsize=FONT)
-    figure.colorbar(drawn[0], ax=axes, label="Largest relative deviation [–]")
-    return figure
-
-
-def draw_effects(searched: dict[str, xr.Dataset], phase: float) -> Figure:
+def _drawn(data: xr.Dataset, nearest: dict[str, Nearest]) -> Figure:
     """Draw which coefficient matters more over amplitude and frequency, a panel for each model."""
-    figure, axes = _panels(
-        len(searched),
-        f"Which 0.2 more friction shortens the slide more (μ .4 → .6 or μ' .1 → .3), phase {phase:.0f}°",
-    )
-    drawn: list[ContourSet] = []
-    for axis, (name, grid) in zip(axes, searched.items(), strict=True):
-        static, kinetic = effects(grid.sel(phase=phase))
-        base = grid.sel(phase=phase).peak_slide.isel(row=0)
+    figure, axes = panels(len(MODELS), sharex=True, sharey=True)
+    for axis, (key, near) in zip(axes, nearest.items(), strict=True):
+        of_model = data.sel(model=key, phase=near.phase)
+        static, kinetic = effects(of_model)
+        base = of_model.peak_slide.isel(row=0)
         more = ((static - kinetic) / base.where(base > 0.0)).transpose("amplitude", "frequency")
         levels = np.linspace(-1.0, 1.0, 11)
-        f, A = grid.frequency, grid.amplitude / STANDARD_GRAVITY
-        drawn.append(axis.contourf(f, A, more, levels, cmap="PuOr_r", extend="both"))
-        if float(more.min()) < 0.0 < float(more.max()):
-            axis.contour(f, A, more, [0.0], colors=INK, linewidths=1.4)
+        drawn = axis.contourf(data.frequency, data.amplitude, more, levels, cmap="PuOr_r", extend="both")
+        axis.plot(near.frequency, near.amplitude, "*", color=ALARM, markeredgecolor="white", markersize=16.0)
         axis.set_facecolor("#ededed")
-        axis.axhline(
-            PAPER_ROWS[2][0],
-            color=MUTED,
-            linestyle="--",
-            linewidth=1.2,
-            label=f"{PAPER_ROWS[2][0]:g} g: μ of the third row",
-        )
-        axis.set_title(name, fontsize=FONT)
-        axis.set_xlabel("Frequency [Hz]", fontsize=FONT)
-    axes[0].set_ylabel("Amplitude [g]", fontsize=FONT)
-    axes[0].legend(loc="lower right", fontsize=FONT - 2.0)
-    bar = figure.colorbar(drawn[0], ax=axes)
-    bar.set_label(
-        "Difference of the effects / slide at (.4, .1) [–]\n< 0: μ' matters more;  > 0: μ", fontsize=FONT
-    )
+        axis.axhline(PAPER_ROWS[2][0] * STANDARD_GRAVITY, color=INK, linestyle="--", linewidth=1.2)
+        axis.set(title=f"{MODELS[key]}, phase {near.phase:.0f}°", xlabel="frequency [Hz]")
+        if key == "coulomb":
+            figure.colorbar(drawn, ax=axes, label="effect of μ less that of μ', over the first slide")
+    axes[0].set_ylabel("amplitude [m/s²]")
+    figure.suptitle("Which 0.2 more shortens the slide more; star: nearest sine; line: 0.6 g")
     return figure

@@ -1,46 +1,64 @@
-"""Verdicts of the plane beside those of space: how often they differ, and for which pieces."""
+"""Verdicts of the plane beside those of space: how often they differ, and for which pieces.
+
+Nothing is drawn but the friction of the floor, and the same for plane and space, so that what differs between
+them is the third dimension.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from stayput.errors import whole_within
 from stayput.fragility import difference, probability
-from stayput.progress import bar
-from stayput.report.figures import FONT, new_figure, style
-from stayput.report.palette import INK, MUTED
-from studies.study import Quantity, Study, increasing
-from studies.three_dimensions_runs import (
-    CABINETS,
-    ENGINES,
-    FAMILIES,
-    FLOORING,
-    HEADINGS,
-    LEVELS,
-    SETTINGS,
-    Shaken,
-    outcomes,
-)
+from stayput.measures import GelMats, LBracket, TensionPole
+from stayput.model.body import Body
+from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.room import Ceiling, Floor, Room, Wall
+from stayput.model.solid import Solid
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.runs import run_level
+from stayput.montecarlo.sampling import draws, rows_of
+from stayput.motion.suites import Suite, synthetic_suite
+from stayput.simulation.case import simulate
+from stayput.simulation.outcome import Outcome
+from stayput.uncertainty import USUAL
 from stayput.verification.notes import LONG
+from studies.study import COLOURS, Quantity, Study, panels
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.fragility import Difference, Probability
-    from studies.three_dimensions_runs import ShapeSetting
+    from stayput.fragility import Difference
+    from stayput.measures import Measure
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.montecarlo.sampling import DrawTable
+    from stayput.motion import Motion
 
-PLANE, STRONGER, SPACE = ENGINES
+FAMILIES = ("near-fault", "crustal")
+"""Earthquakes with a pulse along x, and some without direction; those of 100 to 300 s are left out."""
 
-SLIDES = 0.01
-"""Slide from which on ratios of slides are taken [m]."""
+LEVELS = {"5-upper": 5.25, "6-lower": 5.75, "6-upper": 6.25}
+"""Classes of intensity, and the middle at which each is run."""
+
+HEADINGS = (0.0, 30.0, 60.0, 90.0)
+"""Angles in plan from the motion's x, along which pulses are, to the depth of the piece [degrees]."""
+
+FLOORING, RUBBER = (0.40, 0.30), (0.80, 0.60)
+"""Static and kinetic friction: of wood flooring, and of rubber feet (assumed)."""
+
+ENGINES = PLANE, STRONGER, SPACE = ("plane", "stronger", "space")
+"""The plane under the component along the depth; the plane under the stronger one; space under all."""
+
+GAP, CEILING = 0.02, 2.4
+"""Distance to the wall behind, where there is one, and height of the ceiling above poles [m]."""
 
 CLASSES = {"short": "shorter than deep", "square": "square", "long": "1.5 times as long as deep, or more"}
 """Free boxes by shape, and what they are called; those of `ROUND` are cylinders."""
@@ -49,7 +67,183 @@ ROUND, LIMITED = "round", "limited"
 """Kinds of settings beside free boxes: free cylinders, and pieces before a wall or held."""
 
 STRONGEST = "6-upper"
-"""Class of intensity of the figures."""
+"""Class of intensity of the figure."""
+
+
+@dataclass(frozen=True, slots=True)
+class ShapeSetting:
+    """A piece of furniture, and how it stands.
+
+    Parameters
+    ----------
+    name : str
+        What the tables call it.
+    depth, length, height : float
+        [m]; a round piece has its diameter as depth and length, and in the plane is a box of that width.
+    mass : float
+        [kg]
+    round : bool
+        Whether it is a cylinder.
+    friction : tuple of float
+        Static and kinetic, as stated.
+    wall : bool
+        Whether a wall stands behind it.
+    measures : tuple of Measure
+        What holds it; two brackets, two poles or four mats in space, one or two in the plane.
+    """
+
+    name: str
+    depth: float
+    length: float
+    height: float
+    mass: float
+    round: bool = False
+    friction: tuple[float, float] = FLOORING
+    wall: bool = False
+    measures: tuple[Measure, ...] = ()
+
+    @property
+    def body(self) -> Body:
+        """The piece as a box."""
+        return Body(self.depth, self.height, self.mass, length=self.length)
+
+    @property
+    def kind(self) -> str:
+        """A class of `CLASSES`, `ROUND` or `LIMITED`."""
+        if self.wall or self.measures:
+            return LIMITED
+        if self.round:
+            return ROUND
+        ratio = self.length / self.depth
+        return "long" if ratio >= LONG - 1e-9 else "short" if ratio < 1.0 - 1e-9 else "square"
+
+    def room(self, factor: float = 1.0) -> Room:
+        """Return the room, the friction of its floor times a factor."""
+        static, kinetic = self.friction
+        ceiling = Ceiling(CEILING) if any(isinstance(one, TensionPole) for one in self.measures) else None
+        behind = Wall(GAP) if self.wall else None
+        return Room(Floor(factor * static, factor * kinetic), left_wall=behind, ceiling=ceiling)
+
+
+def _cabinet(ratio: float, friction: tuple[float, float], wall: bool = False) -> ShapeSetting:
+    length = ratio * 0.45
+    called = "square cabinet" if ratio == 1.0 else f"cabinet 0.45 × {length:.2f}"
+    name = f"{called}{', rubber feet' if friction == RUBBER else ''}{', wall' if wall else ''}"
+    return ShapeSetting(name, 0.45, length, 1.50, 80.0, friction=friction, wall=wall)
+
+
+def _bookcase(how: str = "", *measures: Measure) -> ShapeSetting:
+    return ShapeSetting(f"bookcase{how}", 0.30, 0.90, 1.80, 200.0, wall=bool(how), measures=tuple(measures))
+
+
+CABINETS = tuple(
+    _cabinet(ratio, friction) for friction in (FLOORING, RUBBER) for ratio in (0.5, 2 / 3, 1.0, 1.5, 2.0)
+)
+"""Cabinets of all lengths on both floors."""
+
+SETTINGS = (
+    _bookcase(),
+    ShapeSetting("refrigerator", 0.65, 0.65, 1.75, 100.0),
+    ShapeSetting("refrigerator, rubber feet", 0.65, 0.65, 1.75, 100.0, friction=RUBBER),
+    ShapeSetting("low chest, rubber feet", 0.45, 0.90, 0.80, 60.0, friction=RUBBER),
+    *CABINETS,
+    ShapeSetting("gas cylinder", 0.25, 0.25, 1.40, 60.0, round=True),
+    ShapeSetting("water heater", 0.60, 0.60, 1.70, 420.0, round=True),
+    ShapeSetting("water heater, rubber feet", 0.60, 0.60, 1.70, 420.0, round=True, friction=RUBBER),
+    _cabinet(1.0, FLOORING, wall=True),
+    _bookcase(", wall"),
+    _bookcase(", wall, brackets", LBracket()),
+    _bookcase(", wall, poles", TensionPole()),
+    _bookcase(", wall, gel mats", GelMats()),
+)
+"""What is run: free pieces, then those before a wall and held ones."""
+
+
+class EngineOutcomes(NamedTuple):
+    """What became of a piece, by heading and motion.
+
+    Parameters
+    ----------
+    overturned, missing : ndarray of bool, shape (headings, motions)
+        Whether it overturned; whether the run was given up.
+    slide : ndarray, shape (headings, motions)
+        Peak slide [m]: along the depth in the plane, in any direction in space.
+    """
+
+    overturned: NDArray[np.bool_]
+    missing: NDArray[np.bool_]
+    slide: NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shaken:
+    """Earthquakes as pieces of all headings feel them, and the draws of the floor's friction.
+
+    Parameters
+    ----------
+    hazards : dict of str to tuple of Hazard
+        By engine, one for each heading; of `STRONGER` there is one, since it asks for no heading.
+    drawn : DrawTable
+        One draw for each motion.
+    """
+
+    hazards: dict[str, tuple[Hazard, ...]]
+    drawn: DrawTable
+
+    @classmethod
+    def of(cls, motions: int, headings: Sequence[float], seed: int) -> Shaken:
+        """Make so many motions of each family."""
+        made = [motion for family in FAMILIES for motion in synthetic_suite(family, motions, seed)]
+        turned = [Suite(tuple(m.rotated(math.radians(h)) for m in made), f"{h:g}°") for h in headings]
+        stated = [name for name in USUAL if name != "friction"]
+        hazards = {
+            PLANE: tuple(Hazard(suite) for suite in turned),
+            STRONGER: (Hazard(Suite(tuple(map(_stronger_first, made)), "stronger component")),),
+            SPACE: tuple(Hazard(suite, dimensions=3) for suite in turned),
+        }
+        return cls(hazards, draws(len(made), 1, seed, as_stated=stated))
+
+
+def _stronger_first(motion: Motion) -> Motion:
+    """Return a motion turned so that the horizontal component with the larger peak velocity is its x."""
+    other = motion.rotated(0.5 * math.pi)
+    return other if other.pgv > motion.pgv else motion
+
+
+def outcomes(setting: ShapeSetting, intensity: float, shaken: Shaken) -> dict[str, EngineOutcomes]:
+    """Run a piece at a JMA intensity of the ground; return what became of it by engine."""
+    found: dict[str, EngineOutcomes] = {}
+    headings = len(shaken.hazards[SPACE])
+    for engine, hazards in shaken.hazards.items():
+        if setting.round and engine == SPACE:
+            hazards = hazards[:1]  # a round piece faces everywhere
+        by_heading = [_under(setting, each.at(intensity), shaken.drawn) for each in hazards]
+        repeats = headings // len(hazards)
+        fields = zip(*by_heading, strict=True)
+        found[engine] = EngineOutcomes(*(np.repeat(field, repeats, axis=0) for field in fields))
+    return found
+
+
+def _under(setting: ShapeSetting, floors: FloorMotions, drawn: DrawTable) -> EngineOutcomes:
+    if setting.round and floors.dimensions == 3:
+        return _round_in_space(setting, floors, drawn)
+    held = setting.body, setting.room(), setting.measures
+    (runs,) = run_level([rows_of(*held, drawn, STANDARD_GRAVITY, dimensions=floors.dimensions)], floors)
+    return EngineOutcomes(runs.overturned[:, 0], runs.missing[:, 0], runs.slide[:, 0])
+
+
+def _round_in_space(setting: ShapeSetting, floors: FloorMotions, drawn: DrawTable) -> EngineOutcomes:
+    solid = Solid.cylinder(setting.depth, setting.height, setting.mass)
+    factors = drawn.columns["friction"][:, 0].tolist()
+    runs = [
+        simulate(solid, setting.room(factor), motion.scaled(float(scale)))
+        for motion, scale, factor in zip(floors.motions, floors.scales, factors, strict=True)
+    ]
+    return EngineOutcomes(
+        np.array([run.outcome is Outcome.OVERTURNED for run in runs]),
+        np.array([run.outcome is Outcome.FAILED for run in runs]),
+        np.array([float(run.peak_slide[0]) for run in runs]),
+    )
 
 
 def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS, seed: int = 1) -> Study:
@@ -58,92 +252,49 @@ def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS,
     Parameters
     ----------
     motions : int
-        Synthetic motions of each family, scaled to the middle of each class of intensity.
+        Synthetic motions of each family, at least 2, scaled to the middle of each class of intensity.
     headings : sequence of float
-        Angles in plan from the motions' x to the depth of a piece [degrees].
+        Angles in plan from the motions' x to the depth of a piece [degrees], rising.
     seed : int
         Seed of motions and of the floor's friction.
 
     Returns
     -------
     Study
-        Figures "differences" and "shapes". Data over ``setting``, ``level``, ``engine``, ``heading`` and
-        ``motion``: whether it overturned, and the peak slide [m].
-
-    Raises
-    ------
-    InputError
-        A number out of range.
-
-    Examples
-    --------
-    >>> import studies
-    >>> quick = studies.three_dimensions(motions=2, headings=[0.0])
-    >>> print(f"{quick.quantities['plane_differs'].label}: {quick.quantities['plane_differs']}")
-    Verdicts that differ, component along the depth [%]: 12
+        Data over ``setting``, ``level``, ``engine``, ``heading`` and ``motion``: whether it overturned, was
+        given up (``missing``), and the peak slide [m].
     """
-    count = whole_within("studies.motions", motions, 2, 1000)
-    angles = increasing("simulation.heading", headings, -360.0, 360.0, "°")
-    shaken = Shaken.of(count, angles.tolist(), seed)
-    shape = (len(SETTINGS), len(LEVELS), len(ENGINES), len(angles), len(FAMILIES) * count)
-    overturned, missing, slide = np.zeros(shape, np.bool_), np.zeros(shape, np.bool_), np.zeros(shape)
-    with bar(len(SETTINGS) * len(LEVELS), "progress.studying", unit="progress.settings") as advance:
-        for row, setting in enumerate(SETTINGS):
-            for column, intensity in enumerate(LEVELS.values()):
-                found = outcomes(setting, intensity, shaken)
-                for place, engine in enumerate(ENGINES):
-                    at = (row, column, place)
-                    overturned[at], missing[at], slide[at] = found[engine]
-                advance(1)
+    shaken = Shaken.of(motions, headings, seed)
+    found = [
+        [list(outcomes(one, intensity, shaken).values()) for intensity in LEVELS.values()] for one in SETTINGS
+    ]
     over = ("setting", "level", "engine", "heading", "motion")
+    fields = zip(EngineOutcomes._fields, np.moveaxis(np.array(found, np.float64), 3, 0), strict=True)
+    values = {name: (over, array if name == "slide" else array > 0.0) for name, array in fields}
     data = xr.Dataset(
-        {
-            "overturned": (over, overturned, {"long_name": "whether it overturned"}),
-            "missing": (over, missing, {"long_name": "whether the run was given up"}),
-            "slide": (over, slide, {"long_name": "peak slide", "units": "m"}),
-        },
+        values,
         {
             "setting": [setting.name for setting in SETTINGS],
-            "kind": ("setting", list(map(kind_of, SETTINGS))),
+            "kind": ("setting", [setting.kind for setting in SETTINGS]),
             "level": list(LEVELS),
-            "intensity": ("level", list(LEVELS.values())),
             "engine": list(ENGINES),
-            "heading": ("heading", angles, {"units": "degrees"}),
-            "family": ("motion", np.repeat(FAMILIES, count)),
+            "heading": ("heading", list(headings), {"units": "degrees"}),
+            "family": ("motion", np.repeat(FAMILIES, motions)),
         },
-        {"motions": count},
     )
     return Study(
-        name="three-dimensions",
+        name="three_dimensions",
         title="The plane or space",
         quantities=_quantities(data),
         data=data,
-        figures={"differences": draw_differences(data), "shapes": draw_shapes(data)},
+        figure=_drawn(data),
         tables={
-            f"Overturned at {level} [%], of pieces some of which do, and the differences from space in "
-            "percentage points with their 95 % intervals": overturned_table(data, level)
-            for level in reversed(LEVELS)
-        }
-        | {
-            "Free boxes by shape: runs that differ [%], and differences from space in points": shapes_table(
-                data
-            ),
-            f"Near-fault motions at {STRONGEST}, free boxes: differences from space in points, by the angle "
-            "from the pulse to the depth": headings_table(data),
-            f"Peak slide at {STRONGEST} of pieces that stand in both: medians [cm], and the median "
-            "of space over plane where both slide 1 cm or more": slides_table(data),
+            f"Overturned at {level} [%], of pieces some of which do, differences from space in percentage "
+            "points with their 95 % intervals, and median slides of those that stand in both "
+            "[cm]": overturned_table(data, level)
+            for level in ("6-upper", "6-lower")
         },
     )
-
-
-def kind_of(setting: ShapeSetting) -> str:
-    """Return the kind of a setting: a class of `CLASSES`, `ROUND` or `LIMITED`."""
-    if not setting.is_free:
-        return LIMITED
-    if setting.round:
-        return ROUND
-    ratio = setting.length / setting.depth
-    return "long" if ratio >= LONG - 1e-9 else "short" if ratio < 1.0 - 1e-9 else "square"
 
 
 def less_space(data: xr.Dataset, engine: str) -> Difference:
@@ -173,27 +324,8 @@ def differing(data: xr.Dataset, engine: str) -> float:
 
 def points(one: Difference) -> str:
     """Return a difference with its interval in percentage points: "−12 (−20 to −3)"."""
-    middle, low, high = (
-        f"{100.0 * value:+.0f}".replace("-", "−") for value in (one.estimate, one.low, one.high)
-    )
-    return f"{middle} ({low} to {high})"
-
-
-def verdicts(data: xr.Dataset, kinds: Sequence[str], engine: str) -> tuple[int, int, int]:
-    """Return for how many settings of some kinds and levels an engine says clearly less or more than space.
-
-    Returns
-    -------
-    tuple of int
-        Clearly less, clearly more, and how many there are.
-    """
-    part = data.sel(setting=data["kind"].isin(list(kinds)))
-    found = [
-        less_space(part.isel(setting=row, level=level), engine)
-        for row in range(part.sizes["setting"])
-        for level in range(part.sizes["level"])
-    ]
-    return sum(one.high < 0.0 for one in found), sum(one.low > 0.0 for one in found), len(found)
+    ends = (f"{100.0 * value:+.0f}".replace("-", "−") for value in (one.estimate, one.low, one.high))
+    return "{} ({} to {})".format(*ends)
 
 
 def _quantities(data: xr.Dataset) -> dict[str, Quantity]:
@@ -201,17 +333,30 @@ def _quantities(data: xr.Dataset) -> dict[str, Quantity]:
         "cases": Quantity("Runs of each engine", data["overturned"].size // len(ENGINES), form="d"),
         "given_up": Quantity("Runs given up, and left out", int(data["missing"].sum()), form="d"),
     }
-    for key, label in ((PLANE, "component along the depth"), (STRONGER, "stronger component")):
-        share = 100.0 * differing(data, key)
-        quantities[f"{key}_differs"] = Quantity(f"Verdicts that differ, {label} [%]", share, form=".0f")
-    for key, kinds in (("long", ("long",)), ("other", ("short", "square", ROUND))):
+    for engine, label in ((PLANE, "component along the depth"), (STRONGER, "stronger component")):
+        share = 100.0 * differing(data, engine)
+        quantities[f"{engine}_differs"] = Quantity(f"Verdicts that differ, {label} [%]", share, form=".0f")
+    for kind, label in (CLASSES | {ROUND: "cylinders"}).items():
+        of_kind = data.sel(setting=data["kind"] == kind)
+        strongest = of_kind.sel(level=STRONGEST)
+        share = 100.0 * differing(strongest, PLANE)
+        quantities[f"differ_{kind}"] = Quantity(
+            f"{label}: runs that differ at {STRONGEST} [%]", share, form=".0f"
+        )
         for engine in (PLANE, STRONGER):
-            less, more, of = verdicts(data, kinds, engine)
-            named = CLASSES["long"] if key == "long" else "all other free pieces"
-            quantities[f"{key}_{engine}_less"] = Quantity(f"{named}: {engine} clearly too low", less, of, "d")
-            quantities[f"{key}_{engine}_more"] = Quantity(
-                f"{named}: {engine} clearly too high", more, of, "d"
+            found = points(less_space(strongest, engine))
+            quantities[f"{kind}_{engine}"] = Quantity(
+                f"{label}: {engine} less space at {STRONGEST} [points]", found
             )
+            cells = [
+                less_space(of_kind.isel(setting=[row], level=level), engine)
+                for row in range(of_kind.sizes["setting"])
+                for level in range(of_kind.sizes["level"])
+            ]
+            low = Quantity(
+                f"{label}: {engine} clearly too low", sum(c.high < 0.0 for c in cells), len(cells), "d"
+            )
+            quantities[f"{kind}_{engine}_less"] = low
     return quantities
 
 
@@ -227,147 +372,30 @@ def overturned_table(data: xr.Dataset, level: str) -> pd.DataFrame:
         row |= {engine: f"{float(shares.sel(engine=engine)):.0f}" for engine in ENGINES}
         row["differ"] = f"{100.0 * differing(part, PLANE):.0f}"
         row |= {f"{engine} − space": points(less_space(part, engine)) for engine in (PLANE, STRONGER)}
-        rows.append(row)
-    return pd.DataFrame(rows)
-
-
-def shapes_table(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each class of free boxes, on flooring and on rubber feet."""
-    rows: list[dict[str, str]] = []
-    rubber = np.array([setting.friction != FLOORING for setting in SETTINGS])
-    for kind, called in CLASSES.items():
-        for floor, chosen in (("flooring", ~rubber), ("rubber feet", rubber)):
-            part = data.isel(setting=np.flatnonzero((data["kind"].to_numpy() == kind) & chosen))
-            row = {"boxes": f"{called}, {floor}", "settings": str(part.sizes["setting"])}
-            for level in list(LEVELS)[1:]:
-                here = part.sel(level=level)
-                row[f"{level}: differ"] = f"{100.0 * differing(here, PLANE):.0f}"
-                row[f"{level}: plane"] = points(less_space(here, PLANE))
-                row[f"{level}: stronger"] = points(less_space(here, STRONGER))
-            rows.append(row)
-    return pd.DataFrame(rows)
-
-
-def pulses(data: xr.Dataset, kind: str) -> xr.Dataset:
-    """Return the free boxes of a class under near-fault motions at `STRONGEST`."""
-    return data.sel(setting=data["kind"] == kind, level=STRONGEST, motion=data["family"] == FAMILIES[0])
-
-
-def headings_table(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each class of free boxes and each choice of the component."""
-    called_by = {PLANE: "along the depth", STRONGER: "stronger"}
-    rows: list[dict[str, str]] = []
-    for kind, called in CLASSES.items():
-        part = pulses(data, kind)
-        for engine in called_by:
-            row = {"boxes": called, "component": called_by[engine]}
-            for place, angle in enumerate(data["heading"].to_numpy().tolist()):
-                row[f"{angle:g}°"] = points(less_space(part.isel(heading=place), engine))
-            rows.append(row)
-    return pd.DataFrame(rows)
-
-
-def slide_ratio(data: xr.Dataset) -> float:
-    """Return the median of the slide in space over that in the plane where both stand and slide `SLIDES`."""
-    plane, space = (data["slide"].sel(engine=engine).to_numpy() for engine in (PLANE, SPACE))
-    both = ~data["overturned"].sel(engine=[PLANE, SPACE]).any("engine").to_numpy()
-    counted = both & (plane >= SLIDES) & (space >= SLIDES)
-    return float(np.median(space[counted] / plane[counted])) if counted.any() else np.nan
-
-
-def slides_table(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each setting."""
-    rows: list[dict[str, str]] = []
-    for place, name in enumerate(data["setting"].to_numpy().tolist()):
-        part = data.isel(setting=place).sel(level=STRONGEST)
-        stands = ~part["overturned"].sel(engine=[PLANE, SPACE]).any("engine").to_numpy()
-        row = {"piece": name, "runs": str(int(stands.sum()))}
+        stands = ~part["overturned"].sel(engine=[PLANE, SPACE]).any("engine")
         for engine in (PLANE, SPACE):
-            slides = part["slide"].sel(engine=engine).to_numpy()[stands]
-            row[engine] = f"{100.0 * np.median(slides):.1f}" if len(slides) else ""
-        ratio = slide_ratio(part)
-        row["space over plane"] = f"{ratio:.1f}" if np.isfinite(ratio) else ""
+            slides = 100.0 * float(part["slide"].sel(engine=engine).where(stands).median())
+            row[f"slide, {engine}"] = "" if np.isnan(slides) else f"{slides:.1f}"
         rows.append(row)
     return pd.DataFrame(rows)
 
 
-LOOKS = {
-    PLANE: ("plane, component along the depth", "#0072b2", "o"),
-    STRONGER: ("plane, stronger component", "#e69f00", "s"),
-    SPACE: ("space, three components", INK, "D"),
-}
-"""What the engines are called in figures, their colours and markers."""
-
-
-def draw_differences(data: xr.Dataset) -> Figure:
-    """Draw by setting how many more overturn in the plane than in space, with intervals."""
-    names = data["setting"].to_numpy().tolist()
-    rows = np.arange(len(names), dtype=np.float64)
-    levels = list(LEVELS)[1:]
-    figure = new_figure(11.0, 0.34 * len(names) + 1.6)
-    for axis, level in zip(figure.subplots(1, len(levels), sharey=True), levels, strict=True):
-        style(axis, zero=False)
-        axis.axvline(0.0, color=MUTED, linewidth=1.0)
-        for engine, shift in ((PLANE, -0.16), (STRONGER, 0.16)):
-            found = [less_space(data.isel(setting=row).sel(level=level), engine) for row in range(len(names))]
-            _marked(axis, found, engine, rows + shift, upright=False)
-        axis.set_title(level, fontsize=FONT)
-        axis.set_xlim(-100.0, 100.0)
-        axis.set_ylim(len(names) - 0.4, -0.6)
-        axis.set_yticks(rows, names, fontsize=FONT - 1.0)
-        axis.set_xlabel("fewer fall than in space ←  points  → more fall than in space", fontsize=FONT)
-    handles, labels = figure.axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=2, fontsize=FONT, frameon=False)
-    return figure
-
-
-def _marked(
-    axis: Axes,
-    found: Sequence[Difference | Probability],
-    engine: str,
-    at: NDArray[np.float64],
-    *,
-    upright: bool,
-) -> None:
-    """Draw estimates with their intervals in per cent, upright over x or lying at y."""
-    label, colour, marker = LOOKS[engine]
-    middle, low, high = (
-        100.0 * np.array([getattr(one, end) for one in found]) for end in ("estimate", "low", "high")
-    )
-    x, y = (at, middle) if upright else (middle, at)
-    ends = np.stack([middle - low, high - middle])
-    axis.errorbar(
-        x,
-        y,
-        yerr=ends if upright else None,
-        xerr=None if upright else ends,
-        fmt=marker,
-        color=colour,
-        markersize=5.5,
-        linewidth=1.3,
-        label=label,
-    )
-
-
-def draw_shapes(data: xr.Dataset) -> Figure:
+def _drawn(data: xr.Dataset) -> Figure:
     """Draw the share of cabinets that overturns over their length in planes and space, with intervals."""
-    figure = new_figure(10.0, 4.6)
+    figure, axes = panels(2, width=5.0, sharey=True)
     half = len(CABINETS) // 2
-    panels = {"wood flooring": CABINETS[:half], "rubber feet": CABINETS[half:]}
-    for axis, (floor, cabinets) in zip(figure.subplots(1, 2, sharey=True), panels.items(), strict=True):
-        style(axis, zero=False)
+    floors = {"wood flooring": CABINETS[:half], "rubber feet": CABINETS[half:]}
+    for axis, (floor, cabinets) in zip(axes, floors.items(), strict=True):
         ratio = np.array([one.length / one.depth for one in cabinets])
-        for engine, shift in zip(ENGINES, (-0.02, 0.02, 0.0), strict=True):
-            found = [
-                probability(_by_motion(data.sel(setting=one.name, level=STRONGEST), "overturned", engine))
-                for one in cabinets
-            ]
-            _marked(axis, found, engine, ratio + shift, upright=True)
-            axis.plot(ratio + shift, [100.0 * one.estimate for one in found], color=LOOKS[engine][1], lw=1.0)
-        axis.set_title(floor, fontsize=FONT)
-        axis.set_xlabel("length over depth", fontsize=FONT)
-        axis.set_ylim(-3.0, 103.0)
-    figure.axes[0].set_ylabel(f"cabinets that overturn at {STRONGEST} [%]", fontsize=FONT)
-    handles, labels = figure.axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=FONT, frameon=False)
+        for engine, shift, colour in zip(ENGINES, (-0.02, 0.02, 0.0), COLOURS, strict=False):
+            parts = [data.sel(setting=one.name, level=STRONGEST) for one in cabinets]
+            found = [probability(_by_motion(part, "overturned", engine)) for part in parts]
+            middle, low, high = (
+                100.0 * np.array([getattr(one, end) for one in found]) for end in ("estimate", "low", "high")
+            )
+            ends = np.stack([middle - low, high - middle])
+            axis.errorbar(ratio + shift, middle, yerr=ends, fmt="-o", color=colour, label=engine)
+        axis.set(title=floor, xlabel="length over depth", ylim=(-3.0, 103.0))
+    axes[0].set_ylabel(f"cabinets that overturn at {STRONGEST} [%]")
+    axes[0].legend()
     return figure

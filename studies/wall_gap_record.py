@@ -1,23 +1,22 @@
-"""Turnover over width and wall distance under a record (the paper, §4.5 and Table 4.3)."""
+"""Turnover over width and wall distance under a record (the paper, §4.5, Table 4.3)."""
 
 from __future__ import annotations
 
 import math
+from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch, Rectangle
+from matplotlib.patches import Rectangle
 
 from stayput.motion import near_fault
-from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK
 from stayput.simulation.run import LAWS
 from stayput.simulation.sweep import sweep
-from studies.study import Quantity, Study, increasing
-from studies.walls import FALLEN, RATIO, SIDES, WALLS, results_about, table_4_2, turnover
+from studies.study import COLOURS, Quantity, Study, panels
+from studies.wall_gap import FALLEN, RATIO, WALLS, coordinates, table_4_2, turnover
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,10 +24,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.motion import Motion
-    from stayput.simulation.axes import Axes as Columns
 
 Range = tuple[float, float]
-"""First and last distance [m]."""
+"""First and last distance to the wall that turns a body over [m]."""
 
 TABLE_4_3: dict[float, Range | None] = {
     0.1: (0.0, math.inf),
@@ -44,27 +42,21 @@ TABLE_4_3: dict[float, Range | None] = {
 }
 """The paper's Table 4.3: width [m], and the wall distances that turn it over; infinite: with any wall."""
 
-POLARITIES = (1.0, -1.0)
-"""Factors on the motion: as recorded, and reversed."""
+GAPS = np.linspace(0.0, 1.0, 101)
+"""Distances to the wall [m]."""
 
-Variant = tuple[str, float, str]
-"""Contact law, polarity and side of the wall."""
+POLARITIES = {1.0: "as recorded", -1.0: "reversed"}
+"""Factors on the motion."""
 
-WidthRow = tuple[float, list[Range], bool]
-"""Width, ranges of distance at which it turns over, whether it does so without a wall."""
-
-WIDEST_STEP = 0.02
-"""Width of a bar of one distance, unless the distances are closer [m]."""
-
-REACH = "#0072b2"
-"""Colour of how far a body without a wall comes."""
+Variant = tuple[float, str]
+"""Polarity and side of the wall."""
 
 
 def wall_gap_record(
     motion: Motion | None = None,
     *,
-    widths: ArrayLike | None = None,
-    gaps: ArrayLike | None = None,
+    widths: ArrayLike = tuple(TABLE_4_3),
+    gaps: ArrayLike = GAPS,
 ) -> Study:
     """Find the wall distances at which bodies of Table 4.2 turn over under a record, as in Table 4.3.
 
@@ -75,70 +67,46 @@ def wall_gap_record(
     ----------
     motion : Motion, optional
         The record; default `near_fault`. The paper's is the first 30 s of JMA Kobe 1995, NS.
-    widths : array_like, shape [width], optional
-        Widths b [m]; default Table 4.3's.
-    gaps : array_like, shape [gap], optional
-        Distances l_w from the body to the wall [m]; default 0 to 1 m by 0.01 m.
+    widths, gaps : array_like
+        Widths b of Table 4.3, and distances l_w from the body to the wall [m].
 
     Returns
     -------
     Study
-        ``data`` holds ``overturned`` over law, polarity, wall, width and distance; ``overturned_free``
-        without a wall; ``reach_left`` and ``reach_right``, how far a body without a wall comes to a side.
-
-    Raises
-    ------
-    InputError
-        Widths or distances out of range or not increasing.
-
-    Examples
-    --------
-    >>> import studies
-    >>> quick = studies.wall_gap_record(widths=[0.1, 0.2], gaps=[0.0, 0.2, 0.4])
-    >>> reversed_motion = {"contact": "paper", "motion.scale": -1.0, "wall": "both"}
-    >>> quick.data.overturned.sel(reversed_motion).to_pandas()
-    gap           0.0    0.2    0.4
-    body.width
-    0.1         False   True   True
-    0.2         False  False  False
+        Data: ``overturned`` over law, polarity, wall, width and distance; ``overturned_free`` without a wall;
+        ``reach_left`` and ``reach_right``, how far a body without a wall comes to a side [m].
     """
     shaking = (near_fault() if motion is None else motion).component("x")
-    b = increasing("studies.width", tuple(TABLE_4_3) if widths is None else widths, 0.01, 10.0, "m")
-    l_w = increasing(
-        "studies.wall_gap", np.linspace(0.0, 1.0, 101) if gaps is None else gaps, 0.0, 100.0, "m"
+    b, l_w = np.asarray(widths, np.float64), np.asarray(gaps, np.float64)
+    case = table_4_2(shaking)
+    others = {"contact": LAWS, "motion.scale": list(POLARITIES)}
+    result = turnover(case, b, l_w, others)
+    bodies = {("body.width", "body.height"): (b, b / RATIO)}
+    left, right = _reach(
+        sweep(case, {**others, **bodies}, histories=("x", "tilt"), progress=False), result.free
     )
-    data = _simulated(shaking, b, l_w)
-    best = nearest(data)
-    tables = {f"T or N and the wall distances [m], law {law!r}": outcomes(data, law) for law in LAWS[::-1]}
-    tables["Difference from Table 4.3, the nearest variant"] = differences(data, best)
-    return Study(
-        name="wall-gap-record",
-        title="Turnover beside a wall under a record",
-        quantities=_quantities(data, best),
-        data=data,
-        figures={"ranges": draw_ranges(data)},
-        tables=tables,
-    )
-
-
-def _simulated(motion: Motion, widths: NDArray[np.float64], gaps: NDArray[np.float64]) -> xr.Dataset:
-    case = table_4_2(motion)
-    others: Columns = {"contact": LAWS, "motion.scale": POLARITIES}
-    result = turnover(case, widths, gaps, others)
-    bodies = {("body.width", "body.height"): (widths, widths / RATIO)}
-    left, right = _reach(sweep(case, {**others, **bodies}, histories=("x", "tilt")), result.free)
     free = ("contact", "motion.scale", "body.width")
-    far = {"units": "m", "long_name": "farthest that it comes without a wall; nan where it turns over"}
-    about, coords = results_about(widths, gaps)
-    return xr.Dataset(
+    data = xr.Dataset(
         {
-            "overturned": ((*free[:2], "wall", "body.width", "gap"), result.walled, about["overturned"]),
-            "overturned_free": (free, result.free, about["overturned_free"]),
-            "reach_left": (free, left, far),
-            "reach_right": (free, right, far),
+            "overturned": ((*free[:2], "wall", "body.width", "gap"), result.walled),
+            "overturned_free": (free, result.free),
+            "reach_left": (free, left, {"units": "m"}),
+            "reach_right": (free, right, {"units": "m"}),
         },
-        {**coords, "motion.scale": list(POLARITIES)},
-        {"motion": motion.name, "aspect_ratio": RATIO, "given_up": result.given_up},
+        {**coordinates(b, l_w), "motion.scale": list(POLARITIES)},
+        {"motion": shaking.name},
+    )
+    best = nearest(data)
+    return Study(
+        name="wall_gap_record",
+        title="Turnover beside a wall under a record",
+        quantities=_quantities(data, best, result.given_up),
+        data=data,
+        figure=_drawn(data),
+        tables={
+            **{f"T or N and the wall distances [m], law {law!r}": outcomes(data, law) for law in LAWS[::-1]},
+            "Difference from Table 4.3, the nearest variant": differences(data, best),
+        },
     )
 
 
@@ -152,45 +120,42 @@ def _reach(histories: xr.Dataset, free: NDArray[np.bool_]) -> tuple[NDArray[np.f
     return left + stands, right + stands
 
 
-def _quantities(data: xr.Dataset, best: Variant) -> dict[str, Quantity]:
+def _quantities(data: xr.Dataset, best: Variant, given_up: int) -> dict[str, Quantity]:
     agree, compared = _agreeing(data, best)
-    _, polarity, wall = best
-    ends, reach = _ends(data, best), _farther(data, best)
-    beyond = sum(paper[1] > float(reach.sel({"body.width": b})) for b, paper, _ in ends)
+    shown = differences(data, best)
+    beyond = int((shown["last, paper [m]"] > shown["reach without a wall [m]"]).sum())
     swapped = data["overturned"].sel({"wall": ["right", "left", "both"], "motion.scale": [-1.0, 1.0]})
     same = int((data["overturned"].to_numpy() == swapped.to_numpy()).sum())
-    side = f"{SIDES[wall]}, the motion {polarity_name(polarity)}"
+    variant = f"wall: {best[1]}, the motion {POLARITIES[best[0]]}"
     quantities = {
-        "nearest": Quantity("Variant nearest to Table 4.3", side),
+        "nearest": Quantity("Variant nearest to Table 4.3, law 'paper'", variant),
         "agree": Quantity("Widths whose T or N agrees with Table 4.3", agree, compared, "d"),
-        "ends": Quantity("Widths at which both have a range that ends", len(ends), form="d"),
+        "ends": Quantity("Widths at which both have a range that ends", len(shown), form="d"),
         "beyond": Quantity("of these, with the paper's last beyond the body's reach", beyond, form="d"),
-        "mirrored": Quantity("Results that are those of their mirror image", same, form="d"),
-        "results": Quantity("Results", data["overturned"].size, form="d"),
-        "given_up": Quantity("Runs given up, counted as turned over", int(data.attrs["given_up"]), form="d"),
+        "mirrored": Quantity(
+            "Results that are those of their mirror image", same, data["overturned"].size, "d"
+        ),
+        "given_up": Quantity("Runs given up, counted as turned over", given_up, form="d"),
     }
-    for b, paper, ours in ends:
-        for key, place in (("first", 0), ("last", 1)):
-            label = f"{'Nearest' if place == 0 else 'Farthest'} wall that turns over b = {b:g} m [m]"
-            quantities[f"{key}_{b:g}"] = Quantity(label, ours[place], paper[place], ".2f")
+    for row in shown.to_dict("records"):
+        for key, name in (("first", "Nearest"), ("last", "Farthest")):
+            label = f"{name} wall that turns over b = {row['b [m]']:g} m [m]"
+            ours, paper = row[f"{key} [m]"], row[f"{key}, paper [m]"]
+            quantities[f"{key}_{row['b [m]']:g}"] = Quantity(label, ours, paper, ".2f")
     return quantities
 
 
 def of_paper(width: float) -> tuple[bool, Range | None]:
     """Return whether a width is in Table 4.3, and the paper's range for it."""
-    for listed, span in TABLE_4_3.items():
-        if abs(listed - width) < 1e-9:
-            return True, span
-    return False, None
+    found = [span for listed, span in TABLE_4_3.items() if abs(listed - width) < 1e-9]
+    return bool(found), found[0] if found else None
 
 
 def paper_words(width: float) -> str:
     """Return the paper's result for a width in its own manner; empty where it has none."""
     listed, span = of_paper(width)
-    if not listed:
-        return ""
     if span is None:
-        return "N"
+        return "N" if listed else ""
     first, last = span
     if math.isinf(last):
         return "T, without influence of wall"
@@ -200,16 +165,8 @@ def paper_words(width: float) -> str:
 def ranges(gaps: NDArray[np.float64], fallen: NDArray[np.bool_]) -> list[Range]:
     """Return first and last distance of each unbroken range of distances that turn a body over.
 
-    Parameters
-    ----------
-    gaps : ndarray, shape [gap]
-        Distances [m].
-    fallen : ndarray of bool, shape [gap]
-        Whether the body turns over.
-
     Examples
     --------
-    >>> import numpy as np
     >>> ranges(np.array([0.0, 0.1, 0.2]), np.array([True, False, True]))
     [(0.0, 0.0), (0.2, 0.2)]
     """
@@ -226,15 +183,9 @@ def words(spans: list[Range], free: bool) -> str:
     return f"T, {shown}; also without a wall" if free else f"T, {shown}"
 
 
-def polarity_name(polarity: float) -> str:
-    """Return the name of a factor of 1 or −1 on the motion."""
-    return "as recorded" if polarity > 0.0 else "reversed"
-
-
-def rows_of(data: xr.Dataset, variant: Variant) -> list[WidthRow]:
-    """Return a variant's results, a row for each width."""
-    law, polarity, wall = variant
-    results = data.sel({"contact": law, "motion.scale": polarity, "wall": wall})
+def rows_of(data: xr.Dataset, variant: Variant, law: str = "paper") -> list[tuple[float, list[Range], bool]]:
+    """Return width, ranges of distance that turn it over, and whether it does without a wall."""
+    results = data.sel({"contact": law, "motion.scale": variant[0], "wall": variant[1]})
     gaps, widths = results["gap"].to_numpy(), results["body.width"].to_numpy()
     fallen, free = results["overturned"].to_numpy(), results["overturned_free"].to_numpy()
     return [
@@ -245,11 +196,10 @@ def rows_of(data: xr.Dataset, variant: Variant) -> list[WidthRow]:
 def outcomes(data: xr.Dataset, law: str) -> pd.DataFrame:
     """Return T or N and the ranges of each width, the paper's column first."""
     widths = data["body.width"].to_numpy()
-    table = {"b [m]": widths, "paper": [paper_words(b) for b in widths]}
-    for polarity in data["motion.scale"].to_numpy():
-        for wall in WALLS:
-            rows = rows_of(data, (law, float(polarity), wall))
-            table[f"{wall}, {polarity_name(polarity)}"] = [words(spans, free) for _, spans, free in rows]
+    table: dict[str, object] = {"b [m]": widths, "paper": [paper_words(b) for b in widths]}
+    for polarity, wall in product(POLARITIES, WALLS):
+        rows = rows_of(data, (polarity, wall), law)
+        table[f"{wall}, {POLARITIES[polarity]}"] = [words(spans, free) for _, spans, free in rows]
     return pd.DataFrame(table)
 
 
@@ -258,112 +208,75 @@ def nearest(data: xr.Dataset) -> Variant:
 
     First by how many widths have the paper's T or N, then by the sum of the differences of the ends.
     """
-    variants = [("paper", float(polarity), wall) for polarity in data["motion.scale"] for wall in WALLS]
-    return min(variants, key=lambda variant: (-_agreeing(data, variant)[0], _distance(data, variant)))
+
+    def distance(variant: Variant) -> float:
+        ends = differences(data, variant)[["difference of first [m]", "difference of last [m]"]]
+        return float(np.abs(ends.to_numpy()).sum())
+
+    return min(product(POLARITIES, WALLS), key=lambda one: (-_agreeing(data, one)[0], distance(one)))
 
 
 def _agreeing(data: xr.Dataset, variant: Variant) -> tuple[int, int]:
     """Return how many widths have the paper's T or N, and how many of Table 4.3's there are."""
-    listed = [(row, of_paper(row[0])[1]) for row in rows_of(data, variant) if of_paper(row[0])[0]]
-    agree = [(bool(spans) or free) == (paper is not None) for (_, spans, free), paper in listed]
+    listed = [(bool(spans) or free, of_paper(b)) for b, spans, free in rows_of(data, variant)]
+    agree = [falls == (paper is not None) for falls, (known, paper) in listed if known]
     return sum(agree), len(agree)
-
-
-def _ends(data: xr.Dataset, variant: Variant) -> list[tuple[float, Range, Range]]:
-    """Return width, the paper's range and our first and last, where both have one that ends."""
-    ends: list[tuple[float, Range, Range]] = []
-    for b, spans, _ in rows_of(data, variant):
-        paper = of_paper(b)[1]
-        if spans and paper is not None and math.isfinite(paper[1]):
-            ends.append((b, paper, (spans[0][0], spans[-1][1])))
-    return ends
-
-
-def _distance(data: xr.Dataset, variant: Variant) -> float:
-    ends = _ends(data, variant)
-    return sum(abs(p - end) for _, paper, ours in ends for p, end in zip(paper, ours, strict=True))
-
-
-def reach_of(data: xr.Dataset, variant: Variant) -> xr.DataArray:
-    """Return how far bodies without a wall come to the side, or the farther side, of a variant's wall [m]."""
-    law, polarity, wall = variant
-    results = data.sel({"contact": law, "motion.scale": polarity})
-    if wall != "both":
-        return results[f"reach_{wall}"]
-    return _farther(data, variant)
-
-
-def _farther(data: xr.Dataset, variant: Variant) -> xr.DataArray:
-    results = data.sel({"contact": variant[0], "motion.scale": variant[1]})
-    return results[["reach_left", "reach_right"]].to_array().max("variable")
 
 
 def differences(data: xr.Dataset, variant: Variant) -> pd.DataFrame:
     """Return both ends of each range beside the paper's, and how far the body comes without a wall."""
-    reach = reach_of(data, variant)
-    return pd.DataFrame(
-        [
-            {
-                "b [m]": b,
-                "first, paper [m]": paper[0],
-                "first [m]": ours[0],
-                "difference of first [m]": round(ours[0] - paper[0], 9),
-                "last, paper [m]": paper[1],
-                "last [m]": ours[1],
-                "difference of last [m]": round(ours[1] - paper[1], 9),
-                "reach without a wall [m]": float(reach.sel({"body.width": b})),
-            }
-            for b, paper, ours in _ends(data, variant)
-        ]
-    )
+    polarity, wall = variant
+    sides = ["reach_left", "reach_right"] if wall == "both" else [f"reach_{wall}"]
+    reach = data.sel({"contact": "paper", "motion.scale": polarity})[sides].to_array().max("variable")
+    rows: list[dict[str, float]] = []
+    for b, spans, _ in rows_of(data, variant):
+        paper = of_paper(b)[1]
+        if not spans or paper is None or math.isinf(paper[1]):
+            continue
+        row = {"b [m]": b}
+        for name, ours, theirs in zip(("first", "last"), (spans[0][0], spans[-1][1]), paper, strict=True):
+            row |= {f"{name}, paper [m]": theirs, f"{name} [m]": ours}
+            row[f"difference of {name} [m]"] = round(ours - theirs, 9)
+        rows.append(row | {"reach without a wall [m]": float(reach.sel({"body.width": b}))})
+    ends = [[f"{end}, paper [m]", f"{end} [m]", f"difference of {end} [m]"] for end in ("first", "last")]
+    return pd.DataFrame(rows, columns=["b [m]", *ends[0], *ends[1], "reach without a wall [m]"])
 
 
-def draw_ranges(data: xr.Dataset) -> Figure:
+def _drawn(data: xr.Dataset) -> Figure:
     """Draw a panel for each law, polarity and wall: distance across, a row for each width."""
-    variants = [(law, float(scale)) for law in LAWS[::-1] for scale in data["motion.scale"].to_numpy()]
-    figure = new_figure(12.0, 3.0 * len(variants) + 0.9)
-    panels = figure.subplots(len(variants), len(WALLS), sharex=True, sharey=True, squeeze=False)
-    for row, (law, polarity) in zip(panels, variants, strict=True):
-        for axis, wall in zip(row, WALLS, strict=True):
-            _panel(axis, data, (law, polarity, wall))
-            axis.set_title(f"law “{law}”, {polarity_name(polarity)}\n{SIDES[wall]}", fontsize=FONT)
-        row[0].set_ylabel("width [m]", fontsize=FONT)
-    for axis in panels[-1]:
-        axis.set_xlabel("distance to the wall [m]", fontsize=FONT)
-    figure.legend(
-        handles=[
-            Patch(facecolor=FALLEN, edgecolor=ALARM, hatch="////", label="turns over (T)"),
-            Line2D([], [], color=ALARM, marker="X", linestyle="", label="turns over without a wall, too"),
-            Patch(facecolor="none", edgecolor=INK, linewidth=1.5, label="the paper's Table 4.3 (its record)"),
-            Line2D([], [], color=REACH, marker="d", linestyle="", label="how far it comes without a wall"),
-        ],
-        loc="outside lower center",
-        ncols=4,
-        fontsize=FONT,
-        frameon=False,
+    variants = list(product(LAWS[::-1], POLARITIES, WALLS))
+    figure, axes = panels(len(WALLS), 2 * len(LAWS), width=4.0, height=3.0, sharex=True, sharey=True)
+    for axis, (law, polarity, wall) in zip(axes, variants, strict=True):
+        _panel(axis, data, law, (polarity, wall))
+        axis.set_title(f"law “{law}”, {POLARITIES[polarity]}; wall: {wall}")
+    for axis in axes[-len(WALLS) :]:
+        axis.set_xlabel("distance to the wall [m]")
+    for axis in axes[:: len(WALLS)]:
+        axis.set_ylabel("width [m]")
+    figure.suptitle(
+        f"{data.attrs['motion']}; filled: turns over; cross: without a wall, too; "
+        "frame: the paper's Table 4.3; diamond: how far it comes without a wall"
     )
     return figure
 
 
-def _panel(axis: Axes, data: xr.Dataset, variant: tuple[str, float, str]) -> None:
-    law, polarity, wall = variant
+def _panel(axis: Axes, data: xr.Dataset, law: str, variant: Variant) -> None:
+    polarity, wall = variant
     end = float(data["gap"].max())
-    half = 0.5 * float(np.diff(data["gap"].to_numpy()).min(initial=WIDEST_STEP))
-    for place, (b, spans, free) in enumerate(rows_of(data, variant)):
+    half = 0.5 * float(np.diff(data["gap"].to_numpy()).min(initial=0.02))
+    for place, (b, spans, free) in enumerate(rows_of(data, variant, law)):
         for first, last in spans:
-            low, high = max(first - half, 0.0), min(last + half, end)
-            bar = (low, place - 0.27), high - low, 0.54
+            bar = (max(first - half, 0.0), place - 0.27), min(last + half, end) - max(first - half, 0.0), 0.54
             axis.add_patch(Rectangle(*bar, facecolor=FALLEN, edgecolor=ALARM, hatch="////", linewidth=0.8))
         paper = of_paper(b)[1]
         if paper is not None:
-            width = (end if math.isinf(paper[1]) else paper[1]) - paper[0]
+            width = min(paper[1], end) - paper[0]
             axis.add_patch(Rectangle((paper[0], place - 0.4), width, 0.8, fill=False, edgecolor=INK, lw=1.5))
         if free:
             axis.plot(1.04 * end, place, "X", color=ALARM, markersize=7)
     for side in ("left", "right") if wall == "both" else (wall,):
         reach = data[f"reach_{side}"].sel({"contact": law, "motion.scale": polarity}).to_numpy()
-        axis.plot(reach, range(len(reach)), "d", color=REACH, markersize=5)
+        axis.plot(reach, range(len(reach)), "d", color=COLOURS[0], markersize=5)
     axis.set_xlim(0.0, 1.08 * end)
     axis.set_yticks(range(data.sizes["body.width"]), [f"{b:g}" for b in data["body.width"].to_numpy()])
     axis.set_ylim(-0.6, data.sizes["body.width"] - 0.4)
-    style(axis, zero=False)

@@ -10,7 +10,6 @@ from threading import Thread
 
 import numpy as np
 import pytest
-import xarray as xr
 from interrupts import hears_interrupts
 from typer.testing import CliRunner
 
@@ -228,9 +227,6 @@ def test_motion_convert(tmp_path):
 
 def test_version():
     assert cli("--version").stdout == f"stayput {stayput.__version__}\n"
-
-
-
 
 
 @pytest.fixture

@@ -138,6 +138,6 @@ def test_the_study():
     chest = margin.sel(piece="light chest of drawers", floor="hard floor", case=ALL_DRAWERS)
     assert float(chest) == pytest.approx(case(CHEST, ALL_DRAWERS, drawers=4, carpet=0.0).margin)
     assert study.quantities["on_carpet"].value >= study.quantities["on_floor"].value
-    (axis,) = study.figures["margins"].axes
+    (axis,) = study.figure.axes
     for shown in axis.get_lines():
         assert np.isfinite(np.asarray(shown.get_xdata(), float)).any(), shown.get_label()
