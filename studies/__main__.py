@@ -14,11 +14,13 @@ def main() -> None:
     known = {study.__name__: study for study in (*PAPER, *EVIDENCE)}
     of_a_record = ("wall_gap_record", "tokyo", "contents")
     parser = argparse.ArgumentParser(prog="python -m studies", description=__doc__)
-    parser.add_argument("names", nargs="*", choices=[[], *known], help="studies; default: the paper's")
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"{', '.join(known)}; default: the paper's")
     parser.add_argument("--out", type=Path, default=Path("out/paper"), help="folder (default: %(default)s)")
     record = f"the record of {', '.join(of_a_record)} (default: the built-in near-fault motion)"
     parser.add_argument("--record", type=Path, help=record)
     arguments = parser.parse_args()
+    if unknown := sorted(set(arguments.names) - set(known)):
+        parser.error(f"there is no study {', '.join(unknown)}; there are {', '.join(known)}")
     motion = None if arguments.record is None else sp.read_motion(arguments.record)
     for name in arguments.names or [study.__name__ for study in PAPER]:
         study = known[name](motion) if motion is not None and name in of_a_record else known[name]()

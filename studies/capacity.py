@@ -296,6 +296,7 @@ def _drawn(data: xr.Dataset) -> Figure:
     """Draw A₅₀ over Fe, both scaled to where the formula's branches meet."""
     main = stated(data)
     figure, (axis,) = panels(1, width=7.0, height=5.0)
+    plain_log(axis)
     fe = main["frequency"]
     for size, colour, marker in zip(main["body"].to_numpy().tolist(), COLOURS, "os^Dv", strict=False):
         one = main.sel(body=size)
@@ -308,7 +309,6 @@ def _drawn(data: xr.Dataset) -> Figure:
     unit = np.maximum(1.0, x)
     axis.fill_between(x, (1 - BAND) * unit, (1 + BAND) * unit, color=MUTED, alpha=0.2, label="±20 %")
     axis.plot(x, unit, color=INK, linewidth=1.6, label="formula")
-    plain_log(axis)
     axis.set(xlabel="Fe/Fb [–]", ylabel="A₅₀ over the formula's level branch [–]")
     axis.set_title("Points: simulation, synthetic motions (95 %)")
     axis.legend(loc="upper left")

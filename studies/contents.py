@@ -123,13 +123,14 @@ def contents(motion: Motion | None = None, intensities: ArrayLike = INTENSITIES)
     shape = (len(SETTINGS), len(HELD), len(levels))
     out, fell = np.zeros(shape), np.zeros(shape)
     room = Room(Floor.of("wood flooring"), left_wall=Wall(WALL))
-    for place, number, level in np.ndindex(*shape):
-        body, inside = list(SETTINGS.values())[place]
-        scaled = shaking.to_intensity(float(levels[level]))
-        case = Case(body, room, scaled, measures=(LBracket(),) if number else ())
-        both = [spill(replace(case, motion=m), inside) for m in (scaled, scaled.flipped())]
-        out[place, number, level] = np.mean([one.share_out for one in both])
-        fell[place, number, level] = np.mean([one.overturned for one in both])
+    for level, intensity in enumerate(levels.tolist()):
+        scaled = shaking.to_intensity(intensity)
+        for place, (body, inside) in enumerate(SETTINGS.values()):
+            for number, measures in enumerate(((), (LBracket(),))):
+                case = Case(body, room, scaled, measures=measures)
+                both = [spill(replace(case, motion=m), inside) for m in (scaled, scaled.flipped())]
+                out[place, number, level] = np.mean([one.share_out for one in both])
+                fell[place, number, level] = np.mean([one.overturned for one in both])
     over = ("setting", "held", "intensity")
     data = xr.Dataset(
         {

@@ -10,13 +10,13 @@ from __future__ import annotations
 import math
 from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib import colormaps
-from scipy.optimize import curve_fit
+from scipy.optimize import curve_fit  # pyright: ignore[reportUnknownVariableType]
 from scipy.stats import t
 
 from stayput.model.body import Body
@@ -215,8 +215,10 @@ def fitted(ratio: Array, frequency: Array, amplitude: Array, *, relative: bool =
         Whether the squares are of relative residuals, so that small amplitudes count as much as large ones.
     """
     sigma = amplitude if relative else None
-    found = curve_fit(regression, (ratio, frequency), amplitude, EQUATION_4_1, sigma, xtol=1e-12)
-    coefficients, covariance = np.asarray(found[0]), np.asarray(found[1])
+    coefficients, covariance = cast(
+        "tuple[Array, Array]",
+        curve_fit(regression, (ratio, frequency), amplitude, EQUATION_4_1, sigma, xtol=1e-12),
+    )
     return coefficients, float(t.ppf(0.975, len(amplitude) - 4)) * np.sqrt(np.diag(covariance))
 
 
@@ -260,7 +262,14 @@ def critical_ratio(
         quantities=_quantities(table, coefficients, half_widths),
         data=data,
         figure=_drawn(table, coefficients),
-        tables={"Mean deviation of our critical amplitudes by frequency [%]": _by_frequency(table)},
+        tables={
+            "Mean deviation of our critical amplitudes by frequency [%]": _by_frequency(table),
+            "Where the body may slide too: of how many frequencies it turns over, and critical amplitudes "
+            "[m/s²]": table[table["part"] == "sway"]
+            .groupby(["contact", "friction", "corner_friction"])["first"]
+            .agg(["size", "count", "min", "max"])
+            .reset_index(),
+        },
     )
 
 
@@ -299,18 +308,6 @@ def _quantities(table: pd.DataFrame, coefficients: Array, half_widths: Array) ->
         of_part = table[table["part"] == part].groupby("frequency")["first"]
         factor = float((of_part.max() / of_part.min()).max())
         rows.append((f"by_{part}", f"Largest factor between values of the {part}", factor, ".2f"))
-    for law in LAWS:
-        sway = table[(table["part"] == "sway") & (table["contact"] == law)].set_index("frequency")
-        stuck = sway[sway["friction"] == STICKING]["first"]
-        low = sway["friction"] < sway["corner_friction"]
-        for key, name, chosen in (
-            ("slides", "μ above b/h", sway[~low & (sway["friction"] != STICKING)]),
-            ("low", "μ below b/h under the base alone", sway[low]),
-        ):
-            label = f"Turn over at all with {name}, {law} law, of {len(chosen)}"
-            rows.append((f"{key}_{law}", label, int(chosen["first"].notna().sum()), "d"))
-            most = float((chosen["first"] / stuck.loc[chosen.index]).max())
-            rows.append((f"{key}_most_{law}", "of these, most over that without sliding", most, ".2f"))
     return quantities | {key: Quantity(label, value, form=form) for key, label, value, form in rows}
 
 

@@ -142,11 +142,9 @@ SETTINGS = (
     CemeterySetting("stones lean by 1° (standard deviation)", lean=1.0),
     CemeterySetting("stones lean by 3°", lean=3.0),
     CemeterySetting("friction 0.4 and 0.35", friction=(0.4, 0.35)),
-    CemeterySetting("friction 0.8 and 0.7", friction=(0.8, 0.7)),
     CemeterySetting("landings of 0.85 times Housner's rate", restitution=0.85),
     CemeterySetting("joints that give by 0.5 mm", settlement=5e-4),
     CemeterySetting("near-fault motions", family="near-fault"),
-    CemeterySetting("subduction motions", family="subduction"),
     CemeterySetting("without vertical motion", vertical=False),
     CemeterySetting("falls in either of two planes", both=True),
     *IDEALS,
@@ -357,7 +355,7 @@ def _figure(data: xr.Dataset) -> Figure:
     """Draw the mean share of each setting over the classes, over the bands that were observed."""
     figure, (axis,) = panels(1, width=9.5, height=5.4)
     across = np.arange(len(OBSERVED), dtype=np.float64)
-    low, high = (100.0 * data[f"observed_{end}"].to_numpy() for end in ("low", "high"))
+    low, high = 100.0 * data["observed_low"], 100.0 * data["observed_high"]
     axis.bar(across, high - low, 0.86, low, color="#b9d9ee", label="observed")
     mean = 100.0 * data["share"].mean("place")
     last = mean.sizes["setting"] - 1

@@ -284,7 +284,7 @@ def nearest_walls(data: xr.Dataset, law: str, wall: str) -> NDArray[np.float64]:
 
 
 def by_width(data: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each width, 13 at most: whether it turns over free, and the nearest wall that does it."""
+    """Return a row for each of some widths: T or N without a wall, and the nearest wall [m]."""
     widths = data["body.width"].to_numpy()
     table: dict[str, object] = {"b [m]": widths, "15 % of b [m]": NEAR * widths}
     for law in LAWS[::-1]:
@@ -296,23 +296,16 @@ def by_width(data: xr.Dataset) -> pd.DataFrame:
 
 def by_input(data: xr.Dataset) -> pd.DataFrame:
     """Return how many sines break the rule, by law and aspect ratio."""
-    rows: list[dict[str, object]] = []
-    for law, ratio in product(LAWS[::-1], data["aspect_ratio"].to_numpy().tolist()):
-        cases = data.sel(contact=law, aspect_ratio=ratio)
-        broken, stands = cases["broken_share"] > 0.0, cases["free_share"] == 0.0
-        rows.append(
-            {
-                "law": law,
-                "b/h": ratio,
-                "sines": broken.size,
-                "none tilts without a wall": int((cases["free_tilt"] == 0.0).sum()),
-                "some turn over without a wall": int((~stands).sum()),
-                "rule broken": int(broken.sum()),
-                "of these, none turns over without a wall": int((broken & stands).sum()),
-                "nearest wall [% of b]": 100.0 * float(cases["nearest_wall"].min()),
-            }
-        )
-    return pd.DataFrame(rows)
+    broken, stands = data["broken_share"] > 0.0, data["free_share"] == 0.0
+    kinds = {
+        "none tilts without a wall": data["free_tilt"] == 0.0,
+        "some turn over without a wall": ~stands,
+        "rule broken": broken,
+        "of these, none turns over without a wall": broken & stands,
+    }
+    counts = xr.Dataset(kinds).sum(("frequency", "amplitude"))
+    counts["nearest wall [% of b]"] = 100.0 * data["nearest_wall"].min(("frequency", "amplitude"))
+    return counts.to_dataframe().reset_index()
 
 
 def _drawn(data: xr.Dataset, motion: str) -> Figure:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.colors import ListedColormap
 from matplotlib.patches import Rectangle
 
 from stayput.motion import near_fault
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.motion import Motion
+    from stayput.simulation.axes import Axes as Columns
 
 Range = tuple[float, float]
 """First and last distance to the wall that turns a body over [m]."""
@@ -79,7 +81,7 @@ def wall_gap_record(
     shaking = (near_fault() if motion is None else motion).component("x")
     b, l_w = np.asarray(widths, np.float64), np.asarray(gaps, np.float64)
     case = table_4_2(shaking)
-    others = {"contact": LAWS, "motion.scale": list(POLARITIES)}
+    others: Columns = {"contact": LAWS, "motion.scale": list(POLARITIES)}
     result = turnover(case, b, l_w, others)
     bodies = {("body.width", "body.height"): (b, b / RATIO)}
     left, right = _reach(
@@ -262,21 +264,17 @@ def _drawn(data: xr.Dataset) -> Figure:
 
 def _panel(axis: Axes, data: xr.Dataset, law: str, variant: Variant) -> None:
     polarity, wall = variant
-    end = float(data["gap"].max())
-    half = 0.5 * float(np.diff(data["gap"].to_numpy()).min(initial=0.02))
-    for place, (b, spans, free) in enumerate(rows_of(data, variant, law)):
-        for first, last in spans:
-            bar = (max(first - half, 0.0), place - 0.27), min(last + half, end) - max(first - half, 0.0), 0.54
-            axis.add_patch(Rectangle(*bar, facecolor=FALLEN, edgecolor=ALARM, hatch="////", linewidth=0.8))
-        paper = of_paper(b)[1]
-        if paper is not None:
-            width = min(paper[1], end) - paper[0]
-            axis.add_patch(Rectangle((paper[0], place - 0.4), width, 0.8, fill=False, edgecolor=INK, lw=1.5))
-        if free:
-            axis.plot(1.04 * end, place, "X", color=ALARM, markersize=7)
+    results = data.sel({"contact": law, "motion.scale": polarity})
+    gaps, widths = data["gap"].to_numpy(), data["body.width"].to_numpy().tolist()
+    rows, end = np.arange(len(widths)), float(gaps[-1])
+    shown = np.where(results["overturned"].sel(wall=wall), 0.0, np.nan)
+    axis.pcolormesh(gaps, rows, shown, cmap=ListedColormap([FALLEN]), shading="nearest")
+    for row, span in zip(rows, (of_paper(width)[1] for width in widths), strict=True):
+        if span is not None:
+            size = (span[0], row - 0.4), min(span[1], end) - span[0], 0.8
+            axis.add_patch(Rectangle(*size, fill=False, edgecolor=INK, lw=1.5))
+    free = rows[results["overturned_free"].to_numpy()]
+    axis.plot(np.full(len(free), 1.04 * end), free, "X", color=ALARM)
     for side in ("left", "right") if wall == "both" else (wall,):
-        reach = data[f"reach_{side}"].sel({"contact": law, "motion.scale": polarity}).to_numpy()
-        axis.plot(reach, range(len(reach)), "d", color=COLOURS[0], markersize=5)
-    axis.set_xlim(0.0, 1.08 * end)
-    axis.set_yticks(range(data.sizes["body.width"]), [f"{b:g}" for b in data["body.width"].to_numpy()])
-    axis.set_ylim(-0.6, data.sizes["body.width"] - 0.4)
+        axis.plot(results[f"reach_{side}"], rows, "d", color=COLOURS[0])
+    axis.set_yticks(rows, [f"{width:g}" for width in widths])

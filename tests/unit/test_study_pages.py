@@ -10,6 +10,7 @@ import pytest
 
 import stayput as sp
 import studies
+from studies import __main__ as run_studies
 
 DOCS = Path(__file__).parents[2] / "docs"
 NAMES = [study.__name__ for study in (*studies.PAPER, *studies.EVIDENCE)]
@@ -32,7 +33,6 @@ COARSE = {
     "contents": {"motion": RECORD, "intensities": [6.0]},
     "tombstones": {"motions": 4, "stones": 4},
     "three_dimensions": {"motions": 2, "headings": [0.0]},
-    "tip_over": {},
 }
 """Coarse grids and few runs of each study."""
 
@@ -66,7 +66,30 @@ def test_its_section_has_the_numbers_of_the_run_and_files_to_download(name, stud
 
 
 def test_a_number_that_there_is_not_stops_the_build(study_pages, tmp_path, monkeypatch):
-    (tmp_path / "tip_over.md").write_text("{{ least }} and {{ shares }}", encoding="utf-8")
+    (tmp_path / "contents.md").write_text("{{ agree }} and {{ shares }}", encoding="utf-8")
     monkeypatch.setattr(study_pages, "TEXTS", tmp_path)
     with pytest.raises(jinja2.UndefinedError, match="shares"):
-        study_pages.filled(studies.tip_over(), None)
+        study_pages.filled(studies.contents(intensities=[6.0]), None)
+
+
+def test_the_module_runs_the_paper_s_sections_or_those_named(monkeypatch, tmp_path, capsys):
+    record = tmp_path / "record.csv"
+    record.write_text("time [s],x [m/s2]\n" + "".join(f"{0.01 * n:g},{n % 7 - 3}\n" for n in range(300)))
+    seen = []
+
+    def wall_gap_record(motion=None):
+        seen.append(motion)
+        return studies.contents(intensities=[])
+
+    monkeypatch.setattr(run_studies, "PAPER", (wall_gap_record,))
+    for arguments in ([], ["--record", str(record)], ["wall_gap_record"]):
+        monkeypatch.setattr(sys, "argv", ["studies", "--out", str(tmp_path / "out"), *arguments])
+        run_studies.main()
+    assert [motion is not None for motion in seen] == [False, True, False]
+    assert seen[1].pga == 3.0
+    assert (tmp_path / "out" / "contents.png").is_file()
+    assert "| quantity | published | stayput | difference |" in capsys.readouterr().out
+    monkeypatch.setattr(sys, "argv", ["studies", "spectra"])
+    with pytest.raises(SystemExit, match="2"):
+        run_studies.main()
+    assert "there is no study spectra; there are wall_gap_record, tokyo" in capsys.readouterr().err

@@ -126,18 +126,3 @@ def test_the_scenario_s_table_and_the_verdict_s_line():
     margin = min(one.margin for one in sp.tip_over(light.furniture.body(), light.everyday.everyday("chest")))
     assert "the piece withstands 0 kg on one of its 4 drawers" in note
     assert f"; the margin is {margin:.2f}, the moment of its own weight over" in note
-
-
-def test_the_study():
-    import studies
-
-    study = studies.tip_over()
-    margin = study.data["margin"]
-    hard, carpet = (margin.isel(floor=place) for place in (0, 1))
-    assert bool((carpet <= hard).where(hard.notnull(), True).all())
-    chest = margin.sel(piece="light chest of drawers", floor="hard floor", case=ALL_DRAWERS)
-    assert float(chest) == pytest.approx(case(CHEST, ALL_DRAWERS, drawers=4, carpet=0.0).margin)
-    assert study.quantities["on_carpet"].value >= study.quantities["on_floor"].value
-    (axis,) = study.figure.axes
-    for shown in axis.get_lines():
-        assert np.isfinite(np.asarray(shown.get_xdata(), float)).any(), shown.get_label()

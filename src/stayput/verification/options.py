@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.measures import MEASURES, hold
 from stayput.model.state import refuse_bad_start
