@@ -43,14 +43,7 @@ nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300
 nb_merge_streams = True
-exclude_patterns = [
-    "_build",
-    "generated/*.md",
-    "generated/studies/*",
-    "studies/*.md",
-    "gallery/used/*",
-    "gallery/*.ipynb",
-]
+exclude_patterns = ["_build", "generated/**.md", "studies/*.md", "gallery/used/*", "gallery/*.ipynb"]
 default_role = "py:obj"  # single backquotes in docstrings name Python objects
 
 autosummary_generate = True

@@ -16,8 +16,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m studies", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"{', '.join(known)}; default: the paper's")
     parser.add_argument("--out", type=Path, default=Path("out/paper"), help="folder (default: %(default)s)")
-    record = f"the record of {', '.join(of_a_record)} (default: the built-in near-fault motion)"
-    parser.add_argument("--record", type=Path, help=record)
+    parser.add_argument("--record", type=Path, help=f"motion of {', '.join(of_a_record)}")
     arguments = parser.parse_args()
     if unknown := sorted(set(arguments.names) - set(known)):
         parser.error(f"there is no study {', '.join(unknown)}; there are {', '.join(known)}")

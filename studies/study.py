@@ -132,14 +132,12 @@ def as_markdown(table: pd.DataFrame) -> str:
     """Return a small table in Markdown; numbers to the right, missing values empty."""
     heads = [str(column) for column in table.columns]
     rule = ["--:" if table[column].dtype.kind in "ifb" else ":--" for column in table.columns]
-    shown = [[_cell(value) for value in row] for row in table.itertuples(index=False)]
+    shown = [map(_cell, row) for row in table.itertuples(index=False)]
     return "\n".join("| " + " | ".join(cells) + " |" for cells in (heads, rule, *shown))
 
 
 def _cell(value: object) -> str:
-    if isinstance(value, float):
-        return "" if np.isnan(value) else f"{value:.4g}"
-    return str(value)
+    return ("" if np.isnan(value) else f"{value:.4g}") if isinstance(value, float) else str(value)
 
 
 def span(values: ArrayLike, form: str = ".2f") -> str:

@@ -91,8 +91,6 @@ class CemeterySetting:
         Static and kinetic, of granite on granite (assumed).
     restitution : float
         Factor on Housner's rate: stone-like blocks of aspect 5 on concrete (ElGawady).
-    settlement : float
-        How far a stone sinks into the joint under it [m].
     drawn : bool
         Whether friction, landings and all else that a verdict draws is drawn; else stones are as stated, and
         the first `IN_SPACE` of each place stand for all, so that planes and space have the same.
@@ -112,7 +110,6 @@ class CemeterySetting:
     lean: float = 0.0
     friction: tuple[float, float] = (0.6, 0.5)
     restitution: float = 0.95
-    settlement: float = 0.0
     drawn: bool = True
     space: bool = False
     stone_scatter: float = 0.0
@@ -143,7 +140,6 @@ SETTINGS = (
     CemeterySetting("stones lean by 3°", lean=3.0),
     CemeterySetting("friction 0.4 and 0.35", friction=(0.4, 0.35)),
     CemeterySetting("landings of 0.85 times Housner's rate", restitution=0.85),
-    CemeterySetting("joints that give by 0.5 mm", settlement=5e-4),
     CemeterySetting("near-fault motions", family="near-fault"),
     CemeterySetting("without vertical motion", vertical=False),
     CemeterySetting("falls in either of two planes", both=True),
@@ -203,7 +199,7 @@ def cemeteries(
     if setting.space:
         return _fallen_in_space(setting, suite, factors, stones), 0
     drawn = draws(motions, count, seed, as_stated=() if setting.drawn else tuple(USUAL))
-    room = Room(Floor(*setting.friction, restitution=setting.restitution, settlement=setting.settlement))
+    room = Room(Floor(*setting.friction, restitution=setting.restitution))
     of_each = (_of_stone(drawn, place) for place in range(count))
     rows = [rows_of(b, room, (), one, STANDARD_GRAVITY) for b, one in zip(stones, of_each, strict=True)]
     cases = np.stack([one.cases for one in rows], axis=1)
@@ -305,8 +301,9 @@ def tombstones(
         ("together", "with the last row's changes", counts[-1]),
     ):
         quantities[key] = Quantity(f"Classes within what was observed, {label}", count, len(OBSERVED), "d")
-    lost = sum(given_up for _, given_up in found)
-    quantities["given_up"] = Quantity("Runs given up, counted as standing", lost, form="d")
+    quantities["given_up"] = Quantity(
+        "Runs given up, counted as standing", sum(lost for _, lost in found), form="d"
+    )
     return Study(
         name="tombstones",
         title="Fallen gravestones and intensity",
