@@ -455,7 +455,7 @@ def _drawn(data: xr.Dataset) -> Figure:
         axis.plot(ratios.sel(piece=piece), rows, marker, color=INK, fillstyle="none", label=piece)
     axis.axvline(1.0, color=INK, linewidth=1.0)
     axis.set_yticks(rows, ratios["effect"].to_numpy())
-    axis.invert_yaxis()
+    axis.set_ylim(len(rows) - 0.5, -0.5)
     axis.set_xlabel("median floor velocity that overturns, over the ideal free block's [–]")
     axis.legend(loc="center right")
     return figure

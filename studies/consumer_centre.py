@@ -201,7 +201,7 @@ def _drawn(data: xr.Dataset) -> Figure:
         width = 100.0 * data["share"].isel(shaking=0).sel(outcome=outcome).to_numpy().ravel()
         axis.barh(labels, width, 0.78, start, color=colour, hatch=hatch, edgecolor=INK, label=words)
         start = start + width
-    axis.invert_yaxis()
+    axis.set_ylim(len(labels) - 0.5, -0.5)
     axis.set(xlim=(0.0, 100.0), xlabel="share of the cases [%]")
     figure.legend(loc="outside lower center", ncols=3, frameon=False)
     return figure

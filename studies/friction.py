@@ -205,7 +205,8 @@ def _quantities(data: xr.Dataset, nearest: dict[str, Nearest]) -> dict[str, Quan
         static, kinetic = effects(data.sel(model=key))
         known = static.notnull() & kinetic.notnull() & (data.peak_slide.sel(model=key, row=0) > 0.0)
         share = 100.0 * float((kinetic > static).sum()) / max(1, int(known.sum()))
-        quantities[f"share_{key}"] = Quantity(f"Sines under which μ' matters more, {name} [%]", share)
+        label = f"Sines under which μ' matters more, {name} [%]"
+        quantities[f"share_{key}"] = Quantity(label, share, form=".0f")
         lowest = float(data.amplitude.where(kinetic > static).min("amplitude").median()) / STANDARD_GRAVITY
         label = f"Lowest amplitude at which it does, median, {name} [g]"
         quantities[f"flip_{key}"] = Quantity(label, lowest, form=".2f")

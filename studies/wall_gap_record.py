@@ -256,7 +256,7 @@ def _drawn(data: xr.Dataset) -> Figure:
     for axis in axes[:: len(WALLS)]:
         axis.set_ylabel("width [m]")
     figure.suptitle(
-        f"{data.attrs['motion']}; filled: turns over; cross: without a wall, too; "
+        f"{data.attrs['motion']}; filled: turns over; cross: without a wall, too\n"
         "frame: the paper's Table 4.3; diamond: how far it comes without a wall"
     )
     return figure
