@@ -309,6 +309,7 @@ def _drawn(data: xr.Dataset) -> Figure:
     unit = np.maximum(1.0, x)
     axis.fill_between(x, (1 - BAND) * unit, (1 + BAND) * unit, color=MUTED, alpha=0.2, label="±20 %")
     axis.plot(x, unit, color=INK, linewidth=1.6, label="formula")
+    axis.set(xticks=(0.5, 1.0, 2.0, 3.0), yticks=(0.8, 1.0, 1.5, 2.0, 3.0, 4.0))
     axis.set(xlabel="Fe/Fb [–]", ylabel="A₅₀ over the formula's level branch [–]")
     axis.set_title("Points: simulation, synthetic motions (95 %)")
     axis.legend(loc="upper left")

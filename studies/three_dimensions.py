@@ -353,10 +353,9 @@ def _quantities(data: xr.Dataset) -> dict[str, Quantity]:
                 for row in range(of_kind.sizes["setting"])
                 for level in range(of_kind.sizes["level"])
             ]
-            low = Quantity(
-                f"{label}: {engine} clearly too low", sum(c.high < 0.0 for c in cells), len(cells), "d"
-            )
-            quantities[f"{kind}_{engine}_less"] = low
+            label_of = f"{label}: {engine} clearly too low, of {len(cells)} settings and levels"
+            low = sum(cell.high < 0.0 for cell in cells)
+            quantities[f"{kind}_{engine}_less"] = Quantity(label_of, low, form="d")
     return quantities
 
 
