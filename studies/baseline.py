@@ -25,10 +25,11 @@ from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import draws, rows_of, stated_rows
+from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import Suite, synthetic_suite
 from stayput.report.palette import INK
 from stayput.scenario.building import BuildingTable
+from stayput.uncertainty import USUAL
 from studies.study import Quantity, Study, claim, panels
 
 if TYPE_CHECKING:
@@ -309,7 +310,8 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
         return [rows_of(body, room, (), draws(motions, samples, seed), STANDARD_GRAVITY) for body in bodies]
 
     def stated(held: Sequence[Held]) -> list[Rows]:
-        return [stated_rows(one, motions, STANDARD_GRAVITY) for one in held]
+        none_drawn = draws(motions, 1, seed, as_stated=tuple(USUAL))
+        return [rows_of(one.body, one.room, (), none_drawn, STANDARD_GRAVITY) for one in held]
 
     def settings(bodies: Sequence[Body]) -> dict[str, xr.Dataset]:
         rows = {
@@ -455,7 +457,6 @@ def _drawn(data: xr.Dataset) -> Figure:
         axis.plot(ratios.sel(piece=piece), rows, marker, color=INK, fillstyle="none", label=piece)
     axis.axvline(1.0, color=INK, linewidth=1.0)
     axis.set_yticks(rows, ratios["effect"].to_numpy())
-    axis.set_ylim(len(rows) - 0.5, -0.5)
-    axis.set_xlabel("median floor velocity that overturns, over the ideal free block's [–]")
+    axis.set(ylim=(len(rows) - 0.5, -0.5), xlabel="median floor velocity, over the ideal free block's [–]")
     axis.legend(loc="center right")
     return figure
