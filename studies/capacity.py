@@ -304,14 +304,12 @@ def _drawn(data: xr.Dataset) -> Figure:
         level = np.maximum(1.0, scaled)
         median, low, high = (one[name] * level for name in ("ratio", "ratio_low", "ratio_high"))
         error = np.maximum(np.nan_to_num(np.stack((median - low, high - median))), 0.0)
-        axis.errorbar(
-            scaled, median, error, fmt=marker, color=colour, capsize=2.5, label=f"{size}, simulated (95 %)"
-        )
+        axis.errorbar(scaled, median, error, fmt=marker, color=colour, capsize=2.5, label=size)
     x = np.geomspace(0.8 * float((fe / main["branch"]).min()), 1.2 * float((fe / main["branch"]).max()), 200)
     unit = np.maximum(1.0, x)
     axis.fill_between(x, (1 - BAND) * unit, (1 + BAND) * unit, color=MUTED, alpha=0.2, label="±20 %")
     axis.plot(x, unit, color=INK, linewidth=1.6, label="formula")
     axis.set(xticks=(0.5, 1.0, 2.0, 3.0), yticks=(0.8, 1.0, 1.5, 2.0, 3.0, 4.0))
-    axis.set(xlabel="Fe/Fb [–]", ylabel="A₅₀ over the formula's level branch [–]")
+    axis.set(xlabel="Fe/Fb [–]; points: simulation (95 %)", ylabel="A₅₀ over the formula's level branch [–]")
     axis.legend(loc="upper left")
     return figure

@@ -127,7 +127,6 @@ IDEALS = (
 
 SETTINGS = (
     STATED,
-    CemeterySetting("intensity scatters by 0.3 from stone to stone", stone_scatter=0.3),
     CemeterySetting("intensity scatters by 0.5 from stone to stone", stone_scatter=0.5),
     CemeterySetting("intensity scatters by 0.5 from place to place", place_scatter=0.5),
     CemeterySetting("slenderer: height 3 times the width", aspect=3.0),
