@@ -37,7 +37,7 @@ demo: $(STAMP)-core
 	@mkdir -p out
 	$(BIN)/stayput verify examples/bookcase.toml --report out/bookcase.html
 
-# RECORD: the first 30 s of JMA Kobe 1995, NS, for Table 4.3; the built-in near-fault motion where there is none.
+# RECORD: the record of JMA Kobe 1995, NS, for Table 4.3; the built-in near-fault motion where there is none.
 paper: $(STAMP)-core
 	$(BIN)/python -m studies $(if $(RECORD),--record "$(RECORD)")
 

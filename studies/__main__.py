@@ -23,8 +23,8 @@ def main() -> None:
     motion = None if arguments.record is None else sp.read_motion(arguments.record)
     for name in arguments.names or [study.__name__ for study in PAPER]:
         study = known[name](motion) if motion is not None and name in of_a_record else known[name]()
-        print(study.markdown())
-        print("Wrote", *study.write(arguments.out), sep="\n  ", end="\n\n")
+        files = study.write(arguments.out)
+        print(study.markdown(), *(f"Wrote {file}" for file in files), sep="\n", end="\n\n")
 
 
 if __name__ == "__main__":

@@ -303,7 +303,7 @@ def _drawn(data: xr.Dataset) -> Figure:
         scaled = fe / one["branch"]
         level = np.maximum(1.0, scaled)
         median, low, high = (one[name] * level for name in ("ratio", "ratio_low", "ratio_high"))
-        error = np.maximum(np.nan_to_num(np.stack((median - low, high - median))), 0.0)
+        error = np.maximum(np.nan_to_num(np.stack((median - low, high - median)), posinf=0.0), 0.0)
         axis.errorbar(scaled, median, error, fmt=marker, color=colour, capsize=2.5, label=size)
     x = np.geomspace(0.8 * float((fe / main["branch"]).min()), 1.2 * float((fe / main["branch"]).max()), 200)
     unit = np.maximum(1.0, x)

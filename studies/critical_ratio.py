@@ -285,7 +285,6 @@ def _quantities(table: pd.DataFrame, coefficients: Array, half_widths: Array) ->
     alike = size.assign(at=size["omega_over_p"].round(9)).groupby("at")["scaled"]
     rows: list[tuple[str, str, float, str]] = [
         ("off", "Mean size of the deviation from Eq. 4.1 [%]", off.abs().mean(), ".1f"),
-        ("off_signed", "Mean deviation from Eq. 4.1 [%]", off.mean(), "+.1f"),
         ("off_worst", "Largest deviation from Eq. 4.1 [%]", off.loc[off.abs().idxmax()], "+.1f"),
         ("fit_off", "Mean size of the deviation from our fit [%]", fit_off.mean(), ".1f"),
         ("fit_worst", "Largest size of the deviation from our fit [%]", fit_off.max(), ".1f"),

@@ -17,7 +17,7 @@ from stayput.report.palette import ALARM, INK
 from stayput.simulation.run import LAWS
 from stayput.simulation.sweep import sweep
 from studies.study import COLOURS, Quantity, Study, panels
-from studies.wall_gap import FALLEN, RATIO, WALLS, coordinates, table_4_2, turnover
+from studies.wall_gap import DURATION, FALLEN, RATIO, WALLS, coordinates, table_4_2, turnover
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -68,7 +68,7 @@ def wall_gap_record(
     Parameters
     ----------
     motion : Motion, optional
-        The record; default `near_fault`. The paper's is the first 30 s of JMA Kobe 1995, NS.
+        The record, of which the first 30 s shake; default `near_fault`. The paper's is JMA Kobe 1995, NS.
     widths, gaps : array_like
         Widths b of Table 4.3, and distances l_w from the body to the wall [m].
 
@@ -79,6 +79,7 @@ def wall_gap_record(
         ``reach_left`` and ``reach_right``, how far a body without a wall comes to a side [m].
     """
     shaking = (near_fault() if motion is None else motion).component("x")
+    shaking = shaking.trimmed(0.0, min(DURATION, shaking.duration))
     b, l_w = np.asarray(widths, np.float64), np.asarray(gaps, np.float64)
     case = table_4_2(shaking)
     others: Columns = {"contact": LAWS, "motion.scale": list(POLARITIES)}
