@@ -15,10 +15,11 @@ EXTRAS := formats,app,inventory
 ALONE  := $(PYTHON) -c 'import fcntl, subprocess, sys; file = open("Makefile"); \
   fcntl.flock(file, fcntl.LOCK_EX); sys.exit(subprocess.call(sys.argv[1:]))'
 
-.PHONY: help install demo test coverage soak peers lint bench bench-app bench-inventory docs lock release-notes clean
+.PHONY: help install demo paper test coverage soak peers lint bench bench-app bench-inventory docs lock release-notes clean
 
 help:
 	@echo "make demo     which measure keeps a bookcase standing: the verdict, a report (out/)"
+	@echo "make paper    every section of the paper, its published numbers beside ours (out/paper); RECORD=file: its record"
 	@echo "make test     every test"
 	@echo "make soak     input made to break what reads it, for MINUTES=10 or as long as asked"
 	@echo "make coverage every test, and which lines of Python and of the page they run (out/coverage)"
@@ -35,6 +36,10 @@ install: $(STAMP)-core
 demo: $(STAMP)-core
 	@mkdir -p out
 	$(BIN)/stayput verify examples/bookcase.toml --report out/bookcase.html
+
+# RECORD: the record of JMA Kobe 1995, NS, for Table 4.3; the built-in near-fault motion where there is none.
+paper: $(STAMP)-core
+	$(BIN)/python -m studies $(if $(RECORD),--record "$(RECORD)")
 
 test: $(STAMP)-test
 	@$(BIN)/python tests/prerequisites.py
@@ -129,4 +134,4 @@ release-notes:
 
 clean:
 	rm -rf out build dist docs/_build docs/gallery docs/generated .pytest_cache .ruff_cache .hypothesis
-	find src tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +
+	find src studies tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -9,6 +9,7 @@ from typing import Any
 HERE = Path(__file__).parent
 TESTS = HERE.parent / "tests"
 sys.path[:0] = [
+    str(HERE.parent),
     str(HERE),
     str(HERE.parent / "benchmarks"),
     str(TESTS),
@@ -42,7 +43,7 @@ nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300
 nb_merge_streams = True
-exclude_patterns = ["_build", "generated/*.md", "studies/*.md", "gallery/used/*", "gallery/*.ipynb"]
+exclude_patterns = ["_build", "generated/**.md", "studies/*.md", "gallery/used/*", "gallery/*.ipynb"]
 default_role = "py:obj"  # single backquotes in docstrings name Python objects
 
 autosummary_generate = True

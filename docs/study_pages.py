@@ -1,35 +1,24 @@
-"""Run the studies; write texts, figures and tables of the pages about the paper and tested measures."""
+"""Run the studies; write texts, figures and tables of the pages that include them."""
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import study_numbers
+import jinja2
+import pandas as pd
 
 import stayput as sp
+import studies
 import workload
-from stayput import studies
-from stayput.studies.study import NO, PARTLY, YES, claims_table, table_as_markdown
+from studies.study import NO, PARTLY, YES, as_markdown
 
 if TYPE_CHECKING:
-    from stayput.studies import Study
-    from stayput.studies.study import Claim
+    from studies import Study
 
 TEXTS = Path(__file__).parent / "studies"
-"""What was done and found, study by study; ``{{name}}`` stands for a number of the run."""
-
-
-Runs = list[tuple["Study", "sp.Motion | None"]]
-"""Studies, and the motion of each that has one."""
-
-
-def of_the_paper() -> Runs:
-    """Run the paper's studies and the spectra; a record is JMA Kobe NS where the file is at hand."""
-    record = workload.record()
-    alone = [studies.friction(), studies.critical_ratio(), studies.wall_gap()]
-    under = [studies.wall_gap_record(record), studies.spectrum(record)]
-    return [(study, None) for study in alone] + [(study, record) for study in under]
+"""What was done and found, study by study; ``{{ name }}`` is a quantity or a constant of the study."""
 
 
 def three_components() -> sp.Motion:
@@ -43,76 +32,57 @@ def three_components() -> sp.Motion:
     return motion.trimmed(0.0, min(workload.DURATION, motion.duration))
 
 
-def tested() -> Runs:
-    """Run the studies that stand beside tests of devices and beside a formula for bare furniture."""
-    motion = three_components()
-    return [
-        (studies.tokyo(motion), motion),
-        (studies.consumer_centre(), None),
-        (studies.baseline(), None),
-        (studies.capacity(), None),
-    ]
+def filled(study: Study, motion: sp.Motion | None) -> str:
+    """Return a study's text with the numbers of its run.
 
-
-def of_standards() -> Runs:
-    """Run the study of a standard's test beside real floors."""
-    return [(studies.ac156(), None)]
-
-
-def of_everyday() -> Runs:
-    """Run the study of tip-over without an earthquake."""
-    return [(studies.tip_over(), None)]
-
-
-def of_stones() -> Runs:
-    """Run the study of gravestones beside surveys."""
-    return [(studies.tombstones(), None)]
-
-
-def of_space() -> Runs:
-    """Run the study of the plane beside space."""
-    return [(studies.three_dimensions(), None)]
-
-
-def inside() -> Runs:
-    """Run the study of what is in furniture."""
-    motion = three_components()
-    return [(studies.contents(motion), motion)]
+    Raises
+    ------
+    jinja2.UndefinedError
+        The text names a number that there is not.
+    """
+    constants = vars(sys.modules[f"studies.{study.name}"])
+    quantities = {name: str(quantity) for name, quantity in study.quantities.items()}
+    if motion is not None:
+        quantities["motion"] = f"“{motion.name}”{' (synthetic)' if motion.synthetic else ''}"
+    environment = jinja2.Environment(undefined=jinja2.StrictUndefined, autoescape=False)
+    text = (TEXTS / f"{study.name}.md").read_text(encoding="utf-8")
+    return environment.from_string(text).render(constants | quantities)
 
 
 def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
-    """Write a study's figures; return its title, text, numbers, figures and tables."""
-    text = (TEXTS / f"{study.name}.md").read_text(encoding="utf-8")
-    filled = study_numbers.filled(text, study_numbers.numbers_of(study, motion))
-    parts = [f"## {study.title}", f"`stayput study {study.name}`", filled.strip()]
-    parts.append(f"**Key numbers, published and of this run**\n\n{table_as_markdown(study.summary)}")
-    for name, figure in study.figures.items():
-        file = folder / f"study_{study.name}_{name}.png"
-        figure.savefig(file)
-        about = name.replace("_", " ")
-        parts.append(f"```{{image}} {folder.name}/{file.name}\n:alt: {study.title}, {about}\n```")
-    return "\n\n".join((*parts, *study.captioned_tables()))
+    """Write a study's files; return its title, text, figure and tables, which can be downloaded."""
+    study.write(folder / "studies")
+    files = f"{folder.name}/studies/{study.name}"
+    image = f"```{{image}} {files}.png\n:alt: {study.title}\n```"
+    parts = [f"## {study.title}", f"`python -m studies {study.name}`", filled(study, motion), image]
+    tables = {"Key numbers, published and of this run": study.summary} | study.tables
+    for number, (caption, table) in enumerate(tables.items()):
+        file = f"{files}{f'_{number}' if number else ''}.csv"
+        parts.append(f"**{caption}** ({{download}}`CSV <{file}>`)\n\n{as_markdown(table)}")
+    return "\n\n".join(parts)
 
 
 def write(folder: Path) -> None:
     """Write a text for each page that includes studies, with its figures, into a folder."""
+    record, three = workload.record(), three_components()
     pages = {
-        "studies": of_the_paper,
-        "tested": tested,
-        "inside": inside,
-        "standards": of_standards,
-        "everyday": of_everyday,
-        "fallen": of_stones,
-        "plane_or_space": of_space,
+        "studies": (studies.friction, studies.critical_ratio, studies.wall_gap, studies.wall_gap_record),
+        "tested": (studies.tokyo, studies.consumer_centre, studies.baseline, studies.capacity),
+        "inside": (studies.contents,),
+        "fallen": (studies.tombstones,),
+        "plane_or_space": (studies.three_dimensions,),
     }
-    claims: list[Claim] = []
-    for name, run in pages.items():
-        runs = run()
-        claims += [claim for study, _ in runs for claim in study.claims]
-        text = "\n\n".join(section(study, motion, folder) for study, motion in runs)
-        (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")
-    outcomes = [claim.outcome for claim in claims]
+    motions = {studies.wall_gap_record: record, studies.tokyo: three, studies.contents: three}
+    claims: list[dict[str, str]] = []
+    for name, of_page in pages.items():
+        sections: list[str] = []
+        for run in of_page:
+            motion = motions.get(run)
+            study = run() if motion is None else run(motion)
+            claims += study.claims
+            sections.append(section(study, motion, folder))
+        (folder / f"{name}.md").write_text("\n\n".join(sections) + "\n", encoding="utf-8")
+    outcomes = [claim["comes out"] for claim in claims]
     counts = ", ".join(f"{outcomes.count(word)} {word}" for word in (YES, PARTLY, NO))
-    table = table_as_markdown(claims_table(claims))
-    world = f"Of {len(claims)} rows, whether it comes out: {counts}.\n\n{table}"
+    world = f"Of {len(claims)} rows, whether it comes out: {counts}.\n\n{as_markdown(pd.DataFrame(claims))}"
     (folder / "validation_world.md").write_text(world + "\n", encoding="utf-8")

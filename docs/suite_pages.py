@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import matplotlib.pyplot as plt
 import numpy as np
 import validation_run
 
@@ -12,7 +13,7 @@ from stayput.motion.frequency import mean_period
 from stayput.motion.intensity import long_period_response
 from stayput.motion.suites import FAMILIES, MIX, Suite, japanese_design, synthetic_suite
 from stayput.motion.suites.families import KINDS
-from stayput.report.suite import plot_families
+from stayput.motion.suites.synthesis import synthetic_motion
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -119,6 +120,21 @@ def matching() -> str:
         )
     heads = ["", "median off, mean", "worst", "σ of ln Sa", "median PGD [m]"]
     return validation_run.markdown(heads, rows, "lrrrr")
+
+
+def plot_families(path: Path) -> None:
+    """Plot acceleration and velocity of x of the second synthetic motion of every family, with seed 1."""
+    figure, axes = plt.subplots(len(FAMILIES), 2, figsize=(9.6, 8.4), layout="constrained")
+    for (left, right), family in zip(axes, FAMILIES, strict=True):
+        motion = synthetic_motion(family, 2, 1)
+        left.plot(motion.time, motion.x, linewidth=0.7)
+        right.plot(motion.time, 100.0 * motion.velocity, linewidth=0.7)
+        left.set(title=motion.name, ylabel="acceleration [m/s²]", xlim=(0.0, motion.duration))
+        right.set(ylabel="velocity [cm/s]", xlim=(0.0, motion.duration))
+    for axis in axes[-1]:
+        axis.set_xlabel("time [s]")
+    figure.savefig(path, dpi=120)
+    plt.close(figure)
 
 
 def write(folder: Path) -> None:

@@ -9,7 +9,7 @@ and no certificate: but for the 60 lb its numbers are common knowledge, not re-c
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from stayput.errors import instance_of
 from stayput.model.body import Body
@@ -213,33 +213,3 @@ def tip_over(
     else:
         cases.append(with_drawers(LOAD, 0.0, 0.0))
     return tuple(sorted(cases, key=lambda case: case.margin))
-
-
-def bearable_load(body: Body, everyday: Everyday, gravity: float = STANDARD_GRAVITY) -> float:
-    """Return the mass on the front of one open drawer at which a piece just tips, the others open [kg].
-
-    Without drawers it stands on the front edge; 0 where the piece tips without a load, infinite where none
-    tips it.
-
-    Parameters
-    ----------
-    body : Body
-        The piece.
-    everyday : Everyday
-        What people do to it; its load does not matter.
-    gravity : float
-        g [m/s²].
-    """
-    instance_of("everyday", everyday, Everyday)
-    name = ALL_DRAWERS if everyday.drawers else LOAD
-
-    def spare(load: float) -> float:
-        cases = tip_over(body, replace(everyday, load=load), gravity)
-        case = next(case for case in cases if case.name == name)
-        return case.restoring - case.overturning
-
-    unloaded = spare(0.0)
-    each = unloaded - spare(1.0)
-    if unloaded <= 0.0:
-        return 0.0
-    return unloaded / each if each > 0.0 else math.inf

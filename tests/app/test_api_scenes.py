@@ -99,7 +99,7 @@ scenes = st.builds(
     sources,
     strengths,
     buildings,
-    table({}, {"gravity": between(0.1, 100.0), "contact": st.sampled_from(["coulomb", "paper"])}),
+    table({}, {"gravity": between(0.1, 100.0)}),
 )
 measures = st.lists(
     st.sampled_from(list(MEASURES)).map(lambda kind: {"type": kind}),

@@ -263,8 +263,6 @@ def test_what_is_not_offered_in_space(client: httpx.Client) -> None:
     inside = {**SPACE, "contents": {"kind": "books"}}
     for path in ("simulate", "verify"):
         refused(client, path, {"scene": inside}, "scene.contents")
-    paper = {**SPACE, "contact": "paper"}
-    refused(client, "simulate", {"scene": paper}, "scene.contact")
 
 
 def test_presets_have_their_lengths(client: httpx.Client) -> None:

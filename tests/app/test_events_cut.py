@@ -19,7 +19,6 @@ MANY = {
         "left_wall": {"gap": 1e-5, "restitution": 1.0},
         "right_wall": {"gap": 1e-5, "restitution": 1.0},
     },
-    "contact": "paper",
     "shaking": {"sine": {"amplitude": 3.0, "frequency": 8.0, "duration": 600.0}},
 }
 

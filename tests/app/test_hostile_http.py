@@ -201,7 +201,7 @@ JSONS = st.recursive(
     lambda inside: st.lists(inside, max_size=4) | st.dictionaries(st.text(max_size=10), inside, max_size=4),
     max_leaves=12,
 )
-KEYS = ("furniture", "room", "shaking", "measures", "uncertainty", "initial", "contact", "gravity", "title")
+KEYS = ("furniture", "room", "shaking", "measures", "uncertainty", "initial", "gravity", "title")
 
 
 @HTTP

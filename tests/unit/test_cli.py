@@ -10,7 +10,6 @@ from threading import Thread
 
 import numpy as np
 import pytest
-import xarray as xr
 from interrupts import hears_interrupts
 from typer.testing import CliRunner
 
@@ -91,10 +90,10 @@ def test_flags_override_the_scenario_file(tmp_path):
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(stayput.Case, "run", look)
-        result = cli("simulate", file, *flags, "--contact", "paper", "--json")
+        result = cli("simulate", file, *flags, "--json")
     assert result.exit_code == 0, result.stderr
     (case,) = seen
-    assert (case.body.height, case.contact, case.motion.pga) == (1.365, "paper", 2.0)
+    assert (case.body.height, case.motion.pga) == (1.365, 2.0)
     assert case.room.floor == stayput.Floor(0.2, 0.1)
     assert (case.room.left_wall.gap, case.room.right_wall.gap) == (0.1, 0.3)
 
@@ -135,7 +134,6 @@ def test_plot_and_animation_are_written(tmp_path):
         (["simulate", "--friction", "0.1", "--floor", "carpet"], "--floor is 'carpet' beside"),
         (["simulate", "--floor", "carpt"], "did you mean 'carpet'"),
         (["simulate", "--wall", "-1"], "--wall is -1"),
-        (["simulate", "--contact", "glue"], "--contact is 'glue'"),
         (["simulate", "nowhere.toml"], "could not be read"),
         (["simulate", "."], "could not be read"),
         (["simulate", "--unit", "gal"], "--unit is given without"),
@@ -229,43 +227,6 @@ def test_motion_convert(tmp_path):
 
 def test_version():
     assert cli("--version").stdout == f"stayput {stayput.__version__}\n"
-
-
-def test_a_study_writes_data_figure_and_summary(tmp_path):
-    out = tmp_path / "new" / "folder"
-    result = cli("study", "wall-gap-record", "--motion", "near-fault", "--out", out)
-    assert result.exit_code == 0
-    assert result.stdout.startswith("# Turnover beside a wall under a record")
-    names = {path.name for path in out.iterdir()}
-    assert {f"wall-gap-record.{suffix}" for suffix in ("nc", "csv", "md")} < names
-    assert (out / "wall-gap-record_ranges.png").read_bytes().startswith(b"\x89PNG")
-    assert "Variant nearest to Table 4.3" in (out / "wall-gap-record.md").read_text(encoding="utf-8")
-    with xr.open_dataset(out / "wall-gap-record.nc", engine="scipy") as data:
-        assert data.attrs["motion"] == "synthetic near-fault motion"
-        assert data["gap"].attrs["units"] == "m"
-    assert all(f"Wrote {out / name}" in result.stdout for name in names)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["wall-gab"], "did you mean 'wall-gap'"),
-        (["friction", "--motion", "near-fault"], "takes no motion"),
-        (["spectrum", "--motion", "no-such-file"], "no-such-file"),
-    ],
-)
-def test_a_study_that_is_refused_writes_nothing(tmp_path, arguments, words):
-    result = cli("study", *arguments, "--out", tmp_path / "out")
-    assert result.exit_code == 2
-    assert words in result.stderr
-    assert not (tmp_path / "out").exists()
-
-
-def test_a_study_s_folder_must_not_be_a_file(tmp_path):
-    (tmp_path / "out").write_text("")
-    result = cli("study", "friction", "--out", tmp_path / "out")
-    assert result.exit_code == 2
-    assert "must be a folder" in result.stderr
 
 
 @pytest.fixture

@@ -12,12 +12,9 @@ from rich.cells import cell_len
 from typer.main import get_command
 from typer.testing import CliRunner
 
-import stayput.studies
 from stayput.catalogue import TEXTS, say
-from stayput.catalogue.studies import STUDIES
 from stayput.cli import app
 from stayput.cli.help import japanese_help, translate
-from stayput.cli.study import OF_A_RECORD
 
 HEADINGS = ("usage", "arguments", "options", "commands")
 TYPERS = ("help", "install_completion", "show_completion")
@@ -224,9 +221,3 @@ def test_a_shell_shows_sentences_beside_flags_and_commands(
 
     assert flag in offered("stayput verify --")
     assert command in offered("stayput ")
-
-
-def test_studies_are_those_that_there_are() -> None:
-    assert {name.replace("-", "_") for name in STUDIES} <= set(dir(stayput.studies))
-    for text in TEXTS["cli_help.study_motion"]:
-        assert all(name in text for name in OF_A_RECORD)

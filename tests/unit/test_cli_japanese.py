@@ -175,7 +175,6 @@ PRESETS = set(
         ("simulate", "--sa", "0.3"),
         ("building", "--mmi", "13"),
         ("motion", "info", "ない.csv"),
-        ("study", "ない", "--out", "結果"),
         ("app", "--port", "70000"),
     ],
 )

@@ -113,12 +113,17 @@ def test_a_scenario_that_is_wrong_is_refused_in_a_sentence(command, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
-def test_the_papers_law_is_refused(tmp_path):
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [("en", "contact is unknown"), ("ja", "contactというキーはありません")],
+)
+def test_the_papers_law_is_no_key_of_a_file(tmp_path, language, sentence):
     file = tmp_path / "paper.toml"
     file.write_text('contact = "paper"\n[furniture]\npreset = "chest"\n[shaking]\nbuiltin = "near-fault"\n')
-    result = cli("verify", file, "--report", tmp_path / "r.html")
+    result = cli("verify", file, "--report", tmp_path / "r.html", "--lang", language)
     assert result.exit_code == 2
-    assert "coulomb" in result.stderr
+    assert sentence in result.stderr
+    assert "title, furniture, room" in result.stderr
     assert not (tmp_path / "r.html").exists()
 
 

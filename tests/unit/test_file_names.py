@@ -41,7 +41,6 @@ WIDE = 120 * "あ"
         "fragility s.toml --out {name}",
         "motion convert near-fault {name}.csv",
         "motion suite --family near-fault --count 2 --out {name}",
-        "study baseline --out {name}",
     ],
 )
 @pytest.mark.parametrize("name", [LONG, WIDE], ids=["letters", "bytes"])

@@ -63,7 +63,6 @@ WRITERS = [
     "motion spectrum near-fault --plot out/spectra.svg",
     "motion suite --count 2 --out out/suite",
     "fragility piece.toml --out out/curves",
-    "study tip-over --out out/study",
 ]
 
 
@@ -125,13 +124,13 @@ def test_what_was_found_is_told_even_if_it_cannot_be_written(full: Path) -> None
 
 
 def test_older_results_stay_as_they_were(full: Path) -> None:
-    older = full / "study"
+    older = full / "suite"
     older.mkdir()
     (full.parent / "note").write_text("older", encoding="utf-8")
-    (full.parent / "note").replace(older / "tip-over.md")
-    assert CliRunner().invoke(app, ["study", "tip-over", "--out", "out/study"]).exit_code == 2
-    assert [file.name for file in older.iterdir()] == ["tip-over.md"]
-    assert (older / "tip-over.md").read_text(encoding="utf-8") == "older"
+    (full.parent / "note").replace(older / "suite.csv")
+    assert CliRunner().invoke(app, ["motion", "suite", "--count", "2", "--out", "out/suite"]).exit_code == 2
+    assert [file.name for file in older.iterdir()] == ["suite.csv"]
+    assert (older / "suite.csv").read_text(encoding="utf-8") == "older"
 
 
 @pytest.mark.skipif(os.name != "posix" or shutil.which("ffmpeg") is None, reason="ffmpeg writes MP4 films")

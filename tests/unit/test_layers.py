@@ -26,7 +26,7 @@ LAYERS = (
     {"verification", "fallen"},
     {"rooms"},
     {"report"},
-    {"studies", "inventory"},
+    {"inventory"},
     {"app"},
     {"cli"},
 )

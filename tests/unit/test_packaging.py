@@ -133,7 +133,7 @@ def test_no_machine_paths_in_the_tree() -> None:
 
 
 def test_sources_parse_on_the_oldest_python() -> None:
-    for file in (ROOT / "src").rglob("*.py"):
+    for file in [*(ROOT / "src").rglob("*.py"), *(ROOT / "studies").glob("*.py")]:
         ast.parse(file.read_text(encoding="utf-8"), str(file), feature_version=(3, 11))
 
 
@@ -159,6 +159,7 @@ def test_tests_of_the_source_distribution_can_be_collected(tmp_path: Path) -> No
     assert done.returncode == 0, done.stdout[-3000:]
     assert (source / "Makefile").is_file()
     assert (source / "requirements.lock").is_file()
+    assert (source / "studies" / "friction.py").is_file()
 
 
 @pytest.mark.skipif(find_spec("hatchling") is None, reason="hatchling, which builds the wheel, is absent")

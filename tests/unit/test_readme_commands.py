@@ -3,14 +3,11 @@
 import re
 import shlex
 import shutil
-from functools import partial
 from pathlib import Path
 
-import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from stayput import studies
 from stayput.cli import app
 
 ROOT = Path(__file__).parents[2]
@@ -27,17 +24,6 @@ SERVES = [["app"]]
 """Runs until it is stopped: the tests of the app start it as a process of its own."""
 
 WRITES = ("--plot", "--animate", "--report", "--out")
-
-COARSE = {
-    "widths": np.linspace(0.4, 1.6, 13),
-    "gaps": np.linspace(0.0, 0.8, 17),
-    "amplitudes": (5.0,),
-    "frequencies": (0.8,),
-}
-"""A grid for ``study wall-gap``; its own takes ten seconds, and is run as the documentation is built."""
-
-FEW_MOTIONS = {"motions": 2, "samples": 1}
-"""Runs of ``study baseline``; its own take a minute, and are run as the documentation is built."""
 
 FEWER = {
     "bookcase.toml": {"count = 20": "count = 6", "samples = 40": "samples = 6"},
@@ -70,9 +56,7 @@ def test_the_commands_are_found():
 
 
 @pytest.mark.parametrize("words", [words for words in TOLD if words not in SERVES], ids=" ".join)
-def test_a_command_of_the_readme_runs(words, beside_examples, monkeypatch):
-    monkeypatch.setattr(studies, "wall_gap", partial(studies.wall_gap, **COARSE))
-    monkeypatch.setattr(studies, "baseline", partial(studies.baseline, **FEW_MOTIONS))
+def test_a_command_of_the_readme_runs(words, beside_examples):
     result = CliRunner().invoke(app, words)
     assert result.exit_code == 0, result.output
     assert result.output.strip()

@@ -179,7 +179,6 @@ def test_every_table_arrives_in_the_case():
             "ceiling": {"height": 2.4},
         },
         "shaking": {"sine": {"amplitude": 2, "frequency": 1, "duration": 5, "phase": 0.5}, "scale": -2.0},
-        "contact": "paper",
         "gravity": 9.81,
         "initial": {"tilt": 0.01, "tilt_rate": 0.1, "slide": 0.02, "slide_rate": 0.2},
     }
@@ -190,7 +189,7 @@ def test_every_table_arrives_in_the_case():
     assert case.room.right_wall == sp.Wall(0.2)
     assert case.room.ceiling == sp.Ceiling(2.4)
     assert case.motion == sp.sine(2.0, 1.0, 5.0, 0.5).scaled(-2.0)
-    assert (case.contact, case.gravity) == ("paper", 9.81)
+    assert (case.contact, case.gravity) == ("coulomb", 9.81)
     assert case.initial == sp.State(0.01, 0.1, 0.02, 0.2)
 
 
@@ -266,7 +265,6 @@ def test_the_schema_is_json_with_units_and_every_table():
         "furniture",
         "room",
         "shaking",
-        "contact",
         "dimensions",
         "gravity",
         "initial",

@@ -149,7 +149,6 @@ def test_side_walls_of_a_verdict() -> None:
 def test_what_is_refused() -> None:
     own = {"width": 0.4, "height": 1.8, "mass": 100.0}
     assert "needs its length" in refused({"furniture": own, "dimensions": 3})
-    assert "plane" in refused({**BOOKCASE, "contact": "paper"})
     assert "alone" in refused({**BOOKCASE, "contents": {"kind": "books"}})
     assert "several pieces" in refused({"furniture": [{"preset": "chest"}]})
     box = {"name": "box", "width": 0.4, "length": 0.4, "height": 0.4, "mass": 5.0}
@@ -178,7 +177,6 @@ def test_flags_beside_a_file_of_several_pieces() -> None:
         ["--body", "0.4x1x10"],
         ["--heading", "0.5"],
         ["--measure", "belt"],
-        ["--contact", "paper"],
     ):
         said = CliRunner().invoke(app, ["simulate", str(DRESSER), *flags])
         assert said.exit_code == 2

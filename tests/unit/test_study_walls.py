@@ -1,23 +1,11 @@
-"""The studies of walls: ranges, words, refused input, files."""
-
-import math
+"""The studies of walls: ranges, words, files."""
 
 import numpy as np
 import pytest
-import xarray as xr
 
 import stayput as sp
-from stayput.studies.wall_gap import ruled, wall_gap
-from stayput.studies.wall_gap_record import paper_words, ranges, wall_gap_record, words
-from stayput.studies.walls import table_4_2, turnover
-
-SMALL = {
-    "widths": [0.5, 1.1],
-    "gaps": [0.0, 0.1, 0.2],
-    "amplitudes": [5.0],
-    "frequencies": [0.8],
-    "ratios": [0.3],
-}
+from studies.wall_gap import ruled, table_4_2, turnover
+from studies.wall_gap_record import paper_words, ranges, wall_gap_record, words
 
 
 @pytest.mark.parametrize(
@@ -66,41 +54,6 @@ def test_turnover_has_each_widths_own_distances():
         alone = turnover(case, np.array([b]), gaps[i], {"motion.scale": [1.0]}, ("both", "left"))
         assert (found.walled[1, ::-1, i] == alone.walled[0, :, 0]).all()
         assert found.free_tilt[1, i] == alone.free_tilt[0, 0]
-
-
-@pytest.mark.parametrize(
-    ("changed", "said"),
-    [
-        ({"frequency": 0.0}, "Frequency is 0 Hz"),
-        ({"amplitude": -1.0}, "Amplitude is -1 m/s²"),
-        ({"widths": [0.5, 0.4]}, "Width has 2 values"),
-        ({"widths": []}, "Width has 0 values"),
-        ({"gaps": [-0.1]}, "Wall gap is -0.1 m"),
-        ({"ratios": []}, "Aspect ratio has no values"),
-        ({"amplitudes": [math.nan]}, "Amplitude is nan"),
-    ],
-)
-def test_refused(changed, said):
-    with pytest.raises(sp.InputError, match=said):
-        wall_gap(**{**SMALL, **changed})
-
-
-def test_files(tmp_path):
-    study = wall_gap(**SMALL)
-    files = {path.name for path in study.write(tmp_path)}
-    assert files == {path.name for path in tmp_path.iterdir()}
-    assert files == {
-        "wall-gap.nc",
-        "wall-gap.csv",
-        "wall-gap_nearest_wall.csv",
-        "wall-gap.md",
-        "wall-gap_map.png",
-        "wall-gap_rule.png",
-    }
-    lines = {name: len((tmp_path / name).read_text().splitlines()) for name in files if name.endswith("csv")}
-    assert lines == {"wall-gap.csv": 1 + 2 * 3 * 2 * 3, "wall-gap_nearest_wall.csv": 1 + 2}
-    with xr.open_dataset(tmp_path / "wall-gap.nc") as back:
-        assert (back.overturned == study.data.overturned).all()
 
 
 def test_files_of_a_record(tmp_path):

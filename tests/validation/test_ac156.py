@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.standards.ac156 import low_cutoff
 
 G = 9.80665
 
@@ -38,10 +37,6 @@ def test_ordinates():
         vertical = sp.ac156(1.0, height_ratio).vertical
         assert vertical(0.2) / G == pytest.approx(0.67)
         assert vertical(1.0 / 33.3) / G == pytest.approx(0.27)
-
-
-def test_low_cutoff():
-    assert [low_cutoff(f) for f in (None, 1.0, 4.0, 20.0)] == [1.3, 1.3, 3.0, 3.5]
 
 
 @pytest.mark.parametrize("required", [sp.ac156(1.0, 0.0), sp.ac156(0.5, 1.0, "7-22")], ids=lambda r: r.name)

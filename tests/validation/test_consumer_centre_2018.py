@@ -6,8 +6,7 @@ only.
 
 import pytest
 
-import stayput as sp
-from stayput.studies.consumer_centre import TESTS, agreement, consumer_centre
+from studies.consumer_centre import TESTS, agreement, consumer_centre
 
 BARE, WEDGE, REFRIGERATOR, POLES, STRONGEST = range(len(TESTS))
 
@@ -49,10 +48,3 @@ def test_poles_hold_the_refrigerator_under_most_motions(study):
 
 def test_the_cupboard_falls_at_7(study):
     assert float(agrees(study, STRONGEST).min()) > 0.5
-
-
-def test_refusals():
-    with pytest.raises(sp.InputError, match="motions"):
-        consumer_centre(0)
-    with pytest.raises(sp.InputError, match="Samples"):
-        consumer_centre(1, samples=0)

@@ -1,21 +1,20 @@
 """The paper's §4.2 (14WCEE, 2008): slide over static and kinetic friction, of the study `friction`."""
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.studies.friction import friction
-from stayput.studies.friction_runs import (
-    FREE,
-    HELD,
+from studies.friction import (
+    MODELS,
     PAPER_ROWS,
     PAPER_SLIDES,
     deviation,
     effects,
-    models,
+    friction,
+    model,
     nearest_sine,
-    slide_map,
     slides_under,
     unit_sine,
 )
@@ -29,7 +28,6 @@ def study():
     return friction(
         amplitudes=np.arange(5.0, 11.1, 0.4),
         frequencies=np.arange(2.0, 4.6, 0.25),
-        coefficients=np.linspace(0.1, 0.8, 8),
         duration=4.0,
     )
 
@@ -37,7 +35,7 @@ def study():
 @pytest.fixture(scope="module")
 def sliding():
     """The three rows of the body that only slides."""
-    case = models(unit_sine(1.0, 4.0, 90.0))[HELD]
+    case = model("held", unit_sine(1.0, 4.0, 90.0))
     return slides_under(case, COSINE, np.array([1.0, 2.0, 3.0]), np.array([0.5, 0.8, 1.2]) * G)
 
 
@@ -53,7 +51,7 @@ def test_the_nearest_sine_gives_the_paper_s_slides_as_near_as_stated(study):
     heads = [f"({static:g}, {kinetic:g})" for static, kinetic in PAPER_ROWS]
     for name, row in table.set_index("model").drop("the paper").iterrows():
         motion = unit_sine(row["f [Hz]"], 4.0, row["phase [°]"]).scaled(row["A [m/s²]"])
-        case = models(motion)[name]
+        case = model(next(key for key, called in MODELS.items() if called == name), motion)
         for head, (static, kinetic), paper in zip(heads, PAPER_ROWS, PAPER_SLIDES, strict=True):
             room = sp.Room(sp.Floor(static, kinetic))
             run = sp.simulate(case.body, room, motion, contact=case.contact)
@@ -77,29 +75,24 @@ def test_static_friction_matters_more_for_longer_where_the_body_may_rock(study):
         by_static, by_kinetic = (study.quantities[f"by_{name}_{key}"] for name in ("static", "kinetic"))
         assert (by_static.value > by_kinetic.value) is static_wins
         assert by_static.published > by_kinetic.published
-    table = study.data.to_dataframe()
-    table = table[(table["part"] == "search") & (table["phase"] == 90.0)]
-    slides = table.set_index(["body", "static_friction", "kinetic_friction"])["peak_slide"].sort_index()
-    kinetic_wins = {
-        name: np.mean(slides[name, 0.4, 0.3].to_numpy() < slides[name, 0.6, 0.1].to_numpy())
-        for name in (HELD, *FREE.values())
-    }
-    assert all(kinetic_wins[name] < kinetic_wins[HELD] for name in FREE.values())
+    slides = study.data.peak_slide.sel(phase=90.0)
+    kinetic_wins = (slides.isel(row=1) < slides.isel(row=2)).mean(("frequency", "amplitude"))
+    assert all(kinetic_wins.sel(model=name) < kinetic_wins.sel(model="held") for name in ("paper", "coulomb"))
 
 
 def test_order_of_the_three_rows(study):
     """(.4, .1) slides furthest; with the body free to rock, (.6, .1) least: the paper's order."""
     table = study.tables["The nearest sine for each model, with its three slides [cm]"].set_index("model")
-    for name in (HELD, *FREE.values()):
+    for name in MODELS.values():
         first, second, third = table.loc[name, ["(0.4, 0.1)", "(0.4, 0.3)", "(0.6, 0.1)"]]
         assert first > max(second, third)
-    for name in FREE.values():
+    for name in (MODELS["paper"], MODELS["coulomb"]):
         _, second, third = table.loc[name, ["(0.4, 0.1)", "(0.4, 0.3)", "(0.6, 0.1)"]]
         assert second > third
 
 
 def test_the_nearest_sine_is_no_worse_than_the_grid():
-    case = models(unit_sine(2.5, 4.0, 90.0))[HELD]
+    case = model("held", unit_sine(2.5, 4.0, 90.0))
     grid = slides_under(case, COSINE, np.array([2.4, 2.6, 2.8]), np.array([6.0, 6.4, 6.8]))
     assert nearest_sine(case, grid).deviation <= float(deviation(grid).min())
 
@@ -108,7 +101,7 @@ def test_pure_sliding_goes_with_the_period_squared(sliding):
     """x'·f² depends on the amplitude alone, at as many waves."""
     motions = {f: unit_sine(f, 4.0 / f, 90.0) for f in (1.0, 2.5)}
     slides = {
-        f: slides_under(models(motion)[HELD], COSINE, np.array([f]), np.array([8.0])).peak_slide * f**2
+        f: slides_under(model("held", motion), COSINE, np.array([f]), np.array([8.0])).peak_slide * f**2
         for f, motion in motions.items()
     }
     assert slides[1.0].to_numpy().ravel() == pytest.approx(slides[2.5].to_numpy().ravel(), rel=1e-3)
@@ -116,7 +109,7 @@ def test_pure_sliding_goes_with_the_period_squared(sliding):
 
 def test_both_laws_slide_alike(sliding):
     motion = unit_sine(2.0, 4.0, 90.0)
-    held = models(motion)[HELD]
+    held = model("held", motion)
     for static, kinetic in PAPER_ROWS:
         room = sp.Room(sp.Floor(static, kinetic))
         slides = [
@@ -144,33 +137,18 @@ def test_more_kinetic_friction_can_lengthen_the_slide(sliding):
 @pytest.mark.parametrize("law", ["paper", "coulomb"])
 def test_a_body_that_would_slide_at_more_than_b_over_h_rocks(law):
     """b/h = .5 < μ = .6: at 0.62 g it rocks on a corner that sticks, and does not slide."""
-    case = models(unit_sine(2.6, 4.0, 90.0))[FREE[law]]
+    case = model(law, unit_sine(2.6, 4.0, 90.0))
     found = slides_under(case, COSINE, np.array([2.6]), np.array([0.62 * G]))
     assert found.rocks.to_numpy().ravel().tolist() == [False, False, True]
     assert found.peak_slide.isel(row=2).item() == pytest.approx(0.0, abs=1e-9)
 
 
-def test_the_map_is_of_possible_pairs():
-    mu = np.array([0.2, 0.4, 0.7])
-    case = models(unit_sine(2.6, 4.0, 90.0))[HELD]
-    found = slide_map(case, 0.65 * G, mu)
-    slides = found.peak_slide.to_numpy()
-    assert np.isnan(slides[np.triu_indices(3, 1)]).all()
-    assert np.isfinite(slides[np.tril_indices(3)]).all()
-    assert (slides[2] == 0.0).sum() == 3  # μ = .7 holds
-    assert slides[1, 0] > slides[1, 1] > 0.0
-
-
 def test_its_files(study, tmp_path):
     files = {path.name for path in study.write(tmp_path)}
-    assert {"friction.nc", "friction.csv", "friction.md"} <= files
-    assert {"friction_map.png", "friction_search.png", "friction_effects.png"} <= files
+    assert files == {"friction.nc", "friction.md", "friction.png", "friction.csv", "friction_1.csv"}
+    assert files == {path.name for path in tmp_path.iterdir()}
     with xr.open_dataset(tmp_path / "friction.nc", engine="scipy") as data:
         assert data.sizes == study.data.sizes
         assert data.peak_slide.attrs["units"] == "m"
-
-
-@pytest.mark.parametrize("values", [[5.0], [5.0, 5.0], [6.0, 5.0], [5.0, np.nan]])
-def test_bad_values_are_refused(values):
-    with pytest.raises(sp.InputError, match=r"amplitudes"):
-        friction(amplitudes=values)
+    table = pd.read_csv(tmp_path / "friction_1.csv")
+    assert table["model"].tolist() == [*MODELS.values(), "the paper"]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.studies.wall_gap import wall_gap
+from studies.wall_gap import wall_gap
 
 WIDTHS = np.round(np.concatenate((np.arange(0.8, 1.001, 0.05), np.arange(1.025, 1.6, 0.1))), 3)
 GAPS = np.round(np.arange(0.0, 0.4001, 0.01), 2)

@@ -3,10 +3,18 @@
 import numpy as np
 import pytest
 
-import stayput as sp
 from stayput.simulation.case import simulate
-from stayput.studies.three_dimensions import PLANE, SPACE, STRONGER, differing, less_space, three_dimensions
-from stayput.studies.three_dimensions_runs import ENGINES, SETTINGS, Shaken, outcomes
+from studies.three_dimensions import (
+    PLANE,
+    SETTINGS,
+    SPACE,
+    STRONGER,
+    Shaken,
+    differing,
+    less_space,
+    outcomes,
+    three_dimensions,
+)
 
 
 @pytest.fixture(scope="module")
@@ -55,17 +63,9 @@ def test_a_run_is_that_of_simulate():
     setting = SETTINGS[0]
     found = outcomes(setting, 6.25, shaken)
     factor = float(shaken.drawn.columns["friction"][0, 0])
-    floors = shaken.space[0].at(6.25)
+    floors = shaken.hazards[SPACE][0].at(6.25)
     motion = floors.motions[0].scaled(float(floors.scales[0]))
     for engine, dimensions in ((PLANE, 2), (SPACE, 3)):
         run = simulate(setting.body, setting.room(factor), motion, dimensions=dimensions)
         assert bool(np.all(run.overturned)) == found[engine].overturned[0, 0]
         assert float(np.max(run.peak_slide)) == pytest.approx(found[engine].slide[0, 0], rel=1e-6)
-
-
-def test_refusals():
-    assert ENGINES == (PLANE, STRONGER, SPACE)
-    with pytest.raises(sp.InputError, match="motions"):
-        three_dimensions(1)
-    with pytest.raises(sp.InputError, match="Heading"):
-        three_dimensions(2, headings=[90.0, 0.0])

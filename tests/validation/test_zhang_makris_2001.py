@@ -14,7 +14,6 @@ from setups import STICKING, G, block
 
 import stayput as sp
 from stayput.simulation.boundary import trace_boundary
-from stayput.studies.spectrum import spectrum
 
 ALPHA, E, P = 0.25, 0.9, 2.14
 BANDS = [3.032, 6.743, 7.493]
@@ -55,19 +54,6 @@ def test_bands_by_equations_written_anew(edge, falls_above, side):
     peer = Rocking(body, along, lambda _: 0.0, list(kinks), FACTOR)
     states = peer.run(0.0, 0.0, -1, start=uplift, most=4)
     assert (np.abs(states[0]).max() > math.pi / 2) is np.bool_(falls_above == (side > 0))
-
-
-def test_the_study_shows_the_bands():
-    study = spectrum(periods=[1.0, 2.5, 4.5], slenderness=[0.3], step=0.05)
-    at_five = study.data.isel(curve=0).sel(period=2.5)
-    assert float(at_five["frequency_ratio"]) == 5.0
-    assert at_five["amplitude"].values[:3] == pytest.approx(BANDS, rel=0.01)
-    assert at_five["floor_impacts"].values[:3].tolist() == [1, 1, 0]
-    table = next(iter(study.tables.values()))
-    assert table["this run"].to_numpy() == pytest.approx(BANDS, rel=0.01)
-    beyond = study.data.isel(curve=0).sel(period=4.5)  # ωp/p = 9: no fall with an impact any more
-    assert beyond["direction"].values[:3].tolist() == [1, 0, 0]
-    assert int(beyond["floor_impacts"][0]) == 0
 
 
 def test_island_of_one_sine_of_half_a_second():

@@ -59,7 +59,6 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
             scenario.room.room(),
             motion,
             measures=measures,
-            contact=scenario.contact,
             dimensions=2,
             initial=scenario.initial.state(),
             gravity=scenario.gravity,

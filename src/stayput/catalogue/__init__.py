@@ -61,7 +61,6 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "solids",
         "space",
         "standards",
-        "studies",
         "verification",
     )
 }

@@ -42,10 +42,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag}が{value}になっています。{example}のように書いてください。",
     ),
     "wrote": ("Wrote {file}", "{file}を書き出しました"),
-    "study_in_english": (
-        "Texts and figures of studies are in English.",
-        "研究の結果の文章と図は英語です。",
-    ),
     "wrote_motion": (
         "Wrote {file}: {count} samples every {dt:g} s, {components}",
         "{file}を書き出しました（{dt:g}秒間隔、{count}点、成分：{components}）",

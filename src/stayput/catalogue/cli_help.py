@@ -5,8 +5,6 @@ The first paragraph of a command also stands in the list of commands, and beside
 
 from __future__ import annotations
 
-from stayput.catalogue.studies import STUDIES
-
 TEXTS: dict[str, tuple[str, str]] = {
     # Headings, and what stands in brackets after a text; Typer has the English ones
     "usage": ("Usage", "使い方"),
@@ -63,10 +61,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "OpenQuakeが扱える強さの指標であればNRMLファイルができる。"
             "曲線は単調回帰で求め、形は仮定しない。"
         ),
-    ),
-    "study": (
-        "Run a study and write its data (NetCDF, CSV), figures, key numbers and tables.",
-        "スタディを実行し、データ（NetCDF、CSV）、図、数値、表を書き出す",
     ),
     "building": (
         "Floor motions of a building: the peaks of every storey, and the motion of one.",
@@ -244,7 +238,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Gap to a wall at the far side (+y) [m]; for --dimensions 3.",
         "奥側（+y）の側壁とのすき間 [m]（--dimensions 3の場合）",
     ),
-    "contact": ("The contact law.", "接触モデル"),
     "length": (
         "Length of the piece across the shaking [m]; for --dimensions 3.",
         "揺れに直交する方向の家具の長さ [m]（--dimensions 3の場合）",
@@ -310,22 +303,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "only_measure": (
         "Only this measure beside none; may be repeated.",
         "対策なしと比べる対策をこれに限る。複数回指定できる",
-    ),
-    # study
-    "study_name": (
-        "; ".join(f"{name}: {about}" for name, (about, _) in STUDIES.items()) + ".",
-        "\n".join(f"{name}：{about}" for name, (_, about) in STUDIES.items()),
-    ),
-    "study_out": (
-        "Folder for data, figures and text; it is made.",
-        "データ、図、文章を書き出すフォルダー（なければ作る）",
-    ),
-    "study_motion": (
-        "A record's file, or -, for wall-gap-record, spectrum, tokyo, contents. Default: near-fault.",
-        (
-            "wall-gap-record、spectrum、tokyo、contentsに使う記録のファイル（-は標準入力）。"
-            "指定しなければnear-fault"
-        ),
     ),
     # building
     "storeys": ("Number of storeys.", "階数"),

@@ -59,10 +59,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A level has {fell:g} falls of {runs:g} runs; it must have whole numbers, no more falls than runs.",
         "転倒数が{fell:g}、計算数が{runs:g}の段階があります。整数とし、転倒数は計算数以下にしてください。",
     ),
-    "row_lengths": (
-        "There are {runs} runs; there must be an intensity and a motion for each.",
-        "計算は{runs}件です。それぞれに揺れの強さと地震動を指定してください。",
-    ),
     "no_runs": (
         "All runs were given up or there are none; a curve needs at least one run.",
         "有効な計算がありません。曲線には少なくとも1件の計算が必要です。",

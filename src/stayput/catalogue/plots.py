@@ -120,6 +120,5 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "this_suite": ("this suite", "この地震動群"),
     "scatter": ("Standard deviation\nof ln Sa [–]", "ln Saの\n標準偏差 [–]"),
-    "peak": ("peak {value:.2g} {unit}", "最大 {value:.2g} {unit}"),
 }
 """Texts by their keys: English, Japanese."""

@@ -3,7 +3,6 @@
 TEXTS: dict[str, tuple[str, str]] = {
     "height_ratio": ("Height z/h in the building", "建物内の高さの比z/h"),
     "edition": ("Edition of ASCE 7", "ASCE 7の版"),
-    "resonance": ("Resonant frequency", "固有振動数"),
     "lowest": ("Lowest frequency to be matched", "合わせる最低の振動数"),
     "storeys": ("Number of storeys", "建物の階数"),
     "storey": ("Storey", "階"),

@@ -21,7 +21,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         (
             "The piece is {ratio:.2g} times as long as deep and was simulated across its depth alone: below "
             "{long:g} times it may also fall over a corner or its length, which a simulation in space takes into "
-            "account (dimensions = 3; study three-dimensions)."
+            "account (dimensions = 3)."
         ),
         (
             "幅が奥行きの{ratio:.2g}倍の家具を、奥行き方向だけで計算しました。{long:g}倍未満では角や幅の方向にも"
@@ -30,12 +30,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # verification
     "needs_coulomb": (
-        "The contact is '{contact}'; {what} needs 'coulomb'.",
-        "接触モデル（contact）が「{contact}」になっています。{what}には「coulomb」を指定してください。",
+        "The contact is '{contact}'; a verification needs 'coulomb'.",
+        "接触モデル（contact）が「{contact}」になっています。対策の検証には「coulomb」を指定してください。",
     ),
-    "a_verification": ("a verification", "対策の検証"),
-    "an_assessment": ("an assessment", "一括評価"),
-    "the_map": ("the map", "寸法と震度の図"),
     "slide_limit": ("Slide limit", "移動量の上限"),
     "no_shaking": (
         'shaking is missing; it must say how the body is shaken: a Motion, a Suite, or "6-upper".',

@@ -29,7 +29,6 @@ SET_BY: dict[str, tuple[str, ...]] = {
     "right_wall": ("room.right_wall", "room.right_wall.gap"),
     "near_side_wall": ("room.near_side_wall", "room.near_side_wall.gap"),
     "far_side_wall": ("room.far_side_wall", "room.far_side_wall.gap"),
-    "contact": ("contact",),
     "dimensions": ("dimensions",),
     "motion": (*_RECORD, *_SINE),
     "x": (*_RECORD, *_SINE),

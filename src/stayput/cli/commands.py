@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 import stayput
-from stayput.cli import assess, building, fragility, motion, simulate, study, verify
+from stayput.cli import assess, building, fragility, motion, simulate, verify
 from stayput.cli.app import app as page
 from stayput.cli.as_typed import FlagCommand
 from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
@@ -26,7 +26,6 @@ for name, run, kind in (
     ("simulate", simulate.simulate, FlagCommand),
     ("verify", verify.verify, FlagCommand),
     ("fragility", fragility.fragility, HelpfulCommand),
-    ("study", study.study, FlagCommand),
     ("building", building.building, FlagCommand),
     ("assess", assess.assess, HelpfulCommand),
     ("app", page, HelpfulCommand),

@@ -172,7 +172,6 @@ def overlaid(
     floor: str | None,
     friction: str | None,
     walls: dict[str, float | None],
-    contact: str | None,
     dimensions: int | None,
     piece: dict[str, float | None],
 ) -> dict[str, Any]:
@@ -186,8 +185,6 @@ def overlaid(
         The flags' texts; each replaces a whole table.
     walls : dict
         Gaps of the walls by their names [m]; None where the flag is not given.
-    contact : str, optional
-        The contact law.
     dimensions : int, optional
         2 or 3.
     piece : dict
@@ -215,8 +212,7 @@ def overlaid(
             tables["room"] = room
     if own := {key: as_written(value) for key, value in piece.items() if value is not None}:
         tables["furniture"] = {**table_of(tables, "furniture"), **own}
-    own_keys = {"contact": contact, "dimensions": dimensions}
-    return tables | {key: value for key, value in own_keys.items() if value is not None}
+    return tables if dimensions is None else tables | {"dimensions": dimensions}
 
 
 def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:

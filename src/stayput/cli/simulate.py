@@ -84,14 +84,6 @@ def simulate(
     right_wall: Annotated[float | None, typer.Option(help="cli_help.right_wall")] = None,
     near_side_wall: Annotated[float | None, typer.Option(help="cli_help.near_side_wall")] = None,
     far_side_wall: Annotated[float | None, typer.Option(help="cli_help.far_side_wall")] = None,
-    contact: Annotated[
-        str | None,
-        typer.Option(
-            metavar="coulomb|paper",
-            help="cli_help.contact",
-            autocompletion=words(lambda: ("coulomb", "paper")),
-        ),
-    ] = None,
     length: Annotated[float | None, typer.Option(help="cli_help.length")] = None,
     heading: Annotated[float | None, typer.Option(help="cli_help.heading")] = None,
     dimensions: Annotated[int | None, typer.Option(metavar="2|3", help="cli_help.dimensions")] = None,
@@ -123,7 +115,6 @@ def simulate(
     several = scenario is not None and isinstance(given.get("furniture"), list)
     of_one = {
         "--body": body,
-        "--contact": contact,
         "--length": length,
         "--heading": heading,
         "--measure": measure or None,
@@ -141,7 +132,6 @@ def simulate(
             "near_side_wall": near_side_wall,
             "far_side_wall": far_side_wall,
         },
-        contact=contact,
         dimensions=dimensions,
         piece={"length": length, "heading": heading},
     )

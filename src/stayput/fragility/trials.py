@@ -12,8 +12,6 @@ from stayput.fragility.intensity_measures import IntensityMeasure
 from stayput.fragility.probabilities import Probability, checked_runs, probability_of_counts
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike, NDArray
 
 
@@ -144,50 +142,6 @@ class Trials:
         if bad.any():
             raise InputError("fragility.bad_counts", fell=k[bad][0], runs=n[bad][0])
         return cls._of_cells(measure, values, k, n, np.arange(len(values)), None)
-
-    @classmethod
-    def from_rows(
-        cls,
-        measure: IntensityMeasure,
-        im: ArrayLike,
-        fallen: ArrayLike,
-        motion: Sequence[object] | None = None,
-        *,
-        groups: int = 10,
-    ) -> Trials:
-        """Take one row a run.
-
-        Parameters
-        ----------
-        measure : IntensityMeasure
-            What ``im`` is.
-        im : array_like, shape (runs,)
-            Intensity of each run [SI].
-        fallen : array_like of bool, shape (runs,)
-            Whether it fell.
-        motion : sequence, length (runs,), optional
-            What names the motion of each run; without it all runs are independent.
-        groups : int
-            Groups of about equal size in which the observed fractions are shown, where there are more
-            different intensities.
-
-        Raises
-        ------
-        InputError
-            Arrays of other shapes, or intensities that cannot be.
-        """
-        fell, _ = checked_runs(fallen, None, 1)
-        values = instance_of("measure", measure, IntensityMeasure).checked(im)
-        if values.shape != fell.shape or (motion is not None and len(motion) != len(fell)):
-            raise InputError("fragility.row_lengths", runs=len(fell))
-        different, place = np.unique(values, return_inverse=True)
-        if len(different) > groups:
-            place = _groups(values, groups)
-        names = None
-        if motion is not None:
-            numbers: dict[object, int] = {}
-            names = np.array([numbers.setdefault(name, len(numbers)) for name in motion], np.intp)
-        return cls._of_cells(measure, values, fell, np.ones(len(fell)), place, names)
 
     @classmethod
     def _of_cells(

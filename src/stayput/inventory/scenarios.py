@@ -22,7 +22,6 @@ from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.toml import read_toml
-from stayput.verification.options import require_coulomb
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
@@ -248,7 +247,6 @@ def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
         buildings, station = data.pop("buildings", {}), data.pop("station", None)
         data.setdefault("furniture", ANY_FURNITURE)
         scenario = Scenario.parse(data, file.parent)
-        require_coulomb(scenario, "verification.an_assessment")
         if scenario.dimensions == 3:
             raise InputError("inventory.in_space", "dimensions")
         for key, stated in _only_in_a_verification(scenario):

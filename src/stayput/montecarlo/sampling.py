@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility import Probability
-    from stayput.measures import Held, Measure
+    from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Floor, Room
     from stayput.montecarlo.counting import Outcomes
@@ -354,13 +354,6 @@ def rows_of(
             path = f"room.{name}.restitution"
             numbers[path] = _drawn_rebound(numbers[path], columns["wall_restitution"])
     return Rows(case_rows(numbers, count), elements, masses)
-
-
-def stated_rows(held: Held, motions: int, gravity: float) -> Rows:
-    """Return the rows of a piece at rest as stated, without draws: one sample of each motion."""
-    case = case_rows(flat_fields(held.body, held.room, State(), gravity), motions)
-    elements = np.repeat(element_rows(held)[np.newaxis], motions, axis=0)
-    return Rows(case, elements, np.full(motions, held.body.mass))
 
 
 OutcomesT = TypeVar("OutcomesT", bound="Outcomes")

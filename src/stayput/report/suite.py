@@ -11,9 +11,7 @@ from matplotlib.ticker import LogLocator
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.spectrum import DAMPING, PERIODS
-from stayput.motion.suites.families import FAMILIES
 from stayput.motion.suites.suite import SuiteSpectra
-from stayput.motion.suites.synthesis import synthetic_motion
 from stayput.report.figures import FONT, LINE, colour_beside, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.names import given_name
@@ -205,38 +203,3 @@ def _draw_scatter(
         top = max(top, 1.15 * float(scatter.max()))
     axis.set_ylim(0.0, top)
     axis.set_ylabel(say("plots.scatter", language), fontsize=FONT)
-
-
-def plot_families(path: str | Path | None = None) -> Figure:
-    """Plot acceleration and velocity of x of the second synthetic motion of every family, with seed 1.
-
-    Parameters
-    ----------
-    path : str or Path, optional
-        Where to save it: PNG, SVG or PDF, by its ending.
-
-    Raises
-    ------
-    InputError
-        A path that cannot be written.
-    """
-    figure = new_figure(9.6, 8.4)
-    axes = figure.subplots(len(FAMILIES), 2, squeeze=False)
-    for (left, right), family in zip(axes, FAMILIES, strict=True):
-        motion = synthetic_motion(family, 2, 1)
-        for axis, values, unit, what in (
-            (left, motion.x, "m/s²", "acceleration"),
-            (right, 100.0 * motion.velocity, "cm/s", "velocity"),
-        ):
-            style(axis)
-            colour = COMPONENT_COLOURS["x"]
-            axis.plot(motion.time, values, color=colour, linewidth=0.7)
-            axis.set_ylabel(say(f"plots.{what}"), fontsize=FONT)
-            axis.set_xlim(0.0, motion.duration)
-            peak = say("plots.peak", value=np.abs(values).max(), unit=unit)
-            axis.set_title(peak, fontsize=FONT - 1.0, loc="right")
-        left.set_title(drawable(motion.name), fontsize=FONT, loc="left", color=INK)
-    for axis in axes[-1]:
-        axis.set_xlabel(say("report.axis_time"), fontsize=FONT)
-    figure.align_ylabels(axes[:, 0])
-    return saved(figure, path)

@@ -69,7 +69,7 @@ class RoomPart(NamedTuple):
 
     @property
     def in_plane(self) -> bool:
-        """Whether the plane across its length tells how it falls; see `stayput.studies.three_dimensions`.
+        """Whether the plane across its length tells how it falls; see `studies/three_dimensions.py`.
 
         It does not tell the forces on what holds it to the wall: shaking along the wall turns the piece about
         one of the devices and adds to what that one bears.

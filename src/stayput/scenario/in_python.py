@@ -112,9 +112,10 @@ def scenario_of_case(
     tables: Mapping[str, Any] = MappingProxyType({}),
 ) -> Scenario:
     """Make a scenario of a case; its own measures are compared with none, beside others."""
+    if case.contact != "coulomb":
+        raise InputError("verification.needs_coulomb", "contact", contact=case.contact)
     own = named_sets([case.measures]) if case.measures else []
     own_tables = {
-        "contact": case.contact,
         "initial": asdict(case.initial),
         "gravity": case.gravity,
         "dimensions": 3 if case.in_space else 2,

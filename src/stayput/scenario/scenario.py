@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import cache
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import tomli_w
 from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
@@ -62,9 +62,6 @@ class Scenario(FromFile):
     furniture: FurnitureTable = Field(description="What stands.")
     room: RoomTable = Field(default_factory=RoomTable, description="Where it stands.")
     shaking: ShakingTable = Field(default_factory=ShakingTable, description="How the floor is shaken.")
-    contact: Literal["coulomb", "paper"] = Field(
-        default="coulomb", description="The contact law; see the theory page."
-    )
     dimensions: Annotated[int, between(2, 3)] = Field(
         default=2,
         description="2: in the plane of the piece's depth, under the component along it; 3: in space, under "
@@ -100,8 +97,6 @@ class Scenario(FromFile):
         if self.dimensions == 2:
             self.room.room().refuse_side_walls()
         else:
-            if self.contact != "coulomb":
-                raise InputError("model.paper_in_space", "contact")
             if self.contents_table is not None:
                 raise InputError("scenario.contents_in_space", "contents")
             if self.furniture.body().length is None:
@@ -245,7 +240,7 @@ class Scenario(FromFile):
         return self._own_measures == ()
 
     def case(self, measures: Sequence[Measure] = ()) -> Case:
-        """Make the case: body, room, motion, contact law, initial state and gravity.
+        """Make the case: body, room, motion, initial state and gravity.
 
         Parameters
         ----------
@@ -261,7 +256,6 @@ class Scenario(FromFile):
             self.furniture.body(),
             self.room.room(),
             self.motion(),
-            contact=self.contact,
             initial=self.initial.state(),
             gravity=self.gravity,
             measures=tuple(measures),

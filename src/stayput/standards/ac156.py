@@ -36,8 +36,8 @@ VERTICAL_FLEXIBLE, VERTICAL_RIGID = 0.67, 0.27
 DUCTILITY = 1.3
 """R_u of ASCE 7-22 above the ground; 1 at the ground."""
 
-LOWEST_CUTOFF, HIGHEST_CUTOFF, CUTOFF_RATIO = 1.3, 3.5, 0.75
-"""Limits of the frequency from which on a test must meet the spectrum [Hz], and its share of a resonance."""
+LOWEST_CUTOFF, HIGHEST_CUTOFF = 1.3, 3.5
+"""Limits of the frequency from which on a test must meet the spectrum [Hz]."""
 
 DAMPING = 0.05
 """Damping ratio of the spectrum."""
@@ -142,26 +142,6 @@ def ac156(sds: float, height_ratio: float = 0.0, edition: str = "7-16") -> Requi
     return RequiredSpectrum(s, z, edition, min(1.6 * s, amplified), 0.4 * amplified)
 
 
-def low_cutoff(resonance: float | None = None) -> float:
-    """Return the frequency from which on a test must meet the spectrum [Hz]: max(1.3, min(3.5, 0.75 f)).
-
-    Parameters
-    ----------
-    resonance : float, optional
-        Lowest resonant frequency f of the component [Hz]; without one, or rigid pieces that rock and have
-        none, the lowest cut-off of all.
-
-    Raises
-    ------
-    InputError
-        A frequency out of range.
-    """
-    if resonance is None:
-        return LOWEST_CUTOFF
-    f = within("standards.resonance", resonance, 0.01, 1000.0, "Hz", "resonance")
-    return max(LOWEST_CUTOFF, min(HIGHEST_CUTOFF, CUTOFF_RATIO * f))
-
-
 def ac156_motion(
     required: RequiredSpectrum, number: int = 1, *, seed: int = 1, lowest: float | None = None
 ) -> Motion:
@@ -180,8 +160,8 @@ def ac156_motion(
     seed : int
         0 to 2³² − 1.
     lowest : float, optional
-        Frequency from which on it meets the spectrum [Hz], 0.1 to 3.5; default `low_cutoff` without a
-        resonance.
+        Frequency from which on it meets the spectrum [Hz], 0.1 to 3.5; default 1.3, the lowest that
+        the test asks for; of a component with a resonance f it is max(1.3, min(3.5, 0.75 f)).
 
     Returns
     -------

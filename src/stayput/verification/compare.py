@@ -23,7 +23,7 @@ from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
 from stayput.verification.contents import contents_verdicts
-from stayput.verification.options import compared_options, require_coulomb
+from stayput.verification.options import compared_options
 from stayput.verification.ranking import members, severity
 from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, OptionVerdict, Verdict
 
@@ -73,7 +73,6 @@ def compare(
 ) -> Verdict:
     """Compare the measures of a scenario of one piece; see `stayput.verify`."""
     began, limit = time.perf_counter(), slide_limit
-    require_coulomb(scenario, "verification.a_verification")
     if levels is None:
         levels = curve_levels(scenario.dimensions)
     rows = numbers("fragility.level", levels, "levels")

@@ -33,7 +33,7 @@ APART = 0.20
 LONG = 1.5
 """From so many depths of length on one component across the depth tells how a piece falls.
 
-See the study `stayput.studies.three_dimensions`.
+See `studies/three_dimensions.py`.
 """
 
 LISTED = 4

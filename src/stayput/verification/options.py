@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.measures import MEASURES, hold
 from stayput.model.state import refuse_bad_start
@@ -101,26 +101,6 @@ class Impossible:
     def why(self, language: str) -> str:
         """Return why not, in "en" or "ja"."""
         return self.error.told("ja" if language == "ja" else "en")
-
-
-def require_coulomb(scenario: Scenario, purpose: str) -> None:
-    """Refuse a scenario with the paper's contact law, which knows no devices.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The scenario.
-    purpose : str
-        Id of the text for what needs the other law.
-
-    Raises
-    ------
-    InputError
-        The contact law is not "coulomb".
-    """
-    if scenario.contact != "coulomb":
-        what = phrase(purpose)
-        raise InputError("verification.needs_coulomb", "contact", contact=scenario.contact, what=what)
 
 
 def partition_options(
