@@ -7,12 +7,32 @@ from typing import Annotated
 import typer
 
 import stayput
-from stayput.cli import assess, building, fragility, motion, simulate, verify
-from stayput.cli.app import app as page
-from stayput.cli.as_typed import FlagCommand
+from stayput.cli import assess, motion, simulate, verify
 from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.help import HelpfulCommand, RootGroup
 from stayput.cli.language import OF_LOCALE, LanguageOption
+
+_PORT = 8000
+
+
+def _page(
+    host: Annotated[str, typer.Option(help="cli_help.host")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="cli_help.port")] = _PORT,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="cli_help.browser")] = True,
+    lang: LanguageOption = OF_LOCALE,
+    quiet: QuietOption = False,
+) -> None:
+    """Run ``stayput app``."""
+    from stayput.extras import absent
+
+    try:
+        from stayput.app.server import serve
+    except ModuleNotFoundError as error:
+        if error.name is not None and error.name.startswith("stayput"):
+            raise
+        raise absent("The app", error.name or "a library", "app") from None
+    serve(host, port, browser=browser, language=lang)
+
 
 app = typer.Typer(
     cls=RootGroup,
@@ -22,15 +42,13 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for name, run, kind in (
-    ("simulate", simulate.simulate, FlagCommand),
-    ("verify", verify.verify, FlagCommand),
-    ("fragility", fragility.fragility, HelpfulCommand),
-    ("building", building.building, FlagCommand),
-    ("assess", assess.assess, HelpfulCommand),
-    ("app", page, HelpfulCommand),
+for name, run in (
+    ("simulate", simulate.simulate),
+    ("verify", verify.verify),
+    ("assess", assess.assess),
+    ("app", _page),
 ):
-    app.command(name, cls=kind, help=f"cli_help.{name}")(run)
+    app.command(name, cls=HelpfulCommand, help=f"cli_help.{name}")(run)
 app.add_typer(motion.app, name="motion")
 
 
