@@ -140,7 +140,7 @@ _TABLES: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "building": ("shaking.building", building_table),
     "storey": ("shaking.storey", int),
 }
-"""Keys that flags set, and what makes their values of what is typed; ``--motion`` sets all of ``[shaking]``."""
+"""Keys that flags set, and what makes their values of what is typed; ``--motion`` sets all of the table."""
 
 _TEXTS = {f"shaking.{name}" for name in ("record", "across", "component", "unit", "columns", "location")}
 """Keys of texts that may look like numbers."""

@@ -89,11 +89,13 @@ class CommandGroup(TyperGroup):
 
         def of_flags(told: Told) -> Told:
             flags = _flags_of(self.get_command(ctx, ctx.invoked_subcommand or ""))
-            option = f"--{told.values.get('option')}".replace("_", "-")
-            if option in flags:  # an argument of Python, by the name of its flag
-                values = {**told.values, "option": option}
-                told = type(told)(told.code, told.field, context=told.context, **values)
-            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--unit" in flags else _IN_COMMANDS)
+            option = str(told.values.get("option"))
+            flag = f"--{option}".replace("_", "-")
+            if "--set" in flags and option in _OF_RECORDS:
+                flag = f"--set shaking.{option}"
+            if flag in flags or flag.startswith("--set"):  # an argument of Python, by the name of its flag
+                told = type(told)(told.code, told.field, context=told.context, **told.values | {"option": flag})
+            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--set" in flags else _IN_COMMANDS)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)
@@ -163,6 +165,9 @@ def _allowed(kind: str, param: Any) -> Phrase:
         return phrase("cli.whole_number_within", low=param.min, high=param.max)
     return phrase("cli.whole_number" if kind.startswith("int") else "cli.number")
 
+
+_OF_RECORDS = ("dt", "columns", "decimal_comma", "location", "remove_mean")
+"""What is said of how a record is read, in sentences about it."""
 
 _IN_FLAGS = {
     "motion.no_unit": "cli.no_unit",
