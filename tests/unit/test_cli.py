@@ -148,12 +148,12 @@ def test_plot_and_animation_are_written(tmp_path):
         (["motion", "info", "."], "'.'"),
         (["motion", "plot", "near-fault", "nowhere/a.png"], "its folder must exist"),
         (["motion", "plot", "near-fault", "a.txt"], "must end in .png, .svg, .pdf"),
-        (["motion", "spectrum", "near-fault", "--damping", "1"], "--damping is 1"),
+        (["motion", "spectrum", "near-fault", "--damping", "1"], "Damping ratio is 1"),
         (["motion", "spectrum", "near-fault", "--out", "a.txt"], "must end in .csv"),
         (["motion", "spectrum", "near-fault", "--plot", "a.txt"], "must end in .png"),
         (["motion", "convert", "near-fault", "a.txt"], "must end in .csv, .at2"),
         (["motion", "convert", "near-fault", "a.at2"], "an AT2 file holds one component"),
-        (["motion", "convert", "near-fault", "a.csv", "--intensity", "9-lower"], "'9-lower'; it must be"),
+        (["motion", "convert", "near-fault", "a.csv", "--intensity", "9-lower"], "'9-lower' (did you mean '6-lower'?); it must be"),
         (
             ["motion", "convert", "near-fault", "a.csv", "--intensity", "6", "--set", "shaking.scale=2"],
             "shaking.scale is 2 beside shaking.intensity",
@@ -182,7 +182,7 @@ def test_motion_info(record, tmp_path):
     assert "JMA intensity 6.3, class 6-upper" in result.stdout
     refused = cli("motion", "info", record)
     assert refused.exit_code == 2
-    assert "shaking.unit must be one of" in refused.stderr
+    assert "shaking.unit must give it as one of" in refused.stderr
 
 
 def test_motion_info_of_a_still_floor(tmp_path):
@@ -376,7 +376,7 @@ def test_motion_suite_made_and_read_again(tmp_path):
         (["--fit", "guess"], "--fit is 'guess'"),
         (["--band", "5"], "--band is '5'"),
         (["--records", "nowhere"], "no folder"),
-        (["--intensity", "12"], "--intensity is 12"),
+        (["--intensity", "12"], "shaking.intensity is 12"),
     ],
 )
 def test_motion_suite_refuses_before_it_writes(tmp_path, monkeypatch, arguments, message):

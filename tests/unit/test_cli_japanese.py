@@ -172,7 +172,7 @@ PRESETS = set(
         ("assess", "ない.csv", "--scenario", "ない.toml", "--out", "結果"),
         ("verify", "ない.toml", "--curves", "結果", "--im", "MMX"),
         ("verify", "ない.toml", "--curves", "結果", "--im", "SA(99)"),
-        ("simulate", "--set", "shaking.sa=0.3"),
+        ("simulate", "--set", "shaking.pga=much"),
         ("motion", "info", "near-fault", "--building", "3", "--set", "shaking.mmi=13"),
         ("motion", "info", "ない.csv"),
         ("app", "--port", "70000"),

@@ -135,7 +135,7 @@ def test_a_motion_or_a_strength_stands_in_the_place_of_the_files(
         ),
         (
             ("--pga", "3", "--intensity", "6"),
-            ("shaking.pga is given beside shaking.intensity", "shaking.pgaと"),
+            ("shaking.pga is given beside shaking.intensity", "shaking.intensityとshaking.pga"),
         ),
         (("--pga", "0"), ("shaking.pga is 0;", "shaking.pgaが0に")),
         (("--intensity", "6-uper"), ("shaking.intensity is '6-uper' (did", "shaking.intensityが'6-uper'に")),

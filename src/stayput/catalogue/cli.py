@@ -170,26 +170,32 @@ TEXTS: dict[str, tuple[str, str]] = {
         "--planが指定されていますが、[plan]がありません。部屋のファイルを指定してください。",
     ),
     "no_unit": (
-        "The file states no unit; --set shaking.unit must be one of {known}.",
-        "加速度の単位がファイルに書かれていません。--set shaking.unit=で次のいずれかを指定してください：{known}",
+        "The file states no unit; --set shaking.unit must give it as one of {known}.",
+        "加速度の単位がファイルに書かれていません。--set shaking.unit=…で次のいずれかを指定してください：{known}",
     ),
     "no_unit_but_mentioned": (
         (
             "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; "
-            "--set shaking.unit must be one of {known}."
+            "--set shaking.unit must give it as one of {known}."
         ),
         (
             "ヘッダーに「{mentioned}」とありますが、加速度の単位とは書かれていません。"
-            "--set shaking.unit=で次のいずれかを指定してください：{known}"
+            "--set shaking.unit=…で次のいずれかを指定してください：{known}"
         ),
     ),
     "no_unit_nor_step": (
-        "The file states no unit and no time step; --set shaking.unit must be one of {known}, and --dt [s].",
-        "加速度の単位と時間刻みがファイルに書かれていません。時間刻み（秒）を--set shaking.dt=で、単位を--set shaking.unit=で次から指定してください：{known}",
+        (
+            "The file states no unit and no time step; --set shaking.unit must give the one, as one of {known}, and "
+            "--set shaking.dt the other [s]."
+        ),
+        (
+            "加速度の単位と時間刻みがファイルに書かれていません。時間刻み（秒）を--set shaking.dt=…で、"
+            "単位を--set shaking.unit=…で次から指定してください：{known}"
+        ),
     ),
     "no_time_step": (
-        "The file states no time step; --set shaking.dt must be it [s].",
-        "時間刻みがファイルに書かれていません。--set shaking.dt=で秒単位で指定してください。",
+        "The file states no time step; --set shaking.dt must give it [s].",
+        "時間刻みがファイルに書かれていません。--set shaking.dt=…で秒単位で指定してください。",
     ),
     "one_piece_alone": (
         "furniture is a list of several pieces, which simulate and verify take; it must be one table.",
@@ -202,7 +208,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         (
             "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れとして使います。"
-            "それでよければ、この成分を--set shaking.component=で指定してください。"
+            "それでよければ、この成分を--set shaking.component=…で指定してください。"
         ),
     ),
     "long_name": (
