@@ -74,7 +74,7 @@ def test_a_count_of_samples_is_no_time(tmp_path, start):
     np.testing.assert_allclose(motion.x, WAVE, atol=1e-5)
     code, output = cli("simulate", "--motion", file, "--set", "shaking.unit=m/s²")
     assert code == 2
-    assert "--dt must be given" in output
+    assert "--set shaking.dt must be given" in output
 
 
 def test_seconds_that_are_called_so_are_times_of_an_unusual_step(tmp_path):
@@ -139,7 +139,11 @@ def test_an_assessment_warns_too(tmp_path):
         code, output = cli(
             "assess", tmp_path / "pieces.csv", "--scenario", tmp_path / "scene.toml", "--out", out
         )
-        assert (code, "oscillates about" in output, "(remove_mean)" in output) == (0, warned, warned), output
+        assert (code, "oscillates about" in output, "(--set shaking.remove_mean)" in output) == (
+            0,
+            warned,
+            warned,
+        ), output
 
 
 def test_the_report_says_that_the_mean_was_taken_off_and_how_to_do_so_again(tmp_path):

@@ -111,7 +111,7 @@ def test_a_file_of_one_piece(tmp_path: Path, changed: dict[str, Any], said: str)
 
 def test_what_a_flag_gets_wrong_is_not_the_files(tmp_path: Path) -> None:
     file = written(tmp_path, ONE)
-    assert printed(file, "--set", "room.left_wall.gap=-1").startswith("--wall is -1;")
+    assert printed(file, "--set", "room.left_wall.gap=-1").startswith("room.left_wall.gap is -1;")
     damaged = written(tmp_path, ONE | {"gravity": 0.0})
     assert printed(damaged, "--set", "shaking.scale=2").startswith("room.toml: gravity is 0.0")
 

@@ -170,8 +170,10 @@ def test_the_command_line_and_a_scenario_take_such_a_folder(peer, tmp_path):
     assert json.loads(told.stdout)["motion"]["name"].endswith("El Centro Array #9, 180")
 
 
-@pytest.mark.parametrize(("lang", "said"), [("en", "--columns has 'x'; it must"), ("ja", "--columnsに'x'が")])
-def test_the_suite_s_flags_are_refused_by_their_names(peer, tmp_path, lang, said):
+@pytest.mark.parametrize(
+    ("lang", "said"), [("en", "shaking.columns has 'x'; it must"), ("ja", "shaking.columnsに'x'が")]
+)
+def test_the_suite_s_flags_are_refused_by_their_keys(peer, tmp_path, lang, said):
     words = [
         "motion",
         "suite",

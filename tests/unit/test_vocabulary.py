@@ -109,7 +109,7 @@ def test_a_floor_that_is_not_known_is_refused_with_what_is_like_it(word, near):
     ):
         sp.Floor.of(word)
     done = CliRunner().invoke(app, ["simulate", "--floor", word])
-    assert done.stderr.startswith(f"--floor is '{word}' (did you mean '{near}'?); it must be one of 'wood")
+    assert done.stderr.startswith(f"room.floor is '{word}' (did you mean '{near}'?); it must be one of 'wood")
     assert done.stderr.endswith("'locked caster'.\n")
     done = CliRunner().invoke(app, ["simulate", "--floor", word, "--lang", "ja"])
     assert f"'{near}'ではありませんか" in done.stderr

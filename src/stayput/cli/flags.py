@@ -68,7 +68,7 @@ SCENE: dict[str, Any] = {
 }
 """Flags of `simulate` on what stands."""
 
-Said: TypeAlias = dict[str, Any]
+FlagValues: TypeAlias = dict[str, Any]
 """What flags say, by their names; of those that are given."""
 
 
@@ -151,7 +151,7 @@ _KEY = re.compile(r"[^.\[\]=\s]+(?:\[\d{1,4}\])*(?:\.[^.\[\]=\s]+(?:\[\d{1,4}\])
 _STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)")
 
 
-def _settings(said: Said, motion_flag: str) -> Iterator[tuple[str, str, Any]]:
+def _settings(said: FlagValues, motion_flag: str) -> Iterator[tuple[str, str, Any]]:
     """Yield which flag sets which key to which value.
 
     Raises
@@ -184,7 +184,7 @@ def _settings(said: Said, motion_flag: str) -> Iterator[tuple[str, str, Any]]:
 
 
 def changed(
-    tables: Mapping[str, Any], said: Said, path: Path | None = None, motion_flag: str = "--motion"
+    tables: Mapping[str, Any], said: FlagValues, path: Path | None = None, motion_flag: str = "--motion"
 ) -> dict[str, Any]:
     """Return a scenario's tables with the keys that flags set; what they say is not checked yet.
 
@@ -195,7 +195,7 @@ def changed(
     ----------
     tables : mapping
         The tables.
-    said : Said
+    said : FlagValues
         The flags.
     path : Path, optional
         The scenario's file.
@@ -325,7 +325,7 @@ def motion_files(tables: Mapping[str, Any], path: Path | None = None) -> list[Pa
 
 
 def tables_of_motion(
-    motion: str | None, said: Said, *outputs: Path | None, suite: Any = None
+    motion: str | None, said: FlagValues, *outputs: Path | None, suite: Any = None
 ) -> dict[str, Any]:
     """Return a scenario's tables with a motion that is an argument, or with a suite, under the flags.
 

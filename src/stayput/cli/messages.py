@@ -94,7 +94,9 @@ class CommandGroup(TyperGroup):
             if "--set" in flags and option in _OF_RECORDS:
                 flag = f"--set shaking.{option}"
             if flag in flags or flag.startswith("--set"):  # an argument of Python, by the name of its flag
-                told = type(told)(told.code, told.field, context=told.context, **told.values | {"option": flag})
+                told = type(told)(
+                    told.code, told.field, context=told.context, **told.values | {"option": flag}
+                )
             return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--set" in flags else _IN_COMMANDS)
 
         def warn(warning: InputWarning) -> None:

@@ -13,8 +13,8 @@ from stayput.cli.completion import measures, words
 from stayput.cli.flags import (
     SCENE,
     SHAKING,
+    FlagValues,
     QuietOption,
-    Said,
     changed,
     chosen_measures,
     motion_files,
@@ -47,7 +47,7 @@ def simulate(
         ),
     ] = None,
     *,
-    said: Said,
+    said: FlagValues,
     measure: Annotated[
         list[str] | None,
         typer.Option(

@@ -11,8 +11,8 @@ from stayput.catalogue import say
 from stayput.cli.completion import intensity_measures, measures, words
 from stayput.cli.flags import (
     SHAKING,
+    FlagValues,
     QuietOption,
-    Said,
     ThreadsOption,
     changed,
     chosen_measures,
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 def verify(
     scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="cli_help.scenario")],
     *,
-    said: Said,
+    said: FlagValues,
     measure: Annotated[
         list[str] | None,
         typer.Option(

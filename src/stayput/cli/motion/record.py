@@ -11,9 +11,9 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.flags import (
     GROUND,
+    FlagValues,
     MotionArgument,
     QuietOption,
-    Said,
     motion_of,
     numbers,
     tables_of_motion,
@@ -40,7 +40,7 @@ TABLE_PERIODS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10
 def info(
     motion: MotionArgument,
     *,
-    said: Said,
+    said: FlagValues,
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
@@ -173,7 +173,7 @@ def plot(
     motion: MotionArgument,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="cli_help.picture")],
     *,
-    said: Said,
+    said: FlagValues,
     spectra: Annotated[str | None, typer.Option(metavar="STOREY,…", help="cli_help.floor_spectra")] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
@@ -207,7 +207,7 @@ def plot(
 def spectrum(
     motion: MotionArgument,
     *,
-    said: Said,
+    said: FlagValues,
     damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
     out: Annotated[
         Path | None,
@@ -284,7 +284,7 @@ def convert(
     motion: MotionArgument,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="cli_help.converted")],
     *,
-    said: Said,
+    said: FlagValues,
     only: Annotated[str | None, typer.Option(metavar="x|y|z", help="cli_help.only")] = None,
     step: Annotated[float | None, typer.Option(help="cli_help.step")] = None,
     form: Annotated[str | None, typer.Option("--format", metavar="csv|at2", help="cli_help.format")] = None,

@@ -9,7 +9,7 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.completion import families, words
-from stayput.cli.flags import GROUND, QuietOption, Said, numbers, tables_of_motion, takes
+from stayput.cli.flags import GROUND, FlagValues, QuietOption, numbers, tables_of_motion, takes
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note
 from stayput.errors import InputError, unknown
@@ -50,7 +50,7 @@ def suite(
     seed: Annotated[int, typer.Option(help="cli_help.seed")] = 1,
     records: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.records")] = None,
     *,
-    said: Said,
+    said: FlagValues,
     target: Annotated[
         str | None,
         typer.Option(help="cli_help.target"),
