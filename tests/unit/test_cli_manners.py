@@ -179,7 +179,6 @@ def test_every_list_of_words_has_its_words() -> None:
         completion.measures,
         completion.surfaces,
         completion.intensity_classes,
-        completion.structures,
         completion.intensity_measures,
         completion.families,
     )

@@ -130,6 +130,16 @@ TEXTS: dict[str, tuple[str, str]] = {
             "furniture[1].heading=0.3）。複数回指定できる"
         ),
     ),
+    "set_shaking": (
+        (
+            "Any key of [shaking], as a scenario's file would say it: shaking.unit=gal, shaking.scale=0.5, "
+            "shaking.across=ew.AT2, shaking.building.period=0.8. May be repeated."
+        ),
+        (
+            "シナリオの[shaking]のキーをファイルに書くのと同じ形で指定する（例：shaking.unit=gal、"
+            "shaking.scale=0.5、shaking.across=ew.AT2、shaking.building.period=0.8）。複数回指定できる"
+        ),
+    ),
     # The shaking
     "motion_argument": (
         "A record's file, - (standard input), near-fault, or sine:A,F[,T].",

@@ -21,48 +21,20 @@ if TYPE_CHECKING:
 
 
 def assess(
-    inventory: Annotated[
-        Path,
-        typer.Argument(
-            metavar="TABLE",
-            help="cli_help.inventory",
-        ),
-    ],
-    scenario: Annotated[
-        Path,
-        typer.Option(metavar="FILE|DIR", help="cli_help.events"),
-    ],
+    inventory: Annotated[Path, typer.Argument(metavar="TABLE", help="cli_help.inventory")],
+    scenario: Annotated[Path, typer.Option(metavar="FILE|DIR", help="cli_help.events")],
     out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.assessment_out")],
     settings: SetOption = None,
-    shakemap: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="cli_help.shakemap",
-        ),
-    ] = None,
+    shakemap: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.shakemap")] = None,
     field: Annotated[str | None, typer.Option(metavar="NAME", help="cli_help.field")] = None,
-    uncertainty: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.uncertainty"),
-    ] = None,
+    uncertainty: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.uncertainty")] = None,
     columns: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME=COLUMN,…|FILE",
-            help="cli_help.columns",
-        ),
+        str | None, typer.Option(metavar="NAME=COLUMN,…|FILE", help="cli_help.columns")
     ] = None,
-    export: Annotated[
-        str,
-        typer.Option(metavar="FORMATS", help="cli_help.export"),
-    ] = "",
+    export: Annotated[str, typer.Option(metavar="FORMATS", help="cli_help.export")] = "",
     slide_limit: Annotated[float, typer.Option(help="cli_help.slide_limit")] = 0.10,
     threads: ThreadsOption = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option(metavar="ADDRESS", help="cli_help.scheduler"),
-    ] = None,
+    scheduler: Annotated[str | None, typer.Option(metavar="ADDRESS", help="cli_help.scheduler")] = None,
     memory: Annotated[str, typer.Option(help="cli_help.memory")] = "2GB",
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,

@@ -61,8 +61,7 @@ def _print_version(wanted: bool) -> None:
 @app.callback()
 def _options(  # pyright: ignore[reportUnusedFunction] - Typer calls it
     version: Annotated[
-        bool,
-        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="cli_help.version"),
+        bool, typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="cli_help.version")
     ] = False,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,

@@ -30,8 +30,7 @@ def _quiet_if(wanted: bool) -> None:
 
 ThreadsOption: TypeAlias = Annotated[int | None, typer.Option("--threads", help="cli_help.threads")]
 QuietOption: TypeAlias = Annotated[
-    bool,
-    typer.Option("--quiet", "-q", callback=_quiet_if, expose_value=False, help="cli_help.quiet"),
+    bool, typer.Option("--quiet", "-q", callback=_quiet_if, expose_value=False, help="cli_help.quiet")
 ]
 SetOption: TypeAlias = Annotated[
     list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="cli_help.set")
@@ -40,30 +39,30 @@ MotionArgument: TypeAlias = Annotated[str, typer.Argument(metavar="MOTION", help
 
 GROUND: dict[str, Any] = {
     "intensity": Annotated[
-        str | None,
-        typer.Option(help="cli_help.intensity", autocompletion=words(intensity_classes)),
+        str | None, typer.Option(help="cli_help.intensity", autocompletion=words(intensity_classes))
     ],
     "pga": Annotated[float | None, typer.Option(help="cli_help.pga")],
     "building": Annotated[str | None, typer.Option(metavar="STOREYS[,STRUCTURE]", help="cli_help.building")],
     "storey": Annotated[int | None, typer.Option(help="cli_help.storey")],
-    "set": SetOption,
+    "set": Annotated[
+        list[str] | None, typer.Option(metavar="shaking.KEY=VALUE", help="cli_help.set_shaking")
+    ],
 }
 """Flags of commands on a motion, each of which sets a key of ``[shaking]``."""
 
 SHAKING: dict[str, Any] = {
     "motion": Annotated[
-        str | None,
-        typer.Option(metavar="FILE|-|near-fault|sine:A,F[,T]", help="cli_help.motion_option"),
+        str | None, typer.Option(metavar="FILE|-|near-fault|sine:A,F[,T]", help="cli_help.motion_option")
     ],
     **GROUND,
+    "set": SetOption,
 }
-"""The same, of commands on a scenario."""
+"""Flags of commands on a scenario."""
 
 SCENE: dict[str, Any] = {
     "body": Annotated[str | None, typer.Option(metavar="WxHxM", help="cli_help.body")],
     "floor": Annotated[
-        str | None,
-        typer.Option(metavar="SURFACE", help="cli_help.floor", autocompletion=words(surfaces)),
+        str | None, typer.Option(metavar="SURFACE", help="cli_help.floor", autocompletion=words(surfaces))
     ],
 }
 """Flags of `simulate` on what stands."""

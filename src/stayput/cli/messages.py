@@ -180,10 +180,7 @@ _IN_FLAGS = {
 }
 """Sentences about records, and those that name the flags to give."""
 
-_IN_COMMANDS = {
-    "scenario.of_several": "cli.one_piece_alone",
-    "scenario.of_a_room": "cli.one_piece_alone",
-}
+_IN_COMMANDS = {"scenario.of_several": "cli.one_piece_alone", "scenario.of_a_room": "cli.one_piece_alone"}
 """Sentences that name functions of Python, and those that name commands."""
 
 

@@ -40,21 +40,13 @@ if TYPE_CHECKING:
 def simulate(
     scenario: Annotated[
         Path | None,
-        typer.Argument(
-            metavar="[SCENARIO.toml]",
-            help="cli_help.example_scenario",
-            show_default=False,
-        ),
+        typer.Argument(metavar="[SCENARIO.toml]", help="cli_help.example_scenario", show_default=False),
     ] = None,
     *,
     said: FlagValues,
     measure: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="TYPE|NAME",
-            help="cli_help.measure_in_place",
-            autocompletion=words(measures),
-        ),
+        typer.Option(metavar="TYPE|NAME", help="cli_help.measure_in_place", autocompletion=words(measures)),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_run")] = None,

@@ -43,11 +43,7 @@ def verify(
     said: FlagValues,
     measure: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="TYPE|NAME",
-            help="cli_help.only_measure",
-            autocompletion=words(measures),
-        ),
+        typer.Option(metavar="TYPE|NAME", help="cli_help.only_measure", autocompletion=words(measures)),
     ] = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.report")] = None,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,

@@ -103,10 +103,7 @@ def _info_record(
 
 
 def _print_info(
-    motion: Motion,
-    intensities: Intensities,
-    rows: dict[str, tuple[Peaks, SpectralMeasures]],
-    lang: str,
+    motion: Motion, intensities: Intensities, rows: dict[str, tuple[Peaks, SpectralMeasures]], lang: str
 ) -> None:
     from rich.console import Console
     from rich.table import Table
@@ -209,14 +206,8 @@ def spectrum(
     *,
     said: FlagValues,
     damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
-    out: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.spectra_out"),
-    ] = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.plot_spectra"),
-    ] = None,
+    out: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.spectra_out")] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_spectra")] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:

@@ -39,30 +39,15 @@ COLUMNS = (
 @takes(GROUND)
 def suite(
     out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.suite_out")],
-    family: Annotated[
-        str,
-        typer.Option(
-            help="cli_help.family",
-            autocompletion=words(families),
-        ),
-    ] = "mixed",
+    family: Annotated[str, typer.Option(help="cli_help.family", autocompletion=words(families))] = "mixed",
     count: Annotated[int, typer.Option(help="cli_help.count")] = 40,
     seed: Annotated[int, typer.Option(help="cli_help.seed")] = 1,
     records: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.records")] = None,
     *,
     said: FlagValues,
-    target: Annotated[
-        str | None,
-        typer.Option(help="cli_help.target"),
-    ] = None,
+    target: Annotated[str | None, typer.Option(help="cli_help.target")] = None,
     band: Annotated[str, typer.Option(metavar="T1,T2", help="cli_help.band")] = "0.1,5",
-    fit: Annotated[
-        str,
-        typer.Option(
-            help="cli_help.fit",
-            autocompletion=words(lambda: FITS),
-        ),
-    ] = "scale",
+    fit: Annotated[str, typer.Option(help="cli_help.fit", autocompletion=words(lambda: FITS))] = "scale",
     select: Annotated[int | None, typer.Option(metavar="N", help="cli_help.select")] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
@@ -117,14 +102,7 @@ def _target_of(text: str) -> TargetSpectrum:
 
 
 def _strengths(motion: Motion) -> list[float]:
-    return [
-        motion.dt,
-        motion.duration,
-        motion.intensity,
-        motion.pga,
-        motion.pgv,
-        motion.significant_duration,
-    ]
+    return [motion.dt, motion.duration, motion.intensity, motion.pga, motion.pgv, motion.significant_duration]
 
 
 def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) -> None:
