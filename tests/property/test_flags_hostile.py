@@ -18,34 +18,31 @@ from stayput.cli import app
 
 pytestmark = pytest.mark.hostile
 
+SETTINGS = (
+    "shaking.scale=1.5",
+    "shaking.unit=gal",
+    "shaking.columns=t=1,x=2",
+    "shaking.skip_lines=2",
+    "room.floor={ static_friction = 0.4, kinetic_friction = 0.3 }",
+    "room.left_wall.gap=0.02",
+    "furniture[0].mass=30",
+    "measures[0].type=belt",
+)
+SHAKING = {
+    "--intensity": "6-upper",
+    "--pga": "4.5",
+    "--building": "3,RC",
+    "--storey": "2",
+}
 FLAGS = {
     "simulate": {
         "--body": "0.4x1.8x100",
         "--motion": "sine:5,0.8,2",
-        "--scale": "1.5",
-        "--intensity": "6-upper",
-        "--building": "3,RC",
-        "--storey": "2",
         "--floor": "carpet",
-        "--friction": "0.4,0.3",
-        "--wall": "0.02",
-        "--right-wall": "0.1",
-        "--contact": "coulomb",
         "--measure": "anti_slip_sheet",
-        "--dt": "0.01",
-        "--unit": "gal",
-        "--component": "x",
-        "--columns": "t=1,x=2",
-        "--skip-lines": "2",
-        "--location": "00",
+        **SHAKING,
     },
-    "building": {
-        "--storeys": "3",
-        "--structure": "wood",
-        "--period": "0.4",
-        "--damping": "0.05",
-        "--motion": "sine:1,1,2",
-    },
+    "motion info": SHAKING,
     "assess": {
         "--scenario": "no-such.toml",
         "--out": "no-such-folder/out",
@@ -56,7 +53,7 @@ FLAGS = {
 }
 NEEDED = {
     "simulate": ["--json"],
-    "building": ["--json"],
+    "motion info": ["sine:1,1,2", "--json"],
     "assess": ["no-such.csv", "--scenario", "x.toml", "--out", "x"],
 }
 NUMBERS = [
@@ -129,10 +126,12 @@ def lines(draw) -> list[str]:
     flags = FLAGS[command]
     chosen = draw(st.lists(st.sampled_from(sorted(flags)), min_size=1, max_size=4))
     wrong = draw(places) % len(chosen)
-    found = [command, *NEEDED[command]]
+    found = [*command.split(), *NEEDED[command]]
     for place, flag in enumerate(chosen):
         value = draw(mutated(flags[flag])) if place == wrong or draw(st.booleans()) else flags[flag]
         found += [f"{flag}={value}"]
+    for setting in draw(st.lists(st.sampled_from(SETTINGS), max_size=2)):
+        found += ["--set", draw(mutated(setting)) if draw(st.booleans()) else setting]
     return found
 
 

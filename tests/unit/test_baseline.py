@@ -72,7 +72,7 @@ def test_a_count_of_samples_is_no_time(tmp_path, start):
     motion = sp.read_motion(file, unit="m/s²", dt=0.02)
     assert (motion.dt, len(motion)) == (0.02, 500)
     np.testing.assert_allclose(motion.x, WAVE, atol=1e-5)
-    code, output = cli("simulate", "--motion", file, "--unit", "m/s²")
+    code, output = cli("simulate", "--motion", file, "--set", "shaking.unit=m/s²")
     assert code == 2
     assert "--dt must be given" in output
 
@@ -110,16 +110,16 @@ def test_an_offset_is_warned_of_wherever_the_record_is_used(tmp_path):
     scenario = tmp_path / "scene.toml"
     scenario.write_text(SCENARIO.format(record=offset.name, more=""), encoding="utf-8")
     english, japanese = "x oscillates about 2.033 m/s²", "x成分の加速度が2.033 m/s²を中心に振動して"
-    of_motion = ("--motion", offset, "--unit", "m/s²")
+    of_motion = ("--motion", offset, "--set", "shaking.unit=m/s²")
     for command in (
         ("simulate", *of_motion),
-        ("motion", "info", offset, "--unit", "m/s²"),
+        ("motion", "info", offset, "--set", "shaking.unit=m/s²"),
         ("verify", scenario),
     ):
         code, output = cli(*command)
-        assert (code, english in output, "(--remove-mean)" in output) == (0, True, True), output
+        assert (code, english in output, "(--set shaking.remove_mean)" in output) == (0, True, True), output
         assert japanese in cli(*command, "--lang", "ja")[1]
-        assert "oscillates" not in cli(*command, "--remove-mean")[1]
+        assert "oscillates" not in cli(*command, "--set", "shaking.remove_mean=true")[1]
     with pytest.warns(sp.InputWarning, match=english):
         sp.verify(sp.read_scenario(scenario), progress=False)
     assert told(lambda: sp.read_motion(offset, unit="m/s²", remove_mean=True)) == []
@@ -143,7 +143,7 @@ def test_an_offset_that_begins_within_the_record_is_warned_of(tmp_path, share, l
 
 def test_that_the_mean_was_taken_off_is_told_and_written(tmp_path):
     offset = record(tmp_path / "offset.csv", x=WAVE + 2.0)
-    of_motion = ("--motion", offset, "--unit", "m/s²", "--remove-mean")
+    of_motion = ("--motion", offset, "--unit", "m/s²", "--set", "shaking.remove_mean=true")
     assert "the mean of each component taken off" in cli("simulate", *of_motion)[1]
     assert "各成分の平均を除去" in cli("simulate", *of_motion, "--lang", "ja")[1]
     shown = cli("simulate", *of_motion, "--json")[1]
@@ -165,7 +165,11 @@ def test_an_assessment_warns_too(tmp_path):
         code, output = cli(
             "assess", tmp_path / "pieces.csv", "--scenario", tmp_path / "scene.toml", "--out", out
         )
-        assert (code, "oscillates about" in output, "(remove_mean)" in output) == (0, warned, warned), output
+        assert (code, "oscillates about" in output, "(--set shaking.remove_mean)" in output) == (
+            0,
+            warned,
+            warned,
+        ), output
 
 
 def test_the_report_says_that_the_mean_was_taken_off_and_how_to_do_so_again(tmp_path):
@@ -237,7 +241,9 @@ def test_the_mean_and_the_unit_of_several_files(tmp_path):
     one = tmp_path / "one.txt"
     np.savetxt(one, WAVE)
     assert [motion.dt for motion in sp.read_suite([one, stated], unit="m/s²", dt=0.005)] == [0.005, 0.02]
-    shown = cli("motion", "info", "--x", bare, "--y", stated, "--unit", "m/s²", "--json")[1]
+    shown = cli(
+        "motion", "info", bare, "--set", f"shaking.across={stated}", "--set", "shaking.unit=m/s²", "--json"
+    )[1]
     peaks = json.loads(shown[shown.index("{") :])["components"]
     assert peaks["x"] == pytest.approx(peaks["y"])
     scene = sp.Scenario.parse(

@@ -6,14 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-import typer
 from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.building import STRUCTURES, Building, Isolation, ShearModel
 from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
-from stayput.cli.building import building
-from stayput.cli.messages import CommandGroup
+from stayput.cli import app
 from stayput.motion.integrals import peak_velocity
 
 GROUND = sp.near_fault()
@@ -188,17 +186,13 @@ def test_refused(make, words):
         make()
 
 
-app = typer.Typer(cls=CommandGroup)
-app.command()(building)
-app.callback()(lambda: None)
-
-
 def cli(*arguments):
-    return CliRunner().invoke(app, ["building", *map(str, arguments)])
+    return CliRunner().invoke(app, ["motion", *map(str, arguments)])
 
 
 def test_command_prints_every_floor():
-    result = cli("--storeys", 3, "--linear")
+    linear = ("--set", "shaking.building.nonlinear=false")
+    result = cli("info", "near-fault", "--building", 3, *linear)
     assert result.exit_code == 0
     assert result.stdout.startswith("3-storey RC building, T1 = 0.18 s, linear")
     for word in ("ground", "storey 1", "storey 3", "roof", "PFA x", "PFV y", "synthetic"):
@@ -207,12 +201,18 @@ def test_command_prints_every_floor():
 
 def test_command_writes_and_says_the_same(tmp_path):
     file, picture = tmp_path / "floor.csv", tmp_path / "floors.png"
-    given = ("--storeys", 5, "--structure", "steel", "--storey", 4)
-    result = cli(*given, "--out", file, "--plot", picture, "--json")
-    assert result.exit_code == 0, result.output
-    data = json.loads(result.stdout)
+    of = ("near-fault", "--building", "5,steel", "--set", "shaking.building.damping=0.03")
+    for words in (
+        ("convert", of[0], file, *of[1:], "--storey", 4),
+        ("plot", of[0], picture, *of[1:], "--spectra", "2,4"),
+    ):
+        assert cli(*words).exit_code == 0
+    data, alone = (json.loads(cli("info", *of, "--json", *more).stdout) for more in ((), ("--storey", 4)))
     floor = sp.read_motion(file)
+    response = sp.Building(5, "steel", damping=0.03).respond(sp.near_fault())
+    assert np.array_equal(floor.x, response.floor(4).x)
     assert data["components"]["x"]["peak_floor_acceleration_m_s2"][3] == pytest.approx(floor.pga, rel=1e-12)
+    assert alone["components"]["x"]["pga_m_s2"] == floor.pga
     assert data["nonlinear"] is True
     assert 0.0 < data["energy"]["x"]["imbalance"] < 1e-3
     assert picture.stat().st_size > 10_000
@@ -221,10 +221,14 @@ def test_command_writes_and_says_the_same(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("--structure", "brick"), "one of 'RC'"),
-        (("--storey", 99), "from 1 to 10"),
-        (("--out", "floor.csv"), "one --storey"),
-        (("--plot", "floor.txt"), ".png"),
+        (("info", "near-fault", "--building", "10,brick"), "one of 'RC'"),
+        (("info", "near-fault", "--building", 10, "--storey", 99), "between 1 and 11, the roof"),
+        (("convert", "near-fault", "-", "--building", 10), "it needs both"),
+        (("plot", "near-fault", "floor.txt", "--building", 10), ".png"),
+        (("plot", "near-fault", "floor.png", "--building", 10, "--spectra", 99), "from 1 to 10"),
+        (("plot", "near-fault", "floor.png", "--building", 10, "--spectra", "a"), "written like 3,8"),
+        (("plot", "near-fault", "floor.png", "--spectra", 3), "must come with --building"),
+        (("info", "near-fault", "--set", "room.floor=vinyl"), "must set a key of shaking"),
     ],
 )
 def test_command_refuses_in_one_sentence(arguments, words):

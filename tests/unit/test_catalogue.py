@@ -63,6 +63,17 @@ def test_each_text_that_the_code_names_is_there():
                 assert any(key.startswith(start.value) for key in TEXTS), (file, start.value)
 
 
+def test_each_text_of_the_command_line_is_said():
+    code = "\n".join(file.read_text(encoding="utf-8") for file in SOURCES if file.parent.name != "catalogue")
+    named = {key for key in TEXTS if f'"{key}"' in code}
+    by_name = {
+        f"cli_help.{name}" for name in re.findall(r"\w+", code)
+    }  # of a command, a heading, Typer's own
+    assert {key for key in TEXTS if key.startswith("cli.")} <= named
+    typers = {"cli_help.install_completion", "cli_help.show_completion"}
+    assert {key for key in TEXTS if key.startswith("cli_help.")} <= named | by_name | typers
+
+
 def test_an_error_tells_its_sentence_in_both_languages_and_survives_another_process():
     with pytest.raises(InputError) as caught:
         within(("The gap", "すき間"), 12.0, 0.0, 10.0, "m", field="left_wall.gap")

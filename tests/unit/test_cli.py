@@ -72,14 +72,14 @@ def test_flags_override_the_scenario_file(tmp_path):
     flags = [
         "--motion",
         "sine:1,1,1",
-        "--scale",
-        "2",
-        "--friction",
-        "0.2,0.1",
-        "--wall",
-        "0.1",
-        "--right-wall",
-        "0.3",
+        "--set",
+        "shaking.scale=2",
+        "--set",
+        "room.floor={ static_friction = 0.2, kinetic_friction = 0.1 }",
+        "--set",
+        "room.back_wall.gap=0.1",
+        "--set",
+        "room.right_wall.gap=0.3",
     ]
     seen = []
     original = stayput.Case.run
@@ -106,7 +106,7 @@ def test_a_record_relative_to_the_working_folder_and_to_the_scenario(tmp_path, r
     monkeypatch.chdir(tmp_path / "elsewhere")
     by_file = json.loads(cli("simulate", "../room.toml", "--json").stdout)
     by_flag = json.loads(
-        cli("simulate", "../room.toml", "--motion", record, "--unit", "gal", "--json").stdout
+        cli("simulate", "../room.toml", "--motion", record, "--set", "shaking.unit=gal", "--json").stdout
     )
     assert by_file == by_flag
     assert by_file["motion"]["pga_m_s2"] == pytest.approx(3.0)
@@ -126,17 +126,20 @@ def test_plot_and_animation_are_written(tmp_path):
     [
         (["simulate", "--body", "0.4x1.8"], "--body is '0.4x1.8'"),
         (["simulate", "--body", "0.4xtallx1"], "--body is"),
-        (["simulate", "--body", "0.4x-1.8x100"], "--body: the height is -1.8"),
-        (["simulate", "--body", "0.4xnanx100"], "--body: the height is NaN"),
+        (["simulate", "--body", "0.4x-1.8x100"], "furniture.height is -1.8"),
+        (["simulate", "--body", "0.4xnanx100"], "furniture.height is NaN"),
         (["simulate", "--motion", "sine:5"], "--motion is 'sine:5'"),
         (["simulate", "--motion", "nowhere.txt"], "nowhere.txt"),
-        (["simulate", "--friction", "0.1,0.5"], "kinetic friction is 0.5"),
-        (["simulate", "--friction", "0.1", "--floor", "carpet"], "--floor is 'carpet' beside"),
+        (
+            ["simulate", "--set", "room.floor={ static_friction = 0.1, kinetic_friction = 0.5 }"],
+            "kinetic friction is 0.5",
+        ),
+        (["simulate", "--set", "room.floor=vinyl", "--floor", "carpet"], "room.floor is set by --floor and"),
         (["simulate", "--floor", "carpt"], "did you mean 'carpet'"),
-        (["simulate", "--wall", "-1"], "--wall is -1"),
+        (["simulate", "--set", "room.left_wall.gap=-1"], "room.left_wall.gap is -1"),
         (["simulate", "nowhere.toml"], "could not be read"),
         (["simulate", "."], "could not be read"),
-        (["simulate", "--unit", "gal"], "--unit is given without"),
+        (["simulate", "--set", "shaking.unit=gal"], "shaking.unit is given without"),
         (["simulate", "--plot", "nowhere/a.png"], "its folder must exist"),
         (["simulate", "--plot", "a.txt"], "must end in .png, .svg, .pdf"),
         (["simulate", "--animate", "a.png"], "must end in .gif, .mp4, .html"),
@@ -145,15 +148,18 @@ def test_plot_and_animation_are_written(tmp_path):
         (["motion", "info", "."], "'.'"),
         (["motion", "plot", "near-fault", "nowhere/a.png"], "its folder must exist"),
         (["motion", "plot", "near-fault", "a.txt"], "must end in .png, .svg, .pdf"),
-        (["motion", "spectrum", "near-fault", "--damping", "1"], "--damping is 1"),
+        (["motion", "spectrum", "near-fault", "--damping", "1"], "Damping ratio is 1"),
         (["motion", "spectrum", "near-fault", "--out", "a.txt"], "must end in .csv"),
         (["motion", "spectrum", "near-fault", "--plot", "a.txt"], "must end in .png"),
         (["motion", "convert", "near-fault", "a.txt"], "must end in .csv, .at2"),
         (["motion", "convert", "near-fault", "a.at2"], "an AT2 file holds one component"),
-        (["motion", "convert", "near-fault", "a.csv", "--intensity", "9-lower"], "'9-lower'; it must be"),
         (
-            ["motion", "convert", "near-fault", "a.csv", "--intensity", "6", "--scale", "2"],
-            "--scale is 2 beside --intensity '6'",
+            ["motion", "convert", "near-fault", "a.csv", "--intensity", "9-lower"],
+            "shaking.intensity is '9-lower'",
+        ),
+        (
+            ["motion", "convert", "near-fault", "a.csv", "--intensity", "6", "--set", "shaking.scale=2"],
+            "shaking.scale is 2 beside shaking.intensity",
         ),
         (["motion", "convert", "near-fault", "a.csv", "--step", "0.003"], "whole part or a multiple"),
     ],
@@ -170,7 +176,7 @@ def test_what_is_wrong_is_one_sentence_on_standard_error(tmp_path, monkeypatch, 
 
 
 def test_motion_info(record, tmp_path):
-    data = json.loads(cli("motion", "info", record, "--unit", "gal", "--json").stdout)
+    data = json.loads(cli("motion", "info", record, "--set", "shaking.unit=gal", "--json").stdout)
     assert (data["samples"], data["dt_s"], data["synthetic"]) == (400, 0.01, False)
     assert data["components"]["x"]["pga_m_s2"] == pytest.approx(3.0)
     result = cli("motion", "info", "near-fault")
@@ -179,17 +185,22 @@ def test_motion_info(record, tmp_path):
     assert "JMA intensity 6.3, class 6-upper" in result.stdout
     refused = cli("motion", "info", record)
     assert refused.exit_code == 2
-    assert "unit must be given" in refused.stderr
+    assert "--unit must give it as one of" in refused.stderr
 
 
 def test_motion_info_of_a_still_floor(tmp_path):
     file = tmp_path / "still.txt"
     file.write_text("0\n" * 500)
-    data = json.loads(cli("motion", "info", file, "--unit", "gal", "--dt", "0.01", "--json").stdout)
+    data = json.loads(
+        cli("motion", "info", file, "--set", "shaking.unit=gal", "--set", "shaking.dt=0.01", "--json").stdout
+    )
     assert data["jma_intensity"] is None
     assert data["jma_class"] == "0"
     assert data["components"]["x"]["mean_period_s"] is None
-    assert "JMA intensity 0.0" in cli("motion", "info", file, "--unit", "gal", "--dt", "0.01").stdout
+    assert (
+        "JMA intensity 0.0"
+        in cli("motion", "info", file, "--set", "shaking.unit=gal", "--set", "shaking.dt=0.01").stdout
+    )
 
 
 def test_motion_plot(tmp_path):
@@ -221,7 +232,9 @@ def test_motion_convert(tmp_path):
     wanted = stayput.near_fault().to_intensity(5.25).resampled(0.02).component("y")
     assert back.x == pytest.approx(wanted.x, rel=1e-12, abs=1e-12)
     assert (back.dt, back.synthetic) == (0.02, True)
-    assert cli("motion", "convert", "near-fault", tmp_path / "b.csv", "--scale", "2").exit_code == 0
+    assert (
+        cli("motion", "convert", "near-fault", tmp_path / "b.csv", "--set", "shaking.scale=2").exit_code == 0
+    )
     assert stayput.read_motion(tmp_path / "b.csv").pga == pytest.approx(2.0 * stayput.near_fault().pga)
 
 
@@ -357,8 +370,8 @@ def test_motion_suite_made_and_read_again(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--family", "tsunami"], "The family is 'tsunami'"),
-        (["--count", "0"], "Number of motions is 0"),
+        (["--family", "tsunami"], "shaking.suite.family is 'tsunami'"),
+        (["--count", "0"], "shaking.suite.count is 0"),
         (["--target", "japan:often"], "often"),
         (["--target", "japan", "--intensity", "6"], "--target is 'japan' beside --intensity"),
         (["--target", "asce7:1"], "--target is 'asce7:1'"),
@@ -366,7 +379,7 @@ def test_motion_suite_made_and_read_again(tmp_path):
         (["--fit", "guess"], "--fit is 'guess'"),
         (["--band", "5"], "--band is '5'"),
         (["--records", "nowhere"], "no folder"),
-        (["--intensity", "12"], "--intensity is 12"),
+        (["--intensity", "12"], "shaking.intensity is 12"),
     ],
 )
 def test_motion_suite_refuses_before_it_writes(tmp_path, monkeypatch, arguments, message):

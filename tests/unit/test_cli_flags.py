@@ -9,7 +9,6 @@ from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.cli import app
-from stayput.cli.flags import earthquake_table
 
 BLOCK = """
 [furniture]
@@ -63,15 +62,15 @@ def verified(folder, text, shaking, *flags):
     ("said", "flags"),
     [
         ("pga = 3.0", ("--pga", "3")),
-        ("pgv = 0.4", ("--pgv", "0.4")),
+        ("pgv = 0.4", ("--set", "shaking.pgv=0.4")),
         ('intensity = "6-lower"', ("--intensity", "6-lower")),
         (
             "earthquake = { magnitude = 7.0, distance = 20.0, kind = 'intraslab' }",
-            ("--earthquake", "7,20,intraslab"),
+            ("--set", "shaking.earthquake={ magnitude = 7, distance = 20, kind = 'intraslab' }"),
         ),
         (
             "scale = 0.8\nbuilding = { storeys = 4 }\nstorey = 3",
-            ("--scale", "0.8", "--building", "4", "--storey", "3"),
+            ("--set", "shaking.scale=0.8", "--building", "4", "--storey", "3"),
         ),
     ],
 )
@@ -109,34 +108,6 @@ def cube():
     for a, b, c, d in sides:
         lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
     return "\n".join(lines) + "\n"
-
-
-def test_an_earthquake_may_have_a_kind_wherever_its_numbers_end():
-    assert earthquake_table("7,20") == {"magnitude": 7.0, "distance": 20.0}
-    assert earthquake_table("7,60, 50,intraslab") == {
-        "magnitude": 7.0,
-        "distance": 60.0,
-        "depth": 50.0,
-        "kind": "intraslab",
-    }
-    done = cli("simulate", "--earthquake", "7,20,crust")
-    assert done.exit_code == 2
-    assert "kind is 'crust' (did you mean 'crustal'?); it must be one of" in done.stderr
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        ("7,20,nan", "--earthquake: the depth is NaN; it must be"),
-        ("7,nan,20", "--earthquake: the distance is NaN; it must be"),
-        ("inf,20", "--earthquake: the magnitude is Infinity; it must be"),
-        ("7,inf", "--earthquake: the distance is Infinity; it must be"),
-    ],
-)
-def test_a_number_of_an_earthquake_that_is_not_finite_is_refused_by_its_name(words, said):
-    done = cli("simulate", "--earthquake", words)
-    assert done.exit_code == 2
-    assert done.stderr.startswith(said)
 
 
 @pytest.mark.parametrize(
@@ -220,8 +191,8 @@ def test_no_output_takes_the_place_of_the_scenario_or_of_its_record(
         (("motion", "plot", "record.csv"), ".svg"),
         (("motion", "spectrum", "record.csv", "--out"), ".csv"),
         (("motion", "spectrum", "record.csv", "--plot"), ".pdf"),
-        (("building", "--motion", "record.csv", "--storey", "3", "--out"), ".csv"),
-        (("building", "--motion", "record.csv", "--plot"), ".png"),
+        (("motion", "convert", "record.csv", "--building", "9", "--storey", "3"), ".csv"),
+        (("motion", "plot", "record.csv", "--building", "9"), ".png"),
     ],
 )
 def test_no_output_takes_the_place_of_a_record(tmp_path, monkeypatch, words, ending):

@@ -97,10 +97,10 @@ def japanese(*arguments: object, code: int = 0) -> str:
     [
         ("motion", "info", "near-fault"),
         ("motion", "spectrum", "near-fault"),
-        ("building", "--storeys", "3", "--mmi", "8"),
-        ("building", "--storeys", "3", "--linear", "--sa", "0.3,4"),
+        ("motion", "info", "near-fault", "--building", "3", "--set", "shaking.mmi=8"),
+        ("motion", "info", "near-fault", "--building", "3", "--set", "shaking.building.nonlinear=false"),
         ("simulate",),
-        ("simulate", "--earthquake", "7,20", "--dimensions", "3", "--length", "0.8"),
+        ("simulate", "--set", "shaking.mmi=8", "--set", "dimensions=3", "--set", "furniture.length=0.8"),
     ],
 )
 def test_what_is_printed(arguments: tuple[str, ...]) -> None:
@@ -128,7 +128,7 @@ def test_a_verdict_and_its_report(tmp_path: Path, shaking: str) -> None:
 @pytest.mark.parametrize("im", ["JMA", "MMI", "PGA", "SA(0.3)", "PFV"])
 def test_fragility_with_names_that_loss_tools_do_not_take(scenario: Path, tmp_path: Path, im: str) -> None:
     out = tmp_path / "脆弱性 1"
-    said = japanese("fragility", scenario, "--im", im, "--out", out)
+    said = japanese("verify", scenario, "--im", im, "--curves", out)
     identifiers = {word for name in re.findall(r"measure_\w+", said) for word in _WORD.findall(name)}
     assert not english(said, *identifiers, "curves", "observed", "fragility")
     drawn = (out / "fragility.svg").read_text(encoding="utf-8")
@@ -170,10 +170,10 @@ PRESETS = set(
     [
         ("verify", "ない.toml"),
         ("assess", "ない.csv", "--scenario", "ない.toml", "--out", "結果"),
-        ("fragility", "ない.toml", "--out", "結果", "--im", "MMX"),
-        ("fragility", "ない.toml", "--out", "結果", "--im", "SA(99)"),
-        ("simulate", "--sa", "0.3"),
-        ("building", "--mmi", "13"),
+        ("verify", "ない.toml", "--curves", "結果", "--im", "MMX"),
+        ("verify", "ない.toml", "--curves", "結果", "--im", "SA(99)"),
+        ("simulate", "--set", "shaking.pga=much"),
+        ("motion", "info", "near-fault", "--building", "3", "--set", "shaking.mmi=13"),
         ("motion", "info", "ない.csv"),
         ("app", "--port", "70000"),
     ],

@@ -104,13 +104,13 @@ def test_a_film_is_drawn_with_a_bar_of_its_frames(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("shaking", "flags", "same"),
     [
-        ("", ("--scale", "0.4"), "suite = {}\nscale = 0.4"),
+        ("", ("--set", "shaking.scale=0.4"), "suite = {}\nscale = 0.4"),
         (
             "suite = { count = 2 }",
-            ("--scale", "2"),
+            ("--set", "shaking.scale=2"),
             "suite = { count = 2 }\nscale = 2.0",
         ),
-        ("", ("--pgv", "0.5"), "pgv = 0.5"),
+        ("", ("--set", "shaking.pgv=0.5"), "pgv = 0.5"),
         ('builtin = "near-fault"', ("--intensity", "5.5"), 'builtin = "near-fault"\nintensity = 5.5'),
     ],
 )
@@ -125,10 +125,10 @@ def test_a_flag_replaces_what_the_file_says_of_the_strength(
     assert json.loads(flagged.stdout) == json.loads(stated.stdout)
 
 
-def test_two_strengths_on_the_command_line_are_refused_by_their_flags() -> None:
-    done = cli("simulate", "--scale", "2", "--pga", "3")
+def test_two_strengths_on_the_command_line_are_refused_by_their_keys() -> None:
+    done = cli("simulate", "--set", "shaking.scale=2", "--pga", "3")
     assert done.exit_code == 2
-    assert done.stderr == "--pga is 3 beside --scale 2; it must be one of the two.\n"
+    assert done.stderr == "shaking.scale is 2 beside shaking.pga; it must be one of the two.\n"
 
 
 def test_a_command_that_is_nearly_one_is_named_in_a_sentence() -> None:
@@ -179,7 +179,6 @@ def test_every_list_of_words_has_its_words() -> None:
         completion.measures,
         completion.surfaces,
         completion.intensity_classes,
-        completion.structures,
         completion.intensity_measures,
         completion.families,
     )

@@ -15,7 +15,7 @@ COMMANDS = [
     ["simulate", *BODY],
     ["simulate", *BODY, "--json"],
     ["motion", "info", "near-fault"],
-    ["building", "--motion", "sine:2,1,1", "--storeys", "2"],
+    ["motion", "info", "sine:2,1,1", "--building", "2"],
     ["simulate", "--help"],
     ["--version"],
 ]

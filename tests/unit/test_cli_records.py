@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,9 +12,6 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.cli import app
 from stayput.motion.measures import DisplacementPeak
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 
 def cli(*arguments: object):
@@ -42,23 +39,21 @@ def peaks(*arguments: object) -> dict[str, float]:
     return {name: round(one["pga_m_s2"], 6) for name, one in json.loads(done.stdout)["components"].items()}
 
 
-def test_three_files_are_one_motion(records: list[Path]) -> None:
-    x, y, z = records
-    joined = {"x": 3.0, "y": 2.0, "z": 1.0}
-    assert peaks("--x", x, "--y", y, "--z", z) == joined
-    assert peaks(x, "--y", y, "--z", z) == joined
-    assert peaks(x, "--z", z) == {"x": 3.0, "z": 1.0}
+def beside(y: object, z: object) -> tuple[str, ...]:
+    """Return what names the files of the components across and up."""
+    return "--set", f"shaking.across={y}", "--set", f"shaking.vertical={z}"
 
 
-def test_a_file_to_write_stands_alone_beside_x(records: list[Path], tmp_path: Path) -> None:
+def test_three_files_are_one_motion(records: list[Path], tmp_path: Path) -> None:
     x, y, z = records
+    assert peaks(x, *beside(y, z)) == {"x": 3.0, "y": 2.0, "z": 1.0}
+    assert peaks(x, "--set", f"shaking.vertical={z}") == {"x": 3.0, "z": 1.0}
     out = tmp_path / "joined.csv"
-    done = cli("motion", "convert", "--x", x, "--y", y, "--z", z, out)
+    done = cli("motion", "convert", x, out, *beside(y, z))
     assert done.exit_code == 0, done.output
     combined = sp.Motion.combine(*(sp.read_motion(file, component="channel 1") for file in records))
     read = sp.read_motion(out)
     assert all(np.array_equal(read.components[name], a) for name, a in combined.components.items())
-    assert cli("motion", "plot", "--x", x, tmp_path / "plot.svg").exit_code == 0
 
 
 @pytest.mark.parametrize("command", ["simulate", "verify"])
@@ -73,69 +68,48 @@ def test_flags_and_the_scenario_file_say_the_same(records: list[Path], tmp_path:
     assert [round(np.abs(a).max(), 6) for a in motion.components.values()] == [3.0, 2.0, 1.0]
     results = [
         cli(command, *arguments, "--json")
-        for arguments in ((stated,), (flagged, "--x", x, "--y", y, "--z", z))
+        for arguments in ((stated,), (flagged, "--motion", x, *beside(y, z)))
     ]
     assert all(done.exit_code == 0 for done in results), [done.output for done in results]
-    told = "The record of --y counts in the intensity alone"
-    assert [done.stderr.count(told) for done in results] == [0, 1]
     first, second = (json.loads(done.stdout) for done in results)
     for key in ("outcome", "peak_tilt_rad", "options"):
         assert first.get(key) == second.get(key)
 
 
 def test_a_flag_replaces_one_file_of_the_scenarios(records: list[Path], tmp_path: Path) -> None:
-    x, y, z = records
+    x, _, z = records
     file = tmp_path / "scenario.toml"
     shaking = f'[shaking]\nrecord = "{x.name}"\nvertical = "{z.name}"\n'
     file.write_text(f'[furniture]\npreset = "chest"\n{shaking}', encoding="utf-8")
     other = at2(tmp_path / "other.at2", "UP", 4.0)
-    plain, replaced, kept = (
-        cli("simulate", file, "--json", *flags) for flags in ((), ("--z", other), ("--vertical",))
+    plain, replaced, without = (
+        cli("simulate", file, "--json", *flags)
+        for flags in ((), ("--set", f"shaking.vertical={other}"), ("--set", "shaking.vertical=false"))
     )
-    assert plain.stdout == kept.stdout
-    assert plain.stdout != replaced.stdout
-    assert y.exists()
+    assert len({done.stdout for done in (plain, replaced, without)}) == 3
 
 
-@pytest.mark.parametrize("flags", [("--y", "c.at2"), ("--y", "b.at2", "--z", "b.at2")])
-def test_a_record_in_the_wrong_place_is_refused(
-    records: list[Path], monkeypatch: pytest.MonkeyPatch, flags: tuple[str, ...]
-) -> None:
-    monkeypatch.chdir(records[0].parent)
-    done = cli("simulate", "--x", "a.at2", *flags)
+def test_a_horizontal_record_in_a_verticals_place_is_refused(records: list[Path]) -> None:
+    x, y, _ = records
+    done = cli("simulate", "--motion", x, *beside(y, y))
     assert done.exit_code == 2
     assert "vertical" in done.stderr
 
 
-def test_a_vertical_record_along_the_shaking_is_refused_beside_others(records: list[Path]) -> None:
+@pytest.mark.parametrize("of_file", [True, False])
+@pytest.mark.parametrize("key", ["record", "across"])
+def test_a_vertical_record_is_named_by_the_key_that_it_is_given_for(
+    records: list[Path], monkeypatch: pytest.MonkeyPatch, key: str, of_file: bool
+) -> None:
     x, y, z = records
-    done = cli("simulate", "--x", z, "--y", y)
-    assert done.exit_code == 2
-    assert done.stderr.endswith(f"\n--x is '{z}', a vertical record ('UP'); it must be a horizontal one.\n")
-    assert x.exists()
-
-
-def test_a_vertical_record_is_named_by_its_flag_beside_the_record_of_a_file(
-    tmp_path: Path, records: list[Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    x, _, z = records
-    file = x.parent / "scenario.toml"
-    file.write_text(f'[furniture]\npreset = "chest"\n[shaking]\nrecord = "{x.name}"\n', encoding="utf-8")
+    files = {"record": x.name, "across": y.name, key: z.name}
     monkeypatch.chdir(x.parent)
-    done = cli("simulate", file, "--y", z.name)
+    Path("scene.toml").write_text(f'[furniture]\npreset = "chest"\n[shaking]\nrecord = "{files["record"]}"\n')
+    words = ("scene.toml",) if of_file else ("--motion", files["record"])
+    done = cli("simulate", *words, "--set", f"shaking.across={files['across']}")
     assert done.exit_code == 2
-    refusal = f"--y is '{z.name}', a vertical record ('UP'); it must be a horizontal one."
-    assert done.stderr.splitlines()[-1] == refusal
-
-
-@pytest.mark.parametrize("flags", [("--z", "c.at2", "--no-vertical"), ("--motion", "near-fault")])
-def test_two_flags_for_one_thing(
-    records: list[Path], monkeypatch: pytest.MonkeyPatch, flags: tuple[str, ...]
-) -> None:
-    monkeypatch.chdir(records[0].parent)
-    done = cli("simulate", "--x", "a.at2", *flags)
-    assert done.exit_code == 2
-    assert "it must be one of the two." in done.stderr
+    refusal = f"shaking.{key} is '{z.name}', a vertical record ('UP'); it must be a horizontal one."
+    assert done.stderr.splitlines()[-1].endswith(refusal)
 
 
 @pytest.mark.parametrize("direction", ["UP", "UD", "VER", "DWN", "V", "Z", "HNZ", "VERT"])
@@ -198,33 +172,20 @@ def test_what_a_record_lacks_is_asked_for_by_its_flags(command: tuple[str, ...],
     def told(*arguments: str) -> str:
         return CliRunner().invoke(app, [*command, *arguments, "--lang", lang]).stderr
 
-    both, step = told("bare.txt"), told("bare.txt", "--unit", "gal")
+    both, step = told("bare.txt"), told("bare.txt", "--set", "shaking.unit=gal")
     assert "--unit" in both
     assert "--dt" in both
-    assert "--unit" not in step
+    assert "shaking.unit" not in step
     assert "--dt" in step
-    assert "--component" in told("up.csv")
-    assert "--component" not in told("up.csv", "--component", "UD")
+    assert "--set shaking.component" in told("up.csv")
+    assert "shaking.component" not in told("up.csv", "--set", "shaking.component=UD")
 
 
-@pytest.mark.parametrize("lang", ["en", "ja"])
+@pytest.mark.parametrize(("lang", "said"), [("en", "components are the same record"), ("ja", "同じ記録")])
 @pytest.mark.usefixtures("plain_columns")
-def test_a_record_across_says_what_it_counts_for(lang: str) -> None:
-    def told(*arguments: str) -> str:
-        return CliRunner().invoke(app, ["simulate", *arguments, "--lang", lang]).stderr
-
-    assert "--dimensions 3" in told("--x", "a.csv", "--y", "b.csv")
-    assert "--dimensions" not in told("--x", "a.csv", "--z", "b.csv")
-    assert "--dimensions" not in told("--x", "a.csv", "--y", "b.csv", "--dimensions", "3", "--length", "0.9")
-    twice = told("--x", "a.csv", "--y", "a.csv")
-    assert ("components are the same record" if lang == "en" else "同じ記録") in twice
-    for flag in ("--y", "--z"):
-        for motion in ((), ("--motion", "near-fault")):
-            refused = told(flag, "a.csv", *motion)
-            assert refused.startswith(flag)
-            assert "--x" in refused
-            assert "--motion" in refused
-            assert "shaking." not in refused
+def test_one_record_for_two_components_is_warned_of(lang: str, said: str) -> None:
+    words = ["simulate", "--motion", "a.csv", "--set", "shaking.across=a.csv", "--lang", lang]
+    assert said in CliRunner().invoke(app, words).stderr
 
 
 def test_a_vertical_record_that_is_named_is_meant(tmp_path: Path, recwarn: pytest.WarningsRecorder) -> None:

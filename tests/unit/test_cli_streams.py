@@ -84,7 +84,7 @@ def test_streams_are_told_in_japanese(here: Path) -> None:
 
 
 def test_curves_of_a_scenario_on_standard_input(here: Path) -> None:
-    done = cli("fragility", "-", "--out", "curves", given=SCENARIO)
+    done = cli("verify", "-", "--curves", "curves", given=SCENARIO)
     assert done.exit_code == 0, done.output
     assert (here / "curves" / "curves.csv").exists()
 
@@ -113,7 +113,11 @@ def test_what_is_printed_of_a_record_has_the_format_that_is_asked_for(here: Path
 
 @pytest.mark.parametrize(
     "command",
-    [("motion", "info", "-"), ("simulate", "--motion", "-"), ("building", "--x", "-", "--pga", "3")],
+    [
+        ("motion", "info", "-"),
+        ("simulate", "--motion", "-"),
+        ("motion", "info", "-", "--building", "9", "--pga", "3"),
+    ],
 )
 def test_a_record_on_standard_input(command: tuple[str, ...]) -> None:
     done = cli(*command, "--json", given=sp.sine(3.0, 1.0, 4.0).text())
@@ -134,7 +138,7 @@ def test_spectra_and_floor_motions_are_printed_alone(here: Path) -> None:
     first, *rows = csv.reader(done.stdout.splitlines())
     assert first[0] == "period_s"
     assert all(len(row) == len(first) for row in rows)
-    done = cli("building", "--storeys", "3", "--storey", "2", "--motion", "sine:2,1,2", "--out", "-")
+    done = cli("motion", "convert", "sine:2,1,2", "-", "--building", "3", "--storey", "2")
     assert done.stdout.startswith("# ")
     assert done.stdout.splitlines()[2].startswith("t,x")
 
@@ -153,10 +157,12 @@ def test_one_table_on_standard_output_and_another_in_a_file(here: Path) -> None:
     [
         (("verify", "scenario.toml", "--csv", "-", "--json"), "--csv and --json both go to standard output"),
         (("verify", "scenario.toml", "--csv", "-", "--markdown", "-"), "both go to standard output"),
-        (("motion", "info", "-", "--y", "-"), "are both -, standard input"),
-        (("simulate", "-", "--x", "x.csv", "--y", "-"), "are both -, standard input"),
-        (("simulate", "--x", "-", "--y", "-"), "--y and --x are both -, standard input"),
-        (("building", "--x", "-", "--y", "-"), "--y and --x are both -, standard input"),
+        (("motion", "info", "-", "--set", "shaking.across=-"), "are both -, standard input"),
+        (("simulate", "-", "--set", "shaking.across=-"), "are both -, standard input"),
+        (
+            ("simulate", "--motion", "-", "--set", "shaking.across=-"),
+            "--set shaking.across and --motion are both -, standard input",
+        ),
         (("verify", "scenario.toml", "--report", "-"), ".html"),
         (("simulate", "--plot", "-"), ".png"),
     ],

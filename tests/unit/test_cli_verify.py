@@ -1,4 +1,4 @@
-"""``stayput verify`` and ``stayput fragility``: what they print and write, and what they refuse."""
+"""``stayput verify`` and its curves: what it prints and writes, and what it refuses."""
 
 import csv
 import json
@@ -101,12 +101,10 @@ def test_what_is_wrong_is_refused_before_any_work(file, arguments, said):
     assert result.stdout == ""
 
 
-@pytest.mark.parametrize("command", ["verify", "fragility"])
-def test_a_scenario_that_is_wrong_is_refused_in_a_sentence(command, tmp_path):
+def test_a_scenario_that_is_wrong_is_refused_in_a_sentence(tmp_path):
     wrong = tmp_path / "wrong.toml"
     wrong.write_text('[furniture]\npreset = "bokcase"\n')
-    rest = ["--out", tmp_path / "out"] if command == "fragility" else []
-    result = cli(command, wrong, *rest)
+    result = cli("verify", wrong, "--curves", tmp_path / "out")
     assert result.exit_code == 2
     assert "bokcase" in result.stderr
     assert len(result.stderr.strip().splitlines()) == 1
@@ -144,12 +142,12 @@ def test_every_run_is_made_on_request_with_the_same_verdict(tmp_path):
 @pytest.fixture(scope="module")
 def curves(file):
     out = file.parent / "curves"
-    result = cli("fragility", file, "--out", out, "--im", "PGV", "--measure", "glides")
+    result = cli("verify", file, "--curves", out, "--im", "PGV", "--measure", "glides")
     assert result.exit_code == 0, result.output
     return result, out
 
 
-def test_fragility_writes_curves_counts_a_figure_and_the_forms_of_loss_tools(curves):
+def test_curves_are_written_with_counts_a_figure_and_the_forms_of_loss_tools(curves):
     result, out = curves
     assert {path.name for path in out.iterdir()} >= {"curves.csv", "observed.csv", "fragility.svg"}
     observed = list(csv.DictReader((out / "observed.csv").open(encoding="utf-8-sig")))
@@ -177,8 +175,8 @@ def test_fragility_writes_curves_counts_a_figure_and_the_forms_of_loss_tools(cur
         (["--measure", "belts"], "--measure is 'belts' (did you mean 'belt'?)"),
     ],
 )
-def test_fragility_refuses_in_a_sentence(file, tmp_path, arguments, said):
-    result = cli("fragility", file, "--out", tmp_path / "out", *arguments)
+def test_curves_are_refused_in_a_sentence(file, tmp_path, arguments, said):
+    result = cli("verify", file, "--curves", tmp_path / "out", *arguments)
     assert result.exit_code == 2
     assert said in result.stderr
     assert not (tmp_path / "out").exists()
@@ -186,8 +184,8 @@ def test_fragility_refuses_in_a_sentence(file, tmp_path, arguments, said):
 
 def test_the_folder_of_the_curves_must_be_one(file, tmp_path):
     (tmp_path / "there").write_text("")
-    assert "that is a file" in cli("fragility", file, "--out", tmp_path / "there").stderr
-    assert "must exist" in cli("fragility", file, "--out", tmp_path / "not" / "there").stderr
+    assert "that is a file" in cli("verify", file, "--curves", tmp_path / "there").stderr
+    assert "must exist" in cli("verify", file, "--curves", tmp_path / "not" / "there").stderr
 
 
 def test_the_example_scenario_is_one():

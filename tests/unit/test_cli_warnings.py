@@ -33,7 +33,7 @@ def test_a_floor_under_a_building_is_refused(run):
         ("simulate", "--motion", "{}/floor42.txt", "--building", "4,RC", "--storey", "3", "--json"),
         ("simulate", "{}/scene.toml", "--json"),
         ("verify", "{}/scene.toml", "--json"),
-        ("building", "--storeys", "4", "--motion", "{}/floor42.txt", "--json"),
+        ("motion", "info", "{}/floor42.txt", "--building", "4", "--json"),
     ):
         done = run(*words)
         assert done.exit_code
@@ -48,22 +48,13 @@ def test_a_floor_by_itself_and_the_ground_under_a_building(run):
     assert told(run("simulate", "--motion", "{}/plain.txt", "--building", "4,RC", "--storey", "3")) == []
 
 
-def test_a_length_in_the_plane_is_told_to_change_nothing(run):
-    flags = ("--length", "0.9", "--scale", "0.1", "--json")
-    planar = run("simulate", *flags)
-    (said,) = told(planar)
-    assert said.startswith("Warning: --length is 0.9 m, which changes nothing in the plane of the depth;")
-    assert planar.stdout == run("simulate", *flags[2:]).stdout
-    assert not told(run("simulate", *flags, "--dimensions", "3"))
-
-
 def test_a_vertical_channel_is_refused_as_component(run, tmp_path):
     rows = "".join(f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(400))
     (tmp_path / "own.csv").write_text(f"t (s),NS (gal),EW (gal),UD (gal)\n{rows}")
-    done = run("simulate", "--motion", "{}/own.csv", "--component", "UD", "--json")
+    done = run("simulate", "--motion", "{}/own.csv", "--set", "shaking.component=UD", "--json")
     assert done.exit_code == 2
     assert (
         "'UD' is a vertical channel; it must be a horizontal one: NS (channel 1), EW (channel 2)"
         in done.stderr
     )
-    assert run("simulate", "--motion", "{}/own.csv", "--component", "EW", "--json").exit_code == 0
+    assert run("simulate", "--motion", "{}/own.csv", "--set", "shaking.component=EW", "--json").exit_code == 0

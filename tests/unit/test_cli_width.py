@@ -80,9 +80,17 @@ def test_a_ranking_that_is_too_wide_leaves_out_its_capacities(tmp_path: Path, la
     ("flags", "english", "japanese"),
     [
         (("--pga", "4"), "peak ground acceleration 400 gal = 4 m/s²", "地面の最大加速度400 gal = 4 m/s²"),
-        (("--pgv", "0.5"), "peak ground velocity 50 cm/s = 0.5 m/s", "地面の最大速度50 cm/s = 0.5 m/s"),
-        (("--mmi", "8"), "modified Mercalli intensity 8", "改正メルカリ震度8"),
-        (("--earthquake", "7,20"), "magnitude 7 at 20 km", "マグニチュード7、断層までの距離20 km"),
+        (
+            ("--set", "shaking.pgv=0.5"),
+            "peak ground velocity 50 cm/s = 0.5 m/s",
+            "地面の最大速度50 cm/s = 0.5 m/s",
+        ),
+        (("--set", "shaking.mmi=8"), "modified Mercalli intensity 8", "改正メルカリ震度8"),
+        (
+            ("--set", "shaking.earthquake={ magnitude = 7, distance = 20 }"),
+            "magnitude 7 at 20 km",
+            "マグニチュード7、断層までの距離20 km",
+        ),
         (("--intensity", "5.8"), "6-lower (5.8)", "震度6弱（計測震度5.8）"),
     ],
 )
@@ -100,5 +108,5 @@ def test_a_class_is_not_said_twice(tmp_path: Path) -> None:
 
 def test_simulate_names_the_stated_shaking(tmp_path: Path) -> None:
     assert "peak ground velocity 50 cm/s = 0.5 m/s" in printed(
-        tmp_path, PIECE, 200, "--pgv", "0.5", command="simulate"
+        tmp_path, PIECE, 200, "--set", "shaking.pgv=0.5", command="simulate"
     )

@@ -38,7 +38,7 @@ WIDE = 120 * "あ"
         "verify s.toml --csv {name}/v.csv",
         "assess {name}.csv --scenario s.toml --out out",
         "assess t.csv --scenario s.toml --out {name}",
-        "fragility s.toml --out {name}",
+        "verify s.toml --curves {name}",
         "motion convert near-fault {name}.csv",
         "motion suite --family near-fault --count 2 --out {name}",
     ],

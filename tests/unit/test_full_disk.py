@@ -55,14 +55,14 @@ WRITERS = [
     "simulate --motion sine:2,1,1 --plot out/run.pdf",
     "simulate --motion sine:2,1,1 --animate out/run.html",
     "simulate --motion sine:2,1,1 --animate out/run.gif",
-    "building --motion sine:2,1,1 --storeys 2 --storey 2 --out out/floor.csv",
-    "building --motion sine:2,1,1 --storeys 2 --plot out/floor.png",
+    "motion convert sine:2,1,1 out/floor.csv --building 2 --storey 2",
+    "motion plot sine:2,1,1 out/floor.png --building 2",
     "motion convert near-fault out/motion.csv",
     "motion plot near-fault out/motion.pdf",
     "motion spectrum near-fault --out out/spectra.csv",
     "motion spectrum near-fault --plot out/spectra.svg",
     "motion suite --count 2 --out out/suite",
-    "fragility piece.toml --out out/curves",
+    "verify piece.toml --curves out/curves",
 ]
 
 

@@ -5,10 +5,10 @@ import io
 from dataclasses import replace
 
 import pytest
+from stayput.cli.verify_room import print_room
 from test_room_report import made
 
 from stayput.catalogue import say
-from stayput.cli.verify_room import print_room
 from stayput.rooms.words import change_label
 
 

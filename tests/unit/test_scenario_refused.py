@@ -111,9 +111,9 @@ def test_a_file_of_one_piece(tmp_path: Path, changed: dict[str, Any], said: str)
 
 def test_what_a_flag_gets_wrong_is_not_the_files(tmp_path: Path) -> None:
     file = written(tmp_path, ONE)
-    assert printed(file, "--wall", "-1").startswith("--wall is -1;")
+    assert printed(file, "--set", "room.left_wall.gap=-1").startswith("room.left_wall.gap is -1;")
     damaged = written(tmp_path, ONE | {"gravity": 0.0})
-    assert printed(damaged, "--scale", "2").startswith("room.toml: gravity is 0.0")
+    assert printed(damaged, "--set", "shaking.scale=2").startswith("room.toml: gravity is 0.0")
 
 
 @pytest.mark.parametrize(
@@ -127,5 +127,5 @@ def test_a_file_of_several_pieces_names_what_reads_it(file: str, told: str, tmp_
     path = EXAMPLES / file
     with pytest.raises(sp.InputError, match=told):
         sp.read_scenario(path)
-    done = CliRunner().invoke(app, ["fragility", str(path), "--out", str(tmp_path / "out")])
-    assert "which simulate and verify take" in done.stderr
+    done = CliRunner().invoke(app, ["verify", str(path), "--curves", str(tmp_path / "out")])
+    assert done.stderr.startswith("--curves is of one piece")

@@ -100,13 +100,22 @@ def test_side_walls_of_scenarios_and_of_the_command_line() -> None:
     for scenario in (several, alone):
         room = scenario.room.room()
         assert (room.near_side_wall, room.far_side_wall) == (sp.Wall(0.01, 0.1), sp.Wall(0.02))
-    flags = ("--near-side-wall", "0.001", "--far-side-wall", "0.002", "--dimensions", "3")
-    printed = json.loads(run("simulate", "--body", "0.2x1.2x40", "--length", "0.3", *flags, "--json"))
+    flags = (
+        "--set",
+        "room.near_side_wall.gap=0.001",
+        "--set",
+        "room.far_side_wall.gap=0.002",
+        "--set",
+        "dimensions=3",
+    )
+    printed = json.loads(
+        run("simulate", "--body", "0.2x1.2x40", "--set", "furniture.length=0.3", *flags, "--json")
+    )
     # the built-in motion has a component across, and the walls stop it
     assert {"near_side_wall", "far_side_wall"} <= {hit["on"] for hit in printed["hits"]}
-    found = CliRunner().invoke(app, ["simulate", "--near-side-wall", "0.1"])
+    found = CliRunner().invoke(app, ["simulate", "--set", "room.near_side_wall.gap=0.1"])
     assert found.exit_code == 2
-    assert "--near-side-wall is a wall at the side" in found.output
+    assert "room.near_side_wall is a wall at the side" in found.output
 
 
 def test_side_walls_are_refused_in_the_plane() -> None:
@@ -171,16 +180,17 @@ def test_what_is_refused() -> None:
 
 def test_flags_beside_a_file_of_several_pieces() -> None:
     """Those of the shaking and the room hold, those of one piece are refused."""
-    weak = json.loads(run("simulate", str(DRESSER), "--scale", "0.05", "--json"))
+    weak = json.loads(run("simulate", str(DRESSER), "--set", "shaking.scale=0.05", "--json"))
     assert {body["outcome"] for body in weak["bodies"]} == {"rested"}
     for flags in (
         ["--body", "0.4x1x10"],
-        ["--heading", "0.5"],
         ["--measure", "belt"],
     ):
         said = CliRunner().invoke(app, ["simulate", str(DRESSER), *flags])
         assert said.exit_code == 2
         assert f"{flags[0]} is of one piece" in said.output
+    said = CliRunner().invoke(app, ["simulate", str(DRESSER), "--set", "furniture.heading=0.5"])
+    assert "furniture is a list of" in said.output
 
 
 def test_the_table_of_several_pieces() -> None:
@@ -192,7 +202,7 @@ def test_the_table_of_several_pieces() -> None:
     assert f"peak of all components {peak:.2f} m/s²" in said
     assert said.count("Peak slide, rolling included") == 1  # of the vase
     assert said.count("Peak slide") == 4
-    planar = " ".join(run("simulate", "--scale", "0.1").split())
+    planar = " ".join(run("simulate", "--set", "shaking.scale=0.1").split())
     assert f"peak along the depth {0.1 * sp.near_fault().pga:.2f} m/s²" in planar
 
 
@@ -211,12 +221,22 @@ def test_the_file_of_several_pieces() -> None:
 def test_the_command_line(tmp_path: Path) -> None:
     picture, film = tmp_path / "run.png", tmp_path / "run.html"
     said = run(
-        "simulate", "--dimensions", "3", "--scale", "0.5", "--plot", str(picture), "--animate", str(film)
+        "simulate",
+        "--set",
+        "dimensions=3",
+        "--set",
+        "shaking.scale=0.5",
+        "--plot",
+        str(picture),
+        "--animate",
+        str(film),
     )
     assert "Peak turn in plan" in said
     assert picture.stat().st_size > 10_000
     assert "webgl2" in film.read_text(encoding="utf-8")
-    own = run("simulate", "--body", "0.3x1.2x40", "--length", "0.5", "--dimensions", "3", "--json")
+    own = run(
+        "simulate", "--body", "0.3x1.2x40", "--set", "furniture.length=0.5", "--set", "dimensions=3", "--json"
+    )
     assert json.loads(own)["bodies"][0]["name"] == "body"
 
 

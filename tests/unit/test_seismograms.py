@@ -143,11 +143,11 @@ def test_the_command_line_chooses_unit_and_sensor(written, lang):
         return CliRunner().invoke(app, ["motion", "info", str(file), *words, "--lang", lang])
 
     assert "--unit" in told().stderr
-    assert "--location" in told("--unit", "gal").stderr
-    done = told("--unit", "gal", "--location", "10", "--component", "HNN")
+    assert "--set shaking.location" in told("--set", "shaking.unit=gal").stderr
+    done = told("--set", "shaking.unit=gal", "--set", "shaking.location=10", "--set", "shaking.component=HNN")
     assert done.exit_code == 0
-    assert "--component" not in done.stderr
-    assert told("--unit", "gal", "--location", "7").stderr.startswith("--location")
+    assert "component" not in done.stderr
+    assert told("--set", "shaking.unit=gal", "--set", "shaking.location=7").exit_code == 2
 
 
 def test_without_obspy_it_is_said_what_to_install(written, monkeypatch):

@@ -180,10 +180,19 @@ def test_the_command_line_and_a_scenario_take_such_a_folder(peer, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("lang", "said"), [("en", "--columns has 'x'; it must"), ("ja", "--columnsに「x」が")]
+    ("lang", "said"), [("en", "shaking.columns has 'x'; it must"), ("ja", "shaking.columnsに「x」が")]
 )
-def test_the_suite_s_flags_are_refused_by_their_names(peer, tmp_path, lang, said):
-    words = ["motion", "suite", "--records", str(peer), "--out", str(tmp_path / "out"), "--columns", "x"]
+def test_the_suite_s_flags_are_refused_by_their_keys(peer, tmp_path, lang, said):
+    words = [
+        "motion",
+        "suite",
+        "--records",
+        str(peer),
+        "--out",
+        str(tmp_path / "out"),
+        "--set",
+        "shaking.columns=x",
+    ]
     done = CliRunner().invoke(app, [*words, "--lang", lang])
     assert done.exit_code == 2
     assert said in done.stderr

@@ -98,9 +98,7 @@ def test_the_command_line_takes_what_people_say_in_any_language():
     assert simulated("--floor", "畳") == simulated("--floor", TATAMI, "--lang", "ja")
     storey = ("--storey", "3", "--building")
     assert simulated(*storey, "5,木造") == simulated(*storey, "5,wood")
-    done = CliRunner().invoke(
-        app, ["building", "--structure", "鉄骨造", "--storeys", "3", "--motion", "sine:1,1,2", "--json"]
-    )
+    done = CliRunner().invoke(app, ["motion", "info", "sine:1,1,2", "--building", "3,鉄骨造", "--json"])
     assert json.loads(done.stdout)["building"] == "3-storey steel building"
 
 
@@ -111,7 +109,7 @@ def test_a_floor_that_is_not_known_is_refused_with_what_is_like_it(word, near):
     ):
         sp.Floor.of(word)
     done = CliRunner().invoke(app, ["simulate", "--floor", word])
-    assert done.stderr.startswith(f"--floor is '{word}' (did you mean '{near}'?); it must be one of 'wood")
+    assert done.stderr.startswith(f"room.floor is '{word}' (did you mean '{near}'?); it must be one of 'wood")
     assert done.stderr.endswith("'locked caster'.\n")
     done = CliRunner().invoke(app, ["simulate", "--floor", word, "--lang", "ja"])
     assert f"'{near}'ではありませんか" in done.stderr

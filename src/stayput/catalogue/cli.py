@@ -4,21 +4,37 @@ TEXTS: dict[str, tuple[str, str]] = {
     "strength": ("Stated shaking", "指定した揺れ"),
     "baseline": ("Baseline", "基線"),
     "mean_removed": ("the mean of each component taken off", "各成分の平均を除去"),
-    "one_of_two": (
-        "{flag} is {value} beside {other} {other_value}; it must be one of the two.",
-        "{flag} {value}と{other} {other_value}の両方が指定されています。一方だけにしてください。",
+    "set_twice": (
+        "{key} is set by {flag} and by {other}; it must be set once.",
+        "{key}が{flag}と{other}で二重に指定されています。一方だけにしてください。",
     ),
-    "no_vertical_file": (
-        "--z is {value} beside --no-vertical; it must be one of the two.",
-        "--z {value}と--no-verticalの両方が指定されています。一方だけにしてください。",
+    "set_no_item": (
+        "{name} is a list of {count}; --set must name one of them, the first as {name}[0], or the next to add.",
+        "{name}は{count}件のリストです。--setでは先頭を{name}[0]として番号で指定してください（末尾の次は追加）。",
     ),
-    "no_motion": (
-        "There is no motion; it must be given as {name} or with --x.",
-        "揺れが指定されていません。{name}か--xで指定してください。",
+    "set_no_list": (
+        "{name} is not a list; --set must name it without a number in brackets.",
+        "{name}はリストではありません。--setでは[番号]を付けずに指定してください。",
     ),
-    "no_output": (
-        "OUT is missing; it must be the file to write.",
-        "OUTが指定されていません。書き出すファイルを指定してください。",
+    "set_of_shaking": (
+        "{flag} sets nothing of a motion; it must set a key of shaking, such as shaking.unit.",
+        "{flag}は揺れに関係がありません。shaking.unitのようなshakingのキーを指定してください。",
+    ),
+    "im_without_curves": (
+        "--im is {value} without --curves; it must come with the folder of the curves.",
+        "--imが{value}になっていますが、--curvesがありません。曲線を書き出すフォルダーも指定してください。",
+    ),
+    "spectra_of_floors": (
+        "--spectra is {value} without a building; it must come with --building, and without --storey.",
+        "--spectraが{value}になっています。--buildingとともに、--storeyなしで指定してください。",
+    ),
+    "target_and_intensity": (
+        "--target is {target} beside --intensity {value}; it must be one of the two.",
+        "--target {target}と--intensity {value}の両方が指定されています。一方だけにしてください。",
+    ),
+    "other_format": (
+        "--format is {value} beside the file {out}; it must be the ending of its name.",
+        "--formatが{value}になっていますが、書き出すファイルは{out}です。拡張子と同じ形式を指定してください。",
     ),
     "input_twice": (
         "{flag} and {other} are both -, standard input; one of them must be a file.",
@@ -131,7 +147,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "number": ("a number", "数値"),
     "whole_number": ("a whole number", "整数"),
     "whole_number_within": ("a whole number from {low} to {high}", "{low}から{high}までの整数"),
-    "part_of_flag": ("{flag}: the {part}", "{flag}の{part}"),
     "no_such_flag": (
         "There is no flag {flag}; `{command} --help` lists those that there are.",
         "{flag}というオプションはありません。{command} --helpで一覧を確認してください。",
@@ -157,13 +172,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "--planが指定されていますが、[plan]がありません。部屋のファイルを指定してください。",
     ),
     "no_unit": (
-        "The file states no unit; --unit must be given as one of {known}.",
+        "The file states no unit; --unit must give it as one of {known}.",
         "加速度の単位がファイルに書かれていません。--unitで次のいずれかを指定してください：{known}",
     ),
     "no_unit_but_mentioned": (
         (
-            "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; --unit must be "
-            "given as one of {known}."
+            "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; "
+            "--unit must give it as one of {known}."
         ),
         (
             "ヘッダーに「{mentioned}」とありますが、加速度の単位とは書かれていません。"
@@ -171,11 +186,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "no_unit_nor_step": (
-        "The file states no unit and no time step; --unit must be given as one of {known}, and --dt [s].",
-        "加速度の単位と時間刻みがファイルに書かれていません。時間刻み（秒）を--dtで、単位を--unitで次から指定してください：{known}",
+        (
+            "The file states no unit and no time step; --unit must give the one, as one of {known}, and "
+            "--dt the other [s]."
+        ),
+        (
+            "加速度の単位と時間刻みがファイルに書かれていません。時間刻み（秒）を--dtで、"
+            "単位を--unitで次から指定してください：{known}"
+        ),
     ),
     "no_time_step": (
-        "The file states no time step; --dt must be given [s].",
+        "The file states no time step; --dt must give it [s].",
         "時間刻みがファイルに書かれていません。--dtで秒単位で指定してください。",
     ),
     "one_piece_alone": (
@@ -185,39 +206,20 @@ TEXTS: dict[str, tuple[str, str]] = {
     "vertical_alone": (
         (
             "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "
-            "--component must name it where that is meant."
+            "--set shaking.component must name it where that is meant."
         ),
         (
             "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れとして使います。"
-            "それでよければ、この成分を--componentで指定してください。"
+            "それでよければ、この成分を--set shaking.component=…で指定してください。"
         ),
-    ),
-    "beside_no_record": (
-        "{name} is given without a record along the shaking; --x or --motion must name its file.",
-        "{name}は揺れの方向の記録と一緒に指定します。そのファイルを--xまたは--motionで指定してください。",
-    ),
-    "y_in_the_plane": (
-        (
-            "The record of --y counts in the intensity alone: nothing across the depth acts in the plane; with "
-            "--dimensions 3 it does."
-        ),
-        "奥行き方向の平面の解析では、--yの記録は震度にしか影響しません。--dimensions 3では家具にも作用します。",
     ),
     "long_name": (
         "The name of the file or folder {file} is too long; it must be shorter.",
         "ファイルまたはフォルダーの名前{file}が長すぎます。短くしてください。",
     ),
-    "length_in_the_plane": (
-        "--length is {value:g} m, which changes nothing in the plane of the depth; with --dimensions 3 it does.",
-        "--lengthが{value:g} mになっていますが、奥行き方向の平面の解析では結果に影響しません。--dimensions 3では影響します。",
-    ),
     "no_row": (
         "No row of the inventory could be assessed; {rejects} says why, row by row.",
         "評価できる行がありませんでした。理由は行ごとに{rejects}に書かれています。",
-    ),
-    "out_needs_storey": (
-        "--out is {out}; it must come with one --storey, whose motion is written.",
-        "--outが{out}になっています。揺れを書き出す階を1つ、--storeyで指定してください。",
     ),
     "target": (
         "--target is {value}; it must be japan[:LEVEL[,SOIL]], asce7:SDS,SD1[,TL] or a file that exists.",

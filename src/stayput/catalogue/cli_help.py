@@ -22,7 +22,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "simulate": (
         (
             "Simulate one body under one motion.\n\n"
-            "Flags override what the scenario file says; --body without a file stands free of walls."
+            "Flags stand in the place of what the file says; --body without a file stands free of walls."
         ),
         (
             "1つの家具に1つの揺れを与えて計算する\n\n"
@@ -37,7 +37,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Of several pieces ([[furniture]]) joints and measures on each are compared. "
             "Of a room with a [plan] it is said who is hit, which door stays shut, and which single change "
             "helps most; with --plan also what to move and to buy. "
-            "Flags that say how the floor is shaken override what the file says."
+            "Flags stand in the place of what the file says."
         ),
         (
             "シナリオの対策の効果を、地震動や不確かさを考慮して比較する\n\n"
@@ -45,26 +45,8 @@ TEXTS: dict[str, tuple[str, str]] = {
             "家具が複数（[[furniture]]）の場合は、連結とそれぞれの対策を比較する。"
             "[plan]のある部屋の場合は、誰に家具が当たるか、どの扉が開かなくなるか、どの変更が最も効くかを示し、"
             "--planを指定すると移動や購入の計画も作る。"
-            "揺れを指定するオプションの値はファイルの値に優先する。"
+            "オプションの値はファイルの値に優先する。"
         ),
-    ),
-    "fragility": (
-        (
-            "Write the probability of overturning over the strength of the shaking.\n\n"
-            "The folder gets curves.csv and observed.csv, a figure, pelicun's file and, where OpenQuake "
-            "knows the measure, its NRML file. "
-            "The curves are isotonic: no shape is assumed."
-        ),
-        (
-            "揺れの強さに対する転倒確率（フラジリティ曲線）を書き出す\n\n"
-            "フォルダーには、curves.csvとobserved.csv、図、pelicun用ファイル、"
-            "OpenQuakeが扱える強さの指標であればNRMLファイルができる。"
-            "曲線は単調回帰で求め、形は仮定しない。"
-        ),
-    ),
-    "building": (
-        "Floor motions of a building: the peaks of every storey, and the motion of one.",
-        "建物の各階の床の最大応答と、指定した階の床の揺れを求める",
     ),
     "assess": (
         (
@@ -82,12 +64,24 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "motion": ("Look at a motion of the floor, or make one.", "揺れを調べる、変換する、作る"),
     "info": (
-        "Say how long and how strong a motion is: its intensities, and its peaks by component.",
-        "揺れの長さと強さ（震度、成分ごとの最大値など）を表示する",
+        (
+            "Say how long and how strong a motion is: its intensities, and its peaks by component.\n\n"
+            "With --building and no --storey: the peaks of every floor, and where the energy went."
+        ),
+        (
+            "揺れの長さと強さ（震度、成分ごとの最大値など）を表示する\n\n"
+            "--buildingだけを指定すると（--storeyなし）、各階の床の最大応答とエネルギーの収支を表示する。"
+        ),
     ),
     "plot": (
-        "Plot acceleration, velocity and displacement of every component.",
-        "各成分の加速度、速度、変位の波形を描く",
+        (
+            "Plot acceleration, velocity and displacement of every component.\n\n"
+            "With --building and no --storey: the peaks of every floor, and floor spectra."
+        ),
+        (
+            "各成分の加速度、速度、変位の波形を描く\n\n"
+            "--buildingだけを指定すると（--storeyなし）、各階の床の最大応答と床のスペクトルを描く。"
+        ),
     ),
     "spectrum": (
         "Print the response spectra of a motion: what it does to oscillators of every period.",
@@ -126,6 +120,38 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Threads; as many as there are cores by default.",
         "スレッド数。指定しなければコアの数",
     ),
+    "set": (
+        (
+            "Any key of the scenario, as its file would say it: shaking.pgv=0.5, room.back_wall.gap=0.1, "
+            "furniture[1].heading=0.3. May be repeated."
+        ),
+        (
+            "シナリオのキーをファイルに書くのと同じ形で指定する（例：shaking.pgv=0.5、room.back_wall.gap=0.1、"
+            "furniture[1].heading=0.3）。複数回指定できる"
+        ),
+    ),
+    "unit": (
+        "The record's unit, where its file does not state it.",
+        "記録の単位（ファイルに書かれていない場合）",
+    ),
+    "dt": (
+        "The record's time step [s], where its file does not state it.",
+        "記録の時間刻み [s]（ファイルに書かれていない場合）",
+    ),
+    "record_columns": (
+        "Which columns of a table are the time and the components, such as t=1,x=acc,z=4.",
+        "表のどの列が時刻と各成分かを、見出しか番号で指定する（例：t=1,x=acc,z=4）",
+    ),
+    "set_shaking": (
+        (
+            "Any key of [shaking], as a scenario's file would say it: shaking.unit=gal, shaking.scale=0.5, "
+            "shaking.across=ew.AT2, shaking.building.period=0.8. May be repeated."
+        ),
+        (
+            "シナリオの[shaking]のキーをファイルに書くのと同じ形で指定する（例：shaking.unit=gal、"
+            "shaking.scale=0.5、shaking.across=ew.AT2、shaking.building.period=0.8）。複数回指定できる"
+        ),
+    ),
     # The shaking
     "motion_argument": (
         "A record's file, - (standard input), near-fault, or sine:A,F[,T].",
@@ -141,79 +167,16 @@ TEXTS: dict[str, tuple[str, str]] = {
             "ファイルの[shaking]全体に代わる"
         ),
     ),
-    "x": (
-        "As --motion: the record of the component along the shaking.",
-        "加振方向の成分の記録（--motionと同様）",
-    ),
-    "y": ("The record of the component across it.", "直交方向の成分の記録"),
-    "z": ("The record of the vertical component.", "上下方向の成分の記録"),
-    "component": (
-        "The record's horizontal channel along the shaking.",
-        "記録の水平成分のうち、加振方向とするもの",
-    ),
-    "unit": (
-        "The record's unit, where its file does not state it.",
-        "記録の単位（ファイルに書かれていない場合）",
-    ),
-    "dt": (
-        "The record's time step [s], where its file does not state it.",
-        "記録の時間刻み [s]（ファイルに書かれていない場合）",
-    ),
-    "record_columns": (
-        (
-            "Of columns of numbers, which are the time and the components, by headings or places, such as "
-            "t=1,x=acc,z=4; the others are not read."
-        ),
-        "記録の列のうち、時刻と各成分の列を見出しか番号で指定する（例：t=1,x=acc,z=4）。ほかの列は読まない",
-    ),
-    "skip_lines": (
-        "Lines at the beginning of the record's file to pass over.",
-        "記録のファイルの先頭で読み飛ばす行数",
-    ),
-    "decimal_comma": (
-        "The record's numbers have a decimal comma.",
-        "記録の数値の小数点が「,」である",
-    ),
-    "location": (
-        "Of SAC and miniSEED, the code of the sensor where a station has several; -- of none.",
-        "SACとminiSEEDで、観測点に地震計が複数あるときに使うもののロケーションコード（コードなしは--）",
-    ),
-    "remove_mean": (
-        "Take the mean off each component of a record: an instrument's offset, or gravity in the vertical one.",
-        "記録の各成分から平均（計器のオフセット、上下動に含まれる重力加速度）を除く",
-    ),
-    "scale": (
-        "Factor on the motion; in the place of a strength that the file states.",
-        "揺れに掛ける倍率。ファイルにある強さの指定に代わる",
-    ),
     "intensity": (
         "JMA intensity of the ground to scale to: a number, or a class such as 6-upper.",
         "地面の揺れをこの震度に合わせる：計測震度の数値、または6強（6-upper）などの震度階級",
     ),
     "pga": ("Peak ground acceleration to scale to [m/s²].", "地面の最大加速度をこの値に合わせる [m/s²]"),
-    "pgv": ("Peak ground velocity to scale to [m/s].", "地面の最大速度をこの値に合わせる [m/s]"),
-    "sa": (
-        "Spectral acceleration to scale to, at 5 % damping: period [s] and value [m/s²], such as 0.3,8.",
-        "減衰5%の加速度応答スペクトルをこの値に合わせる：周期 [s]と値 [m/s²]（例：0.3,8）",
+    "building": ("The building between, such as 10,RC.", "間にある建物（例：10,RC）"),
+    "storey": (
+        "The storey of it whose floor shakes; 1 is the ground floor.",
+        "建物のどの階の床か（1が地上階）",
     ),
-    "mmi": (
-        "Modified Mercalli intensity to scale to.",
-        "地面の揺れをこの改正メルカリ震度に合わせる",
-    ),
-    "earthquake": (
-        (
-            "An earthquake to scale to: magnitude, distance and depth [km], ground [m/s], and where it "
-            "breaks (crustal, interface, intraslab), such as 7,20 or 7,60,50,intraslab."
-        ),
-        (
-            "この地震の揺れの強さに合わせる：マグニチュード、距離 [km]、深さ [km]、地盤のVS30 [m/s]、"
-            "地震の種類（crustal：地殻内、interface：プレート境界、intraslab：スラブ内）。"
-            "例：7,20、7,60,50,intraslab"
-        ),
-    ),
-    "building_option": ("The building around it, such as 10,RC.", "家具のある建物（例：10,RC）"),
-    "storey": ("The storey it stands on; 1 is the ground floor.", "家具のある階（1が地上階）"),
-    "vertical": ("Whether the vertical component acts.", "上下動を作用させるかどうか"),
     # simulate
     "example_scenario": (
         (
@@ -227,29 +190,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "家具：揺れの方向の寸法 [m] x 高さ [m] x 質量 [kg]",
     ),
     "floor": ("A surface, such as 'carpet'.", "床の表面の種類（例：'carpet'）"),
-    "friction": ("Friction of the floor.", "床の摩擦係数（静摩擦、動摩擦）"),
-    "wall": ("Gap to the wall behind (left) [m].", "背後（左）の壁とのすき間 [m]"),
-    "right_wall": ("Gap to a wall in front (right) [m].", "前方（右）の壁とのすき間 [m]"),
-    "near_side_wall": (
-        "Gap to a wall at the near side (-y) [m]; for --dimensions 3.",
-        "手前側（-y）の側壁とのすき間 [m]（--dimensions 3の場合）",
-    ),
-    "far_side_wall": (
-        "Gap to a wall at the far side (+y) [m]; for --dimensions 3.",
-        "奥側（+y）の側壁とのすき間 [m]（--dimensions 3の場合）",
-    ),
-    "length": (
-        "Length of the piece across the shaking [m]; for --dimensions 3.",
-        "揺れに直交する方向の家具の長さ [m]（--dimensions 3の場合）",
-    ),
-    "heading": (
-        "Direction in which it faces, from the motion's x towards y [rad].",
-        "家具の向き [rad]（揺れのxからyに向かう角度）",
-    ),
-    "dimensions": (
-        "In the plane of its depth (2), or in space (3).",
-        "奥行き方向の平面の解析（2）、または三次元の解析（3）",
-    ),
     "measure_in_place": (
         "A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
         "取り付ける対策：tension_poleなどの種類、またはファイル内の名前。複数回指定できる",
@@ -286,56 +226,37 @@ TEXTS: dict[str, tuple[str, str]] = {
         "--planの条件：壁にねじの効く下地（間柱）がない",
     ),
     "dropped_ceiling": ("With --plan: the ceiling hangs on wires.", "--planの条件：天井が吊り天井"),
+    "curves": (
+        (
+            "Write fragility curves, the probability of overturning over the strength of the shaking: "
+            "curves.csv and observed.csv, a figure, pelicun's file and OpenQuake's NRML."
+        ),
+        (
+            "フラジリティ曲線（揺れの強さに対する転倒確率）を書き出すフォルダー："
+            "curves.csv、observed.csv、図、pelicun用ファイル、OpenQuake用のNRML"
+        ),
+    ),
     "slide_limit": ("Slide that counts as too far [m].", "移動しすぎと見なす移動量 [m]"),
     "every_run": (
         "Make also the runs that are counted as standing, being calm under stronger shaking.",
         "より強い揺れで動きが小さく、転倒なしと見なす計算も省かずに行う",
     ),
-    # fragility
-    "curves_out": ("Folder for the files; it is made.", "書き出すフォルダー（なければ作る）"),
     "im": (
         (
-            "Intensity measure of the curves; SA(0.3): spectral acceleration at 0.3 s; "
+            "With --curves: what they are over, JMA by default; SA(0.3): spectral acceleration at 0.3 s; "
             "PFA, PFV: the floor's peaks."
         ),
-        "曲線の横軸とする揺れの強さの指標。SA(0.3)は周期0.3 sの加速度応答スペクトル、PFAとPFVは床の最大加速度と最大速度",
+        "--curvesの横軸とする揺れの強さの指標（既定はJMA）。SA(0.3)は周期0.3 sの加速度応答スペクトル、PFAとPFVは床の最大加速度と最大速度",
     ),
     "only_measure": (
         "Only this measure beside none; may be repeated.",
         "対策なしと比べる対策をこれに限る。複数回指定できる",
     ),
-    # building
-    "storeys": ("Number of storeys.", "階数"),
-    "structure": (
-        "RC, steel, wood or base-isolated.",
-        "構造：RC（鉄筋コンクリート造）、steel（鉄骨造）、wood（木造）、base-isolated（免震構造）",
-    ),
-    "period": (
-        "First natural period [s] (of base-isolated: on fixed ground). Default: by height.",
-        "1次固有周期 [s]（免震構造では基礎固定のときの値）。指定しなければ高さから求める",
-    ),
-    "damping": (
-        "Damping ratio. Default: by structure.",
-        "減衰定数。指定しなければ構造から決める",
-    ),
-    "ground_motion": (
-        "A record's file, - (standard input), near-fault, or sine:A,F[,T]. Default: near-fault.",
-        ("記録のファイル、-（標準入力）、near-fault、sine:A,F[,T]のいずれか。指定しなければnear-fault"),
-    ),
-    "storey_out": (
-        "Storey to write with --out, and to draw the spectrum of; may be repeated.",
-        "--outで書き出す階、スペクトルを描く階。複数回指定できる",
-    ),
-    "linear": ("Do not let the storeys yield.", "各階の降伏を考えない（線形の解析）"),
-    "floor_out": (
-        "Write the floor motion of --storey: .csv; - prints it.",
-        "--storeyの階の床の揺れを書き出す：.csv（-は標準出力）",
-    ),
-    "plot_building": (
-        "Plot peaks over the storeys, and spectra: .png, .svg or .pdf.",
-        "各階の最大値とスペクトルを描く：.png、.svg、.pdf",
-    ),
     # motion
+    "floor_spectra": (
+        "With --building: the storeys whose floor spectra are drawn, such as 3,8.",
+        "--buildingとともに：床のスペクトルを描く階（例：3,8）",
+    ),
     "picture": ("Picture to write: .png, .svg or .pdf.", "書き出す図：.png、.svg、.pdf"),
     "oscillator_damping": (
         "Damping ratio of the oscillators, 0 to 0.95.",
@@ -357,11 +278,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "step": (
         "New time step [s], a whole part or multiple of the record's.",
         "新しい時間刻み [s]。元の記録の整数分の1か整数倍",
-    ),
-    "factor": ("Factor on the motion.", "揺れに掛ける倍率"),
-    "motion_intensity": (
-        "JMA intensity to scale to: a number, or a class such as 6-upper.",
-        "この震度に合わせる：計測震度の数値、または6強（6-upper）などの震度階級",
     ),
     "format": ("Format of what is printed.", "標準出力に書き出すときの形式"),
     "suite_out": (
@@ -402,10 +318,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "select": (
         "Keep the N whose spectra are most like the target.",
         "スペクトルが目標に最も近いN個を残す",
-    ),
-    "suite_intensity": (
-        "JMA intensity of every motion: a number, or a class such as 6-upper.",
-        "すべての地震動をこの震度に合わせる：計測震度の数値、または6強（6-upper）などの震度階級",
     ),
     # assess
     "inventory": (

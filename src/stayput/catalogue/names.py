@@ -85,27 +85,6 @@ STRUCTURES: dict[str, tuple[str, str]] = {
 }
 """Structures of buildings."""
 
-PARTS_OF_FLAGS: dict[str, tuple[str, str]] = {
-    "furniture.width": ("width", "奥行き"),
-    "furniture.height": ("height", "高さ"),
-    "furniture.mass": ("mass", "質量"),
-    "room.floor.static_friction": ("static friction", "静止摩擦係数"),
-    "room.floor.kinetic_friction": ("kinetic friction", "動摩擦係数"),
-    "shaking.sine.amplitude": ("amplitude", "振幅"),
-    "shaking.sine.frequency": ("frequency", "周波数"),
-    "shaking.sine.duration": ("duration", "継続時間"),
-    "shaking.sa.period": ("period", "周期"),
-    "shaking.sa.value": ("spectral acceleration", "加速度応答スペクトルの値"),
-    "shaking.earthquake.magnitude": ("magnitude", "マグニチュード"),
-    "shaking.earthquake.distance": ("distance", "距離"),
-    "shaking.earthquake.depth": ("depth", "深さ"),
-    "shaking.earthquake.kind": ("kind", "種類"),
-    "shaking.earthquake.vs30": ("ground's shear-wave velocity", "地盤のS波速度"),
-    "shaking.building.storeys": ("number of storeys", "階数"),
-    "shaking.building.structure": ("structure", "構造"),
-}
-"""Parts of what flags of the command line say, within a sentence, by the keys of a scenario file."""
-
 FAMILIES: dict[str, tuple[tuple[str, str], tuple[str, str]]] = {
     "mixed": (
         ("Mixed", "いろいろな地震"),

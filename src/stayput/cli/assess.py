@@ -3,65 +3,38 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import QuietOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import QuietOption, SetOption, ThreadsOption, changed
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note, print_json, tell_written
 from stayput.cli.streams import NAME, file_of, is_stream, table_of_input
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from stayput.inventory import Assessment
     from stayput.inventory.scenarios import ScenarioFile
 
 
 def assess(
-    inventory: Annotated[
-        Path,
-        typer.Argument(
-            metavar="TABLE",
-            help="cli_help.inventory",
-        ),
-    ],
-    scenario: Annotated[
-        Path,
-        typer.Option(metavar="FILE|DIR", help="cli_help.events"),
-    ],
+    inventory: Annotated[Path, typer.Argument(metavar="TABLE", help="cli_help.inventory")],
+    scenario: Annotated[Path, typer.Option(metavar="FILE|DIR", help="cli_help.events")],
     out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.assessment_out")],
-    shakemap: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="cli_help.shakemap",
-        ),
-    ] = None,
+    settings: SetOption = None,
+    shakemap: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.shakemap")] = None,
     field: Annotated[str | None, typer.Option(metavar="NAME", help="cli_help.field")] = None,
-    uncertainty: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.uncertainty"),
-    ] = None,
+    uncertainty: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.uncertainty")] = None,
     columns: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME=COLUMN,…|FILE",
-            help="cli_help.columns",
-        ),
+        str | None, typer.Option(metavar="NAME=COLUMN,…|FILE", help="cli_help.columns")
     ] = None,
-    export: Annotated[
-        str,
-        typer.Option(metavar="FORMATS", help="cli_help.export"),
-    ] = "",
+    export: Annotated[str, typer.Option(metavar="FORMATS", help="cli_help.export")] = "",
     slide_limit: Annotated[float, typer.Option(help="cli_help.slide_limit")] = 0.10,
     threads: ThreadsOption = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option(metavar="ADDRESS", help="cli_help.scheduler"),
-    ] = None,
+    scheduler: Annotated[str | None, typer.Option(metavar="ADDRESS", help="cli_help.scheduler")] = None,
     memory: Annotated[str, typer.Option(help="cli_help.memory")] = "2GB",
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
@@ -71,10 +44,14 @@ def assess(
     from stayput.inventory import assess as run
     from stayput.inventory.exports import formats_of
 
+    def under_flags(tables: Mapping[str, Any], file: Path | None = None) -> dict[str, Any]:
+        return changed(tables, {"set": settings or []}, file)
+
     assessment = run(
         file_of(str(inventory), "TABLE", ".csv"),
-        _scenario_of_input() if is_stream(scenario) else scenario,
+        _scenario_of_input(under_flags) if is_stream(scenario) else scenario,
         out,
+        changed=under_flags,
         shakemap=None if shakemap is None else file_of(str(shakemap), "--shakemap", ".csv"),
         field=field,
         uncertainty=uncertainty,
@@ -96,11 +73,11 @@ def assess(
         raise InputError("cli.no_row", rejects=assessment.folder / "rejects.csv")
 
 
-def _scenario_of_input() -> ScenarioFile:
+def _scenario_of_input(under_flags: Callable[[Mapping[str, Any]], dict[str, Any]]) -> ScenarioFile:
     """Return the scenario on standard input; its paths begin in the working folder."""
     from stayput.inventory.scenarios import scenario_file_of
 
-    return scenario_file_of(table_of_input("--scenario"), Path(NAME))
+    return scenario_file_of(under_flags(table_of_input("--scenario")), Path(NAME))
 
 
 def _record(assessment: Assessment) -> dict[str, object]:

@@ -7,12 +7,33 @@ from typing import Annotated
 import typer
 
 import stayput
-from stayput.cli import assess, building, fragility, motion, simulate, verify
-from stayput.cli.app import app as page
-from stayput.cli.as_typed import FlagCommand
+from stayput.cli import assess, motion, simulate, verify
 from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.help import HelpfulCommand, RootGroup
 from stayput.cli.language import OF_LOCALE, LanguageOption
+
+_PORT = 8000
+
+
+def _page(
+    host: Annotated[str, typer.Option(help="cli_help.host")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="cli_help.port")] = _PORT,
+    name: Annotated[list[str] | None, typer.Option(metavar="NAME", help="cli_help.server_name")] = None,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="cli_help.browser")] = True,
+    lang: LanguageOption = OF_LOCALE,
+    quiet: QuietOption = False,
+) -> None:
+    """Run ``stayput app``."""
+    from stayput.extras import absent
+
+    try:
+        from stayput.app.server import serve
+    except ModuleNotFoundError as error:
+        if error.name is not None and error.name.startswith("stayput"):
+            raise
+        raise absent("The app", error.name or "a library", "app") from None
+    serve(host, port, names=name or (), browser=browser, language=lang)
+
 
 app = typer.Typer(
     cls=RootGroup,
@@ -22,15 +43,13 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for name, run, kind in (
-    ("simulate", simulate.simulate, FlagCommand),
-    ("verify", verify.verify, FlagCommand),
-    ("fragility", fragility.fragility, HelpfulCommand),
-    ("building", building.building, FlagCommand),
-    ("assess", assess.assess, HelpfulCommand),
-    ("app", page, HelpfulCommand),
+for name, run in (
+    ("simulate", simulate.simulate),
+    ("verify", verify.verify),
+    ("assess", assess.assess),
+    ("app", _page),
 ):
-    app.command(name, cls=kind, help=f"cli_help.{name}")(run)
+    app.command(name, cls=HelpfulCommand, help=f"cli_help.{name}")(run)
 app.add_typer(motion.app, name="motion")
 
 
@@ -43,8 +62,7 @@ def _print_version(wanted: bool) -> None:
 @app.callback()
 def _options(  # pyright: ignore[reportUnusedFunction] - Typer calls it
     version: Annotated[
-        bool,
-        typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="cli_help.version"),
+        bool, typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="cli_help.version")
     ] = False,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,

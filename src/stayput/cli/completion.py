@@ -49,13 +49,6 @@ def intensity_classes() -> Iterable[str]:
     return [name for name, _ in CLASSES]
 
 
-def structures() -> Iterable[str]:
-    """Return the kinds of building."""
-    from stayput.building.building import STRUCTURES
-
-    return STRUCTURES
-
-
 def intensity_measures() -> Iterable[str]:
     """Return what fragility curves are over."""
     from stayput.fragility import INTENSITY_MEASURES

@@ -1,27 +1,26 @@
-"""Options that several commands share, and the way from their texts to the tables of a scenario."""
+"""Flags that several commands share, and the way from them to the keys of a scenario that they set."""
 
 from __future__ import annotations
 
 import inspect
+import re
 from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast, get_args
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, cast
 
 import typer
 
+from stayput.cli.completion import intensity_classes, surfaces, words
 from stayput.cli.streams import called, is_stream, record_of, table_of_input
 from stayput.errors import InputError, unknown
 from stayput.progress import keep_quiet
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 
     from stayput.measures import Measure
     from stayput.motion import Motion
-    from stayput.motion.suites import TargetSpectrum
     from stayput.scenario import AssemblyScenario, Scenario
-
-    Given = TypeVar("Given", bound=Scenario | AssemblyScenario)
 
 
 def _quiet_if(wanted: bool) -> None:
@@ -29,90 +28,74 @@ def _quiet_if(wanted: bool) -> None:
         keep_quiet(True)
 
 
-MotionArgument: TypeAlias = Annotated[
-    str | None,
-    typer.Argument(
-        metavar="MOTION",
-        help="cli_help.motion_argument",
-        show_default=False,
-    ),
-]
-RECORD_FLAGS: dict[str, Any] = {
-    "component": Annotated[str | None, typer.Option("--component", help="cli_help.component")],
-    "unit": Annotated[str | None, typer.Option("--unit", help="cli_help.unit")],
-    "dt": Annotated[float | None, typer.Option("--dt", help="cli_help.dt")],
-    "columns": Annotated[
-        str | None, typer.Option("--columns", metavar="t=COLUMN,x=COLUMN,…", help="cli_help.record_columns")
-    ],
-    "skip_lines": Annotated[int | None, typer.Option("--skip-lines", help="cli_help.skip_lines")],
-    "decimal_comma": Annotated[bool, typer.Option("--decimal-comma", help="cli_help.decimal_comma")],
-    "location": Annotated[str | None, typer.Option("--location", help="cli_help.location")],
-    "remove_mean": Annotated[bool, typer.Option("--remove-mean", help="cli_help.remove_mean")],
-}
-"""The flags that say how a record is read, by the keys of a shaking table that they set."""
-
 ThreadsOption: TypeAlias = Annotated[int | None, typer.Option("--threads", help="cli_help.threads")]
 QuietOption: TypeAlias = Annotated[
-    bool,
-    typer.Option(
-        "--quiet",
-        "-q",
-        callback=_quiet_if,
-        expose_value=False,
-        help="cli_help.quiet",
-    ),
+    bool, typer.Option("--quiet", "-q", callback=_quiet_if, expose_value=False, help="cli_help.quiet")
 ]
-EveryRunOption: TypeAlias = Annotated[
-    bool,
-    typer.Option(
-        "--every-run",
-        help="cli_help.every_run",
-    ),
+SetOption: TypeAlias = Annotated[
+    list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="cli_help.set")
 ]
+MotionArgument: TypeAlias = Annotated[str, typer.Argument(metavar="MOTION", help="cli_help.motion_argument")]
 
+GROUND: dict[str, Any] = {
+    "intensity": Annotated[
+        str | None, typer.Option(help="cli_help.intensity", autocompletion=words(intensity_classes))
+    ],
+    "pga": Annotated[float | None, typer.Option(help="cli_help.pga")],
+    "building": Annotated[str | None, typer.Option(metavar="STOREYS[,STRUCTURE]", help="cli_help.building")],
+    "storey": Annotated[int | None, typer.Option(help="cli_help.storey")],
+    "unit": Annotated[str | None, typer.Option(help="cli_help.unit")],
+    "dt": Annotated[float | None, typer.Option(help="cli_help.dt")],
+    "columns": Annotated[
+        str | None, typer.Option(metavar="t=COLUMN,x=COLUMN,…", help="cli_help.record_columns")
+    ],
+    "set": Annotated[
+        list[str] | None, typer.Option(metavar="shaking.KEY=VALUE", help="cli_help.set_shaking")
+    ],
+}
+"""Flags of commands on a motion, each of which sets a key of ``[shaking]``."""
+
+SHAKING: dict[str, Any] = {
+    "motion": Annotated[
+        str | None, typer.Option(metavar="FILE|-|near-fault|sine:A,F[,T]", help="cli_help.motion_option")
+    ],
+    **GROUND,
+    "set": SetOption,
+}
+"""Flags of commands on a scenario."""
+
+SCENE: dict[str, Any] = {
+    "body": Annotated[str | None, typer.Option(metavar="WxHxM", help="cli_help.body")],
+    "floor": Annotated[
+        str | None, typer.Option(metavar="SURFACE", help="cli_help.floor", autocompletion=words(surfaces))
+    ],
+}
+"""Flags of `simulate` on what stands."""
 
 FlagValues: TypeAlias = dict[str, Any]
-"""What several flags say: keys of a shaking table, of those that are given."""
+"""What flags say, by their names; of those that are given."""
 
 
-def together(keyword: str, flags: Mapping[str, Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Return what gives a command several flags in the place of one keyword, which has what they say.
-
-    Parameters
-    ----------
-    keyword : str
-        The keyword, of the type `FlagValues`.
-    flags : mapping
-        The flags, by the keys that they set.
-    """
+def takes(flags: Mapping[str, Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Return what gives a command flags in the place of its keyword ``said``, which has what they say."""
 
     def with_flags(command: Callable[..., None]) -> Callable[..., None]:
         signature = inspect.signature(command, eval_str=True)
         parameters: list[inspect.Parameter] = []
         for one in signature.parameters.values():
-            each = [
-                one.replace(name=name, annotation=kind, default=False if get_args(kind)[0] is bool else None)
-                for name, kind in flags.items()
-            ]
-            parameters += each if one.name == keyword else [one]
+            each = [one.replace(name=name, annotation=kind, default=None) for name, kind in flags.items()]
+            parameters += each if one.name == "said" else [one]
 
         @wraps(command)
         def run(**given: Any) -> None:
             values = {name: given.pop(name) for name in flags}
-            said = {name: value for name, value in values.items() if value is not None and value is not False}
-            command(**given, **{keyword: {name: as_written(value) for name, value in said.items()}})
+            command(**given, said={name: value for name, value in values.items() if value not in (None, [])})
 
         cast("Any", run).__signature__ = signature.replace(parameters=parameters)
         return run
 
     return with_flags
 
-
-reads_records = together("reading", RECORD_FLAGS)
-
-
-_MOST_DIGITS = 1e15
-"""Numbers from this on are written with a point."""
 
 EXAMPLE: dict[str, Any] = {
     "furniture": {"preset": "bookcase"},
@@ -124,98 +107,173 @@ EXAMPLE: dict[str, Any] = {
 
 def body_table(text: str) -> dict[str, Any]:
     """Return the furniture table of ``WIDTHxHEIGHTxMASS``."""
-    width, height, mass = _numbers("--body", text, text.replace("×", "x").split("x"), (3,), "0.4x1.8x100")
-    return {"width": width, "height": height, "mass": mass}
-
-
-def shaking_table(text: str) -> dict[str, Any]:
-    """Return the shaking table of a file, ``near-fault``, or ``sine:AMPLITUDE,FREQUENCY[,DURATION]``."""
-    if text == "near-fault":
-        return {"builtin": text}
-    if text.startswith("sine:"):
-        values = _numbers("--motion", text, text.removeprefix("sine:").split(","), (2, 3), "sine:5,0.8")
-        return {"sine": dict(zip(("amplitude", "frequency", "duration"), values, strict=False))}
-    return {"record": text}
+    parts = text.replace("×", "x").split("x")
+    values = numbers("--body", text, parts, (3,), "0.4x1.8x100")
+    return dict(zip(("width", "height", "mass"), values, strict=True))
 
 
 def building_table(text: str) -> dict[str, Any]:
     """Return the building table of ``STOREYS[,STRUCTURE]``."""
     storeys, _, structure = text.partition(",")
-    table = {"storeys": _numbers("--building", text, [storeys], (1,), "10,RC")[0]}
-    return {**table, "structure": structure.strip()} if structure else table
+    (count,) = numbers("--building", text, [storeys], (1,), "10,RC")
+    return {"storeys": count, **({"structure": structure.strip()} if structure else {})}
 
 
-def earthquake_table(text: str) -> dict[str, Any]:
-    """Return the earthquake table of ``MAGNITUDE,DISTANCE[,DEPTH[,VS30]][,KIND]``."""
-    parts = [part.strip() for part in text.split(",")]
-    kind = {"kind": parts.pop()} if parts[-1].isalpha() and not _is_number(parts[-1]) else {}
-    values = _numbers("--earthquake", text, parts, (2, 3, 4), "7,20,10,300,crustal")
-    return dict(zip(("magnitude", "distance", "depth", "vs30"), values, strict=False)) | kind
+def value_of(text: str) -> Any:
+    """Return a value as TOML writes it, or the text where it is none; a point may begin or end a number.
+
+    Examples
+    --------
+    >>> value_of("4.5"), value_of(".5"), value_of("{ gap = 0.1 }"), value_of("6-upper")
+    (4.5, 0.5, {'gap': 0.1}, '6-upper')
+    """
+    from stayput.scenario.toml import table_of_toml
+
+    try:
+        table = table_of_toml(f"value = {text}", Path())
+    except InputError:
+        return float(text) if re.fullmatch(r"[+-]?(\.\d+|\d+\.)", text, re.ASCII) else text
+    return table["value"] if len(table) == 1 else text
 
 
-def spectral_table(text: str) -> dict[str, Any]:
-    """Return the table of a spectral acceleration, ``PERIOD,VALUE``."""
-    values = _numbers("--sa", text, text.split(","), (2,), "0.3,8")
-    return dict(zip(("period", "value"), values, strict=True))
+_TABLES: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "body": ("furniture", body_table),
+    "floor": ("room.floor", str),
+    "intensity": ("shaking.intensity", value_of),
+    "pga": ("shaking.pga", lambda value: _as_written(value)),
+    "building": ("shaking.building", building_table),
+    "storey": ("shaking.storey", int),
+    "unit": ("shaking.unit", str),
+    "dt": ("shaking.dt", float),
+    "columns": ("shaking.columns", str),
+}
+"""Keys that flags set, and what makes their values of what is typed; ``--motion`` sets all of the table."""
+
+_TEXTS = {f"shaking.{name}" for name in ("record", "across", "component", "unit", "columns", "location")}
+"""Keys of texts that may look like numbers."""
+
+_KEY = re.compile(r"[^.\[\]=\s]+(?:\[\d{1,4}\])*(?:\.[^.\[\]=\s]+(?:\[\d{1,4}\])*)*")
+"""A key of a scenario as refusals write it: ``shaking.pga``, ``furniture[1].mass``."""
+
+_STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)")
 
 
-def friction_table(text: str) -> dict[str, Any]:
-    """Return the floor table of ``STATIC[,KINETIC]``."""
-    values = _numbers("--friction", text, text.split(","), (1, 2), "0.4,0.3")
-    return {"static_friction": values[0], "kinetic_friction": values[-1]}
-
-
-def overlaid(
-    data: dict[str, Any],
-    *,
-    body: str | None,
-    floor: str | None,
-    friction: str | None,
-    walls: dict[str, float | None],
-    dimensions: int | None,
-    piece: dict[str, float | None],
-) -> dict[str, Any]:
-    """Return a scenario's tables, overridden by the flags that say what stands where.
-
-    Parameters
-    ----------
-    data : dict
-        The tables of a scenario file, or `EXAMPLE`.
-    body, floor, friction : str, optional
-        The flags' texts; each replaces a whole table.
-    walls : dict
-        Gaps of the walls by their names [m]; None where the flag is not given.
-    dimensions : int, optional
-        2 or 3.
-    piece : dict
-        Single keys of the furniture's table; None where the flag is not given.
+def _settings(said: FlagValues, motion_flag: str) -> Iterator[tuple[str, str, Any]]:
+    """Yield which flag sets which key to which value.
 
     Raises
     ------
     InputError
-        A flag's text that cannot be read, or two flags for one thing.
+        A flag's text that cannot be read.
     """
-    if floor is not None and friction is not None:
-        raise one_of_two("--floor", repr(floor), "--friction", repr(friction))
-    tables = dict(data)
-    if body is not None:
-        tables["furniture"] = body_table(body)
-    if floor is not None:
-        tables["room"] = {**table_of(tables, "room"), "floor": floor}
-    if friction is not None:
-        tables["room"] = {**table_of(tables, "room"), "floor": friction_table(friction)}
-    for name, gap in walls.items():
-        if gap is not None:
-            room = {**table_of(tables, "room"), name: {"gap": as_written(gap)}}
-            if name == "left_wall":
-                room.pop("back_wall", None)
-            tables["room"] = room
-    if own := {key: as_written(value) for key, value in piece.items() if value is not None}:
-        tables["furniture"] = {**table_of(tables, "furniture"), **own}
-    return tables if dimensions is None else tables | {"dimensions": dimensions}
+    if (motion := said.get("motion")) is not None:
+        yield motion_flag, "shaking", {}
+        key, value = "record", motion
+        if motion == "near-fault":
+            key = "builtin"
+        elif motion.startswith("sine:"):
+            parts = motion.removeprefix("sine:").split(",")
+            values = numbers(motion_flag, motion, parts, (2, 3), "sine:5,0.8")
+            key = "sine"
+            value = dict(zip(("amplitude", "frequency", "duration"), values, strict=False))
+        yield motion_flag, f"shaking.{key}", value
+    for name, (key, made) in _TABLES.items():
+        if name in said:
+            yield f"--{name}", key, made(said[name])
+    for text in said.get("set", ()):
+        key, equals, value = text.partition("=")
+        if not equals or not _KEY.fullmatch(key.strip()):
+            example = "shaking.pga=4"
+            raise InputError("cli.written_like", "--set", flag="--set", value=repr(text), example=example)
+        key, value = key.strip(), value.strip()
+        made = value_of(value)
+        yield f"--set {key}", key, value if key in _TEXTS and not isinstance(made, str) else made
 
 
-def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:
+def changed(
+    tables: Mapping[str, Any], said: FlagValues, path: Path | None = None, motion_flag: str = "--motion"
+) -> dict[str, Any]:
+    """Return a scenario's tables with the keys that flags set; what they say is not checked yet.
+
+    A motion and a strength of the shaking stand in the place of those of the file. Files that are named begin
+    in the working folder.
+
+    Parameters
+    ----------
+    tables : mapping
+        The tables.
+    said : FlagValues
+        The flags.
+    path : Path, optional
+        The scenario's file.
+    motion_flag : str
+        The flag or argument that the motion is given by.
+
+    Raises
+    ------
+    InputError
+        A flag's text that cannot be read, a key that two flags set, or an entry of what is no list.
+    """
+    settings: dict[tuple[str | int, ...], tuple[str, str, Any]] = {}
+    for flag, key, value in _settings(said, motion_flag):
+        steps = tuple(int(place) if place else name for place, name in _STEP.findall(key))
+        if steps in settings:
+            raise InputError("cli.set_twice", key, key=key, flag=settings[steps][0], other=flag)
+        settings[steps] = flag, key, value
+    data = dict(tables)
+    keys = {str(steps[1]) for steps in settings if len(steps) > 1 and steps[0] == "shaking"}
+    if keys:
+        data["shaking"] = _without_rivals(table_of(data, "shaking"), keys)
+    for steps in sorted(settings, key=len):
+        flag, key, value = settings[steps]
+        data = _with(data, steps, _from_here(key, value, flag, path), "")
+    return data
+
+
+def _with(node: Any, steps: Sequence[str | int], value: Any, name: str) -> Any:
+    """Return a node of the tables with a value below it."""
+    if not steps:
+        return value
+    step, *rest = steps
+    if isinstance(step, int) or isinstance(node, list):
+        if not isinstance(node, list | None):
+            raise InputError("cli.set_no_list", "--set", name=name)
+        items = cast("list[Any]", node or [])
+        if not isinstance(step, int) or step > len(items):
+            raise InputError("cli.set_no_item", "--set", name=name, count=len(items))
+        below = _with(items[step] if step < len(items) else None, rest, value, f"{name}[{step}]")
+        return [*items[:step], below, *items[step + 1 :]]
+    table = cast("dict[str, Any]", node if isinstance(node, dict) else {})
+    return {**table, step: _with(table.get(step), rest, value, f"{name}.{step}".removeprefix("."))}
+
+
+def _without_rivals(shaking: dict[str, Any], keys: set[str]) -> dict[str, Any]:
+    """Return a file's table without its motion and its strength, where a flag says another."""
+    from stayput.scenario.shaking import SOURCES, STRENGTHS
+
+    rest = shaking
+    for rivals in (SOURCES, (*STRENGTHS, "scale")):
+        if not keys.isdisjoint(rivals):
+            rest = {key: value for key, value in rest.items() if key not in rivals or key in keys}
+    if keys.isdisjoint(SOURCES) and shaking.keys().isdisjoint(SOURCES) and rest.keys() != shaking.keys():
+        rest["suite"] = {}  # which a strength without a motion stands for
+    return rest
+
+
+def _from_here(key: str, value: Any, flag: str, path: Path | None) -> Any:
+    """Return a value; a file that begins in the working folder where the scenario's is another."""
+    from stayput.scenario.shaking import RECORD_FILES
+
+    table, _, name = key.rpartition(".")
+    of_shaking = table == "shaking" and name in (*RECORD_FILES, "suite")
+    if not isinstance(value, str) or not (of_shaking or name == "mesh"):
+        return value
+    file = record_of(value, flag)
+    here = path is None or path.parent.resolve() == Path().resolve()
+    return file if here else str(Path(file).absolute())
+
+
+def scenario_data(path: Path | None, body: bool = False) -> dict[str, Any]:
     """Return the tables to begin with: the file's, or the built-in example's.
 
     A body of one's own does not stand before the example's wall.
@@ -224,155 +282,87 @@ def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:
         from stayput.scenario.toml import read_toml
 
         return table_of_input("SCENARIO") if is_stream(path) else read_toml(path)
-    return EXAMPLE if body is None else {"shaking": EXAMPLE["shaking"]}
+    return {"shaking": EXAMPLE["shaking"]} if body else EXAMPLE
 
 
-def parsed(
-    kind: type[Given],
-    data: dict[str, Any],
-    given: dict[str, Any],
-    path: Path | None,
-    motion: str | None,
-) -> Given:
-    """Return the scenario of a file under the flags.
+def scenario_of(
+    data: Mapping[str, Any], given: Mapping[str, Any], path: Path | None
+) -> Scenario | AssemblyScenario:
+    """Return the scenario, assembly or room of tables under the flags.
 
     What the file by itself gets wrong is refused with its name, and what the flags do without.
 
     Parameters
     ----------
-    kind : type
-        `Scenario`, `AssemblyScenario` or `RoomScenario`.
-    data : dict
+    data : mapping
         The tables, under the flags.
-    given : dict
+    given : mapping
         The tables of the file by itself.
     path : Path, optional
         The file.
-    motion : str, optional
-        The flag, in whose place no refusal of a record names the file.
 
     Raises
     ------
     InputError
         A value that is not allowed.
     """
-    folder, name = (Path(), "") if path is None else (path.parent, called(path))
+    from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
+
+    several = AssemblyScenario if isinstance(data.get("furniture"), list) else Scenario
+    kind: type[Scenario | AssemblyScenario] = RoomScenario if "plan" in data else several
+    own = path is not None and motion_files(data) == motion_files(given)
     try:
-        return cast("Given", kind.parse(data, folder, name if motion is None else ""))
+        return kind.parse(data, Path() if path is None else path.parent, called(path) if path and own else "")
     except InputError as error:
-        if path is not None and _refused_alone(kind, given) == str(error):
-            raise error.at(called(path)) from None
+        if path is not None:
+            try:
+                kind.parse(given)
+            except InputError as alone:
+                if str(alone) == str(error):
+                    raise error.at(called(path)) from None
         raise
 
 
-def _refused_alone(kind: type[Given], given: dict[str, Any]) -> str | None:
-    """Return the sentence by which a file is refused without flags, or None where it is not."""
-    try:
-        kind.parse(given)
-    except InputError as error:
-        return str(error)
-    return None
-
-
-def inputs_of(tables: Mapping[str, Any], path: Path | None, flags: Iterable[str | None]) -> list[Path]:
-    """Return the files that a scenario is read from: its own, and those of its motion.
-
-    Parameters
-    ----------
-    tables : mapping
-        The file's tables.
-    path : Path, optional
-        The file.
-    flags : iterable of str or None
-        The flags in the place of the file's motion.
-    """
+def motion_files(tables: Mapping[str, Any], path: Path | None = None) -> list[Path]:
+    """Return the files of a scenario's motion."""
     from stayput.scenario.shaking import RECORD_FILES
 
-    shaking = table_of(tables, "shaking")
-    folder = Path() if path is None else path.parent
-    records = [folder / value for key in RECORD_FILES if isinstance(value := shaking.get(key), str)]
-    return [*([] if path is None else [path]), *records, *(Path(each) for each in flags if each is not None)]
+    folder, shaking = Path() if path is None else path.parent, table_of(tables, "shaking")
+    return [folder / value for key in RECORD_FILES if isinstance(value := shaking.get(key), str)]
 
 
-def beside(y: str | None, z: str | None, shaking: Mapping[str, Any]) -> dict[str, str]:
-    """Return the keys of a shaking table for ``--y`` and ``--z``: files beside that of its record.
+def tables_of_motion(
+    motion: str | None, said: FlagValues, *outputs: Path | None, suite: Any = None
+) -> dict[str, Any]:
+    """Return a scenario's tables with a motion that is an argument, or with a suite, under the flags.
 
     Raises
     ------
     InputError
-        Both are standard input, or the table has no record.
+        A flag's text that cannot be read, a key of another table, or a file to write that is read.
     """
-    files = {"across": (y, "--y"), "vertical": (z, "--z")}
-    for file, flag in files.values():
-        if file is not None and "record" not in shaking:
-            raise InputError("cli.beside_no_record", flag, name=flag)
-    return {key: record_of(file, flag) for key, (file, flag) in files.items() if file is not None}
+    from stayput.files import check_apart
+
+    for flag, key, _ in _settings(said, "MOTION"):
+        if not key.startswith("shaking."):
+            raise InputError("cli.set_of_shaking", key, flag=flag)
+    given = said if motion is None else {**said, "motion": motion}
+    tables = changed({**EXAMPLE, "shaking": {"suite": suite}}, given, motion_flag="MOTION")
+    check_apart(outputs, motion_files(tables))
+    return tables
 
 
-def motion_of(
-    text: str,
-    flag: str,
-    *,
-    y: str | None,
-    z: str | None,
-    reading: FlagValues,
-    **strength: Any,
-) -> Motion:
-    """Return the motion of a text as of ``--motion``, and of what is said of its record and its strength.
-
-    Parameters
-    ----------
-    text : str
-        The text; ``-`` stands for standard input.
-    flag : str
-        The flag or argument that it is of.
-    y, z : str, optional
-        The files of the components across and up.
-    reading : FlagValues
-        How its record is read.
-    strength
-        Keys of a shaking table that say how strong it is; None where one is not given.
+def motion_of(tables: Mapping[str, Any]) -> Motion:
+    """Return the motion of a scenario's tables, whose files begin in the working folder.
 
     Raises
     ------
     InputError
-        A text or a file that cannot be read.
+        A value that is not allowed, or a record that cannot be read.
     """
     from stayput.scenario import Scenario
 
-    stated = {key: as_written(value) for key, value in strength.items() if value is not None}
-    text = record_of(text, flag)
-    table = shaking_table(text)
-    scenario = Scenario.parse({**EXAMPLE, "shaking": {**table, **reading, **stated, **beside(y, z, table)}})
-    return scenario.shaking.motion(Path())
-
-
-def band_of(text: str) -> tuple[float, float]:
-    """Return the two periods [s] of a ``--band`` text."""
-    first, last = _numbers("--band", text, text.split(","), (2,), "0.1,5")
-    return first, last
-
-
-def target_of(text: str) -> TargetSpectrum:
-    """Return the target spectrum of ``japan[:LEVEL[,SOIL]]``, ``asce7:SDS,SD1[,TL]`` or a table's file.
-
-    Raises
-    ------
-    InputError
-        A text or a file that cannot be read.
-    """
-    from stayput.motion.suites import asce7, japanese_design, read_target
-
-    kind, _, rest = text.partition(":")
-    if kind == "asce7":
-        return asce7(*_numbers("--target", text, rest.split(","), (2, 3), "asce7:1.0,0.6,8"))
-    if kind == "japan":
-        level, _, soil = (rest or "very-rare,2").partition(",")
-        number = _numbers("--target", text, [soil or "2"], (1,), "japan:very-rare,2")[0]
-        return japanese_design(level.replace("-", " "), round(number))
-    if not Path(text).exists():
-        raise InputError("cli.target", "--target", value=repr(text))
-    return read_target(text)
+    return Scenario.parse(tables).shaking.motion(Path())
 
 
 def chosen_measures(scenario: Scenario, names: Sequence[str]) -> tuple[Measure, ...]:
@@ -395,44 +385,32 @@ def chosen_measures(scenario: Scenario, names: Sequence[str]) -> tuple[Measure, 
     return tuple(measures)
 
 
-def one_of_two(flag: str, value: str, other: str, other_value: str) -> InputError:
-    """Return the refusal of two flags that say the same thing."""
-    return InputError("cli.one_of_two", flag, flag=flag, value=value, other=other, other_value=other_value)
-
-
-def intensity_value(text: str) -> float | str:
-    """Return an ``--intensity`` text as a number where it is one, else as the name of a class."""
-    try:
-        return as_written(float(text))
-    except ValueError:
-        return text
-
-
-def as_written(value: Any) -> Any:
-    """Return what a flag says as it is written in a refusal: a whole number without a point."""
-    if isinstance(value, float) and value.is_integer() and abs(value) < _MOST_DIGITS:
-        return int(value)
-    return value
-
-
 def table_of(tables: Mapping[str, Any], name: str) -> dict[str, Any]:
     """Return a table of a scenario's tables; empty where there is none."""
     table: Any = tables.get(name)
     return cast("dict[str, Any]", table) if isinstance(table, dict) else {}
 
 
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
+_MOST_DIGITS = 1e15
+"""Numbers from this on are written with a point."""
 
 
-def _numbers(flag: str, text: str, parts: list[str], counts: tuple[int, ...], example: str) -> list[float]:
+def _as_written(value: float) -> float:
+    """Return a number as it is written in a refusal: a whole one without a point."""
+    return int(value) if value.is_integer() and abs(value) < _MOST_DIGITS else value
+
+
+def numbers(flag: str, text: str, parts: list[str], counts: Container[int], example: str) -> list[float]:
+    """Return the numbers of a flag's text.
+
+    Raises
+    ------
+    InputError
+        Other texts, or more or fewer of them.
+    """
     try:
         if len(parts) in counts:
-            return [as_written(float(part)) for part in parts]
+            return [_as_written(float(part)) for part in parts]
     except ValueError:
         pass
     raise InputError("cli.written_like", flag, flag=flag, value=repr(text), example=example)

@@ -45,10 +45,6 @@ def _chosen(ctx: typer.Context, value: str) -> str:
 LanguageOption: TypeAlias = Annotated[
     str,
     typer.Option(
-        "--lang",
-        metavar="en|ja",
-        callback=_chosen,
-        show_default="cli_help.of_locale",
-        help="cli_help.lang",
+        "--lang", metavar="en|ja", callback=_chosen, show_default="cli_help.of_locale", help="cli_help.lang"
     ),
 ]

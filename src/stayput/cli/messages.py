@@ -18,7 +18,6 @@ from stayput.catalogue import phrase, say
 from stayput.cli.interrupts import INTERRUPTED
 from stayput.cli.language import of_arguments
 from stayput.cli.streams import closed_output, is_stream, standard_input
-from stayput.cli.usage import USAGE, misused
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
 from stayput.progress import is_quiet, keep_quiet, told_in
 
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Mapping, Sequence
     from pathlib import Path
 
-    from stayput.catalogue import Language
+    from stayput.catalogue import Language, Phrase
 
 Told = TypeVar("Told", InputError, InputWarning)
 
@@ -35,6 +34,10 @@ REFUSED = 2
 
 UNREAD = 141
 """Exit code where the reader of the output has gone, as of programs that the signal SIGPIPE ends."""
+
+
+_USAGE: Any = typer.BadParameter.__base__
+"""What Typer raises where it cannot read the command line; that class has no public name."""
 
 
 class CommandGroup(TyperGroup):
@@ -72,8 +75,8 @@ class CommandGroup(TyperGroup):
             return super().make_context(*args, **kwargs)
         except InputError as error:
             raise self._refused(error) from None
-        except USAGE as error:
-            raise self._refused(misused(error)) from None
+        except _USAGE as error:
+            raise self._refused(_misused(error)) from None
         except KeyboardInterrupt:
             raise self._interrupted() from None
 
@@ -86,11 +89,15 @@ class CommandGroup(TyperGroup):
 
         def of_flags(told: Told) -> Told:
             flags = _flags_of(self.get_command(ctx, ctx.invoked_subcommand or ""))
-            option = f"--{told.values.get('option')}".replace("_", "-")
-            if option in flags:  # an argument of Python, by the name of its flag
-                values = {**told.values, "option": option}
-                told = type(told)(told.code, told.field, context=told.context, **values)
-            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--unit" in flags else _IN_COMMANDS)
+            option = str(told.values.get("option"))
+            flag = f"--{option}".replace("_", "-")
+            if "--set" in flags and option in _OF_RECORDS and flag not in flags:
+                flag = f"--set shaking.{option}"
+            if flag in flags or flag.startswith("--set"):  # an argument of Python, by the name of its flag
+                told = type(told)(
+                    told.code, told.field, context=told.context, **told.values | {"option": flag}
+                )
+            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--set" in flags else _IN_COMMANDS)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)
@@ -103,8 +110,8 @@ class CommandGroup(TyperGroup):
                 return super().invoke(ctx)
         except InputError as error:
             raise self._refused(of_flags(error)) from None
-        except USAGE as error:
-            raise self._refused(misused(error)) from None
+        except _USAGE as error:
+            raise self._refused(_misused(error)) from None
         except OSError as error:
             if error.errno == errno.ENAMETOOLONG:
                 file = quoted(str(error.filename))
@@ -122,6 +129,48 @@ class CommandGroup(TyperGroup):
         return typer.Exit(REFUSED)
 
 
+def _misused(error: Any) -> InputError:
+    """Return the refusal, in one sentence, of a command line that Typer does not take.
+
+    Parameters
+    ----------
+    error : UsageError
+        What Typer raised. Help that is shown where nothing was asked for is none, and raised again.
+    """
+    kind = type(error).__name__
+    if kind == "NoArgsIsHelpError":
+        raise error
+    command = getattr(error.ctx, "command_path", "stayput")
+    if kind == "NoSuchOption":
+        flag = str(error.option_name)
+        return InputError("cli.no_such_flag", flag, flag=repr(flag), command=command)
+    if kind == "MissingParameter":
+        name = _as_on_the_line(error.param)
+        return InputError("cli.missing", name, name=name, command=command)
+    if kind == "BadParameter" and error.param is not None and hasattr(error.__cause__, "errors"):
+        (wrong, *_) = error.__cause__.errors()  # of pydantic, by which Typer reads numbers
+        name, value = _as_on_the_line(error.param), quoted(str(wrong["input"]))
+        allowed = _allowed(wrong["type"], error.param)
+        return InputError("cli.wrong_value", name, name=name, value=value, allowed=allowed)
+    said = re.sub(r"\. Did you mean (.+)\?$", r" (did you mean \1?)", str(error.message))
+    return InputError("cli.misused", said=said.rstrip("."), command=command)
+
+
+def _as_on_the_line(param: Any) -> str:
+    """Return a flag as it is typed, or an argument as the help calls it."""
+    flag = next((name for name in param.opts if name.startswith("--")), None)
+    return flag or str(param.metavar or param.name).strip("[]")
+
+
+def _allowed(kind: str, param: Any) -> Phrase:
+    if param.min is not None and param.max is not None:
+        return phrase("cli.whole_number_within", low=param.min, high=param.max)
+    return phrase("cli.whole_number" if kind.startswith("int") else "cli.number")
+
+
+_OF_RECORDS = ("dt", "columns", "decimal_comma", "location", "remove_mean")
+"""What is said of how a record is read, in sentences about it."""
+
 _IN_FLAGS = {
     "motion.no_unit": "cli.no_unit",
     "motion.no_unit_but_mentioned": "cli.no_unit_but_mentioned",
@@ -131,10 +180,7 @@ _IN_FLAGS = {
 }
 """Sentences about records, and those that name the flags to give."""
 
-_IN_COMMANDS = {
-    "scenario.of_several": "cli.one_piece_alone",
-    "scenario.of_a_room": "cli.one_piece_alone",
-}
+_IN_COMMANDS = {"scenario.of_several": "cli.one_piece_alone", "scenario.of_a_room": "cli.one_piece_alone"}
 """Sentences that name functions of Python, and those that name commands."""
 
 

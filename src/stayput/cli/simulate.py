@@ -9,33 +9,22 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from stayput.catalogue import LANGUAGES, say
-from stayput.cli.completion import measures, surfaces, words
+from stayput.cli.completion import measures, words
 from stayput.cli.flags import (
+    SCENE,
+    SHAKING,
     FlagValues,
     QuietOption,
+    changed,
     chosen_measures,
-    inputs_of,
-    overlaid,
-    parsed,
-    reads_records,
+    motion_files,
     scenario_data,
+    scenario_of,
+    takes,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import compiling, folded, print_json, tell_written
-from stayput.cli.shaking import (
-    BuildingOption,
-    MotionOption,
-    ScaleOption,
-    StoreyOption,
-    VerticalOption,
-    XOption,
-    YOption,
-    ZOption,
-    scales_motions,
-    shaken,
-    tell_of_y,
-)
-from stayput.errors import InputError, InputWarning, warn
+from stayput.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -47,60 +36,24 @@ if TYPE_CHECKING:
     from stayput.simulation.space_run import SpaceRun
 
 
-@reads_records
-@scales_motions
+@takes({**SCENE, **SHAKING})
 def simulate(
     scenario: Annotated[
         Path | None,
-        typer.Argument(
-            metavar="[SCENARIO.toml]",
-            help="cli_help.example_scenario",
-            show_default=False,
-        ),
+        typer.Argument(metavar="[SCENARIO.toml]", help="cli_help.example_scenario", show_default=False),
     ] = None,
-    body: Annotated[
-        str | None,
-        typer.Option(metavar="WxHxM", help="cli_help.body"),
-    ] = None,
-    motion: MotionOption = None,
-    x: XOption = None,
-    y: YOption = None,
-    z: ZOption = None,
     *,
-    reading: FlagValues,
-    scale: ScaleOption = None,
-    strength: FlagValues,
-    building: BuildingOption = None,
-    storey: StoreyOption = None,
-    vertical: VerticalOption = None,
-    floor: Annotated[
-        str | None,
-        typer.Option(metavar="SURFACE", help="cli_help.floor", autocompletion=words(surfaces)),
-    ] = None,
-    friction: Annotated[
-        str | None, typer.Option(metavar="STATIC[,KINETIC]", help="cli_help.friction")
-    ] = None,
-    wall: Annotated[float | None, typer.Option("--wall", "--left-wall", help="cli_help.wall")] = None,
-    right_wall: Annotated[float | None, typer.Option(help="cli_help.right_wall")] = None,
-    near_side_wall: Annotated[float | None, typer.Option(help="cli_help.near_side_wall")] = None,
-    far_side_wall: Annotated[float | None, typer.Option(help="cli_help.far_side_wall")] = None,
-    length: Annotated[float | None, typer.Option(help="cli_help.length")] = None,
-    heading: Annotated[float | None, typer.Option(help="cli_help.heading")] = None,
-    dimensions: Annotated[int | None, typer.Option(metavar="2|3", help="cli_help.dimensions")] = None,
+    said: FlagValues,
     measure: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="TYPE|NAME",
-            help="cli_help.measure_in_place",
-            autocompletion=words(measures),
-        ),
+        typer.Option(metavar="TYPE|NAME", help="cli_help.measure_in_place", autocompletion=words(measures)),
     ] = None,
-    lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_run")] = None,
     animate: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.animate")] = None,
     speed: Annotated[float, typer.Option(help="cli_help.speed")] = 1.0,
     fps: Annotated[float, typer.Option(help="cli_help.fps")] = 20.0,
+    lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput simulate``."""
@@ -110,70 +63,27 @@ def simulate(
     from stayput.simulation.run import Run
 
     _check_targets(plot, animate)
-    given = scenario_data(scenario, body)
-    check_apart((plot, animate), inputs_of(given, scenario, (motion, x, y, z)))
-    several = scenario is not None and isinstance(given.get("furniture"), list)
-    of_one = {
-        "--body": body,
-        "--length": length,
-        "--heading": heading,
-        "--measure": measure or None,
-    }
-    if several and (flags := [flag for flag, value in of_one.items() if value is not None]):
-        raise InputError("scenario.flag_of_one", flags[0], flag=flags[0])
-    data = overlaid(
-        given,
-        body=body,
-        floor=floor,
-        friction=friction,
-        walls={
-            "left_wall": wall,
-            "right_wall": right_wall,
-            "near_side_wall": near_side_wall,
-            "far_side_wall": far_side_wall,
-        },
-        dimensions=dimensions,
-        piece={"length": length, "heading": heading},
-    )
-    data = shaken(
-        data,
-        scenario,
-        motion=motion,
-        x=x,
-        y=y,
-        z=z,
-        reading=reading,
-        scale=scale,
-        strength=strength,
-        building=building,
-        storey=storey,
-        vertical=vertical,
-    )
-    if several:
-        from stayput.scenario import AssemblyScenario, RoomScenario
-
-        pieces = parsed(
-            RoomScenario if "plan" in given else AssemblyScenario, data, given, scenario, motion or x
-        )
-        with compiling():
-            found = pieces.run()
+    given = scenario_data(scenario, "body" in said)
+    if isinstance(given.get("furniture"), list):
+        for flag, wanted in (("--body", "body" in said), ("--measure", measure)):
+            if wanted:
+                raise InputError("scenario.flag_of_one", flag, flag=flag)
+    data = changed(given, said, scenario)
+    read = [] if scenario is None else [scenario]
+    check_apart((plot, animate), [*read, *motion_files(given, scenario), *motion_files(data, scenario)])
+    checked = scenario_of(data, given, scenario)
+    wanted = _Wanted(("", ""), checked.shaking, checked.title, plot, animate, speed, fps, lang, json)
+    if not isinstance(checked, Scenario):
         from stayput.rooms.words import names_in
 
-        _show_in_space(
-            found,
-            pieces.names if json else names_in(pieces, lang),
-            _Wanted(("", ""), pieces.shaking, pieces.title, plot, animate, speed, fps, lang, json),
-        )
+        with compiling():
+            found = checked.run()
+        _show_in_space(found, checked.names if json else names_in(checked, lang), wanted)
         return
-    checked = parsed(Scenario, data, given, scenario, motion or x)
-    if length is not None and checked.dimensions == 2:
-        warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
-    tell_of_y(y, checked)
     with checked.naming_file(), compiling():
         run = checked.case(chosen_measures(checked, measure or [])).run()
     piece = checked.furniture
-    called = piece.title, piece_name(piece.preset, piece.name)[1]
-    wanted = _Wanted(called, checked.shaking, checked.title, plot, animate, speed, fps, lang, json)
+    wanted = wanted._replace(name=(piece.title, piece_name(piece.preset, piece.name)[1]))
     if isinstance(run, Run):
         _show_in_the_plane(run, wanted)
     else:

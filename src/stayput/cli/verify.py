@@ -2,93 +2,77 @@
 
 from __future__ import annotations
 
-import math
-from functools import partial
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from stayput.catalogue import say
+from stayput.cli.completion import intensity_measures, measures, words
 from stayput.cli.flags import (
-    EveryRunOption,
+    SHAKING,
     FlagValues,
     QuietOption,
     ThreadsOption,
-    inputs_of,
-    parsed,
-    reads_records,
+    changed,
+    chosen_measures,
+    motion_files,
     scenario_data,
+    scenario_of,
+    takes,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
-from stayput.cli.messages import compiling, folded, tell_written
-from stayput.cli.shaking import (
-    BuildingOption,
-    MotionOption,
-    ScaleOption,
-    StoreyOption,
-    VerticalOption,
-    XOption,
-    YOption,
-    ZOption,
-    scales_motions,
-    shaken,
-    tell_of_y,
-)
+from stayput.cli.messages import compiling, note, tell_written
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
-from stayput.cli.verify_room import print_room
-from stayput.cli.verify_several import print_several
+from stayput.cli.verdicts import print_verdict
+from stayput.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from rich.console import Console
-    from rich.table import Table
-
+    from stayput.fragility import IntensityMeasure
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.verification import AssemblyVerdict, Verdict
 
 
-@reads_records
-@scales_motions
+@takes(SHAKING)
 def verify(
     scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="cli_help.scenario")],
-    report: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.report"),
+    *,
+    said: FlagValues,
+    measure: Annotated[
+        list[str] | None,
+        typer.Option(metavar="TYPE|NAME", help="cli_help.only_measure", autocompletion=words(measures)),
     ] = None,
-    lang: LanguageOption = OF_LOCALE,
+    report: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.report")] = None,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.markdown")] = None,
     csv: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.csv")] = None,
-    plan: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.plan"),
+    curves: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.curves")] = None,
+    im: Annotated[
+        str | None,
+        typer.Option(
+            metavar="JMA|MMI|PGA|PGV|SA(T)|PFA|PFV",
+            help="cli_help.im",
+            autocompletion=words(intensity_measures),
+        ),
     ] = None,
+    plan: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plan")] = None,
     no_drilling: Annotated[bool, typer.Option("--no-drilling", help="cli_help.no_drilling")] = False,
     tatami: Annotated[bool, typer.Option("--tatami", help="cli_help.tatami")] = False,
     plasterboard: Annotated[bool, typer.Option("--plasterboard", help="cli_help.plasterboard")] = False,
     dropped_ceiling: Annotated[
         bool, typer.Option("--dropped-ceiling", help="cli_help.dropped_ceiling")
     ] = False,
-    motion: MotionOption = None,
-    x: XOption = None,
-    y: YOption = None,
-    z: ZOption = None,
-    *,
-    reading: FlagValues,
-    scale: ScaleOption = None,
-    strength: FlagValues,
-    building: BuildingOption = None,
-    storey: StoreyOption = None,
-    vertical: VerticalOption = None,
     slide_limit: Annotated[float | None, typer.Option(help="cli_help.slide_limit")] = None,
-    every_run: EveryRunOption = False,
+    every_run: Annotated[bool, typer.Option("--every-run", help="cli_help.every_run")] = False,
     threads: ThreadsOption = None,
+    lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput verify``."""
-    from stayput.errors import InputError, within
+    from stayput.errors import within
     from stayput.files import check_apart, check_target
 
     for page in (report, plan):
@@ -105,34 +89,25 @@ def verify(
     home = (no_drilling, tatami, plasterboard, dropped_ceiling)
     if plan is None and any(home):
         raise InputError("cli.home_without_plan")
-    given = scenario_data(scenario, None)
-    check_apart((report, markdown, csv, plan), inputs_of(given, scenario, (motion, x, y, z)))
+    over = _over(curves, im)
+    given = scenario_data(scenario)
     if plan is not None and "plan" not in given:
         raise InputError("cli.plan_of_a_room", "--plan").at(called(scenario))
-    data = shaken(
-        given,
-        scenario,
-        motion=motion,
-        x=x,
-        y=y,
-        z=z,
-        reading=reading,
-        scale=scale,
-        strength=strength,
-        building=building,
-        storey=storey,
-        vertical=vertical,
-    )
-    checked = parsed(_kind(data), data, given, scenario, motion or x)
-    tell_of_y(y, checked)
-    verdict = _verified(checked, slide_limit, every_run, threads)
-    from stayput.rooms.verdict import RoomVerdict
-
+    data = changed(given, said, scenario)
+    read = [*motion_files(given, scenario), *motion_files(data, scenario)]
+    check_apart((report, markdown, csv, plan), [scenario, *read])
+    checked = _only(scenario_of(data, given, scenario), measure, curves)
+    verdict = _verified(checked, over, slide_limit, every_run, threads)
     if json:
         typer.echo(verdict.to_json(), nl=False)
     elif not instead:
-        _tell(verdict, lang)
+        print_verdict(verdict, lang)
     written = _write(verdict, report, markdown, csv, lang)  # what was found is told even if this fails
+    from stayput.rooms.verdict import RoomVerdict
+    from stayput.verification import Verdict
+
+    if curves is not None and isinstance(verdict, Verdict):
+        written += _write_curves(verdict, over[0], curves, lang, aside=instead or json)
     if plan is not None and isinstance(verdict, RoomVerdict):
         from stayput.rooms.planning import action_plan
 
@@ -149,17 +124,60 @@ def verify(
         tell_written(lang, *written, aside=instead)
 
 
-def _kind(data: dict[str, Any]) -> type[Scenario | AssemblyScenario]:
-    """Return what a file's tables describe."""
-    from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
+def _over(curves: Path | None, im: str | None) -> list[IntensityMeasure]:
+    """Return what the curves are over; nothing where none are asked for.
 
-    if "plan" in data:
-        return RoomScenario
-    return AssemblyScenario if isinstance(data.get("furniture"), list) else Scenario
+    Raises
+    ------
+    InputError
+        A measure that there is not, or without curves; a folder that cannot be one.
+    """
+    from stayput.fragility import intensity_measure
+
+    if curves is None:
+        if im is not None:
+            raise InputError("cli.im_without_curves", "--im", value=repr(im))
+        return []
+    if curves.exists() and not curves.is_dir():
+        raise InputError("cli.folder_is_file", "--curves", folder=repr(str(curves)))
+    if not curves.parent.is_dir():
+        raise InputError("cli.no_parent", "--curves", folder=repr(str(curves)))
+    return [intensity_measure(im or "JMA", "--im")]
+
+
+def _only(
+    scenario: Scenario | AssemblyScenario, names: list[str] | None, curves: Path | None
+) -> Scenario | AssemblyScenario:
+    """Return the scenario with only these of its measures, or with these types of measure.
+
+    Raises
+    ------
+    InputError
+        A name that is neither; flags of one piece beside several.
+    """
+    from stayput.scenario import Scenario
+
+    if not isinstance(scenario, Scenario):
+        for flag, wanted in (("--measure", names), ("--curves", curves)):
+            if wanted:
+                raise InputError("scenario.flag_of_one", flag, flag=flag)
+        return scenario
+    if not names:
+        return scenario
+    chosen_measures(scenario, names)  # refuses unknown names
+    tables = scenario.model_dump(by_alias=True, exclude_unset=True)
+    stated_names = (measure_set.name for measure_set in scenario.measures)
+    stated = dict(zip(stated_names, tables.get("measures") or (), strict=True))
+    tables["measures"] = [stated.get(name, {"type": name}) for name in dict.fromkeys(names)]
+    return Scenario.parse(tables, scenario.folder)
 
 
 def _verified(
-    scenario: Scenario | AssemblyScenario, slide_limit: float | None, every_run: bool, threads: int | None
+    scenario: Scenario | AssemblyScenario,
+    over: list[IntensityMeasure],
+    slide_limit: float | None,
+    every_run: bool,
+    threads: int | None,
 ) -> Verdict | AssemblyVerdict | RoomVerdict:
     from stayput.scenario import RoomScenario
     from stayput.verification import SLIDE_LIMIT
@@ -173,7 +191,8 @@ def _verified(
 
         from stayput.verification import verify as compare
 
-        return compare(scenario, slide_limit=limit, every_run=every_run, threads=threads)
+        options: dict[str, Any] = {"intensity_measures": over} if over else {}
+        return compare(scenario, slide_limit=limit, every_run=every_run, threads=threads, **options)
 
 
 def _write(
@@ -194,103 +213,26 @@ def _write(
     return [path for path in (report, markdown, csv) if path is not None and not is_stream(path)]
 
 
-def _tell(verdict: Verdict | AssemblyVerdict | RoomVerdict, lang: str) -> None:
-    from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification import AssemblyVerdict
+def _write_curves(
+    verdict: Verdict, measure: IntensityMeasure, folder: Path, lang: str, *, aside: bool
+) -> Sequence[Path]:
+    """Write the fragility curves of all options, and tell of each beside the verdict unless that is aside."""
+    from stayput.fragility import MMI
+    from stayput.report.verdict.exports import write_curves
+    from stayput.verification.words import title
 
-    if isinstance(verdict, RoomVerdict):
-        print_room(verdict, lang)
-    elif isinstance(verdict, AssemblyVerdict):
-        print_several(verdict, lang)
-    else:
-        _print(verdict, lang)
-
-
-def _print(verdict: Verdict, lang: str) -> None:
-    from rich.console import Console
-
-    from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
-    from stayput.montecarlo.counting import OVERTURNED
-    from stayput.report.verdict import numbers
-    from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
-    from stayput.report.verdict.words import word
-    from stayput.verification import EVENTS
-    from stayput.verification.words import headline, title
-    from stayput.wording import with_aside
-
-    text = partial(word, language=lang)
-    console = Console(highlight=False, markup=False)
-
-    def paragraph(sentences: str) -> None:
-        console.print(folded(sentences, console.width) if lang == "ja" else sentences)
-
-    if verdict.scenario.title is not None:
-        console.print(verdict.scenario.title, style="bold")
-    paragraph(headline(verdict, lang))
-    limit = numbers.length(verdict.slide_limit, lang)
-    events = (text(f"brief_{event}", limit=limit) for event in EVENTS)
-    capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
-    inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
-    headings = (*events, *inside, text("brief_slide"), *capacities)
-    rows, lines = ranking(verdict, lang), list[tuple[str, ...]]()
-    for row in rows:
-        falls, *others = (
-            numbers.NO_NUMBER if chance is None else numbers.probability(chance, lang)
-            for _, chance in row.shares
-        )
-        result = row.option
-        reached = (numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES)
-        slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
-        share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
-        out = () if row.contents is None else (numbers.probability(row.contents, lang),)
-        lines.append((str(result.rank), row.name or row.label, share, *others, *out, slide, *reached))
-    impossible = impossible_rows(verdict, lang)
-    for (label, _), rejected in zip(impossible, verdict.impossible, strict=True):
-        name = rejected.option.name if rejected.option.own_name else label
-        lines.append((numbers.NO_NUMBER, name, text("brief_not_possible")))
-    console.print(_fitting(text("measure"), headings, lines, len(SHARES), console))
-    intensity = FLOOR_JMA if verdict.floor else JMA_INTENSITY
-    paragraph(text("brief_text", intensity=intensity.names))
-    paragraph(grades_text(lang))
-    colon = text("colon")
-    for row in rows:
-        ends = numbers.interval(row.option.probabilities[OVERTURNED], lang)
-        label = title(row.option.option, verdict, lang)
-        label = with_aside(label, ends, lang) if ends else label
-        console.print(f"{row.option.rank}. {label}{colon}{row.reason}", soft_wrap=True)
-    for label, why in impossible:
-        console.print(
-            f"{numbers.NO_NUMBER}  {label}{colon}{text('not_possible')}{colon}{why}", soft_wrap=True
-        )
-    for note in verdict.notes(lang):
-        console.print(note, soft_wrap=True)
-    if verdict.motions == 1:
-        paragraph(text("one_motion"))
-    if not verdict.precise:
-        paragraph(text("not_precise"))
-    paragraph(simulations(verdict, lang))
-
-
-def _fitting(
-    label: str, headings: tuple[str, ...], lines: Sequence[tuple[str, ...]], last: int, console: Console
-) -> Table:
-    """Return the table of a ranking, without its last columns where it is wider than the terminal."""
-    from rich.cells import cell_len
-    from rich.table import Table
-
-    narrow = 12  # of the labels, which are folded
-    folds = max(max(cell_len(line[1]) for line in lines) - narrow, 0)
-    for shown in (headings, headings[:-last]):
-        table = Table(box=None, padding=(0, 1, 0, 0))
-        table.add_column("", justify="right")
-        table.add_column(label, min_width=narrow, overflow="fold")
-        for heading in shown:
-            table.add_column(heading, justify="right", no_wrap=True, overflow="fold")
-        for line in lines:
-            table.add_row(*line[: len(shown) + 2])
-        if (
-            console.measure(table, options=console.options.update(max_width=10_000)).maximum - folds
-            <= console.width
-        ):
-            break
-    return table
+    files, left_out = write_curves(verdict, measure, folder, lang)
+    told: list[str] = []
+    for result in verdict.options:
+        curve = result.curves[measure]
+        name = title(result.option, verdict, lang) if lang == "ja" else curve.name
+        told.append(say("cli.curve", lang, name=name, told=curve.texts))
+        if curve.lognormal is not None:
+            told.append(f"  {say(curve.lognormal.texts, lang)}")
+    if measure == MMI:
+        told.append(say("fragility.mmi_scatter", lang))
+    for sentence in () if aside else told:
+        typer.echo(sentence)
+    for sentence in left_out:
+        note(sentence)
+    return files

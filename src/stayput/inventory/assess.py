@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Language, Phrase
     from stayput.execution import Executor
-    from stayput.inventory.scenarios import Scenarios
+    from stayput.inventory.scenarios import Changed, Scenarios
     from stayput.inventory.summary import Summary
     from stayput.inventory.workspace import Workspace
 
@@ -108,6 +108,7 @@ def assess(
     scenario: str | Path | ScenarioFile,
     out: str | Path,
     *,
+    changed: Changed | None = None,
     shakemap: str | Path | None = None,
     field: str | None = None,
     uncertainty: str | Path | None = None,
@@ -135,6 +136,8 @@ def assess(
         A scenario file, or a folder of them: one event each or, with ``[station]``, stations.
     out : str or Path
         Folder of the results; new, empty, or of the same assessment.
+    changed : callable, optional
+        Called with the tables of each scenario file and its path; what it returns is taken in their place.
     shakemap : str or Path, optional
         How strongly the ground shakes where each piece stands: a grid of USGS ShakeMap (grid.xml), or CSV
         of lat, lon, one of intensity (JMA's), sa_0.3 (Sa at 0.3 s, 5 % damping [g]; any period), pga[%g],
@@ -194,7 +197,7 @@ def assess(
     files = {name: path for name, path in given.items() if path is not None}
     digests = {name: _digest(name, path) for name, path in files.items()}
     shaking = None if map_path is None else read_shakemap(map_path, field, scatter_path)
-    scenarios = read_scenarios(scenario, shaking)
+    scenarios = read_scenarios(scenario, shaking, changed)
     inputs = {
         "inventory": digests["inventory"],
         "scenario": [file.digest for file in scenarios.all],

@@ -25,12 +25,14 @@ from stayput.scenario.toml import read_toml
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from stayput.fragility import IntensityMeasure
     from stayput.inventory.places import GroundLevel, ShakeMap
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
+
+    Changed = Callable[[Mapping[str, Any], Path], Mapping[str, Any]]
 
 ANY_FURNITURE: dict[str, Any] = {"preset": "chest"}
 """Placeholder for the furniture of a scenario that leaves it to the inventory."""
@@ -171,7 +173,11 @@ class Scenarios:
         return here
 
 
-def read_scenarios(path: str | Path | ScenarioFile, shakemap: ShakeMap | None = None) -> Scenarios:
+def read_scenarios(
+    path: str | Path | ScenarioFile,
+    shakemap: ShakeMap | None = None,
+    changed: Changed | None = None,
+) -> Scenarios:
     """Read a scenario file, or a folder of them; one that has been read is taken as it is.
 
     In a folder, scenarios with a ``[station]`` are grouped by its ``event`` and joined to pieces by the
@@ -188,7 +194,7 @@ def read_scenarios(path: str | Path | ScenarioFile, shakemap: ShakeMap | None = 
     paths = sorted(place.glob("*.toml")) if place.is_dir() else [place]
     if not paths:
         raise InputError("inventory.no_scenarios", "scenario", path=repr(str(place)))
-    return _joined(tuple(read_scenario_file(path) for path in paths), place.stem, shakemap)
+    return _joined(tuple(read_scenario_file(path, changed) for path in paths), place.stem, shakemap)
 
 
 def _joined(scenarios: tuple[ScenarioFile, ...], folder: str, shakemap: ShakeMap | None) -> Scenarios:
@@ -223,15 +229,18 @@ def _events(scenarios: Sequence[ScenarioFile], folder: str) -> tuple[Earthquake,
     return tuple(events)
 
 
-def read_scenario_file(file: Path) -> ScenarioFile:
+def read_scenario_file(file: Path, changed: Changed | None = None) -> ScenarioFile:
     """Read one scenario file, which may have ``[buildings.NAME]`` and ``[station]`` and no furniture.
+
+    What is ``changed`` in its tables is checked as if the file said it.
 
     Raises
     ------
     InputError
         What is wrong, after the file's name.
     """
-    return scenario_file_of(read_toml(file), file)
+    tables = read_toml(file)
+    return scenario_file_of(tables if changed is None else changed(tables, file), file)
 
 
 def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from stayput.catalogue import say
 from stayput.cli.flags import (
+    GROUND,
     FlagValues,
     MotionArgument,
     QuietOption,
-    intensity_value,
     motion_of,
-    one_of_two,
-    reads_records,
+    numbers,
+    tables_of_motion,
+    takes,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import folded, note, print_json, tell_written
-from stayput.cli.shaking import XOption, YOption, ZOption, along
+from stayput.cli.motion.floors import print_floors, respond
 from stayput.cli.streams import check_output, is_stream, to_output, write_text
 from stayput.errors import InputError, InputWarning, unknown, warn
 
@@ -35,14 +36,11 @@ TABLE_PERIODS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10
 """Periods of the table that is printed [s]."""
 
 
-@reads_records
+@takes(GROUND)
 def info(
-    motion: MotionArgument = None,
-    x: XOption = None,
-    y: YOption = None,
-    z: ZOption = None,
+    motion: MotionArgument,
     *,
-    reading: FlagValues,
+    said: FlagValues,
     lang: LanguageOption = OF_LOCALE,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
@@ -50,7 +48,11 @@ def info(
     """Run ``stayput motion info``."""
     from stayput.motion.measures import Intensities, SpectralMeasures
 
-    record = _read(motion, x, y=y, z=z, reading=reading)
+    tables = tables_of_motion(motion, said)
+    if (response := respond(tables)) is not None:
+        print_floors(response, lang, json=json)
+        return
+    record = motion_of(tables)
     intensities = Intensities.of(record)
     rows = {name: (peaks, SpectralMeasures.of(record, name)) for name, peaks in record.peaks().items()}
     if json:
@@ -101,10 +103,7 @@ def _info_record(
 
 
 def _print_info(
-    motion: Motion,
-    intensities: Intensities,
-    rows: dict[str, tuple[Peaks, SpectralMeasures]],
-    lang: str,
+    motion: Motion, intensities: Intensities, rows: dict[str, tuple[Peaks, SpectralMeasures]], lang: str
 ) -> None:
     from rich.console import Console
     from rich.table import Table
@@ -166,63 +165,60 @@ def _warn_of_drift(motion: Motion) -> None:
             warn(InputWarning("motion.drifts", "motion", component=name, pgd=pgd, corrected=corrected))
 
 
-@reads_records
+@takes(GROUND)
 def plot(
-    motion: MotionArgument = None,
-    out: Annotated[Path | None, typer.Argument(metavar="OUT", help="cli_help.picture")] = None,
-    x: XOption = None,
-    y: YOption = None,
-    z: ZOption = None,
+    motion: MotionArgument,
+    out: Annotated[Path, typer.Argument(metavar="OUT", help="cli_help.picture")],
     *,
-    reading: FlagValues,
+    said: FlagValues,
+    spectra: Annotated[str | None, typer.Option(metavar="STOREY,…", help="cli_help.floor_spectra")] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput motion plot``."""
-    from stayput.files import PLOT_SUFFIXES, check_apart, check_target
+    from stayput.files import PLOT_SUFFIXES, check_target
 
-    motion, out = _motion_and_output(motion, out, x)
     check_target(out, PLOT_SUFFIXES)
-    check_apart((out,), _inputs(motion, x, y, z))
-    record = _read(motion, x, y=y, z=z, reading=reading)
+    tables = tables_of_motion(motion, said, out)
+    if (response := respond(tables)) is not None:
+        from stayput.report.building import building_title, plot_building
 
-    from stayput.report.names import motion_label
-    from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
+        parts = [] if spectra is None else spectra.split(",")
+        storeys = [round(one) for one in numbers("--spectra", spectra or "", parts, range(99), "3,8")]
+        for storey in storeys:
+            response.model.place(storey)
+        plot_building(response, out, storeys or None, title=building_title(response, lang), language=lang)
+    elif spectra is not None:
+        raise InputError("cli.spectra_of_floors", "--spectra", value=repr(spectra))
+    else:
+        from stayput.report.names import motion_label
+        from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
 
-    plot_motion(record, out, title=motion_label(record, lang), language=lang)
-    _warn_of_drift(record)
+        record = motion_of(tables)
+        plot_motion(record, out, title=motion_label(record, lang), language=lang)
+        _warn_of_drift(record)
     tell_written(lang, out)
 
 
-@reads_records
+@takes(GROUND)
 def spectrum(
-    motion: MotionArgument = None,
-    x: XOption = None,
-    y: YOption = None,
-    z: ZOption = None,
+    motion: MotionArgument,
     *,
-    reading: FlagValues,
+    said: FlagValues,
     damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
-    out: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.spectra_out"),
-    ] = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.plot_spectra"),
-    ] = None,
+    out: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.spectra_out")] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_spectra")] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput motion spectrum``."""
-    from stayput.files import PLOT_SUFFIXES, check_apart, check_target
+    from stayput.files import PLOT_SUFFIXES, check_target
     from stayput.motion.spectrum import PERIODS, response_spectrum
 
     check_output(out, (".csv",))
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
-    check_apart((out, plot), _inputs(motion, x, y, z))
-    record = _read(motion, x, y=y, z=z, reading=reading)
+    record = motion_of(tables_of_motion(motion, said, out, plot))
     instead = to_output({"--out": out})
 
     def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
@@ -274,41 +270,25 @@ def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: s
     console.print(table)
 
 
-@reads_records
+@takes(GROUND)
 def convert(
-    motion: MotionArgument = None,
-    out: Annotated[
-        Path | None,
-        typer.Argument(metavar="OUT", help="cli_help.converted"),
-    ] = None,
-    x: XOption = None,
-    y: YOption = None,
-    z: ZOption = None,
+    motion: MotionArgument,
+    out: Annotated[Path, typer.Argument(metavar="OUT", help="cli_help.converted")],
     *,
-    reading: FlagValues,
+    said: FlagValues,
     only: Annotated[str | None, typer.Option(metavar="x|y|z", help="cli_help.only")] = None,
     step: Annotated[float | None, typer.Option(help="cli_help.step")] = None,
-    scale: Annotated[float | None, typer.Option(help="cli_help.factor")] = None,
-    intensity: Annotated[str | None, typer.Option(help="cli_help.motion_intensity")] = None,
     form: Annotated[str | None, typer.Option("--format", metavar="csv|at2", help="cli_help.format")] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput motion convert``."""
-    from stayput.files import check_apart
     from stayput.motion.writers import FORMATS
 
-    motion, out = _motion_and_output(motion, out, x)
     check_output(out, tuple(FORMATS))
-    check_apart((out,), _inputs(motion, x, y, z))
+    tables = tables_of_motion(motion, said, out)
     ending = _ending(out, form)
-    if scale is not None and intensity is not None:
-        raise one_of_two("--scale", f"{scale:g}", "--intensity", repr(intensity))
-    record = _read(motion, x, y=y, z=z, reading=reading)
-    if intensity is not None:
-        record = record.to_intensity(intensity_value(intensity))
-    if scale is not None:
-        record = record.scaled(scale)
+    record = motion_of(tables)
     if step is not None:
         record = record.resampled(step)
     if only is not None:
@@ -330,39 +310,5 @@ def _ending(out: Path, form: str | None) -> str:
     if is_stream(out):
         return f".{form or known[0]}"
     if form is not None and f".{form}" != out.suffix.lower():
-        raise one_of_two("--format", repr(form), "OUT", repr(str(out)))
+        raise InputError("cli.other_format", "--format", value=repr(form), out=repr(str(out)))
     return out.suffix.lower()
-
-
-def _motion_and_output(motion: str | None, out: Path | None, x: str | None) -> tuple[str | None, Path]:
-    """Return the two arguments: beside ``--x`` the only one is the file to write."""
-    if x is not None and out is None and motion is not None:
-        return None, Path(motion)
-    if out is None:
-        raise InputError("cli.no_output", "OUT")
-    return motion, out
-
-
-def _inputs(*files: str | None) -> list[Path]:
-    return [Path(file) for file in files if file is not None]
-
-
-def _read(
-    motion: str | None,
-    x: str | None,
-    *,
-    y: str | None,
-    z: str | None,
-    reading: FlagValues,
-) -> Motion:
-    """Return the motion of the argument or of ``--x``; see `motion_of`.
-
-    Raises
-    ------
-    InputError
-        Neither is given, or both; a file that cannot be read.
-    """
-    given, named = along(motion, x, "MOTION")
-    if given is None:
-        raise InputError("cli.no_motion", "MOTION", name="MOTION")
-    return motion_of(given, named, y=y, z=z, reading=reading)

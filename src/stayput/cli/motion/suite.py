@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.completion import families, intensity_classes, words
-from stayput.cli.flags import (
-    FlagValues,
-    QuietOption,
-    band_of,
-    intensity_value,
-    one_of_two,
-    reads_records,
-    target_of,
-)
+from stayput.cli.completion import families, words
+from stayput.cli.flags import GROUND, FlagValues, QuietOption, numbers, tables_of_motion, takes
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note
+from stayput.errors import InputError, unknown
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
@@ -43,81 +36,73 @@ COLUMNS = (
 """Columns of the suite's table."""
 
 
-@reads_records
+@takes(GROUND)
 def suite(
     out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.suite_out")],
-    family: Annotated[
-        str,
-        typer.Option(
-            help="cli_help.family",
-            autocompletion=words(families),
-        ),
-    ] = "mixed",
+    family: Annotated[str, typer.Option(help="cli_help.family", autocompletion=words(families))] = "mixed",
     count: Annotated[int, typer.Option(help="cli_help.count")] = 40,
     seed: Annotated[int, typer.Option(help="cli_help.seed")] = 1,
     records: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.records")] = None,
     *,
-    reading: FlagValues,
-    target: Annotated[
-        str | None,
-        typer.Option(help="cli_help.target"),
-    ] = None,
+    said: FlagValues,
+    target: Annotated[str | None, typer.Option(help="cli_help.target")] = None,
     band: Annotated[str, typer.Option(metavar="T1,T2", help="cli_help.band")] = "0.1,5",
-    fit: Annotated[
-        str,
-        typer.Option(
-            help="cli_help.fit",
-            autocompletion=words(lambda: FITS),
-        ),
-    ] = "scale",
+    fit: Annotated[str, typer.Option(help="cli_help.fit", autocompletion=words(lambda: FITS))] = "scale",
     select: Annotated[int | None, typer.Option(metavar="N", help="cli_help.select")] = None,
-    intensity: Annotated[
-        str | None,
-        typer.Option(
-            help="cli_help.suite_intensity",
-            autocompletion=words(intensity_classes),
-        ),
-    ] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput motion suite``."""
-    from stayput.errors import InputError, unknown
-
     if out.exists() and not out.is_dir():
         raise InputError("cli.folder_is_file", "--out", folder=repr(str(out)))
     if fit not in FITS:
         raise unknown("--fit", fit, FITS, "--fit")
-    if target is not None and intensity is not None:
-        raise one_of_two("--target", repr(target), "--intensity", repr(intensity))
+    if target is not None and "intensity" in said:
+        raise InputError("cli.target_and_intensity", "--target", target=repr(target), value=said["intensity"])
     if target is None and (select is not None or fit != "scale"):
         raise InputError("cli.of_a_target", "--target")
-    wanted = None if target is None else target_of(target)
-    periods = band_of(band)
+    wanted = None if target is None else _target_of(target)
+    first, last = numbers("--band", band, band.split(","), (2,), "0.1,5")
+    periods = first, last
 
-    from stayput.motion.suites import read_suite, synthetic_suite
+    from stayput.scenario import Scenario
 
-    motions = synthetic_suite(family, count, seed) if records is None else read_suite(records, **reading)
+    made = {"family": family, "count": count, "seed": seed}
+    tables = tables_of_motion(None, said, suite=made if records is None else str(records))
+    motions = Scenario.parse(tables).shaking.motions(Path())
     if wanted is not None:
         if select is not None:
             motions = motions.selected(wanted, select, periods)
         scaled = motions.to_spectrum(wanted, periods)
         motions = scaled if fit == "scale" else scaled.matched(wanted, periods, together=fit == "together")
-    if intensity is not None:
-        motions = motions.to_intensity(intensity_value(intensity))
     _write(motions, out, wanted, lang)
     _print_end(motions, wanted, periods, out, lang)
 
 
-def _numbers(motion: Motion) -> list[float]:
-    return [
-        motion.dt,
-        motion.duration,
-        motion.intensity,
-        motion.pga,
-        motion.pgv,
-        motion.significant_duration,
-    ]
+def _target_of(text: str) -> TargetSpectrum:
+    """Return the target spectrum of ``japan[:LEVEL[,SOIL]]``, ``asce7:SDS,SD1[,TL]`` or a table's file.
+
+    Raises
+    ------
+    InputError
+        A text or a file that cannot be read.
+    """
+    from stayput.motion.suites import asce7, japanese_design, read_target
+
+    kind, _, rest = text.partition(":")
+    if kind == "asce7":
+        return asce7(*numbers("--target", text, rest.split(","), (2, 3), "asce7:1.0,0.6,8"))
+    if kind == "japan":
+        level, _, soil = (rest or "very-rare,2").partition(",")
+        number = numbers("--target", text, [soil or "2"], (1,), "japan:very-rare,2")[0]
+        return japanese_design(level.replace("-", " "), round(number))
+    if not Path(text).exists():
+        raise InputError("cli.target", "--target", value=repr(text))
+    return read_target(text)
+
+
+def _strengths(motion: Motion) -> list[float]:
+    return [motion.dt, motion.duration, motion.intensity, motion.pga, motion.pgv, motion.significant_duration]
 
 
 def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) -> None:
@@ -143,7 +128,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
             motion.write(folder / file)
             names = file, text_cell(motion.name)
             rows.writerow(
-                [*names, motion.synthetic, *_numbers(motion), motion.floor, text_cell(motion.source)]
+                [*names, motion.synthetic, *_strengths(motion), motion.floor, text_cell(motion.source)]
             )
             advance(1)
         (unfinished / "suite.csv").write_text(table.getvalue(), encoding=CSV_ENCODING)

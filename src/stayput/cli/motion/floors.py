@@ -1,112 +1,50 @@
-"""``stayput building``: from the ground's motion to the floors'."""
+"""The floors of a building under a motion of the ground: ``stayput motion info --building``."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
-
-import typer
+from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import say
-from stayput.cli.completion import structures, words
-from stayput.cli.flags import FlagValues, QuietOption, motion_of, reads_records
-from stayput.cli.language import OF_LOCALE, LanguageOption
-from stayput.cli.messages import folded, print_json, tell_written
-from stayput.cli.shaking import (
-    XOption,
-    YOption,
-    ZOption,
-    along,
-    scales_motions,
-    stated_strength,
-)
-from stayput.cli.streams import check_output, to_output, write_text
+from stayput.cli.flags import table_of
+from stayput.cli.messages import folded, print_json
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from stayput.building.response import FloorResponse
 
 
-@reads_records
-@scales_motions
-def building(
-    storeys: Annotated[int, typer.Option(help="cli_help.storeys")] = 10,
-    structure: Annotated[
-        str, typer.Option(help="cli_help.structure", autocompletion=words(structures))
-    ] = "RC",
-    period: Annotated[
-        float | None,
-        typer.Option(help="cli_help.period"),
-    ] = None,
-    damping: Annotated[float | None, typer.Option(help="cli_help.damping")] = None,
-    motion: Annotated[
-        str | None,
-        typer.Option(
-            metavar="MOTION",
-            help="cli_help.ground_motion",
-        ),
-    ] = None,
-    x: XOption = None,
-    y: YOption = None,
-    z: ZOption = None,
-    *,
-    reading: FlagValues,
-    strength: FlagValues,
-    storey: Annotated[
-        list[int] | None,
-        typer.Option(help="cli_help.storey_out"),
-    ] = None,
-    linear: Annotated[bool, typer.Option("--linear", help="cli_help.linear")] = False,
-    out: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.floor_out"),
-    ] = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="cli_help.plot_building"),
-    ] = None,
-    lang: LanguageOption = OF_LOCALE,
-    json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
-    quiet: QuietOption = False,
-) -> None:
-    """Run ``stayput building``."""
-    from stayput.building import Building
-    from stayput.errors import InputError
-    from stayput.files import PLOT_SUFFIXES, check_apart, check_target
+def respond(tables: Mapping[str, Any]) -> FloorResponse | None:
+    """Return what the floors of a building do of which no storey is named; None where there is no such one.
 
-    check_output(out, (".csv",))
-    if out is not None and (storey is None or len(storey) != 1):
-        raise InputError("cli.out_needs_storey", "--out", out=repr(str(out)))
-    instead = to_output({"--out": out}, json)
-    if plot is not None:
-        check_target(plot, PLOT_SUFFIXES)
-    check_apart((out, plot), [Path(file) for file in (motion, x, y, z) if file is not None])
-    described = Building(storeys, structure, period, damping, nonlinear=not linear)
-    for number in storey or ():
-        described.model.place(number)
-    motion, named = along(motion, x)
-    ground = motion or "near-fault"
-    response = described.respond(
-        motion_of(
-            ground,
-            named,
-            y=y,
-            z=z,
-            reading=reading,
-            **stated_strength(strength),
-        )
-    )
+    Parameters
+    ----------
+    tables : mapping
+        Tables of a scenario, whose ``[shaking]`` may have a building.
+
+    Raises
+    ------
+    InputError
+        A value that is not allowed, or a record that cannot be read.
+    """
+    from stayput.scenario import Scenario
+
+    shaking = table_of(tables, "shaking")
+    if "building" not in shaking or "storey" in shaking:
+        return None
+    table = Scenario.parse({**tables, "shaking": {**shaking, "storey": 1}}).shaking
+    assert table.building is not None
+    ground = table.model_copy(update={"building": None, "storey": None})
+    return table.building.building().respond(ground.motion(Path()))
+
+
+def print_floors(response: FloorResponse, lang: str, *, json: bool) -> None:
+    """Print the peaks of all floors, as a table or as one JSON object."""
     if json:
         print_json(_record(response))
-    elif not instead:
+    else:
         _print_table(response, lang)
-    if out is not None and storey:
-        write_text(out, response.floor(storey[0]).text(".csv"))
-    if plot is not None:
-        from stayput.report.building import building_title, plot_building
-
-        plot_building(response, plot, storey, title=building_title(response, lang), language=lang)
-    if not json:
-        tell_written(lang, out, plot, aside=instead)
 
 
 def _record(response: FloorResponse) -> dict[str, Any]:
