@@ -22,8 +22,9 @@ if TYPE_CHECKING:
 
 PHONE = {"width": 390, "height": 844}
 DESK = {"width": 1280, "height": 900}
-SOFTWARE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]  # WebGL without a graphics card
-FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", *SOFTWARE]
+FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
+WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]  # without a graphics card
+FLAT = ["--disable-gpu", "--disable-3d-apis"]  # takes half as long as WebGL that no graphics card draws
 LOCALES = {"en": "en-GB", "ja": "ja-JP"}
 WAIT = 60_000
 """How long the page may take for anything, on a machine that has much else to do [ms]."""
@@ -35,14 +36,26 @@ FEW = 4
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
+def chromium() -> Iterator[Callable[..., Browser]]:
+    """What starts a Chromium with further arguments."""
     path = prerequisites.find_chromium()
     if path is None:
         prerequisites.do_without(prerequisites.BROWSER)
-    with (
-        sync_playwright() as playwright,
-        playwright.chromium.launch(executable_path=path, args=FLAGS) as found,
-    ):
+    with sync_playwright() as playwright:
+        yield lambda flags: playwright.chromium.launch(executable_path=path, args=[*FLAGS, *flags])
+
+
+@pytest.fixture(scope="module")
+def browser(chromium: Callable[..., Browser]) -> Iterator[Browser]:
+    """A Chromium without WebGL, where scenes in space are drawn flat."""
+    with chromium(FLAT) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def webgl(chromium: Callable[..., Browser]) -> Iterator[Browser]:
+    """A Chromium with WebGL."""
+    with chromium(WEBGL) as found:
         yield found
 
 

@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import browser
 from test_room_api import ROOM, ended
 
 import stayput as sp
@@ -19,8 +18,6 @@ if TYPE_CHECKING:
     import httpx
     from playwright.sync_api import Browser
     from serving import Running
-
-__all__ = ["browser"]
 
 
 @pytest.fixture(scope="module")

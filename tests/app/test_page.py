@@ -1,6 +1,5 @@
 """The page in Chromium: the scene is set, and what is sent and seen follows."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import json
@@ -8,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import PHONE, Opened, browser, opened  # noqa: F401
+from browsing import PHONE, Opened, opened
 
 import stayput as sp
 

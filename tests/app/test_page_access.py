@@ -1,6 +1,5 @@
 """The page in Chromium: for everybody. Screen readers, the keyboard, both themes, both languages."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import json
@@ -9,7 +8,7 @@ from importlib import resources
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, DESK, PHONE, opened
 
 from stayput.app.pages import words
 from stayput.catalogue import LANGUAGES

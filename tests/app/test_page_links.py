@@ -1,12 +1,11 @@
 """The page in Chromium: reload, back, forward and shared links keep everything, or say what they lack."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 import numpy as np
-from browsing import browser, opened  # noqa: F401
+from browsing import opened
 
 import stayput as sp
 from waiting import wait_until

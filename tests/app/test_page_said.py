@@ -1,6 +1,5 @@
 """The page in Chromium: what is not as it was asked for is said where the reader looks, in both languages."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import re
@@ -8,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, PHONE, opened
 
 import stayput as sp
 from stayput.model.body import SIZE_RANGE

@@ -1,6 +1,5 @@
 """The page in Chromium: a piece in space, and files of several pieces."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import io
@@ -11,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, DESK, PHONE, opened
 from PIL import Image
 from playwright.sync_api import expect
-from test_space_in_browser import NO_WEBGL, coloured, differ
+from test_space_in_browser import coloured, differ
 
 from stayput.scenario import Scenario
 
@@ -109,8 +108,8 @@ def test_the_length_of_a_piece_is_its_presets_until_it_is_set(browser: Browser, 
         assert asked["scene"]["furniture"]["length"] == lengths["refrigerator"]  # of a link that names none
 
 
-def test_the_pictures_follow_the_slider_the_views_and_the_keys(browser: Browser, server: Running) -> None:
-    with opened(browser, server, BELTED) as it:
+def test_the_pictures_follow_the_slider_the_views_and_the_keys(webgl: Browser, server: Running) -> None:
+    with opened(webgl, server, BELTED) as it:
         assert it.page.locator("#flat").is_hidden()
         it.page.locator("#time").fill("0")
         first = picture(it)
@@ -192,11 +191,7 @@ def test_what_comes_out_is_closed_in_space(browser: Browser, server: Running) ->
 
 
 def test_without_webgl_it_says_so_and_draws_flat(browser: Browser, server: Running) -> None:
-    with opened(browser, server) as it:
-        it.page.add_init_script(NO_WEBGL)
-        it.page.goto(f"{it.home}/{LINK}")
-        it.page.reload()
-        it.settle()
+    with opened(browser, server, LINK) as it:
         assert "has no WebGL 2" in it.text("#flat")
         assert coloured(picture(it))[0] > 0.02
         it.simulated(lambda: it.page.check("#engine input[value=plane]"))

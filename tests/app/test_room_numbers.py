@@ -1,6 +1,5 @@
 """Numbers of the editor of a room: typed, refused, put on pieces, drawn in layers; its words and defaults."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import json
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browsing import DESK, LOCALES, PHONE, WAIT, browser  # noqa: F401
+from browsing import DESK, PHONE
 from room_editing import ROOM, editing
 
 import stayput as sp

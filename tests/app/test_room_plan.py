@@ -1,6 +1,5 @@
 """The editor of a room's plan in Chromium: with mouse, finger and keyboard."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import math
@@ -8,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import DESK, LOCALES, PHONE, WAIT, browser  # noqa: F401
+from browsing import DESK, PHONE
 from room_editing import ROOM, editing
 
 import stayput as sp

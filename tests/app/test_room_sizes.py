@@ -1,12 +1,11 @@
 """The page of a room on every size: what is seen first, on phones and wide screens, and axe."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
+from browsing import DESK, PHONE, opened
 from room_judge import DONE, QUEUED, ROUGH, Judge, change, judged, made, room_page
 
 if TYPE_CHECKING:

@@ -1,13 +1,11 @@
 """Changes that are tried on the page of a room: listed, taken back, made, and steps of the plan."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import copy
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import browser  # noqa: F401
 from room_judge import DONE, QUEUED, Judge, after, judged, place_of, room_page
 from test_room_api import ROOM, ended
 
