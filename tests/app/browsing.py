@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -16,13 +17,13 @@ import prerequisites
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
 
-    from playwright.sync_api import Browser, FloatRect, Page, Response, Route
+    from playwright.sync_api import Browser, BrowserContext, FloatRect, Page, Response, Route
     from serving import Running
 
 
 PHONE = {"width": 390, "height": 844}
 DESK = {"width": 1280, "height": 900}
-FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
+FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", "--process-per-site"]
 WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]  # without a graphics card
 FLAT = ["--disable-gpu", "--disable-3d-apis"]  # takes half as long as WebGL that no graphics card draws
 LOCALES = {"en": "en-GB", "ja": "ja-JP"}
@@ -138,6 +139,45 @@ def _short(route: Route) -> None:
     route.continue_(post_data=asked)
 
 
+@cache
+def context_of(
+    browser: Browser, home: str, size: tuple[int, int], language: str, theme: str, motion: str, touch: bool
+) -> BrowserContext:
+    """Return the context of all pages that are looked at like this: they load and compile the scripts once.
+
+    A page that does nothing stays open in it, which keeps the process of all of them.
+    """
+    found = browser.new_context(
+        viewport={"width": size[0], "height": size[1]},
+        locale=LOCALES[language],
+        color_scheme=theme,  # type: ignore[arg-type]
+        reduced_motion=motion,  # type: ignore[arg-type]
+        has_touch=touch,
+    )
+    found.new_page().goto(f"{home}/api/v1/ping")
+    return found
+
+
+def new_page(
+    browser: Browser,
+    server: Running,
+    *,
+    size: dict[str, int],
+    language: str,
+    theme: str,
+    motion: str = "reduce",
+    touch: bool = False,
+) -> Page:
+    """Return an empty page in a context in which nothing is kept of the pages before."""
+    seen = size["width"], size["height"]
+    page = context_of(browser, server.address, seen, language, theme, motion, touch).new_page()
+    page.set_default_timeout(WAIT)
+    session = page.context.new_cdp_session(page)
+    session.send("Storage.clearDataForOrigin", {"origin": server.address, "storageTypes": "all"})
+    session.detach()
+    return page
+
+
 @contextmanager
 def opened(
     browser: Browser,
@@ -157,15 +197,7 @@ def opened(
     Verifications are left out unless they are wanted, and then they are of a few motions; what "routes" match
     is answered by their functions.
     """
-    context = browser.new_context(
-        viewport=size,  # type: ignore[arg-type]
-        locale=LOCALES[language],
-        color_scheme=theme,  # type: ignore[arg-type]
-        reduced_motion=motion,  # type: ignore[arg-type]
-        accept_downloads=True,
-    )
-    page = context.new_page()
-    page.set_default_timeout(WAIT)
+    page = new_page(browser, server, size=size, language=language, theme=theme, motion=motion)
     found = Opened(page, server.address)
     page.on("console", lambda one: one.type in ("error", "warning") and found.console.append(one.text))
     page.on("pageerror", lambda error: found.console.append(str(error)))
@@ -177,7 +209,7 @@ def opened(
     for pattern, answer in (routes or {}).items():
         page.route(pattern, answer)
     with ExitStack() as ending:
-        ending.callback(context.close)
+        ending.callback(page.close)
         ending.callback(page.unroute_all, behavior="ignoreErrors")
         ending.enter_context(recorded(page))
         page.goto(f"{server.address}/{start()}{address}")
