@@ -13,6 +13,7 @@ from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
 
 import prerequisites
+from long_cases import long
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
@@ -34,6 +35,13 @@ COMPILING = 300_000
 """How long what is compiled first may take [ms]."""
 
 FEW = 4
+LOOKS = pytest.mark.parametrize(
+    ("theme", "language", "size"),
+    [
+        ("dark", "en", PHONE),
+        *long(("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE)),
+    ],
+)
 
 
 @pytest.fixture(scope="module")

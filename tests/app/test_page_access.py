@@ -8,7 +8,7 @@ from importlib import resources
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import COMPILING, DESK, PHONE, opened
+from browsing import COMPILING, DESK, LOOKS, PHONE, opened
 
 from stayput.app.pages import words
 from stayput.catalogue import LANGUAGES
@@ -22,10 +22,7 @@ if TYPE_CHECKING:
 PAGE = resources.files("stayput.app").joinpath("page")
 
 
-@pytest.mark.parametrize(
-    ("theme", "language", "size"),
-    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
-)
+@LOOKS
 def test_axe_finds_nothing_serious(
     browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
 ) -> None:

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browsing import COMPILING, DESK, PHONE, opened
+from browsing import COMPILING, LOOKS, opened
 from PIL import Image
 from playwright.sync_api import expect
 from test_space_in_browser import coloured, differ
 
+from long_cases import long
 from stayput.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -379,11 +380,8 @@ def test_files_that_are_not_shown_say_why_and_change_nothing(
         assert it.page.locator("#pieces").is_visible() == (before == "a file")
 
 
-@pytest.mark.parametrize(
-    ("theme", "language", "size"),
-    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
-)
-@pytest.mark.parametrize("several", [False, True])
+@LOOKS
+@pytest.mark.parametrize("several", [True, *long(False)])
 def test_axe_finds_nothing_serious_and_nothing_is_cut(
     browser: Browser, server: Running, theme: str, language: str, size: dict[str, int], several: bool
 ) -> None:

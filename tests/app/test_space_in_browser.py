@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browsing import DESK, PHONE, WAIT
+from browsing import DESK, LOOKS, PHONE, WAIT
 from PIL import Image
 
 import stayput as sp
@@ -174,10 +174,7 @@ def test_the_room_moves_with_the_ground_only_where_that_is_wanted(
         assert differ(shown, picture(page)) > 0.005
 
 
-@pytest.mark.parametrize(
-    ("theme", "language", "size"),
-    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
-)
+@LOOKS
 def test_axe_finds_nothing_serious_and_nothing_is_cut(
     browser: Browser, tmp_path: Path, run: Any, theme: str, language: str, size: dict[str, int]
 ) -> None:
