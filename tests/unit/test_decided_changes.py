@@ -18,7 +18,7 @@ from stayput.rooms.decisions import changes_between
 ROOM: dict[str, Any] = {
     **planned_room.ROOM,
     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 3}},
-    "uncertainty": {"samples": 6},
+    "uncertainty": {"samples": 2},
 }
 MOVED = {"name": "bookcase", "preset": "bookcase", "against": "right_wall", "along": 2.2}
 
