@@ -18,7 +18,7 @@ from long_cases import long
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
 
-    from playwright.sync_api import Browser, BrowserContext, FloatRect, Page, Response, Route
+    from playwright.sync_api import Browser, FloatRect, Page, Response, Route
     from serving import Running
 
 
@@ -148,22 +148,23 @@ def _short(route: Route) -> None:
 
 
 @cache
-def context_of(
+def keeper_of(
     browser: Browser, home: str, size: tuple[int, int], language: str, theme: str, motion: str, touch: bool
-) -> BrowserContext:
-    """Return the context of all pages that are looked at like this: they load and compile the scripts once.
+) -> Page:
+    """Return a page that stays open and does nothing.
 
-    A page that does nothing stays open in it, which keeps the process of all of them.
+    Pages that are looked at alike share its context and its process: they load and compile the scripts once.
     """
-    found = browser.new_context(
+    context = browser.new_context(
         viewport={"width": size[0], "height": size[1]},
         locale=LOCALES[language],
         color_scheme=theme,  # type: ignore[arg-type]
         reduced_motion=motion,  # type: ignore[arg-type]
         has_touch=touch,
     )
-    found.new_page().goto(f"{home}/api/v1/ping")
-    return found
+    keeper = context.new_page()
+    keeper.goto(f"{home}/api/v1/ping")
+    return keeper
 
 
 def new_page(
@@ -176,13 +177,12 @@ def new_page(
     motion: str = "reduce",
     touch: bool = False,
 ) -> Page:
-    """Return an empty page in a context in which nothing is kept of the pages before."""
+    """Return an empty page, for which nothing is kept of the pages before."""
     seen = size["width"], size["height"]
-    page = context_of(browser, server.address, seen, language, theme, motion, touch).new_page()
+    keeper = keeper_of(browser, server.address, seen, language, theme, motion, touch)
+    keeper.evaluate("localStorage.clear()")
+    page = keeper.context.new_page()
     page.set_default_timeout(WAIT)
-    session = page.context.new_cdp_session(page)
-    session.send("Storage.clearDataForOrigin", {"origin": server.address, "storageTypes": "all"})
-    session.detach()
     return page
 
 
