@@ -15,12 +15,13 @@ EXTRAS := formats,app,inventory
 ALONE  := $(PYTHON) -c 'import fcntl, subprocess, sys; file = open("Makefile"); \
   fcntl.flock(file, fcntl.LOCK_EX); sys.exit(subprocess.call(sys.argv[1:]))'
 
-.PHONY: help install demo paper test coverage soak peers lint bench bench-app bench-inventory docs lock release-notes clean
+.PHONY: help install demo paper test test-all coverage soak peers lint bench bench-app bench-inventory docs lock release-notes clean
 
 help:
 	@echo "make demo     which measure keeps a bookcase standing: the verdict, a report (out/)"
 	@echo "make paper    every section of the paper, its published numbers beside ours (out/paper); RECORD=file: its record"
-	@echo "make test     every test"
+	@echo "make test     every test, of a matrix one case (ten minutes on two cores)"
+	@echo "make test-all every test with all of its cases, as continuous integration runs them"
 	@echo "make soak     input made to break what reads it, for MINUTES=10 or as long as asked"
 	@echo "make coverage every test, and which lines of Python and of the page they run (out/coverage)"
 	@echo "make peers    pelicun and OpenQuake read our fragility curves, in an environment of their own (out/peers)"
@@ -41,9 +42,10 @@ demo: $(STAMP)-core
 paper: $(STAMP)-core
 	$(BIN)/python -m studies $(if $(RECORD),--record "$(RECORD)")
 
-test: $(STAMP)-test
+test: QUICK := -m "not long"
+test test-all: $(STAMP)-test
 	@$(BIN)/python tests/prerequisites.py
-	$(BIN)/python -m pytest -n auto --dist worksteal $(PYTEST_ARGS)
+	$(BIN)/python -m pytest -n auto --dist worksteal $(QUICK) $(PYTEST_ARGS)
 
 # The page's own coverage is written by the tests that open it, and counted afterwards.
 coverage: $(STAMP)-test

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -12,6 +13,7 @@ from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
 
 import prerequisites
+from long_cases import long
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
@@ -22,8 +24,9 @@ if TYPE_CHECKING:
 
 PHONE = {"width": 390, "height": 844}
 DESK = {"width": 1280, "height": 900}
-SOFTWARE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]  # WebGL without a graphics card
-FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", *SOFTWARE]
+FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", "--process-per-site"]
+WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]  # without a graphics card
+FLAT = ["--disable-gpu", "--disable-3d-apis"]  # takes half as long as WebGL that no graphics card draws
 LOCALES = {"en": "en-GB", "ja": "ja-JP"}
 WAIT = 60_000
 """How long the page may take for anything, on a machine that has much else to do [ms]."""
@@ -32,17 +35,36 @@ COMPILING = 300_000
 """How long what is compiled first may take [ms]."""
 
 FEW = 4
+LOOKS = pytest.mark.parametrize(
+    ("theme", "language", "size"),
+    [
+        ("dark", "en", PHONE),
+        *long(("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE)),
+    ],
+)
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
+def chromium() -> Iterator[Callable[..., Browser]]:
+    """What starts a Chromium with further arguments."""
     path = prerequisites.find_chromium()
     if path is None:
         prerequisites.do_without(prerequisites.BROWSER)
-    with (
-        sync_playwright() as playwright,
-        playwright.chromium.launch(executable_path=path, args=FLAGS) as found,
-    ):
+    with sync_playwright() as playwright:
+        yield lambda flags: playwright.chromium.launch(executable_path=path, args=[*FLAGS, *flags])
+
+
+@pytest.fixture(scope="module")
+def browser(chromium: Callable[..., Browser]) -> Iterator[Browser]:
+    """A Chromium without WebGL, where scenes in space are drawn flat."""
+    with chromium(FLAT) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def webgl(chromium: Callable[..., Browser]) -> Iterator[Browser]:
+    """A Chromium with WebGL."""
+    with chromium(WEBGL) as found:
         yield found
 
 
@@ -125,6 +147,45 @@ def _short(route: Route) -> None:
     route.continue_(post_data=asked)
 
 
+@cache
+def keeper_of(
+    browser: Browser, home: str, size: tuple[int, int], language: str, theme: str, motion: str, touch: bool
+) -> Page:
+    """Return a page that stays open and does nothing.
+
+    Pages that are looked at alike share its context and its process: they load and compile the scripts once.
+    """
+    context = browser.new_context(
+        viewport={"width": size[0], "height": size[1]},
+        locale=LOCALES[language],
+        color_scheme=theme,  # type: ignore[arg-type]
+        reduced_motion=motion,  # type: ignore[arg-type]
+        has_touch=touch,
+    )
+    keeper = context.new_page()
+    keeper.goto(f"{home}/api/v1/ping")
+    return keeper
+
+
+def new_page(
+    browser: Browser,
+    server: Running,
+    *,
+    size: dict[str, int],
+    language: str,
+    theme: str,
+    motion: str = "reduce",
+    touch: bool = False,
+) -> Page:
+    """Return an empty page, for which nothing is kept of the pages before."""
+    seen = size["width"], size["height"]
+    keeper = keeper_of(browser, server.address, seen, language, theme, motion, touch)
+    keeper.evaluate("localStorage.clear()")
+    page = keeper.context.new_page()
+    page.set_default_timeout(WAIT)
+    return page
+
+
 @contextmanager
 def opened(
     browser: Browser,
@@ -144,15 +205,7 @@ def opened(
     Verifications are left out unless they are wanted, and then they are of a few motions; what "routes" match
     is answered by their functions.
     """
-    context = browser.new_context(
-        viewport=size,  # type: ignore[arg-type]
-        locale=LOCALES[language],
-        color_scheme=theme,  # type: ignore[arg-type]
-        reduced_motion=motion,  # type: ignore[arg-type]
-        accept_downloads=True,
-    )
-    page = context.new_page()
-    page.set_default_timeout(WAIT)
+    page = new_page(browser, server, size=size, language=language, theme=theme, motion=motion)
     found = Opened(page, server.address)
     page.on("console", lambda one: one.type in ("error", "warning") and found.console.append(one.text))
     page.on("pageerror", lambda error: found.console.append(str(error)))
@@ -164,7 +217,7 @@ def opened(
     for pattern, answer in (routes or {}).items():
         page.route(pattern, answer)
     with ExitStack() as ending:
-        ending.callback(context.close)
+        ending.callback(page.close)
         ending.callback(page.unroute_all, behavior="ignoreErrors")
         ending.enter_context(recorded(page))
         page.goto(f"{server.address}/{start()}{address}")

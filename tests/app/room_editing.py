@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from browsing import DESK, LOCALES, WAIT
+from browsing import DESK, new_page
 from page_coverage import recorded
 
 if TYPE_CHECKING:
@@ -141,16 +141,9 @@ def editing(
 
     Browsers note answers of the status that is "refused".
     """
-    context = browser.new_context(
-        viewport=size,  # type: ignore[arg-type]
-        locale=LOCALES[language],
-        color_scheme=theme,  # type: ignore[arg-type]
-        reduced_motion="reduce",
-        has_touch=touch,
-    )
+    page = new_page(browser, server, size=size, language=language, theme=theme, touch=touch)
     try:
-        page, wrong = context.new_page(), list[str]()
-        page.set_default_timeout(WAIT)
+        wrong = list[str]()
         page.on("pageerror", lambda error: wrong.append(str(error)))
         page.on("console", lambda one: wrong.append(one.text) if one.type == "error" else None)
         for path in ("room", "simulate"):
@@ -165,4 +158,4 @@ def editing(
         assert [one for one in wrong if refused is None or f"status of {refused}" not in one] == []
     finally:
         page.unroute_all(behavior="ignoreErrors")
-        context.close()
+        page.close()

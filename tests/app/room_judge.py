@@ -226,6 +226,17 @@ def after(it: Opened, judge: Judge, act: Any) -> dict[str, Any]:
     return judge.scene
 
 
+IN_ADDRESS = """async ([table, wanted]) => {
+  const { unpacked } = await import("/packing.js"), letters = /room=([^&]*)/.exec(location.hash)?.[1];
+  return letters && JSON.stringify(JSON.parse(await unpacked(letters))[table]) === JSON.stringify(wanted);
+}"""
+
+
+def in_address(it: Opened, table: str, wanted: object) -> None:
+    """Wait until the room in the page's address has this table: it is written a little later."""
+    it.wait(IN_ADDRESS, [table, wanted])
+
+
 def place_of(room: dict[str, Any], name: str) -> dict[str, Any]:
     (piece,) = (one for one in room["furniture"] if one["name"] == name)
     return {key: piece[key] for key in ("against", "along")}

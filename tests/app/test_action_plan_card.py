@@ -7,11 +7,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import browser
 from test_room_api import ROOM, ended
 
 import stayput as sp
-from stayput.catalogue import LANGUAGES, say
+from long_cases import long
+from stayput.catalogue import say
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     import httpx
     from playwright.sync_api import Browser
     from serving import Running
-
-__all__ = ["browser"]
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +80,7 @@ def test_the_card_is_printed_by_a_button_and_leads_back_to_the_room(
     assert wrong == []
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", ["ja", *long("en")])
 def test_four_pieces_are_on_one_page_and_more_go_on(
     browser: Browser, plan: sp.ActionPlan, tmp_path: Path, language: str
 ) -> None:

@@ -18,9 +18,6 @@ if TYPE_CHECKING:
     import httpx
     from serving import Running
 
-EXAMPLES = 25
-"""Cases made up for each route."""
-
 app = create_app(warming=False)
 app.state.service.close()
 schema = schemathesis.openapi.from_dict(app.openapi())
@@ -34,15 +31,23 @@ def served() -> Iterator[Running]:
         yield found
 
 
+MADE_UP = settings(deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
+
+
 @schema.parametrize()
-@settings(
-    max_examples=EXAMPLES,
-    deadline=None,
-    derandomize=True,
-    database=None,
-    suppress_health_check=list(HealthCheck),
-)
+@settings(MADE_UP, max_examples=3)
 def test_no_input_makes_the_server_fail(case: schemathesis.Case, served: Running) -> None:
+    is_described(case, served)
+
+
+@pytest.mark.long
+@schema.parametrize()
+@settings(MADE_UP, max_examples=25)
+def test_much_input_does_not_make_the_server_fail(case: schemathesis.Case, served: Running) -> None:
+    is_described(case, served)
+
+
+def is_described(case: schemathesis.Case, served: Running) -> None:
     answer = case.call(base_url=served.address, timeout=COMPILING)
     assert answer.status_code < 500 or answer.status_code == 503, answer.text
     case.validate_response(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import DESK, PHONE, WAIT, browser  # noqa: F401
+from browsing import DESK, PHONE, WAIT
 from playwright.sync_api import expect
 
 import stayput as sp
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 NAMES = ["<!--<script>", "</script><script>document.title = 1</script>", "{{data}}", "a\u2028<!--"]
 
 
-def opened(browser: Browser, path: Path) -> tuple[Page, list[str]]:  # noqa: F811
+def opened(browser: Browser, path: Path) -> tuple[Page, list[str]]:
     page = browser.new_page()
     page.set_default_timeout(WAIT)
     said: list[str] = []
@@ -30,7 +30,7 @@ def opened(browser: Browser, path: Path) -> tuple[Page, list[str]]:  # noqa: F81
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_animation_plays_under_any_name(browser: Browser, tmp_path: Path, name: str) -> None:  # noqa: F811
+def test_the_animation_plays_under_any_name(browser: Browser, tmp_path: Path, name: str) -> None:
     body = sp.Body(width=0.4, height=1.8, mass=100.0)
     run = sp.simulate(body, sp.Room(floor=sp.Floor()), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
     page, said = opened(browser, animate_run(run, tmp_path / "run.html", name=name))
@@ -41,7 +41,7 @@ def test_the_animation_plays_under_any_name(browser: Browser, tmp_path: Path, na
     page.close()
 
 
-def test_the_report_draws_its_scenes_under_any_name(browser: Browser, tmp_path: Path) -> None:  # noqa: F811
+def test_the_report_draws_its_scenes_under_any_name(browser: Browser, tmp_path: Path) -> None:
     scenario = sp.Scenario.parse(
         {
             "title": NAMES[0],
@@ -67,7 +67,7 @@ def test_the_report_draws_its_scenes_under_any_name(browser: Browser, tmp_path: 
 
 @pytest.mark.parametrize("size", [PHONE, DESK])
 def test_players_in_a_report_are_shown_whole(
-    browser: Browser,  # noqa: F811
+    browser: Browser,
     tmp_path: Path,
     size: dict[str, int],
 ) -> None:
@@ -94,7 +94,7 @@ def test_players_in_a_report_are_shown_whole(
     page.close()
 
 
-def test_the_animation_plays_pauses_and_steps(browser: Browser, tmp_path: Path) -> None:  # noqa: F811
+def test_the_animation_plays_pauses_and_steps(browser: Browser, tmp_path: Path) -> None:
     run = sp.simulate(
         sp.Body(0.4, 1.8, 100.0), sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0)
     )
@@ -116,7 +116,7 @@ def test_the_animation_plays_pauses_and_steps(browser: Browser, tmp_path: Path) 
     page.close()
 
 
-def test_the_report_plays_a_pair_from_its_start_to_its_end(browser: Browser, tmp_path: Path) -> None:  # noqa: F811
+def test_the_report_plays_a_pair_from_its_start_to_its_end(browser: Browser, tmp_path: Path) -> None:
     scenario = sp.Scenario.parse(
         {
             "furniture": {"preset": "bookcase"},

@@ -1,6 +1,5 @@
 """The page in Chromium: the scene is set, and what is sent and seen follows."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import json
@@ -8,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import PHONE, Opened, browser, opened  # noqa: F401
+from browsing import PHONE, Opened, opened
 
 import stayput as sp
 
@@ -331,7 +330,7 @@ def test_the_mean_of_a_record_is_taken_off(
         asked, _ = it.simulated(lambda: it.page.click(button))
         assert asked["scene"]["shaking"]["remove_mean"] is True
         it.page.wait_for_selector(button, state="detached")
-        it.page.wait_for_function("location.hash.includes('remove_mean')")
+        it.wait("() => location.hash.includes('remove_mean')")
 
 
 def test_a_phone_shows_one_screen_at_a_time(browser: Browser, server: Running) -> None:

@@ -1,6 +1,5 @@
 """The page in Chromium: for everybody. Screen readers, the keyboard, both themes, both languages."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import json
@@ -9,7 +8,7 @@ from importlib import resources
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, DESK, LOOKS, PHONE, opened
 
 from stayput.app.pages import words
 from stayput.catalogue import LANGUAGES
@@ -23,10 +22,7 @@ if TYPE_CHECKING:
 PAGE = resources.files("stayput.app").joinpath("page")
 
 
-@pytest.mark.parametrize(
-    ("theme", "language", "size"),
-    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
-)
+@LOOKS
 def test_axe_finds_nothing_serious(
     browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
 ) -> None:

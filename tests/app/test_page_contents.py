@@ -1,12 +1,11 @@
 """The page asks what is inside; the scene, the link and the ranking have it."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import re
 from typing import TYPE_CHECKING
 
-from browsing import browser, opened  # noqa: F401
+from browsing import opened
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

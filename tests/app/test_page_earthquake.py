@@ -1,11 +1,10 @@
 """The page in Chromium: how strong the earthquake is by what people know of it, and records of their own."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from browsing import DESK, PHONE, browser, opened  # noqa: F401
+from browsing import DESK, PHONE, opened
 
 import stayput as sp
 

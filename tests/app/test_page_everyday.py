@@ -1,12 +1,11 @@
 """What the page asks of wall, ceiling, installation and everyday use, and what it says of them."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import browser, opened  # noqa: F401
+from browsing import opened
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

@@ -1,12 +1,11 @@
 """The page in Chromium: its jobs and its scene when it is left, comes back, or lacks its server."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import COMPILING, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, PHONE, opened
 from serving import hold_verifications
 
 from waiting import wait_until

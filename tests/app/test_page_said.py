@@ -1,6 +1,5 @@
 """The page in Chromium: what is not as it was asked for is said where the reader looks, in both languages."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import re
@@ -8,9 +7,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, DESK, PHONE, opened
 
 import stayput as sp
+from long_cases import long
 from stayput.model.body import SIZE_RANGE
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def scene(**changed: object) -> str:
     return "#" + "&".join(f"{name}={value}" for name, value in {**usual, **changed}.items())
 
 
-@pytest.mark.parametrize("size", [PHONE, {"width": 1280, "height": 900}])
+@pytest.mark.parametrize("size", [PHONE, *long(DESK)])
 def test_number_fields_show_all_of_their_digits(
     browser: Browser, server: Running, size: dict[str, int]
 ) -> None:
@@ -211,7 +211,7 @@ def test_nothing_lies_over_the_picture_of_a_phone_on_its_side(browser: Browser, 
         assert bar["y"] + bar["height"] <= steps["y"]
 
 
-@pytest.mark.parametrize("size", [PHONE, SIDEWAYS, {"width": 1280, "height": 700}])
+@pytest.mark.parametrize("size", [SIDEWAYS, *long(PHONE, {"width": 1280, "height": 700})])
 def test_an_event_is_jumped_to_with_the_picture_in_sight(
     browser: Browser, server: Running, size: dict[str, int]
 ) -> None:

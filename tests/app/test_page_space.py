@@ -1,6 +1,5 @@
 """The page in Chromium: a piece in space, and files of several pieces."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import io
@@ -11,11 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, LOOKS, opened
 from PIL import Image
 from playwright.sync_api import expect
-from test_space_in_browser import NO_WEBGL, coloured, differ
+from test_space_in_browser import coloured, differ
 
+from long_cases import long
 from stayput.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -109,8 +109,8 @@ def test_the_length_of_a_piece_is_its_presets_until_it_is_set(browser: Browser, 
         assert asked["scene"]["furniture"]["length"] == lengths["refrigerator"]  # of a link that names none
 
 
-def test_the_pictures_follow_the_slider_the_views_and_the_keys(browser: Browser, server: Running) -> None:
-    with opened(browser, server, BELTED) as it:
+def test_the_pictures_follow_the_slider_the_views_and_the_keys(webgl: Browser, server: Running) -> None:
+    with opened(webgl, server, BELTED) as it:
         assert it.page.locator("#flat").is_hidden()
         it.page.locator("#time").fill("0")
         first = picture(it)
@@ -192,11 +192,7 @@ def test_what_comes_out_is_closed_in_space(browser: Browser, server: Running) ->
 
 
 def test_without_webgl_it_says_so_and_draws_flat(browser: Browser, server: Running) -> None:
-    with opened(browser, server) as it:
-        it.page.add_init_script(NO_WEBGL)
-        it.page.goto(f"{it.home}/{LINK}")
-        it.page.reload()
-        it.settle()
+    with opened(browser, server, LINK) as it:
         assert "has no WebGL 2" in it.text("#flat")
         assert coloured(picture(it))[0] > 0.02
         it.simulated(lambda: it.page.check("#engine input[value=plane]"))
@@ -384,11 +380,8 @@ def test_files_that_are_not_shown_say_why_and_change_nothing(
         assert it.page.locator("#pieces").is_visible() == (before == "a file")
 
 
-@pytest.mark.parametrize(
-    ("theme", "language", "size"),
-    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
-)
-@pytest.mark.parametrize("several", [False, True])
+@LOOKS
+@pytest.mark.parametrize("several", [True, *long(False)])
 def test_axe_finds_nothing_serious_and_nothing_is_cut(
     browser: Browser, server: Running, theme: str, language: str, size: dict[str, int], several: bool
 ) -> None:

@@ -1,6 +1,5 @@
 """The page in Chromium: what it says of the chances, and what the user can keep."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import csv
@@ -11,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, browser, opened  # noqa: F401
+from browsing import COMPILING, opened
 from serving import hold_verifications
 
 from stayput.app import api

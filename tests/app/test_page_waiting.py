@@ -1,12 +1,10 @@
 """What both pages say while their first picture is long in coming."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import browser  # noqa: F401
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

@@ -1,11 +1,9 @@
 """The list of single changes on the page of a room, in Chromium."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from browsing import browser  # noqa: F401
 from room_judge import Judge, chance, change, made, room_page
 
 if TYPE_CHECKING:

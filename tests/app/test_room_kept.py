@@ -1,6 +1,5 @@
 """What a reader keeps of a room: films, its file, and small records in its link."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import io
@@ -8,7 +7,6 @@ import tomllib
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import browser  # noqa: F401
 from PIL import Image
 from room_judge import Judge, after, judged, room_page
 from serving import client_of

@@ -1,11 +1,9 @@
 """The page of a room with the keyboard alone, in Chromium."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from browsing import browser  # noqa: F401
 from room_editing import ROOM, editing
 
 if TYPE_CHECKING:

@@ -1,6 +1,5 @@
 """Numbers of the editor of a room: typed, refused, put on pieces, drawn in layers; its words and defaults."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import json
@@ -10,10 +9,11 @@ from typing import TYPE_CHECKING
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browsing import DESK, LOCALES, PHONE, WAIT, browser  # noqa: F401
+from browsing import DESK, PHONE
 from room_editing import ROOM, editing
 
 import stayput as sp
+from long_cases import long
 from stayput.app.pages import words
 from stayput.catalogue import room_plan
 from stayput.fragility.probabilities import percent
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 SOURCES = resources.files("stayput.app").joinpath("room_page")
 
 
-@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("size", [PHONE, *long(DESK)], ids=["phone", "desk"])
 def test_what_is_refused_breaks_no_layout(browser: Browser, server: Running, size: dict[str, int]) -> None:
     word = "averylongword" * 20
     refusal = {"message": word, "message_ja": None, "field": "scene.furniture[1].at"}
@@ -155,7 +155,9 @@ def test_a_verdict_is_drawn_in_layers(browser: Browser, server: Running) -> None
 
 
 @pytest.mark.parametrize(
-    ("theme", "language", "size"), [("light", "en", DESK), ("dark", "ja", PHONE)], ids=["desk", "phone"]
+    ("theme", "language", "size"),
+    [("dark", "ja", PHONE), *long(("light", "en", DESK))],
+    ids=["phone", "desk"],
 )
 def test_axe_finds_nothing_serious_in_the_editor(
     browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]

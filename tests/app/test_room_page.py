@@ -1,6 +1,5 @@
 """The page of a room in Chromium: its verdict, its changes, its picture in space, and what is kept of it."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import re
@@ -10,7 +9,7 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
+from browsing import COMPILING, DESK, FEW, PHONE, opened
 from room_judge import (
     COUNTED,
     DONE,

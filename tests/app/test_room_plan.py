@@ -1,6 +1,5 @@
 """The editor of a room's plan in Chromium: with mouse, finger and keyboard."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import math
@@ -8,10 +7,11 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import DESK, LOCALES, PHONE, WAIT, browser  # noqa: F401
+from browsing import DESK, PHONE
 from room_editing import ROOM, editing
 
 import stayput as sp
+from long_cases import long
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -104,7 +104,7 @@ def test_a_finger_drags_a_piece(browser: Browser, server: Running) -> None:
         assert it.room()["furniture"][1]["at"] == pytest.approx([1.4, 1.6], abs=0.03)
 
 
-@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("size", [PHONE, *long(DESK)], ids=["phone", "desk"])
 def test_a_finger_drags_a_kind_into_the_plan(browser: Browser, server: Running, size: dict[str, int]) -> None:
     with editing(browser, server, size=size, touch=True) as it:
         end = it.at(2.0, 1.6)
@@ -151,7 +151,7 @@ def test_the_keyboard_moves_turns_doubles_and_removes(browser: Browser, server: 
         assert it.room()["doors"][0]["wall"] == "near_side_wall"
 
 
-@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("size", [PHONE, *long(DESK)], ids=["phone", "desk"])
 def test_what_is_selected_is_turned_and_removed_under_the_plan(
     browser: Browser, server: Running, size: dict[str, int]
 ) -> None:
@@ -243,8 +243,8 @@ def apart(one: list[float], other: list[float]) -> float:
     return math.hypot(*(max(0.0, one[i] - other[i + 2], other[i] - one[i + 2]) for i in (0, 1)))
 
 
-@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
-@pytest.mark.parametrize("language", ["en", "ja"])
+@pytest.mark.parametrize("size", [PHONE, *long(DESK)], ids=["phone", "desk"])
+@pytest.mark.parametrize("language", ["ja", *long("en")])
 def test_names_stand_beside_their_own_things(
     browser: Browser, server: Running, language: str, size: dict[str, int]
 ) -> None:

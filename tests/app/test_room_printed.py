@@ -1,12 +1,10 @@
 """The report of a room on paper: headings stay with their tables, and pages have margins."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import re
 from typing import TYPE_CHECKING
 
-from browsing import browser  # noqa: F401
 from test_room_api import ROOM
 
 import stayput as sp

@@ -1,12 +1,11 @@
 """Rooms that are kept on the device, and two of them side by side, in Chromium."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
+from browsing import PHONE, WAIT
 from room_judge import Judge, after, chance, made, place_of, room_page
 
 if TYPE_CHECKING:

@@ -1,13 +1,14 @@
 """The page of a room on every size: what is seen first, on phones and wide screens, and axe."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
+from browsing import DESK, PHONE, opened
 from room_judge import DONE, QUEUED, ROUGH, Judge, change, judged, made, room_page
+
+from long_cases import long
 
 if TYPE_CHECKING:
     from browsing import Opened
@@ -20,8 +21,8 @@ WIDE = {"width": 1920, "height": 1080}
 SCREENS = ("scene", "see", "understand", "keep")
 
 
-@pytest.mark.parametrize("wider", [0.0, 0.12], ids=["own font", "a font with wider letters"])
-@pytest.mark.parametrize("size", [DESK, WIDE, PHONE, SIDE], ids=["desk", "wide", "phone", "side"])
+@pytest.mark.parametrize("wider", [0.12, *long(0.0)], ids=["a font with wider letters", "own font"])
+@pytest.mark.parametrize("size", [DESK, *long(WIDE, PHONE), SIDE], ids=["desk", "wide", "phone", "side"])
 def test_the_plan_is_the_main_thing(browser: Browser, server: Running, size: Any, wider: float) -> None:
     with room_page(browser, server, Judge(), size=size) as it:
         it.page.add_style_tag(content=f"body {{ letter-spacing: {wider}em; }}")
@@ -39,7 +40,7 @@ def test_the_plan_is_the_main_thing(browser: Browser, server: Running, size: Any
         assert it.page.locator("#plan [data-thing=windows-1]").count() == 1
 
 
-@pytest.mark.parametrize("size", [PHONE, SIDE], ids=["upright", "on its side"])
+@pytest.mark.parametrize("size", [PHONE, *long(SIDE)], ids=["upright", "on its side"])
 def test_a_palette_fades_where_there_is_more_of_it(browser: Browser, server: Running, size: Any) -> None:
     with room_page(browser, server, Judge(), size=size) as it:
         more = "() => document.getElementById('palette').dataset.more === '{}'"
@@ -50,7 +51,7 @@ def test_a_palette_fades_where_there_is_more_of_it(browser: Browser, server: Run
         it.wait(more.format("before"))
 
 
-@pytest.mark.parametrize("size", [PHONE, SIDE], ids=["upright", "on its side"])
+@pytest.mark.parametrize("size", [PHONE, *long(SIDE)], ids=["upright", "on its side"])
 def test_a_phone_shows_the_verdict_in_one_line_beside_the_plan(
     browser: Browser, server: Running, size: dict[str, int]
 ) -> None:
@@ -78,7 +79,7 @@ def test_a_phone_shows_the_verdict_in_one_line_beside_the_plan(
         it.page.wait_for_selector("body[data-screen=scene]")
 
 
-@pytest.mark.parametrize("size", [PHONE, DESK], ids=["phone", "desk"])
+@pytest.mark.parametrize("size", [PHONE, *long(DESK)], ids=["phone", "desk"])
 def test_the_plan_to_buy_and_do_is_beside_the_verdict_with_its_progress(
     browser: Browser, server: Running, size: dict[str, int]
 ) -> None:
@@ -149,7 +150,7 @@ def test_a_finger_is_not_told_to_drop_files(browser: Browser, server: Running) -
         assert it.text("#drop label").count("A record of your own") == 1
 
 
-@pytest.mark.parametrize("language", ["en", "ja"])
+@pytest.mark.parametrize("language", ["ja", *long("en")])
 def test_on_its_side_the_player_is_in_sight(
     browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch, language: str
 ) -> None:
@@ -169,7 +170,7 @@ def test_on_its_side_the_player_is_in_sight(
         assert player["y"] + player["height"] <= it.box("#steps")["y"]
 
 
-@pytest.mark.parametrize("size", [PHONE, SIDE], ids=["upright", "on its side"])
+@pytest.mark.parametrize("size", [PHONE, *long(SIDE)], ids=["upright", "on its side"])
 def test_a_phone_shows_one_step_at_a_time(browser: Browser, server: Running, size: dict[str, int]) -> None:
     with room_page(browser, server, Judge(), size=size) as it:
         for screen in SCREENS:
@@ -183,7 +184,7 @@ def test_a_phone_shows_one_step_at_a_time(browser: Browser, server: Running, siz
         it.page.wait_for_selector("body[data-screen=understand]")
 
 
-@pytest.mark.parametrize("language", ["en", "ja"])
+@pytest.mark.parametrize("language", ["ja", *long("en")])
 def test_nothing_is_beside_a_phone(
     browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch, language: str
 ) -> None:
@@ -221,11 +222,8 @@ def test_nothing_is_beside_a_phone(
 @pytest.mark.parametrize(
     ("theme", "language", "size"),
     [
-        ("light", "en", DESK),
-        ("dark", "ja", DESK),
-        ("light", "ja", PHONE),
-        ("dark", "en", PHONE),
         ("dark", "ja", SIDE),
+        *long(("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)),
     ],
 )
 def test_axe_finds_nothing_serious(

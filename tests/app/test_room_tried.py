@@ -1,14 +1,12 @@
 """Changes that are tried on the page of a room: listed, taken back, made, and steps of the plan."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import copy
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import browser  # noqa: F401
-from room_judge import DONE, QUEUED, Judge, after, judged, place_of, room_page
+from room_judge import DONE, QUEUED, Judge, after, in_address, judged, place_of, room_page
 from test_room_api import ROOM, ended
 
 import stayput as sp
@@ -49,6 +47,7 @@ def test_what_is_tried_is_listed_and_the_room_before_it_is_sent(browser: Browser
         assert lines(it) == ["Bookcase moved", "Bookcase with belts", "Bed moved"]
         assert it.text("#with-tried").startswith("With what is being tried: Bookcase moved")
         assert NOTE not in str(judge.asked)
+        in_address(it, "places", turned["places"])
         it.page.reload()
         it.settle()
         judged(it)

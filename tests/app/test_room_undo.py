@@ -1,12 +1,10 @@
 """What can be undone on the page of a room, in Chromium."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import browser  # noqa: F401
 from room_editing import editing
 from room_judge import Judge, after, judged, room_page
 

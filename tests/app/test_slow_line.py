@@ -1,12 +1,11 @@
 """The first picture on a slow line: how much is fetched for it, in how many steps one after the other."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, PHONE, opened
 from page_coverage import start
 
 if TYPE_CHECKING:

@@ -1,6 +1,5 @@
 """The animation in space in Chromium: one file, without network, for everybody."""
 
-# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
 import io
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browsing import DESK, PHONE, WAIT, browser  # noqa: F401
+from browsing import DESK, LOOKS, PHONE, WAIT
 from PIL import Image
 
 import stayput as sp
@@ -22,12 +21,6 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 NAMES = {"en": ["lower part", "</script><b>"], "ja": ["下台", "上台"]}
-NO_WEBGL = """
-const usual = HTMLCanvasElement.prototype.getContext;
-HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
-  return kind === "webgl2" ? null : usual.call(this, kind, ...rest);
-};
-"""
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +40,6 @@ def opened(
     path: Path,
     *,
     size: dict[str, int] = DESK,
-    before: str = "",
     mark: str = "#0.5",
     **given: Any,
 ) -> Generator[Page]:
@@ -58,8 +50,6 @@ def opened(
     said: list[str] = []
     page.on("pageerror", lambda error: said.append(str(error)))
     page.on("request", lambda one: one.url.startswith("file:") or said.append(one.url))
-    if before:
-        page.add_init_script(before)
     page.goto(path.as_uri() + mark)
     page.wait_for_function("document.getElementById('clock').textContent !== ''")
     yield page
@@ -89,9 +79,9 @@ def coloured(shown: np.ndarray[Any, Any]) -> tuple[float, float]:
 
 
 def test_the_scene_is_drawn_and_follows_the_slider_and_the_views(
-    browser: Browser, tmp_path: Path, run: Any
+    webgl: Browser, tmp_path: Path, run: Any
 ) -> None:
-    with opened(browser, written(run, tmp_path)) as page:
+    with opened(webgl, written(run, tmp_path)) as page:
         assert page.locator("#flat").is_hidden()
         first = picture(page)
         assert min(coloured(first)) > 0.005
@@ -184,10 +174,7 @@ def test_the_room_moves_with_the_ground_only_where_that_is_wanted(
         assert differ(shown, picture(page)) > 0.005
 
 
-@pytest.mark.parametrize(
-    ("theme", "language", "size"),
-    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
-)
+@LOOKS
 def test_axe_finds_nothing_serious_and_nothing_is_cut(
     browser: Browser, tmp_path: Path, run: Any, theme: str, language: str, size: dict[str, int]
 ) -> None:
@@ -209,7 +196,7 @@ def test_axe_finds_nothing_serious_and_nothing_is_cut(
 
 
 def test_without_webgl_it_says_so_and_draws_flat(browser: Browser, tmp_path: Path, run: Any) -> None:
-    with opened(browser, written(run, tmp_path), before=NO_WEBGL) as page:
+    with opened(browser, written(run, tmp_path)) as page:
         assert "has no WebGL 2" in page.locator("#flat").inner_text()
         first = picture(page)
         assert min(coloured(first)) > 0.005
@@ -217,8 +204,8 @@ def test_without_webgl_it_says_so_and_draws_flat(browser: Browser, tmp_path: Pat
         assert differ(first, picture(page)) > 0.005
 
 
-def test_a_context_that_is_lost_is_made_anew(browser: Browser, tmp_path: Path, run: Any) -> None:
-    with opened(browser, written(run, tmp_path)) as page:
+def test_a_context_that_is_lost_is_made_anew(webgl: Browser, tmp_path: Path, run: Any) -> None:
+    with opened(webgl, written(run, tmp_path)) as page:
         shown = picture(page)
         page.evaluate(
             """() => {

@@ -26,41 +26,39 @@ def placeholders(text: str) -> set[str]:
     return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
 
 
-@pytest.mark.parametrize("key", TEXTS)
-def test_both_languages_are_filled_in_from_the_same_values(key):
-    english, japanese = TEXTS[key]
-    assert english or japanese or key in SILENT  # one language may need nothing between two words
-    assert placeholders(japanese) <= placeholders(english)
+def test_both_languages_are_filled_in_from_the_same_values():
+    for key, (english, japanese) in TEXTS.items():
+        assert english or japanese or key in SILENT, key  # one language may need nothing between two words
+        assert placeholders(japanese) <= placeholders(english), key
 
 
-def refusals():
-    for file in SOURCES:
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in REFUSALS:
-                yield pytest.param(node, id=f"{file.stem}:{node.lineno}")
+@pytest.fixture(scope="module")
+def calls():
+    """Return where each function is called by its name: the file, the name, and the call."""
+    return [
+        (file, node.func.id, node)
+        for file in SOURCES
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+    ]
 
 
-@pytest.mark.parametrize("call", list(refusals()))
-def test_each_refusal_names_a_sentence_and_gives_its_values(call):
-    code = call.args[0]
-    if not isinstance(code, ast.Constant):  # computed; its caller's tests meet it
-        return
-    given = {word.arg for word in call.keywords}
-    assert code.value in TEXTS
-    if None not in given:
-        assert placeholders(TEXTS[code.value][0]) <= given
+def test_each_refusal_names_a_sentence_and_gives_its_values(calls):
+    for file, called, call in calls:
+        code = call.args[0] if called in REFUSALS else None
+        if isinstance(code, ast.Constant):  # where it is computed, its caller's tests meet it
+            given = {word.arg for word in call.keywords}
+            assert code.value in TEXTS, (file, call.lineno)
+            assert None in given or placeholders(TEXTS[code.value][0]) <= given, (file, call.lineno)
 
 
-def test_each_text_that_the_code_names_is_there():
+def test_each_text_that_the_code_names_is_there(calls):
     """An id that is put together in the code begins like one that there is."""
-    for file in SOURCES:
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if not (isinstance(node, ast.Call) and getattr(node.func, "id", None) in ("phrase", "say")):
-                continue
-            name = node.args[0]
-            start = name.values[0] if isinstance(name, ast.JoinedStr) else name
-            if isinstance(start, ast.Constant) and re.fullmatch(r"[a-z]+\.\w*", start.value):
-                assert any(key.startswith(start.value) for key in TEXTS), (file, start.value)
+    for file, called, call in calls:
+        name = call.args[0] if called in ("phrase", "say") else None
+        start = name.values[0] if isinstance(name, ast.JoinedStr) else name
+        if isinstance(start, ast.Constant) and re.fullmatch(r"[a-z]+\.\w*", start.value):
+            assert any(key.startswith(start.value) for key in TEXTS), (file, start.value)
 
 
 def test_each_text_of_the_command_line_is_said():

@@ -32,7 +32,10 @@ def test_the_pages_are_found():
 @pytest.mark.parametrize("name", RUN)
 def test_the_python_of_a_page_runs(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "examples").symlink_to(PAGES.parent / "examples")
+    (tmp_path / "examples").mkdir()
+    for file in (PAGES.parent / "examples").glob("*.toml"):  # with few motions and samples
+        few = re.sub(r"\b(count|samples) = \d+", r"\1 = 4", file.read_text(encoding="utf-8"))
+        (tmp_path / "examples" / file.name).write_text(few, encoding="utf-8")
     told = {}
     for block in BLOCKS[name]:
         exec(block, told)

@@ -108,6 +108,7 @@ def full(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return out
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("line", WRITERS)
 def test_a_writer_that_meets_a_full_disk(full: Path, line: str) -> None:
     done = CliRunner().invoke(app, line.split())

@@ -13,6 +13,7 @@ from functools import partial
 import pytest
 from interrupts import hears_interrupts
 
+from long_cases import long
 from stayput.cli.interrupts import HandledBy, end_at_once, raise_after_imports
 
 INTERRUPTING = """
@@ -39,10 +40,12 @@ ON_POSIX = pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
     ("start", "module", "said"),
     [
         ("python -m stayput", "typer", ""),
-        ("stayput", "stayput.errors", ""),
         ("stayput", "stayput.simulation.run", "Interrupted.\n"),
-        ("python -m stayput", "stayput.compiling.machine_code", "Interrupted.\n"),
-        ("stayput", "matplotlib.figure", "Interrupted.\n"),
+        *long(
+            ("stayput", "stayput.errors", ""),
+            ("python -m stayput", "stayput.compiling.machine_code", "Interrupted.\n"),
+            ("stayput", "matplotlib.figure", "Interrupted.\n"),
+        ),
     ],
 )
 def test_ctrl_c_while_a_module_is_loaded(tmp_path, start, module, said):

@@ -17,6 +17,7 @@ from forks import start
 from inventories import city, digests, pieces, table
 
 import stayput as sp
+from long_cases import long
 from stayput.execution import ThreadExecutor
 from stayput.inventory import assess
 from stayput.inventory.store import Store
@@ -93,7 +94,7 @@ def check(out: Path, expected: dict[str, str]) -> None:
 
 
 @pytest.mark.processes
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", [0, *long(*range(1, 10))])
 def test_a_killed_command_goes_on(inputs, seconds, expected, small_parts, tmp_path, seed):
     """Killed at any time; one that happens to be done by then is no harm."""
     rng = random.Random(seed)
@@ -131,7 +132,7 @@ class Full:
         return Limited()
 
 
-@pytest.mark.parametrize("room", [0, 500, 3000, 9000, 20_000, 40_000])
+@pytest.mark.parametrize("room", [9000, *long(0, 500, 3000, 20_000, 40_000)])
 def test_a_full_disk_is_said_and_gone_on_from(inputs, expected, small_parts, tmp_path, monkeypatch, room):
     disk, real = Full(room), Workspace.durable
 
@@ -154,7 +155,7 @@ def mounted(folder: Path, size: str) -> bool:
     return told == 0
 
 
-@pytest.mark.parametrize("size", ["128k", "192k", "256k"])
+@pytest.mark.parametrize("size", ["192k", *long("128k", "256k")])
 def test_a_disk_that_is_really_full(inputs, expected, small_parts, tmp_path, size):
     disk = tmp_path / "disk"
     if not mounted(disk, size):

@@ -137,6 +137,7 @@ def test_sources_parse_on_the_oldest_python() -> None:
         ast.parse(file.read_text(encoding="utf-8"), str(file), feature_version=(3, 11))
 
 
+@pytest.mark.long
 @pytest.mark.skipif(find_spec("hatchling") is None, reason="hatchling, which builds the source, is absent")
 def test_tests_of_the_source_distribution_can_be_collected(tmp_path: Path) -> None:
     build = [sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", str(tmp_path)]

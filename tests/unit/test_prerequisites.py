@@ -15,7 +15,7 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="programs of the test
 TESTS = Path(__file__).parents[1]
 WORKS, BROKEN = "exit 0", "exit 127"
 PAGE = """
-from browsing import browser
+from browsing import browser, chromium
 
 def test_of_the_page(browser):
     pass

@@ -4,6 +4,7 @@ import dataclasses
 import datetime
 import json
 import math
+import re
 
 import pytest
 
@@ -79,23 +80,21 @@ def wrong_values(allowed):
 
 
 ALL_KEYS = dict(keys())
-CASES = [(dotted, value) for dotted, allowed in ALL_KEYS.items() for value in wrong_values(allowed)]
 
 
 def test_the_walk_finds_the_keys():
     assert {"gravity", "furniture.cg_offset", "room.floor.restitution", "shaking.sine.dt"} <= set(ALL_KEYS)
-    assert len(CASES) > 200
+    assert len(ALL_KEYS) > 100
 
 
-@pytest.mark.parametrize(("dotted", "value"), CASES)
-def test_a_wrong_value_is_refused_with_its_key_in_one_sentence(dotted, value):
-    with pytest.raises(InputError) as refused:
-        Scenario.parse(with_key(dotted, value))
-    said = str(refused.value)
-    assert said.startswith(dotted)
-    assert " must be " in said
-    assert said.endswith(".")
-    assert "\n" not in said
+@pytest.mark.parametrize("dotted", ALL_KEYS)
+def test_a_wrong_value_is_refused_with_its_key_in_one_sentence(dotted):
+    values = list(wrong_values(ALL_KEYS[dotted]))
+    assert len(values) > 2
+    for value in values:
+        with pytest.raises(InputError) as refused:
+            Scenario.parse(with_key(dotted, value))
+        assert re.fullmatch(rf"{re.escape(dotted)}.* must be .*\.", str(refused.value)), value
 
 
 @pytest.mark.parametrize("dotted", [d for d, allowed in ALL_KEYS.items() if len(d.split(".")[-1]) > 3])

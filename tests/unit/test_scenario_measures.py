@@ -137,20 +137,15 @@ def test_two_measures_of_one_name_are_refused():
         parsed({"type": "belt"}, {"type": "belt", "slack": 0.0})
 
 
-def every_wrong_parameter():
-    for kind, measure in MEASURES.items():
-        for about in parameters(measure):
-            high = 2 * about.high + 1
-            values = (
-                ["sideways", 1.0] if about.choices else ["0.4", True, about.low - 1, high, [1.0], {"a": 1}]
-            )
-            yield from ((kind, about.name, value) for value in values)
-
-
-@pytest.mark.parametrize(("kind", "name", "value"), list(every_wrong_parameter()))
-def test_every_parameter_that_is_wrong_is_named(kind, name, value):
-    with pytest.raises(sp.InputError, match=rf"^measures\[0\].{re.escape(name)} is .*; it must be .*\.$"):
-        parsed({"type": kind, name: value})
+@pytest.mark.parametrize("kind", MEASURES)
+def test_every_parameter_that_is_wrong_is_named(kind):
+    for about in parameters(MEASURES[kind]):
+        high = 2 * about.high + 1
+        values = ["sideways", 1.0] if about.choices else ["0.4", True, about.low - 1, high, [1.0], {"a": 1}]
+        for value in values:
+            said = rf"^measures\[0\].{re.escape(about.name)} is .*; it must be .*\.$"
+            with pytest.raises(sp.InputError, match=said):
+                parsed({"type": kind, about.name: value})
 
 
 def test_the_schema_has_every_measure_with_its_parameters_and_their_units():
