@@ -331,7 +331,7 @@ def test_the_mean_of_a_record_is_taken_off(
         asked, _ = it.simulated(lambda: it.page.click(button))
         assert asked["scene"]["shaking"]["remove_mean"] is True
         it.page.wait_for_selector(button, state="detached")
-        assert "remove_mean" in it.page.url
+        it.page.wait_for_function("location.hash.includes('remove_mean')")
 
 
 def test_a_phone_shows_one_screen_at_a_time(browser: Browser, server: Running) -> None:

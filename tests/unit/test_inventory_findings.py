@@ -6,11 +6,10 @@ import json
 import re
 
 import pytest
-import typer
 from inventories import CITY, city, rows_of_results, table
 from typer.testing import CliRunner
 
-from stayput.cli.assess import assess as command
+from stayput.cli import app
 from stayput.inventory import assess
 from stayput.inventory.words import measures_named
 
@@ -39,10 +38,9 @@ def done(tmp_path_factory):
 
 def said(done, language):
     """What the command prints for the results, which are complete."""
-    app = typer.Typer()
-    app.command()(command)
     folder = done.folder.parent
-    line = [str(folder / "inventory.csv"), "--scenario", str(folder / "city.toml"), "--out", str(done.folder)]
+    inventory, scenario = folder / "inventory.csv", folder / "city.toml"
+    line = ["assess", str(inventory), "--scenario", str(scenario), "--out", str(done.folder)]
     result = CliRunner().invoke(app, [*line, "--lang", language, "--quiet"])
     assert result.exit_code == 0, result.output
     return result.stdout, CliRunner().invoke(app, [*line, "--json"]).stdout

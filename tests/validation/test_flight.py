@@ -76,8 +76,8 @@ def test_bounces_die_out():
     leaves, landing = first(run, sp.EventKind.LIFT_OFF).time, impacts(run)[0].time
     rate = -risen(MOTION, landing, leaves)[1]
     rest = events(run, sp.EventKind.REST) or [e for e in run.events if e.mode is sp.Mode.REST]
-    # the bounces lower than 1e-7 of the base, which is 0.4 m long, are left out: 2√(2h/g)/(1−e)
-    missing = 2 * math.sqrt(2 * 0.4e-7 / G) / (1 - e_n)
+    # the bounces lower than 1e-9 of the base, which is 0.4 m long, are left out: 2√(2h/g)/(1−e)
+    missing = 2 * math.sqrt(2 * 0.4e-9 / G) / (1 - e_n)
     assert rest[-1].time == pytest.approx(landing + 2 * rate / G * e_n / (1 - e_n), abs=missing)
     assert run.mode[-1] == sp.Mode.REST
     assert run.residual_slide == 0.0

@@ -52,7 +52,7 @@ def test_intervals_hold_the_truth(runs):
 
 
 def test_more_stones_narrow_it_down_to_what_one_motion_leaves(runs):
-    few, many, most = (estimate(runs, [n // 2, n // 4], [n, n]) for n in (4, 40, 40_000))
+    few, many, most = (estimate(runs, [n // 2, n // 4], [n, n]) for n in (4, 12, 40_000))
     widths = [found.high - found.low for found in (few, many, most)]
     assert widths[0] > widths[1] > widths[2] > 0.2
 

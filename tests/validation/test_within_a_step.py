@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from setups import events
+from equations import Rocking
+from setups import G, block, events, room, simulate
 
 import stayput as sp
 
@@ -55,6 +56,18 @@ def test_finer_samples_mirror_images_and_a_still_end_change_no_run_beside_a_wall
         )
         changed["longer"] += not same(results(body, place, ended), results(body, place, longer))
     assert max(changed.values()) <= 3, changed
+
+
+def test_a_slow_landing_goes_on_rocking_where_the_load_hardly_resists():
+    """The load rises past (b/h)g as the body lands: what little rate is left to it is what tips it."""
+    body, dt = block(0.2, 0.8), 0.02
+    along = -G * 0.25 * np.linspace(0.995, 1.03, 21)
+    times = np.arange(len(along)) * dt
+    for rate in (1e-3, 2e-3):  # rad/s: the other corner opens at 0.4 and 0.8 mm/s
+        run = simulate(body, room(3.0), sp.Motion(dt, along), tilt=-1e-7, tilt_rate=rate)
+        exact = Rocking(body, lambda t: float(np.interp(t, times, along)), lambda _: 0.0, times[1:])
+        states = exact.run(-1e-7, rate, -1)
+        assert run.tilt[-1] == pytest.approx(states[0][-1], rel=1e-4)
 
 
 def test_a_body_between_smooth_flush_walls_is_held_up_by_the_ceiling():
