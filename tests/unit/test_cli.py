@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 
 import stayput
 from stayput.cli import app
-from stayput.compiled import entry
+from stayput.compiling import entry
 from stayput.simulation.case import Case
 from waiting import PATIENCE, wait_until
 

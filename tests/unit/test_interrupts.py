@@ -41,7 +41,7 @@ ON_POSIX = pytest.mark.skipif(os.name != "posix", reason="POSIX signals")
         ("python -m stayput", "typer", ""),
         ("stayput", "stayput.errors", ""),
         ("stayput", "stayput.simulation.run", "Interrupted.\n"),
-        ("python -m stayput", "stayput.machine_code", "Interrupted.\n"),
+        ("python -m stayput", "stayput.compiling.machine_code", "Interrupted.\n"),
         ("stayput", "matplotlib.figure", "Interrupted.\n"),
     ],
 )

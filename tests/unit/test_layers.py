@@ -14,18 +14,9 @@ SOURCES = Path(stayput.__file__).parent
 
 LAYERS = (
     {"catalogue", "errors"},
-    {
-        "extras",
-        "files",
-        "saved",
-        "wording",
-        "randomness",
-        "spreadsheets",
-        "vocabulary",
-        "intermediate_code",
-        "machine_code",
-    },
-    {"progress", "execution", "uncertainty", "compiled"},
+    {"extras", "files", "saved", "wording", "randomness", "spreadsheets", "vocabulary"},
+    {"progress", "execution", "uncertainty"},
+    {"compiling"},
     {"mechanics", "model"},
     {"motion"},
     {"building", "measures", "estimates", "everyday", "standards"},

@@ -16,7 +16,7 @@ from stayput.building.superposition import (
     linear_histories,
     yielding_histories,
 )
-from stayput.compiled import entry
+from stayput.compiling import entry
 from stayput.errors import InputError
 from stayput.motion.processing import refine
 

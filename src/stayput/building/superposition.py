@@ -25,7 +25,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from stayput.compiled import entry, inline, inner
+from stayput.compiling import entry, inline, inner
 from stayput.motion.oscillator import step_coefficients
 
 if TYPE_CHECKING:

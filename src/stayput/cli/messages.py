@@ -242,7 +242,7 @@ def print_json(values: object) -> None:
 @contextmanager
 def compiling() -> Generator[None]:
     """Announce on standard error that the mechanics are being compiled, where no bar shows it."""
-    from stayput.compiled import on_compilation
+    from stayput.compiling import on_compilation
     from stayput.progress import is_drawn, language_of_bars
 
     language = language_of_bars()  # which the threads that compile do not know

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inner
+from stayput.compiling import inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
 from stayput.mechanics.geometry import arm_at, own_friction, value_or
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 
 _TWO_OVER_PI = 2.0 / math.pi
 

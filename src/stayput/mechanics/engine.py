@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import entry, inline, inner
+from stayput.compiling import entry, inline, inner
 from stayput.mechanics.columns import (
     C_CEILING,
     CEILING_IMPACT_EVENT,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import entry, inner
+from stayput.compiling import entry, inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
 from stayput.mechanics.contact import STICK_RATE, base_friction, cross, is_single_ray
 from stayput.mechanics.geometry import arm, gap, own_friction, to_plane_axes, value_or

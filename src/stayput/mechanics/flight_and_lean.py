@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import CLOSED, ENDED, TURNED_OVER
 from stayput.mechanics.contact import fill_rows, forces_of_slipping_pair
 from stayput.mechanics.elementary import sine_and_cosine

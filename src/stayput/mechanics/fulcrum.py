@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, PLANE, SLIDE_ROCK, TURNED_OVER
 from stayput.mechanics.contact import PAINLEVE_LIMIT
 from stayput.mechanics.geometry import (

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import A_FLOOR, CLOSED, CONTACTS, CORNER, FLOOR_BITS, LIMIT, PLANE, TURNED_OVER
 from stayput.mechanics.elementary import sine_and_cosine, slope_angle
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inner
+from stayput.compiling import inner
 from stayput.mechanics.columns import FLOOR_BITS, PLANE
 from stayput.mechanics.contact import (
     STICK_RATE,

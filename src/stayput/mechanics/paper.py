@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inner
+from stayput.compiling import inner
 from stayput.mechanics.columns import (
     A_FLOOR,
     A_LEFT,

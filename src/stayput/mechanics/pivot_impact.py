@@ -7,7 +7,7 @@ lifts. Where that is not clearly so, the general case decides.
 
 from __future__ import annotations
 
-from stayput.compiled import inner
+from stayput.compiling import inner
 from stayput.mechanics.columns import FLOOR_BITS, ROCK
 from stayput.mechanics.contact import STICK_RATE
 from stayput.mechanics.fulcrum import NEAR_LIMIT, margins

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inner
+from stayput.compiling import inner
 from stayput.mechanics.columns import FLOOR_BITS, SLIDE
 from stayput.mechanics.contact import STICK_RATE
 from stayput.mechanics.geometry import arm, gap, gap_rate, slip_rate, stand_flat, to_plane_axes, turn_to

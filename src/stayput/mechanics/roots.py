@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 
 CONTACT_SLACK = 1e-13
 """Gap at the start of a step up to which the contact is taken to have just been closed [m]."""

@@ -15,7 +15,7 @@ The right-hand sides are products of series whose coefficients follow by recurre
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.elementary import sixth_root
 
 

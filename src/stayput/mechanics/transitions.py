@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from stayput.compiled import inner
+from stayput.compiling import inner
 from stayput.mechanics.columns import COULOMB, FAILED, FLOOR_BITS, PAPER
 from stayput.mechanics.devices.elements import evaluate_elements, note_forces, update_elements
 from stayput.mechanics.impact import closing_contacts, impact_without_collision, land

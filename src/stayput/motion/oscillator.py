@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from stayput.compiled import entry, inline, inner
+from stayput.compiling import entry, inline, inner
 from stayput.mechanics.elementary import exponential, sine_and_cosine
 
 if TYPE_CHECKING:

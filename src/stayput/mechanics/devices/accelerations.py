@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FLIGHT, LEAN, PLANE, SLIDE
 from stayput.mechanics.contact import PAINLEVE_LIMIT, fill_rows, forces_of_slipping_pair
 from stayput.mechanics.devices.active_elements import evaluate_lines, line_force

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.devices.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, NORMAL, TANGENT
 from stayput.mechanics.devices.device_law import (
     branch_of,

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import ENDED, LIMIT, PLANE
 from stayput.mechanics.devices.columns import MAX_FACETS
 from stayput.mechanics.devices.elements import note_forces_of_links

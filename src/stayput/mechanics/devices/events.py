@@ -8,7 +8,7 @@ That is as accurate as the step, so it also provides the state at the event.
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import CONTACTS, ROCK
 from stayput.mechanics.devices.active_elements import (
     event_weight,

@@ -17,7 +17,7 @@ import math
 
 import numpy as np
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.devices.columns import BOND, FRICTION, NORMAL, ORDER, SLACK
 from stayput.mechanics.elementary import fifth_root
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import CORNER
 from stayput.mechanics.devices.active_elements import evaluate_lines, line_force
 from stayput.mechanics.devices.lines import set_lines

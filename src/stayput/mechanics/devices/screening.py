@@ -8,7 +8,7 @@ the tilt deviates from a cubic is added.
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.devices.columns import FRICTION, SLACK, YIELDING
 from stayput.mechanics.devices.device_law import SLIP_RATE_TIME, utilization_of
 

@@ -7,7 +7,7 @@ acceleration.
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import LEAN, ROCK, SLIDE, SLIDE_ROCK
 from stayput.mechanics.devices.accelerations import accelerations, evaluate_at
 from stayput.mechanics.devices.dormand_prince import (

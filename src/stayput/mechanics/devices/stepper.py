@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.columns import ENDED, FLIGHT, LIMIT, ROCK
 from stayput.mechanics.devices.active_elements import (
     SLACK_FORCE,

@@ -7,7 +7,7 @@ Kutta's method of fourth order in the quaternion.
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.space.vectors import (
     added,
     cross,

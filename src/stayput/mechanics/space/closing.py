@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import (
     bend,
     place_of,

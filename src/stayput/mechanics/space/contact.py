@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from stayput.compiled import inline
+from stayput.compiling import inline
 from stayput.mechanics.space.body import angular_response, rotation, velocity
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.devices.columns import (
     AXIAL,
     DRAWN_OUT,

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from stayput.compiled import entry, inline, inner
+from stayput.compiling import entry, inline, inner
 from stayput.mechanics.space.body import (
     angular_response,
     attitude,

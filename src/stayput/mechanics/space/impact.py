@@ -9,7 +9,7 @@ energy. Each plastic one takes energy. Where they do not end, a body between pla
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import kinetic_energy, stop
 from stayput.mechanics.space.contact import normal_of, slip
 from stayput.mechanics.space.solve import IMPACT, apply, apply_one, solve, update, update_surely

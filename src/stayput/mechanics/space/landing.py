@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import kinetic_energy, rotation, velocity
 from stayput.mechanics.space.contact import lever_a, normal_of, slip
 from stayput.mechanics.space.solve import IMPACT

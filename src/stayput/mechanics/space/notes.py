@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
 from stayput.mechanics.space.contact import first_tangent, normal_of, second_tangent
 from stayput.mechanics.space.touching import ROOM

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.elementary import sine_and_cosine
 from stayput.mechanics.space.body import in_room, place_of
 from stayput.mechanics.space.touching import lever_of_point

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import place_of
 from stayput.mechanics.space.touching import flat_within, gap_of, lever_of_point, lever_on_rim
 from stayput.mechanics.space.vectors import added

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import angular_response, bend
 from stayput.mechanics.space.contact import (
     beyond_target,

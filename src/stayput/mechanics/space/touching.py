@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline, inner
+from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import bend, in_body, in_room, place_of, rotation
 from stayput.mechanics.space.vectors import added, cross, dot, norm
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inline
+from stayput.compiling import inline
 
 
 @inline

@@ -20,14 +20,15 @@ import pytest
 from forks import start
 from numba import njit
 
-import stayput.compiled as compiled
-from stayput import machine_code
-from stayput.machine_code import MachineCode
+import stayput.compiling as compiled
+from stayput.compiling import machine_code
+from stayput.compiling.machine_code import MachineCode
 from stayput.mechanics.flat import block_extremes
+from stayput.motion.oscillator import peak_responses
 
 CALLER = """
 import numpy as np
-from stayput.compiled import entry, on_compilation
+from stayput.compiling import entry, on_compilation
 from small.callee import part
 
 @entry
@@ -42,7 +43,7 @@ print(result[0])
 
 
 def callee(factor):
-    return f"from stayput.compiled import inner\n\n@inner\ndef part(x):\n    return {factor} * x\n"
+    return f"from stayput.compiling import inner\n\n@inner\ndef part(x):\n    return {factor} * x\n"
 
 
 class Program:
@@ -303,6 +304,25 @@ def test_a_bar_advances_with_each_function_while_the_mechanics_are_compiled(run,
         named_four(1.0, None, result)
     assert result[0] == 5.0
     assert seen == [(None, "progress.compiling", "progress.functions"), 1, 1, 1, 1]
+
+
+def test_where_the_inside_of_numba_differs_it_compiles_the_same_by_itself(monkeypatch, tmp_path, caplog):
+    ground = np.random.default_rng(1).standard_normal(200)
+    usual, alone = np.zeros((3, 4)), np.zeros((3, 4))
+    arguments = ground, 0.01, np.array([0.1, 0.5, 2.0]), 0.05
+    peak_responses(*arguments, usual)
+    monkeypatch.setitem(sys.modules, "stayput.compiling.front_end", None)
+    monkeypatch.setattr(compiled, "_by_numba_alone", Event())
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    compiled.Entry(peak_responses.py_func)(*arguments, alone)
+    assert alone.tobytes() == usual.tobytes()
+    assert usual.all()
+    result = np.zeros(1)
+    compiled.Entry(named_four.py_func)(1.0, None, result)
+    assert result[0] == 5.0
+    (said,) = (record.message for record in caplog.records)
+    assert "takes longer and at each start (ModuleNotFoundError" in said
+    assert not list(tmp_path.rglob("*.code"))
 
 
 def test_constants_do_not_compile_a_function_anew():

@@ -2,7 +2,7 @@
 
 By default Numba optimizes each function with all that it calls, and makes machine code of it, before it goes
 on to the function's callers; that was half of a cold start. Here each function is typed and lowered, and no
-more: `stayput.machine_code` optimizes the module of all of them, once.
+more: `stayput.compiling.machine_code` optimizes the module of all of them, once.
 
 What it uses of Numba is public, as the class of a pipeline and that of a code library, except for what a
 comment names.
@@ -26,8 +26,8 @@ from numba.core.codegen import CodeLibrary
 from numba.core.compiler import CompilerBase
 from numba.core.compiler_machinery import LoweringPass, PassManager, register_pass
 
+from stayput.compiling.machine_code import uninterrupted
 from stayput.errors import InputError
-from stayput.machine_code import uninterrupted
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator

@@ -55,9 +55,8 @@ class MachineCode:
         # the processor is part of the file's name: machines of a cluster may share the folder
         self._file = f"{name.rsplit('.', 1)[-1]}-{key}.code"
         versions = (version("numba"), version("llvmlite"), sys.version)
-        here = Path(__file__).parent
-        how = [here / name for name in ("compiled.py", "intermediate_code.py", "machine_code.py")]
-        sources = [_digest_of(how), *(_digest_of(folder.glob("*.py")) for folder in folders)]
+        how = Path(__file__).parent
+        sources = [_digest_of(folder.glob("*.py")) for folder in (how, *folders)]
         stamp = repr((name, kinds, processor, versions, sources))
         self._stamp = hashlib.sha256(stamp.encode()).hexdigest().encode()
 

@@ -1,4 +1,11 @@
-"""Compiled functions: Numba compiles them once; their machine code is kept on disk and runs without Numba.
+"""Functions that are compiled once, whose machine code is kept on disk and runs without Numba.
+
+Why not ``numba.njit(cache=True)`` alone: its cold start took twice as long, since each function was optimized
+with all that it calls before its callers were; a start that finds its code imported Numba, which takes most
+of a second; and its files carry no checksums, while LLVM aborts the process on a damaged one. So Numba is a
+front end (`stayput.compiling.front_end`), and the machine code is ours (`stayput.compiling.machine_code`).
+This was tried with Numba 0.62 to 0.68. Where the inside of another Numba differs, functions are compiled by
+``njit`` itself, at each start: slower to begin, and the same afterwards.
 
 Strict IEEE arithmetic: no fast-math flags, so results are bit-identical on every x86-64 processor, whatever
 its vector width. Nothing is allocated inside, so reference counting (NRT) is off: it would cost as much as
@@ -6,21 +13,22 @@ the mechanics, and more with every thread that shares a motion.
 
 A function that Python calls is an *entry*. Its arguments are floats, whole numbers, arrays (also of records)
 and tuples of arrays; what it computes it writes into arrays. At the first call with arguments of some types
-its machine code is loaded from disk (`stayput.machine_code`). Only where there is none are Numba imported and
-the entry compiled with all that it calls (`stayput.intermediate_code`).
+its machine code is loaded from disk, or compiled with all that it calls where there is none.
 """
 
 from __future__ import annotations
 
 import ctypes
+import logging
 import threading
 from contextlib import contextmanager
-from functools import cached_property
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
+from stayput.errors import InputError
 from stayput.progress import bar
 
 if TYPE_CHECKING:
@@ -28,11 +36,17 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.compiling.machine_code import MachineCode
+
 P = ParamSpec("P")
 T = TypeVar("T")
 
+_LOG = logging.getLogger("stayput")
 _compiling = threading.RLock()
 _announcements: list[Callable[[], None]] = []
+_ALONE = "This version of Numba compiles stayput in its own way, which takes longer and at each start"
+_by_numba_alone = threading.Event()
+"""Set where the inside of the installed Numba is not as the front end needs it."""
 
 
 class _Inner:
@@ -43,17 +57,25 @@ class _Inner:
         self.__doc__, self.__name__ = function.__doc__, function.__name__
         self.__module__, self.__code__ = function.__module__, function.__code__
 
-    @cached_property
+    @property
     def dispatcher(self) -> Any:
         """The function as Numba compiles it."""
-        from stayput.intermediate_code import dispatcher
-
-        return dispatcher(self.py_func, forceinline=self._forceinline)
+        return _dispatcher(self.py_func, self._forceinline, _by_numba_alone.is_set())
 
     @property
     def _numba_type_(self) -> Any:
         """How Numba sees it where a compiled function calls it."""
         return self.dispatcher._numba_type_
+
+
+@cache
+def _dispatcher(function: Callable[..., Any], forceinline: bool, by_numba_alone: bool) -> Any:
+    """Return a function as the front end compiles it, or as Numba alone does."""
+    if by_numba_alone:
+        return _numba().njit(error_model="numpy", nogil=True, forceinline=forceinline)(function)
+    from stayput.compiling.front_end import dispatcher
+
+    return dispatcher(function, forceinline=forceinline)
 
 
 def inner(function: Callable[P, T]) -> Callable[P, T]:
@@ -82,7 +104,7 @@ class Entry:
             function.__name__,
             function.__module__,
         )
-        self._loaded: dict[tuple[Any, ...], Callable[..., int]] = {}
+        self._loaded: dict[tuple[Any, ...], Callable[..., None]] = {}
 
     def __call__(self, *arguments: Any) -> None:
         """Call it; other threads run meanwhile.
@@ -96,40 +118,61 @@ class Entry:
         call = self._loaded.get(kinds)
         if call is None:
             with _compiling:
-                call = self._loaded.get(kinds) or self._load(kinds)
-        values: list[Any] = []
-        copies: list[tuple[NDArray[Any], NDArray[Any]]] = []
-        for argument in arguments:
-            _append_values(argument, values, copies)
-        if status := call(ctypes.byref(ctypes.c_void_p()), ctypes.byref(ctypes.c_void_p()), *values):
-            raise RuntimeError(f"{self.__name__} ended with the status {status}.")
-        for array, copy in copies:
-            if array.flags.writeable:
-                array[...] = copy
+                call = self._loaded.get(kinds)
+                if call is None:
+                    call = self._loaded[kinds] = self._load(kinds)
+        call(*arguments)
 
-    def _load(self, kinds: tuple[Any, ...]) -> Callable[..., int]:
-        from stayput.machine_code import MachineCode
+    def _load(self, kinds: tuple[Any, ...]) -> Callable[..., None]:
+        """Return what calls its machine code for arguments of some types."""
+        from stayput.compiling.machine_code import MachineCode
 
         # it is made of the sources in the folders of all functions that it names, and of theirs
         own = Path(self.py_func.__code__.co_filename).parent
         others = {Path(named.__code__.co_filename).parent for named in _named_in(self.py_func, set())} - {own}
         code = MachineCode(f"{self.__module__}.{self.__name__}", kinds, (own, *sorted(others)))
-        address = code.load()
-        if address is None:
-            for announce in _announcements:
-                announce()
-            _announcements.clear()
-            from stayput.intermediate_code import bitcode
-            from stayput.machine_code import uninterrupted
+        if (address := code.load()) is not None:
+            return self._caller(address, kinds)
+        for announce in _announcements:
+            announce()
+        _announcements.clear()
+        if not _by_numba_alone.is_set():
+            try:
+                return self._caller(self._compiled(code, kinds), kinds)
+            except InputError:
+                raise
+            except Exception as error:  # whatever a Numba that nobody has tried yet raises
+                _by_numba_alone.set()
+                _LOG.warning(f"{_ALONE} ({type(error).__name__}: {error}).".replace("\n", " "))
+        return _dispatcher(self.py_func, False, True)
 
-            with self._progress() as begun:
-                compiled = bitcode(self.py_func, tuple(map(_numba_type, kinds)), begun)
-                address = uninterrupted(lambda: code.add(compiled))
-        values: list[Any] = []
+    def _compiled(self, code: MachineCode, kinds: tuple[Any, ...]) -> int:
+        """Compile it, keep its machine code on disk, and return its address."""
+        from stayput.compiling.front_end import bitcode
+        from stayput.compiling.machine_code import uninterrupted
+
+        with self._progress() as begun:
+            compiled = bitcode(self.py_func, tuple(map(_numba_type, kinds)), begun)
+            return uninterrupted(lambda: code.add(compiled))
+
+    def _caller(self, address: int, kinds: tuple[Any, ...]) -> Callable[..., None]:
+        """Return a function of Python that calls machine code."""
+        types: list[Any] = []
         for kind in kinds:
-            _append_types(kind, values)
-        call = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *values)(address)
-        self._loaded[kinds] = call
+            _append_types(kind, types)
+        run = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *types)(address)
+
+        def call(*arguments: Any) -> None:
+            values: list[Any] = []
+            copies: list[tuple[NDArray[Any], NDArray[Any]]] = []
+            for argument in arguments:
+                _append_values(argument, values, copies)
+            if status := run(ctypes.byref(ctypes.c_void_p()), ctypes.byref(ctypes.c_void_p()), *values):
+                raise RuntimeError(f"{self.__name__} ended with the status {status}.")
+            for array, copy in copies:
+                if array.flags.writeable:
+                    array[...] = copy
+
         return call
 
     @contextmanager
