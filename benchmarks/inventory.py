@@ -253,9 +253,12 @@ def processes(folder: Path) -> list[dict[str, Any]]:
             ) as made,
             Client(made, set_as_default=False) as client,
         ):
-            assess(different(folder, 40), scenario, folder / f"warm-{count}", client=client, progress=False)
+            executor = client.get_executor()
+            assess(
+                different(folder, 40), scenario, folder / f"warm-{count}", executor=executor, progress=False
+            )
             done = assess(
-                different(folder, 200), scenario, folder / f"p{count}", client=client, progress=False
+                different(folder, 200), scenario, folder / f"p{count}", executor=executor, progress=False
             )
             found.append({"processes": count, "simulating": done.runs / done.simulating, "load": load()})
     return found

@@ -1,14 +1,14 @@
 """The same work on a Dask cluster of processes, and after one of them was killed."""
 
 import os
+from functools import partial
 
 import numpy as np
 import pytest
 from clusters import killed_when, two_processes, workers
 
 import stayput as sp
-from stayput import execution
-from stayput.execution import Call, DaskExecutor, Shared
+from stayput.execution import Pool
 
 pytest.importorskip("dask.distributed", reason="Dask is not installed")
 pytestmark = pytest.mark.processes
@@ -35,65 +35,32 @@ def expected():
 
 
 def test_a_cluster_gives_the_same_bits(client, expected):
-    assert sp.sweep(CASE, AXES, client=client, chunk=500).identical(expected)
+    assert sp.sweep(CASE, AXES, executor=client.get_executor(), chunk=500).identical(expected)
 
 
 def test_a_killed_worker_loses_nothing(client, expected):
     address, victim = next(iter(workers(client).items()))
     with killed_when(client, victim, lambda: bool(client.processing([address])[address])):
-        found = sp.sweep(CASE, AXES, client=client, chunk=40)
+        found = sp.sweep(CASE, AXES, executor=client.get_executor(), chunk=40)
     assert found.identical(expected)
 
 
 def test_an_error_on_the_cluster_comes_back(client):
     with pytest.raises(sp.InputError, match="Body width"):
-        sp.sweep(CASE, {"body.width": [0.3, -1.0]}, client=client)
+        sp.sweep(CASE, {"body.width": [0.3, -1.0]}, executor=client.get_executor())
 
 
-def test_shared_values_are_computed_on_the_cluster(client):
-    base = Shared.value(3)
-    cubes = Shared(pow, base, 3)
-    with DaskExecutor(client) as executor:
-        assert list(executor.in_order(Call(divmod, cubes, n) for n in range(1, 30))) == [
-            divmod(27, n) for n in range(1, 30)
-        ]
-        with pytest.raises(ZeroDivisionError):
-            list(executor.in_order(Call(divmod, cubes, n) for n in (1, 0)))
+def test_a_lost_scheduler_is_told(client):
+    from dask.distributed import Client
+
+    with Client(client.cluster, set_as_default=False) as lost:
+        executor = lost.get_executor()
+    with pytest.raises(sp.InputError, match="The executor is lost"):
+        sp.sweep(CASE, {"motion.scale": [1.0]}, executor=executor)
 
 
 def test_a_call_that_ends_its_workers_is_given_up(client, monkeypatch):
-    monkeypatch.setattr(execution, "MOST_TRIES", 1)
     monkeypatch.setattr(client.cluster.scheduler, "allowed_failures", 0)  # one worker's death is enough
-    with (
-        DaskExecutor(client) as executor,
-        pytest.raises(sp.InputError, match="ended 1 times"),
-    ):
-        list(executor.in_order([Call(os._exit, 1)]))
+    with Pool(2, client.get_executor()) as pool, pytest.raises(sp.InputError, match="lost \\(KilledWorker"):
+        list(pool.in_order([partial(os._exit, 1)]))
     workers(client)  # for the tests that follow
-
-
-def test_a_worker_of_another_version_is_refused(client, monkeypatch):
-    monkeypatch.setattr(sp, "__version__", "0.0.0")
-    with DaskExecutor(client) as executor, pytest.raises(sp.InputError, match="that of this command"):
-        list(executor.in_order([Call(pow, 2, 3)]))
-
-
-def test_a_lost_scheduler_is_told(client, monkeypatch):
-    from dask.distributed import Client
-
-    monkeypatch.setattr(execution, "WORKERS_CHECKED_EVERY", 0.0)
-    with Client(client.cluster, set_as_default=False) as lost:
-        pass
-    with pytest.raises(sp.InputError, match="The cluster is gone"):
-        sp.sweep(CASE, {"motion.scale": [1.0]}, client=lost)
-
-
-def test_a_cluster_without_workers_is_told_once(client, monkeypatch):
-    monkeypatch.setattr(execution, "WORKERS_CHECKED_EVERY", 0.0)
-    monkeypatch.setattr(execution, "PATIENCE", 0.0)
-    said = []
-    with DaskExecutor(client, said.append) as executor:
-        monkeypatch.setattr(client, "scheduler_info", lambda **_: {"workers": {}})
-        for _ in range(3):
-            assert executor.width() == 1
-    assert said == ["The cluster has no worker; waiting for one."]

@@ -84,7 +84,8 @@ BESIDE = [
     "work/.lock-abcdefgh",
     "work/drafts/mine-12345678",
     "work/drafts/0123456789abcdef-0",
-    "work/units/notes.txt",
+    "work/drafts/draft-x",
+    "work/notes.txt",
 ]
 
 
@@ -121,9 +122,8 @@ FILES = [
     "rejects.parquet",
     "pieces/part-000000.parquet",
     "work/claim.json",
-    "work/journal",
-    "work/plan/sums.json",
-    "work/sums/part-000000.parquet.json",
+    "work/outcomes.sqlite",
+    "work/plan/plan.sqlite",
 ]
 
 
@@ -138,10 +138,10 @@ def test_a_folder_in_the_place_of_a_file_is_named(done, name):
     assert (out / name / "mine").exists()
 
 
-FOLDERS = ["pieces", "work", "work/units", "work/drafts", "work/plan", "work/plan/rows"]
+FOLDERS = ["pieces", "work", "work/drafts", "work/plan", "work/plan/rows"]
 
 
-@pytest.mark.parametrize("name", [*FOLDERS, "report.html", ".lock"])
+@pytest.mark.parametrize("name", [*FOLDERS, "report.html", ".lock", "work/outcomes.sqlite"])
 def test_links_out_of_the_folder_are_not_followed(done, tmp_path, name):
     inputs, out = done
     elsewhere = tmp_path / "elsewhere"
@@ -157,18 +157,16 @@ def test_a_link_among_the_drafts_is_named_and_what_it_points_to_stays(done, tmp_
     inputs, out = done
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "file").touch()
-    token = (out / "work" / "journal").read_text().strip()
-    (out / "work" / "drafts" / f"{token}-99").symlink_to(tmp_path / "mine")
+    (out / "work" / "drafts" / "draft-99").symlink_to(tmp_path / "mine")
     with pytest.raises(sp.InputError, match="holds the link"):
         assess(*inputs, out, progress=False)
-    remove(out / "work" / "drafts" / f"{token}-99")
+    remove(out / "work" / "drafts" / "draft-99")
     assert (tmp_path / "mine" / "file").exists()
 
 
 def test_a_file_of_others_in_a_plan_that_was_left_half_made_is_named(done):
     inputs, out = done
-    token = (out / "work" / "journal").read_text().strip()
-    left = out / "work" / "drafts" / f"{token}-7"
+    left = out / "work" / "drafts" / "draft-7"
     (left / "rows").mkdir(parents=True)
     (left / "plan.sqlite").touch()
     (left / "rows" / "mine.txt").touch()

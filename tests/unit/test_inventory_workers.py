@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING
 import pytest
 from forks import start
 from inventories import city, digests, pieces, table
+from typer.testing import CliRunner
 
-import stayput as sp
+from stayput.cli import app
 from stayput.inventory import assess, work
+from stayput.inventory.records import OutcomeStore
 from waiting import wait_until
 
 if TYPE_CHECKING:
@@ -37,18 +39,26 @@ def expected(inputs, tmp_path_factory):
     return digests(done.folder)
 
 
-def kill_the_scheduler(pid: int, said: Path, *inputs: Path, **given: object) -> None:
+def typed(inventory: Path, scenario: Path, out: Path, address: str) -> object:
+    line = "assess", inventory, "--scenario", scenario, "--out", out, "--scheduler", address
+    return CliRunner().invoke(app, [str(argument) for argument in line])
+
+
+def assess_by_line(said: Path, *arguments: object) -> None:
+    """Run the command line in this process, and write what it says to a file as it ends."""
+    result = typed(*arguments)
+    said.write_text(result.output + str(result.exception or ""))
+
+
+def kill_the_scheduler(pid: int, *arguments: object) -> None:
     """Kill it as soon as the first outcomes are kept, when most of the work is still to do."""
 
-    def keep_and_kill(*arguments, write=work.write_records):
-        write(*arguments)
+    def keep_and_kill(*records, save=OutcomeStore.save):
+        save(*records)
         os.kill(pid, signal.SIGKILL)
 
-    work.SECONDS, work.SAVE_AFTER, work.write_records = 0.005, 0.0, keep_and_kill
-    try:
-        assess(*inputs, **given)
-    except sp.InputError as error:
-        said.write_text(str(error))
+    work.SECONDS, work.SAVE_AFTER, OutcomeStore.save = 0.005, 0.0, keep_and_kill
+    assess_by_line(*arguments)
 
 
 class CommandLine:
@@ -92,41 +102,33 @@ def command_line(tmp_path):
     made.stop()
 
 
-def test_workers_of_the_command_line_come_and_go(inputs, expected, command_line, tmp_path):
+def test_workers_come_and_go(inputs, expected, command_line, tmp_path):
+    """There is none at first, which is said."""
+    said, out = tmp_path / "said", tmp_path / "out"
+    child = start(assess_by_line, said, *inputs, out, command_line.address)
+    wait_until(lambda: (out / "work" / "plan").exists() or not child.is_alive())
     first = command_line.worker()
-    child = start(assess, *inputs, tmp_path / "out", scheduler=command_line.address, progress=False)
-    wait_until(lambda: (tmp_path / "out" / "work" / "plan").exists() or not child.is_alive())
     command_line.worker()
-    time.sleep(1.0)  # the second takes about so long to come; the first may go before or after
+    time.sleep(1.0)  # they take about so long to come; either may be at work by then
     first.kill()
     child.join()
-    assert child.exitcode == 0
-    assert digests(tmp_path / "out") == expected
-
-
-def test_a_cluster_without_workers_is_said_and_waited_for(
-    inputs, expected, command_line, tmp_path, monkeypatch
-):
-    monkeypatch.setattr("stayput.execution.WORKERS_CHECKED_EVERY", 0.1)
-    monkeypatch.setattr("stayput.execution.PATIENCE", 0.0)
-    said = []
-
-    def say(text):
-        said.append(text)
-        if "no worker" in text:
-            command_line.worker()
-
-    assess(*inputs, tmp_path / "out", scheduler=command_line.address, progress=False, say=say)
-    assert sum("no worker" in text for text in said) == 1
-    assert digests(tmp_path / "out") == expected
+    assert "Dashboard of the cluster" in said.read_text()
+    assert "The cluster has no worker" in said.read_text()
+    assert digests(out) == expected
 
 
 def test_a_killed_scheduler_is_said_and_gone_on_from(inputs, expected, command_line, tmp_path):
     command_line.worker()
-    said, pid = tmp_path / "said", command_line.scheduler.pid
-    given = {"scheduler": command_line.address, "progress": False}
-    child = start(kill_the_scheduler, pid, said, *inputs, tmp_path / "out", **given)
+    said, pid, out = tmp_path / "said", command_line.scheduler.pid, tmp_path / "out"
+    child = start(kill_the_scheduler, pid, said, *inputs, out, command_line.address)
     child.join()
-    assert "the same command goes on from it" in said.read_text()
-    assess(*inputs, tmp_path / "out", progress=False)
-    assert digests(tmp_path / "out") == expected
+    assert "The executor is lost" in said.read_text()
+    assess(*inputs, out, progress=False)
+    assert digests(out) == expected
+
+
+def test_a_scheduler_that_is_not_there_is_refused(inputs, tmp_path, monkeypatch):
+    monkeypatch.setattr("stayput.cli.assess.CONNECTING", 0.5)
+    result = typed(*inputs, tmp_path / "out", "tcp://127.0.0.1:9")
+    assert result.exit_code == 2
+    assert "could not be reached" in str(result.exception) + result.output

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from numbers import Real
 from typing import TYPE_CHECKING, TypeVar, overload
 
@@ -12,7 +12,7 @@ import numpy as np
 from stayput.building.modes import ModalModel, Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
 from stayput.errors import InputError, instance_of, list_of, whole_within
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.channels import of_the_ground
 from stayput.motion.processing import refine
@@ -21,7 +21,7 @@ from stayput.motion.suites.suite import Suite
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
@@ -264,7 +264,9 @@ class ShearModel:
         wanted = tuple(storeys)
         for storey in wanted:
             self.place(storey)
-        return self._in_order((Call(self._floor_motions, self._ground(m), wanted) for m in motions), threads)
+        return self._in_order(
+            (partial(self._floor_motions, self._ground(m), wanted) for m in motions), threads
+        )
 
     def floor_peaks(
         self, motions: Iterable[Motion], *, component: str = "x", threads: int | None = None
@@ -291,14 +293,14 @@ class ShearModel:
                 )
             return self._histories(rows[component], motion.dt, storeys).peaks()
 
-        found = list(self._in_order((Call(peaks_of, self._ground(motion)) for motion in motions), threads))
+        found = list(self._in_order((partial(peaks_of, self._ground(motion)) for motion in motions), threads))
         peaks = np.array(found).reshape(-1, 2, len(storeys))
         return FloorPeaks(np.array(storeys), peaks[:, 0], peaks[:, 1])
 
-    def _in_order(self, calls: Iterable[Call[T]], threads: int | None) -> Iterator[T]:
+    def _in_order(self, calls: Iterable[Callable[[], T]], threads: int | None) -> Iterator[T]:
         _ = self._modal  # once, not in every thread
-        with ThreadExecutor(threads) as executor:
-            yield from executor.in_order(calls)
+        with Pool(threads) as pool:
+            yield from pool.in_order(calls)
 
     def _floor_motions(self, ground: Motion, storeys: Sequence[int]) -> tuple[Motion, ...]:
         """Return the floor motions of the wanted storeys, and compute no others."""

@@ -76,11 +76,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The language is {value!r}; it must be one of {languages}.",
         "言語が{value!r}になっています。{languages}のいずれかを指定してください。",
     ),
-    # Threads and Dask clusters
+    # threads and executors
     "threads": ("Threads", "スレッド数"),
-    "cluster_lost": (
-        "The cluster is gone ({reason}); start it anew, and give the same command again.",
-        "クラスターに接続できなくなりました（{reason}）。クラスターを起動し直してから、もう一度実行してください。",
+    "executor_lost": (
+        "The executor is lost ({reason}); start it anew, and give the same call again.",
+        "処理系（executor）が使えなくなりました（{reason}）。起動し直してから、同じ処理をもう一度実行してください。",
     ),
     "no_worker": (
         "The cluster has no worker; waiting for one.",
@@ -89,10 +89,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "worker_version": (
         "A worker has stayput {worker}; it must have that of this command, {version}.",
         "ワーカーのstayputが{worker}になっています。このコマンドと同じ{version}にしてください。",
-    ),
-    "workers_killed": (
-        "A task ended {tries} times with its workers; they may need more memory.",
-        "処理中のワーカーが{tries}回終了しました。ワーカーのメモリを増やす必要があるかもしれません。",
     ),
 }
 """Texts by their keys: English, Japanese."""

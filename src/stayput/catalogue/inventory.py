@@ -11,10 +11,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The memory is {memory}; it must be written like 2GB.",
         "メモリが{memory}になっています。2GBのように指定してください。",
     ),
-    "scheduler_and_client": (
-        "A scheduler is given beside a client; it must be one of the two.",
-        "スケジューラーとクライアントの両方が指定されています。どちらか一方にしてください。",
-    ),
     # files
     "the_inventory": ("inventory", "家具一覧"),
     "the_uncertainty": ("uncertainty of the shake map", "地震動マップの不確かさ"),
@@ -434,10 +430,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_scheduler": (
         "The scheduler is {scheduler}; it could not be reached: {reason}.",
         "スケジューラー{scheduler}に接続できませんでした：{reason}。",
-    ),
-    "cluster_lost": (
-        "The cluster is gone ({reason}); what is complete is kept, and the same command goes on from it.",
-        "クラスターとの接続が切れました（{reason}）。完了した分は残っており、同じコマンドで続きから再開できます。",
     ),
 }
 """Texts by their keys: English, Japanese."""

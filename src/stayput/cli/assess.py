@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -12,12 +13,17 @@ from stayput.cli.flags import QuietOption, SetOption, ThreadsOption, changed
 from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import note, print_json, tell_written
 from stayput.cli.streams import NAME, file_of, is_stream, table_of_input
+from stayput.progress import language_of_bars
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Generator, Mapping, Sequence
+    from concurrent.futures import Executor
 
     from stayput.inventory import Assessment
     from stayput.inventory.scenarios import ScenarioFile
+
+CONNECTING = 20.0
+"""Time in which a scheduler must answer [s]."""
 
 
 def assess(
@@ -47,22 +53,22 @@ def assess(
     def under_flags(tables: Mapping[str, Any], file: Path | None = None) -> dict[str, Any]:
         return changed(tables, {"set": settings or []}, file)
 
-    assessment = run(
-        file_of(str(inventory), "TABLE", ".csv"),
-        _scenario_of_input(under_flags) if is_stream(scenario) else scenario,
-        out,
-        changed=under_flags,
-        shakemap=None if shakemap is None else file_of(str(shakemap), "--shakemap", ".csv"),
-        field=field,
-        uncertainty=uncertainty,
-        columns=columns,
-        export=export,
-        slide_limit=slide_limit,
-        threads=threads,
-        scheduler=scheduler,
-        memory=memory,
-        say=note,
-    )
+    with _executor(scheduler) as executor:
+        assessment = run(
+            file_of(str(inventory), "TABLE", ".csv"),
+            _scenario_of_input(under_flags) if is_stream(scenario) else scenario,
+            out,
+            changed=under_flags,
+            shakemap=None if shakemap is None else file_of(str(shakemap), "--shakemap", ".csv"),
+            field=field,
+            uncertainty=uncertainty,
+            columns=columns,
+            export=export,
+            slide_limit=slide_limit,
+            threads=threads,
+            executor=executor,
+            memory=memory,
+        )
     if json:
         print_json(_record(assessment))
     else:
@@ -71,6 +77,34 @@ def assess(
         from stayput.errors import InputError
 
         raise InputError("cli.no_row", rejects=assessment.folder / "rejects.csv")
+
+
+@contextmanager
+def _executor(scheduler: str | None) -> Generator[Executor | None]:
+    """Give Dask's executor of the scheduler at an address, and none without one."""
+    if scheduler is None:
+        yield None
+        return
+    from stayput.errors import InputError
+    from stayput.extras import absent
+
+    try:
+        from dask.distributed import Client
+    except ImportError:
+        raise absent("A cluster", "Dask", "cluster") from None
+    try:
+        client: Any = Client(scheduler, timeout=CONNECTING, set_as_default=False)
+    except (OSError, TimeoutError, ValueError) as error:
+        raise InputError(
+            "inventory.no_scheduler", "scheduler", scheduler=repr(scheduler), reason=str(error)
+        ) from None
+    try:
+        note(say("inventory_report.dashboard", language_of_bars(), link=client.dashboard_link))
+        if not client.scheduler_info(n_workers=-1)["workers"]:
+            note(say("common.no_worker", language_of_bars()))
+        yield client.get_executor()
+    finally:
+        client.close(timeout=5)
 
 
 def _scenario_of_input(under_flags: Callable[[Mapping[str, Any]], dict[str, Any]]) -> ScenarioFile:

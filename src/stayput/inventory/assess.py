@@ -13,17 +13,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import stayput
-from stayput.catalogue import phrase, say
+from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, reason_of, within
-from stayput.execution import DaskExecutor, ThreadExecutor
-from stayput.extras import absent
+from stayput.execution import Pool
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.arrow import arrow, dataset, parquet
 from stayput.inventory.exports import export_results, formats_of, refuse_nowhere
 from stayput.inventory.folder import MANIFEST, WORK, check_parts, claimed, digest_of
 from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import REJECTS, STORE, make_plan
-from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Finding, Writer, part_names
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
@@ -34,23 +32,20 @@ from stayput.inventory.summary import COLUMNS, summarise
 from stayput.inventory.work import Work
 from stayput.inventory.workspace import read_json
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.progress import bar, language_of_bars
+from stayput.progress import bar
 from stayput.spreadsheets import CSV_ENCODING, csv_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Mapping, Sequence
+    from concurrent.futures import Executor
 
     from stayput.catalogue import Language, Phrase
-    from stayput.execution import Executor
     from stayput.inventory.scenarios import Changed, Scenarios
     from stayput.inventory.summary import Summary
     from stayput.inventory.workspace import Workspace
 
 MEMORY = 2 * 2**30
 """Memory that an assessment keeps below [bytes]."""
-
-CONNECTING = 20.0
-"""Time in which a scheduler must answer [s]."""
 
 _UNITS = {"": 1, "k": 2**10, "m": 2**20, "g": 2**30, "t": 2**40}
 
@@ -116,11 +111,9 @@ def assess(
     export: str | Sequence[str] = (),
     slide_limit: float = SLIDE_LIMIT,
     threads: int | None = None,
-    scheduler: str | None = None,
-    client: Any = None,
+    executor: Executor | None = None,
     memory: float | str = MEMORY,
     progress: bool | None = None,
-    say: Callable[[str], None] | None = None,
 ) -> Assessment:
     """Assess every piece of an inventory, and write the results to a folder.
 
@@ -155,22 +148,19 @@ def assess(
         Slide that counts as too far [m].
     threads : int, optional
         As many as there are cores by default.
-    scheduler : str, optional
-        Address of a Dask scheduler, whose workers simulate instead.
-    client : dask.distributed.Client, optional
-        The same, where there is a client already.
+    executor : concurrent.futures.Executor, optional
+        Simulates instead, on processes or on the machines of a cluster; Dask's is ``client.get_executor()``.
+        Then `threads` is how many tasks it computes at a time, by default 128.
     memory : float or str
         Memory to stay below, in bytes or such as "2GB".
     progress : bool, optional
         Whether to draw bars on standard error; default on a terminal.
-    say : callable, optional
-        Called with sentences: where the cluster's dashboard is, and when it has no worker.
 
     Raises
     ------
     InputError
         An inventory, scenario or map that cannot be read; a folder that holds something else; a disk that is
-        full; a cluster that is gone.
+        full; an executor that is lost.
 
     Examples
     --------
@@ -179,8 +169,6 @@ def assess(
     """
     began = time.perf_counter()
     limit, memory_bytes = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
-    if scheduler is not None and client is not None:
-        raise InputError("inventory.scheduler_and_client", "scheduler")
     arrow()
     if hasattr(inventory, "to_parquet") and hasattr(inventory, "to_csv"):
         raise InputError("inventory.a_data_frame", "inventory", kind=type(inventory).__name__)
@@ -221,13 +209,17 @@ def assess(
             formats = ()  # then the reasons why no row is assessed matter, and not where pieces stand
         refuse_nowhere(formats, facts["with coordinates"])
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
-        with closing(Store(space.folder / "plan" / STORE, memory_bytes // 16)) as store:
-            work = Work(store, scenarios, space, plan, slide_limit=limit, floor_memory=memory_bytes // 8)
+        with (
+            closing(Store(space.folder / "plan" / STORE, memory_bytes // 16)) as store,
+            closing(
+                Work(store, scenarios, space.folder, slide_limit=limit, floor_memory=memory_bytes // 8)
+            ) as work,
+        ):
             started = time.perf_counter()
-            _simulate(work, threads, scheduler, client, progress, say)
+            _simulate(work, threads, executor, progress)
             simulating = time.perf_counter() - started
-        manifest = _manifest(scenarios, limit, work)
-        _write(folder, space, plan, facts, manifest, work, progress)
+            manifest = _manifest(scenarios, limit, work)
+            _write(folder, space, plan, facts, manifest, work, progress)
         summary = _sum_up(folder, space, facts, manifest)
         export_results(folder, space, facts["parts"], formats)
         claim = read_json(folder / MANIFEST) or {}
@@ -287,7 +279,7 @@ def _full_disk(folder: Path) -> Generator[None]:
 
     try:
         yield
-    except (OSError, sqlite3.OperationalError) as error:
+    except (OSError, sqlite3.DatabaseError) as error:
         reason = reason_of(error)
         where = getattr(error, "filename2", None) or getattr(error, "filename", None)
         at = phrase("inventory.at_path", path=repr(str(where))) if where else ""
@@ -311,51 +303,14 @@ def _rows_about(table: Path) -> int:
     return max(1, round(lines * table.stat().st_size / max(len(start), 1)))
 
 
-def _simulate(
-    work: Work,
-    threads: int | None,
-    scheduler: str | None,
-    client: Any,
-    progress: bool | None,
-    say: Callable[[str], None] | None,
-) -> None:
+def _simulate(work: Work, threads: int | None, executor: Executor | None, progress: bool | None) -> None:
     if not work.left:
         return
     with (
         bar(work.left, "progress.simulating", progress, "progress.units") as advance,
-        _executor(threads, scheduler, client, say) as executor,
+        Pool(threads, executor) as pool,
     ):
-        work.run(executor, advance, time.monotonic)
-
-
-@contextmanager
-def _executor(
-    threads: int | None, scheduler: str | None, client: Any, notify: Callable[[str], None] | None
-) -> Generator[Executor]:
-    if scheduler is None and client is None:
-        with ThreadExecutor(threads) as executor:
-            yield executor
-        return
-    try:
-        from dask.distributed import Client
-    except ImportError:
-        raise absent("A cluster", "Dask", "cluster") from None
-    made = None
-    if client is None:
-        try:
-            client = made = Client(scheduler, timeout=CONNECTING, set_as_default=False)
-        except (OSError, TimeoutError, ValueError) as error:
-            raise InputError(
-                "inventory.no_scheduler", "scheduler", scheduler=repr(scheduler), reason=str(error)
-            ) from None
-    try:
-        if notify is not None:
-            notify(say("inventory_report.dashboard", language_of_bars(), link=client.dashboard_link))
-        with DaskExecutor(client, notify=notify, cluster_lost="inventory.cluster_lost") as executor:
-            yield executor
-    finally:
-        if made is not None:
-            made.close(timeout=5)
+        work.run(pool, advance, time.monotonic)
 
 
 def _manifest(scenarios: Scenarios, limit: float, work: Work) -> dict[str, Any]:
@@ -392,16 +347,11 @@ def _write(
 ) -> None:
     import json
 
-    record_file = RecordFile(space.draft(), work.kind)
-    try:
-        record_file.gather(space.folder / UNITS, plan, facts["units"])
-        about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
-        with bar(
-            facts["pieces"] * len(work.scenarios.events), "progress.writing", progress, "progress.rows"
-        ) as advance:
-            Writer(folder, space, record_file, about, _strengths(work)).write(facts["parts"], advance)
-    finally:
-        record_file.path.unlink(missing_ok=True)
+    about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
+    with bar(
+        facts["pieces"] * len(work.scenarios.events), "progress.writing", progress, "progress.rows"
+    ) as advance:
+        Writer(folder, space, work.outcomes, about, _strengths(work)).write(facts["parts"], advance)
     for name in REJECTS:
         with space.durable(folder / name) as file, (space.folder / "plan" / name).open("rb") as source:
             shutil.copyfileobj(source, file)

@@ -58,7 +58,7 @@ def export_results(folder: Path, space: Workspace, parts: int, formats: Sequence
     }
     paths: list[Path] = []
     for name in formats:
-        draft, path = space.draft().with_suffix(f".{name}"), folder / f"pieces.{name}"
+        draft, path = space.draft(), folder / f"pieces.{name}"
         try:
             writers[name](draft, folder / PIECES, parts)
             space.publish(draft, path)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import re
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, cast
 
@@ -12,21 +11,19 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.inventory.workspace import (
     BEGUN,
-    DRAFTS,
-    JOURNAL,
+    OUTCOMES,
     OWN,
     Workspace,
     entries,
     in_the_way,
     read_json,
-    recorded,
 )
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Mapping
     from pathlib import Path
 
-FORMAT = 7
+FORMAT = 8
 """Changes with the files' layout or meaning."""
 
 MANIFEST, CLAIM = "manifest.json", "claim.json"
@@ -97,9 +94,8 @@ def _refuse_strangers(folder: Path) -> None:
     if (folder / MANIFEST).exists() or (folder / WORK / CLAIM).exists():
         return
     present = list(entries(folder, OWN))
-    tokens = recorded(folder / WORK / JOURNAL)  # after the drafts: each had its token there before
     for entry in present:
-        if not BEGUN.fullmatch(entry) or not _is_left_of_ours(folder, entry, tokens):
+        if not BEGUN.fullmatch(entry) or (entry == LOCK and (folder / LOCK).stat().st_size):
             name = entry.rstrip("/@")
             raise InputError("inventory.strangers", "out", folder=repr(str(folder)), name=repr(name))
 
@@ -116,13 +112,6 @@ def _refuse_what_is_in_the_way(folder: Path) -> None:
             raise in_the_way(folder, entry)
 
 
-def _is_left_of_ours(folder: Path, entry: str, tokens: frozenset[str]) -> bool:
-    if entry == LOCK:
-        return (folder / entry).stat().st_size == 0
-    draft = re.match(rf"{WORK}/{DRAFTS}/(.+?)-", entry)
-    return draft is None or draft[1] in tokens
-
-
 def _inputs_before(folder: Path) -> dict[str, Any] | None:
     """Return the inputs of the assessment in the folder, or None where the folder is new."""
     for claim in (read_json(folder / MANIFEST), read_json(folder / WORK / CLAIM)):
@@ -136,7 +125,7 @@ def _inputs_before(folder: Path) -> dict[str, Any] | None:
 def _holds_results(folder: Path) -> bool:
     """Return whether there are results of the inputs: there are none where the table was refused."""
     return not (folder / WORK / CLAIM).exists() or any(
-        (folder / name).exists() for name in (f"{WORK}/plan", "pieces", "report.html")
+        (folder / name).exists() for name in (f"{WORK}/plan", f"{WORK}/{OUTCOMES}", "pieces", "report.html")
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
+import sqlite3
 from collections import Counter
 from contextlib import closing
 from itertools import chain, islice
@@ -14,12 +15,11 @@ from stayput.errors import InputError, excerpt, quoted
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.cells import Unusable, is_empty
 from stayput.inventory.columns import COLUMNS, JAPANESE
-from stayput.inventory.folder import digest_of
 from stayput.inventory.header import header_of
 from stayput.inventory.items import SIZES, RowReader, name_of, numbered
 from stayput.inventory.store import Store
 from stayput.inventory.tables import open_table
-from stayput.inventory.workspace import read_json, remove, sync_folder
+from stayput.inventory.workspace import remove, sync_folder
 from stayput.spreadsheets import harmless
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ REJECTED = ("row", "id", "name", "reason", "reason_ja")
 """What is told of a row that is not assessed."""
 
 REJECTS = ("rejects.parquet", "rejects.csv")
-ROWS, STORE, SUMS = "rows", "plan.sqlite", "sums.json"
+ROWS, STORE = "rows", "plan.sqlite"
 
 ROWS_LOOKED_AT = 200
 """Rows whose numbers tell whether the header is understood."""
@@ -208,16 +208,16 @@ def make_plan(
         A table that cannot be read, a wrong header, or no row.
     """
     place = space.folder / "plan"
-    if place.exists() and read_json(place / SUMS) != _sums(place):
-        remove(place)
-    if not place.exists():
+    facts = _facts(place)
+    if facts is None:
+        if place.exists():
+            remove(place)
         draft = space.draft()
         draft.mkdir()
         try:
             (draft / ROWS).mkdir()
             _fill(draft, inventory, scenarios, cache, advance, columns)
             check_unchanged()
-            space.write_json(draft / SUMS, _sums(draft))
             for path in draft.rglob("*"):
                 if path.is_file():
                     with path.open("rb+") as file:
@@ -227,14 +227,27 @@ def make_plan(
         finally:
             if draft.exists():
                 remove(draft)
-    with closing(Store(place / STORE)) as store:
-        return store.facts()
+        facts = _facts(place)
+        assert facts is not None
+    return facts
 
 
-def _sums(place: Path) -> dict[str, str]:
-    """Return the digests of all files of a plan but that of the digests."""
-    files = (path for path in sorted(place.rglob("*")) if path.is_file())
-    return {path.relative_to(place).as_posix(): digest_of(path) for path in files if path.name != SUMS}
+def _facts(place: Path) -> dict[str, Any] | None:
+    """Return the facts of a plan; None where there is none, or one of its files has not its size."""
+    if not (place / STORE).is_file():
+        return None
+    try:
+        with closing(Store(place / STORE)) as store:
+            facts = store.facts()
+    except sqlite3.DatabaseError:
+        return None
+    return facts if facts.pop("sizes", None) == _sizes(place) else None
+
+
+def _sizes(place: Path) -> dict[str, int]:
+    """Return the sizes of the files of a plan but its data base."""
+    files = (path for path in sorted(place.rglob("*")) if path.is_file() and not path.match(f"{STORE}*"))
+    return {path.relative_to(place).as_posix(): path.stat().st_size for path in files}
 
 
 def _fill(
@@ -300,6 +313,7 @@ def _fill(
             raise InputError("inventory.no_rows", "inventory", path=repr(str(inventory)))
         store.finish(
             {
+                "sizes": _sizes(folder),
                 "rows": seen,
                 "empty rows": empty,
                 "pieces": pieces,

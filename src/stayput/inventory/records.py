@@ -1,9 +1,8 @@
-"""Outcomes of simulation units as records of fixed size, in files with a checksum."""
+"""Outcomes of simulation units as records of fixed size, and which parts of the results are complete."""
 
 from __future__ import annotations
 
-import hashlib
-import os
+import sqlite3
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,12 +10,9 @@ import numpy as np
 from stayput.montecarlo.counting import EVENTS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
     from pathlib import Path
 
     from numpy.typing import NDArray
-
-    from stayput.inventory.workspace import Workspace
 
 
 def record_type(motions: int, samples: int) -> np.dtype[np.void]:
@@ -37,90 +33,73 @@ def record_type(motions: int, samples: int) -> np.dtype[np.void]:
     )
 
 
-ESTIMATE, LOW, HIGH = range(3)
-MEDIAN, P90, MEAN = range(3)
-
-UNITS = "units"
-"""Folder of the records."""
-
-_SUM = 32  # bytes of SHA-256
+_TABLES = """
+CREATE TABLE IF NOT EXISTS outcomes (unit INTEGER PRIMARY KEY, record BLOB NOT NULL);
+CREATE TABLE IF NOT EXISTS parts (name TEXT PRIMARY KEY, rows INTEGER NOT NULL, digest TEXT NOT NULL);
+"""
 
 
-def write_records(space: Workspace, records: NDArray[np.void], plan: str) -> Path:
-    """Write records to a file of their own, named by their content.
-
-    Parameters
-    ----------
-    space : Workspace
-        Where.
-    records : ndarray of `record_type`
-        The records.
-    plan : str
-        Digest of the plan that they belong to.
-    """
-    content = records.tobytes()
-    total = hashlib.sha256(plan.encode() + content).digest()
-    path = space.folder / UNITS / f"{total.hex()[:24]}.units"
-    with space.durable(path) as file:
-        file.write(content + total)
-    return path
-
-
-def read_records(path: Path, plan: str, kind: np.dtype[np.void]) -> NDArray[np.void] | None:
-    """Return the records of a file, or None where it is incomplete or belongs to another plan."""
-    content = path.read_bytes()
-    body, total = content[:-_SUM], content[-_SUM:]
-    if len(total) < _SUM or len(body) % kind.itemsize:
-        return None
-    if hashlib.sha256(plan.encode() + body).digest() != total:
-        return None
-    return np.frombuffer(body, kind)
-
-
-def all_records(folder: Path, plan: str, kind: np.dtype[np.void]) -> Iterator[NDArray[np.void]]:
-    """Yield the records of all complete files of a folder."""
-    for path in sorted(folder.glob("*.units")):
-        records = read_records(path, plan, kind)
-        if records is not None:
-            yield records
-
-
-class RecordFile:
-    """One file with the records of all units by number, of which only the wanted ones are read into memory.
+class OutcomeStore:
+    """What is done of an assessment, in SQLite: what was saved stays when the process is killed.
 
     Parameters
     ----------
     path : Path
-        The file; it is made.
+        The file; made where it is not there, and anew where it is no data base.
     kind : dtype
         Type of the records.
+    units : int
+        How many units there are; ``done`` says which of them have an outcome.
     """
 
-    def __init__(self, path: Path, kind: np.dtype[np.void]) -> None:
-        self.path, self.kind = path, kind
+    def __init__(self, path: Path, kind: np.dtype[np.void], units: int) -> None:
+        self.kind = kind
+        self.done = np.zeros(units, np.bool_)
+        try:
+            self._open(path)
+        except sqlite3.OperationalError:  # of the disk
+            raise
+        except sqlite3.DatabaseError:
+            for damaged in (path, path.with_name(f"{path.name}-journal")):
+                damaged.unlink(missing_ok=True)
+            self._open(path)
 
-    def gather(self, folder: Path, plan: str, units: int) -> None:
-        """Write the file from the records of a folder, of which every unit has one."""
-        size = self.kind.itemsize
-        with self.path.open("xb") as file:
-            file.truncate(units * size)
-            for records in all_records(folder, plan, self.kind):
-                ordered = records[np.argsort(records["unit"], kind="stable")]
-                cuts = np.flatnonzero(np.diff(ordered["unit"]) != 1) + 1
-                for part in np.split(ordered, cuts):
-                    file.seek(int(part["unit"][0]) * size)
-                    file.write(part.tobytes())
+    def _open(self, path: Path) -> None:
+        self._base = sqlite3.connect(path)
+        self._base.executescript(_TABLES)
+        units = self._base.execute("SELECT unit FROM outcomes")
+        self.done[np.fromiter((unit for (unit,) in units), np.int64)] = True
+
+    def close(self) -> None:
+        """Close the file."""
+        self._base.close()
+
+    def save(self, records: NDArray[np.void]) -> None:
+        """Save the outcomes of units that have none yet."""
+        with self._base:  # a transaction
+            rows = ((int(record["unit"]), record.tobytes()) for record in records)
+            self._base.executemany("INSERT INTO outcomes VALUES (?, ?)", rows)
 
     def of(self, units: NDArray[np.int64]) -> NDArray[np.void]:
         """Return the records of some units, in increasing order of their numbers."""
-        records = np.empty(len(units), self.kind)
-        size = self.kind.itemsize
-        with self.path.open("rb", buffering=0) as file:
-            descriptor = file.fileno()
-            start = 0
-            cuts = np.flatnonzero(np.diff(units) != 1) + 1
-            for part in np.split(units, cuts):
-                content = os.pread(descriptor, len(part) * size, int(part[0]) * size)
-                records[start : start + len(part)] = np.frombuffer(content, self.kind)
-                start += len(part)
-        return records
+        records: list[bytes] = []
+        for part in np.split(units, np.flatnonzero(np.diff(units) != 1) + 1):
+            rows = self._base.execute(
+                "SELECT record FROM outcomes WHERE unit BETWEEN ? AND ? ORDER BY unit",
+                (int(part[0]), int(part[-1])),
+            )
+            records += [record for (record,) in rows]
+        return np.frombuffer(b"".join(records), self.kind)
+
+    def part(self, name: str) -> tuple[int, str] | None:
+        """Return the rows and the digest of a part of the results that is complete."""
+        return self._base.execute("SELECT rows, digest FROM parts WHERE name = ?", (name,)).fetchone()
+
+    def complete(self, name: str, rows: int, digest: str) -> None:
+        """Note that a part of the results is complete."""
+        with self._base:
+            self._base.execute("INSERT OR REPLACE INTO parts VALUES (?, ?, ?)", (name, rows, digest))
+
+
+ESTIMATE, LOW, HIGH = range(3)
+MEDIAN, P90, MEAN = range(3)

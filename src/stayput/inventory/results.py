@@ -19,8 +19,7 @@ from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.plan import ROWS, not_possible
-from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, RecordFile
-from stayput.inventory.workspace import read_json
+from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90
 from stayput.montecarlo.counting import EVENTS, OVERTURNED, SLID
 from stayput.verification.ranking import RANKING_ORDER, severity
 from stayput.verification.words import SAFE, SMALL
@@ -32,6 +31,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility import Difference
+    from stayput.inventory.records import OutcomeStore
     from stayput.inventory.workspace import Workspace
 
 PIECES = "pieces"
@@ -262,7 +262,7 @@ class Writer:
         Where results go.
     space : Workspace
         Where the plan is.
-    record_file : RecordFile
+    outcomes : OutcomeStore
         Outcomes of all units.
     metadata : mapping
         Metadata of every part.
@@ -274,15 +274,14 @@ class Writer:
         self,
         folder: Path,
         space: Workspace,
-        record_file: RecordFile,
+        outcomes: OutcomeStore,
         metadata: Mapping[str, str],
         strengths: Callable[[str, float | None], tuple[float | None, ...]],
     ) -> None:
-        self.folder, self.space, self.record_file = folder / PIECES, space, record_file
+        self.folder, self.space, self.outcomes = folder / PIECES, space, outcomes
         self.schema = schema(metadata)
         self.strengths = strengths
         self.folder.mkdir(exist_ok=True)
-        (space.folder / "sums").mkdir(exist_ok=True)
         self.options = [field.name for field in self.schema.field("options").type.value_type]
 
     def write(self, parts: int, advance: Callable[[int], None]) -> None:
@@ -291,24 +290,21 @@ class Writer:
             advance(self._part(name))
 
     def _part(self, name: str) -> int:
-        sums_path = self.space.folder / "sums" / f"{name}.json"
         target = self.folder / name
-        sums = read_json(sums_path) or {}
-        rows = sums.get("rows")
-        if isinstance(rows, int) and target.exists() and digest_of(target) == sums.get("sha256"):
+        rows, digest = self.outcomes.part(name) or (0, None)
+        if target.exists() and digest_of(target) == digest:
             return rows
         table = self._table(self.space.folder / "plan" / ROWS / name)
         content = _parquet(table)
         with self.space.durable(target) as file:
             file.write(content)
-        sums = {"rows": table.num_rows, "sha256": hashlib.sha256(content).hexdigest()}
-        self.space.write_json(sums_path, sums)
+        self.outcomes.complete(name, table.num_rows, hashlib.sha256(content).hexdigest())
         return table.num_rows
 
     def _table(self, path: Path) -> Any:
         rows: list[dict[str, Any]] = parquet().read_table(path).to_pylist()
         wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
-        records = self.record_file.of(wanted)
+        records = self.outcomes.of(wanted)
         chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
         lines: list[dict[str, Any]] = []
         for row in rows:

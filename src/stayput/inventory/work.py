@@ -5,26 +5,28 @@ from __future__ import annotations
 from collections import deque
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.execution import Call, Shared
-from stayput.inventory.records import UNITS, all_records, record_type, write_records
+from stayput.execution import Shared
+from stayput.inventory.records import OutcomeStore, record_type
 from stayput.inventory.store import ground_of
 from stayput.inventory.units import Unit, evaluate
+from stayput.inventory.workspace import OUTCOMES
 from stayput.montecarlo.hazard import Ground, PreparedFloor
 from stayput.montecarlo.sampling import Settings
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator
+    from pathlib import Path
 
     from numpy.typing import NDArray
 
-    from stayput.execution import Executor
+    from stayput.execution import Pool
     from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.store import Store
-    from stayput.inventory.workspace import Workspace
     from stayput.scenario.building import BuildingTable
 
 SECONDS = 1.0
@@ -61,8 +63,9 @@ class FloorRequest:
     storeys: tuple[int, ...]
     factors: NDArray[np.float64]
 
-    def floors(self, ground: Ground) -> dict[int, PreparedFloor]:
+    def floors(self, shared: Shared[Ground]) -> dict[int, PreparedFloor]:
         """Return the floor motions of each storey."""
+        ground = shared.value
         floors, scales = ground.floors(self.building, self.storeys, self.factors, threads=1)
         if self.building is None:  # the same motions for all
             return dict.fromkeys(self.storeys, PreparedFloor.of(ground.acting, scales))
@@ -82,10 +85,11 @@ class UnitTask:
     groups: tuple[tuple[int, str, tuple[Unit, ...]], ...]
     kind: np.dtype[np.void]
 
-    def run(self, floors: dict[int, PreparedFloor]) -> TaskOutcome:
+    def run(self, floors: Shared[dict[int, PreparedFloor]]) -> TaskOutcome:
         """Simulate the units on this thread."""
+        floor = floors.value[self.storey]
         results = [
-            (option, *evaluate(units, measures, floors[self.storey], self.settings, self.kind))
+            (option, *evaluate(units, measures, floor, self.settings, self.kind))
             for option, measures, units in self.groups
         ]
         records = np.concatenate([result[1] for result in results])
@@ -136,10 +140,8 @@ class Work:
         The plan.
     scenarios : Scenarios
         The scenarios.
-    space : Workspace
+    folder : Path
         Where outcomes are kept.
-    plan : str
-        Digest of the plan.
     slide_limit : float
         Slide that counts as too far [m].
     floor_memory : int
@@ -150,27 +152,26 @@ class Work:
         self,
         store: Store,
         scenarios: Scenarios,
-        space: Workspace,
-        plan: str,
-        *,
+        folder: Path,
         slide_limit: float,
         floor_memory: int,
     ) -> None:
-        self.store, self.scenarios, self.space, self.plan = store, scenarios, space, plan
+        self.store, self.scenarios = store, scenarios
         self.floor_memory = floor_memory
-        folder = space.folder / UNITS
-        folder.mkdir(exist_ok=True)
-        self.done = np.zeros(store.facts()["units"], np.bool_)
         self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
         motions, samples = (max(getattr(one, of) for one in self.settings) for of in ("motions", "samples"))
         self.kind = record_type(motions, samples)
-        for records in all_records(folder, plan, self.kind):
-            self.done[records["unit"]] = True
+        self.outcomes = OutcomeStore(folder / OUTCOMES, self.kind, store.facts()["units"])
+        self.done = self.outcomes.done
         self.grounds: dict[int, Ground] = {}
         self.options = store.option_specs()
         runs = max(settings.motions * settings.samples for settings in self.settings)
         self.costs = Costs(self.options, store.units_by_option(), runs)
         self.runs, self.seconds = 0, 0.0
+
+    def close(self) -> None:
+        """Close what outcomes are kept in."""
+        self.outcomes.close()
 
     @property
     def left(self) -> int:
@@ -187,7 +188,7 @@ class Work:
             self.grounds[station] = ground
         return self.grounds[station]
 
-    def tasks(self, width: Callable[[], int]) -> Generator[UnitTask]:
+    def tasks(self, width: int) -> Generator[UnitTask]:
         """Yield tasks, each for one storey, those of a building one after another."""
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
@@ -210,9 +211,7 @@ class Work:
         for start in range(0, len(sites), batch_size):
             yield sites[start : start + batch_size]
 
-    def _tasks_at(
-        self, site: int, storey: int, request: FloorRequest, width: Callable[[], int]
-    ) -> Iterator[UnitTask]:
+    def _tasks_at(self, site: int, storey: int, request: FloorRequest, width: int) -> Iterator[UnitTask]:
         groups: dict[int, list[Unit]] = {}
         time = 0.0
 
@@ -231,31 +230,31 @@ class Work:
                 continue
             groups.setdefault(option, []).append((number, spec))
             time += self.costs.unit(option)
-            if time >= self.costs.wanted(width()):
+            if time >= self.costs.wanted(width):
                 yield task()
                 groups, time = {}, 0.0
         if groups:
             yield task()
 
-    def _calls(self, width: Callable[[], int]) -> Generator[Call[TaskOutcome]]:
+    def _calls(self, width: int) -> Generator[Callable[[], TaskOutcome]]:
         """Yield the tasks as calls; the motions of the ground and of a building's floors are made once."""
         grounds: dict[int, Shared[Ground]] = {}
         request: FloorRequest | None = None
         floors: Shared[dict[int, PreparedFloor]] | None = None
         for task in self.tasks(width):
-            if task.request is not request:
+            if task.request is not request or floors is None:
                 request = task.request
                 if request.station not in grounds:
-                    grounds[request.station] = Shared.value(self.ground(request.station))
+                    grounds[request.station] = Shared(_itself, self.ground(request.station))
                 floors = Shared(request.floors, grounds[request.station])
-            yield Call(task.run, floors)
+            yield partial(task.run, floors)
 
-    def run(self, executor: Executor, advance: Callable[[int], None], clock: Callable[[], float]) -> None:
-        """Run all tasks on an executor, and save their outcomes as they are completed.
+    def run(self, pool: Pool, advance: Callable[[int], None], clock: Callable[[], float]) -> None:
+        """Run all tasks, and save their outcomes as they are completed.
 
         Parameters
         ----------
-        executor : Executor
+        pool : Pool
             Runs them.
         advance : callable
             Called with the number of units that were just done.
@@ -268,14 +267,14 @@ class Work:
         def save() -> None:
             nonlocal saved_at
             if unsaved:
-                write_records(self.space, np.concatenate(unsaved), self.plan)
+                self.outcomes.save(np.concatenate(unsaved))
                 unsaved.clear()
             saved_at = clock()
 
         try:
             with (
-                closing(self._calls(executor.width)) as calls,
-                closing(executor.as_completed(calls)) as outcomes,
+                closing(self._calls(pool.width)) as calls,
+                closing(pool.as_completed(calls)) as outcomes,
             ):
                 for _, outcome in outcomes:
                     self._store_outcome(outcome, unsaved, advance)
@@ -296,3 +295,7 @@ class Work:
         if len(fresh):
             unsaved.append(fresh)
         advance(len(fresh))
+
+
+def _itself(ground: Ground) -> Ground:
+    return ground

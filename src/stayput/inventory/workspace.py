@@ -1,8 +1,7 @@
 """The work folder of an assessment: atomic file writes, and no foreign file touched.
 
-Every file or folder is made as a draft and takes its name when it is complete. A draft's name begins with a
-token, which stands in the journal before the first draft is made: it tells drafts of a killed process from
-foreign files.
+Every file or folder is made as a draft and takes its name when it is complete, but the data base of what is
+done, which SQLite keeps whole.
 """
 
 from __future__ import annotations
@@ -11,7 +10,6 @@ import itertools
 import json
 import os
 import re
-import secrets
 from contextlib import contextmanager
 from typing import IO, TYPE_CHECKING, Any, cast
 
@@ -22,20 +20,20 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Iterator, Mapping
     from pathlib import Path
 
-DRAFTS, JOURNAL = "drafts", "journal"
+DRAFTS, OUTCOMES = "drafts", "outcomes.sqlite"
 
-PLAN = re.compile(r"plan\.sqlite(-journal)?|rejects\.(parquet|csv)|sums\.json|rows/(part-\d{6}\.parquet)?")
+PLAN = re.compile(r"plan\.sqlite(-journal)?|rejects\.(parquet|csv)|rows/(part-\d{6}\.parquet)?")
 """What a plan consists of: paths in its folder, of which folders end in a slash."""
 
-BEGUN = re.compile(r"\.lock|work/(journal|claim\.json|drafts/([0-9a-f]{16}-\d+)?)?")
+BEGUN = re.compile(r"\.lock|work/(claim\.json|drafts/(draft-\d+)?)?")
 """What an assessment leaves that was killed before its manifest was written."""
 
 OWN = re.compile(
     BEGUN.pattern
     + r"|manifest\.json|report(\.ja)?\.html|(summary|rejects)\.(parquet|csv)"
     + r"|pieces\.(csv|geojson)|pieces/(part-\d{6}\.parquet)?"
-    + rf"|work/(plan|drafts/[0-9a-f]{{16}}-\d+)/({PLAN.pattern})?"
-    + r"|work/units/([0-9a-f]{24}\.units)?|work/sums/(part-\d{6}\.parquet\.json)?"
+    + rf"|work/(plan|drafts/draft-\d+)/({PLAN.pattern})?"
+    + r"|work/outcomes\.sqlite(-journal)?"
 )
 """All that an assessment writes, by its path in the folder of the results."""
 
@@ -56,23 +54,16 @@ class Workspace:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        drafts, journal = folder / DRAFTS, folder / JOURNAL
+        drafts = folder / DRAFTS
         drafts.mkdir(exist_ok=True)
-        tokens = recorded(journal)
         for leftover in sorted(drafts.iterdir()):
-            if leftover.name.partition("-")[0] in tokens:
+            if re.fullmatch(r"draft-\d+", leftover.name):
                 remove(leftover)
-        self._token = secrets.token_hex(8)
-        with journal.open("wb") as file:
-            file.write(f"{self._token}\n".encode())
-            file.flush()
-            os.fsync(file.fileno())
-        sync_folder(folder)
         self._numbers = itertools.count()
 
     def draft(self) -> Path:
         """Return the path of a new draft, which does not exist yet."""
-        return self.folder / DRAFTS / f"{self._token}-{next(self._numbers)}"
+        return self.folder / DRAFTS / f"draft-{next(self._numbers)}"
 
     @contextmanager
     def durable(self, path: Path) -> Generator[IO[bytes]]:
@@ -99,15 +90,6 @@ class Workspace:
         """Write a mapping as JSON, atomically."""
         with self.durable(path) as file:
             file.write((json.dumps(content, indent=2, sort_keys=True) + "\n").encode())
-
-
-def recorded(journal: Path) -> frozenset[str]:
-    """Return the tokens of a journal; incomplete lines belong to no draft."""
-    try:
-        lines = journal.read_bytes().decode("ascii", "replace").splitlines()
-    except FileNotFoundError:
-        return frozenset()
-    return frozenset(line for line in lines if re.fullmatch(r"[0-9a-f]{16}", line))
 
 
 def sync_folder(folder: Path) -> None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.measures.bracket import REACH
 from stayput.measures.results import utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
@@ -243,8 +244,8 @@ def run_several(
         shaking = shaking_of(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
         results[place], found[place] = run_draw(assemblies[option], room, draw, shaking, gravity)
 
-    with ThreadExecutor(threads) as executor:
-        for _ in executor.as_completed(Call(run, place) for place in each):
+    with Pool(threads) as pool:
+        for _ in pool.as_completed(partial(run, place) for place in each):
             if progress is not None:
                 progress(1)
     return [_runs(results[option], found, option, counted) for option in range(len(assemblies))]

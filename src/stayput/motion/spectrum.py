@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.motion.record import Motion
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, checked_periods
 
@@ -73,6 +74,6 @@ def spectra(
         Threads; as many as there are cores by default. The bits do not depend on them.
     """
     checked = checked_periods(periods)
-    with ThreadExecutor(threads) as executor:
-        calls = (Call(response_spectrum, motion, checked, damping, component) for motion in motions)
-        return list(executor.in_order(calls))
+    with Pool(threads) as pool:
+        calls = (partial(response_spectrum, motion, checked, damping, component) for motion in motions)
+        return list(pool.in_order(calls))

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
 from stayput.measures.wall import WallDevice
@@ -218,7 +219,7 @@ def runs_of_each(
         runs.tracks[row] = [replace(track, overturned=own) for track, own in zip(tracks, fell, strict=True)]
         runs.peaks[row] = peaks
 
-    def calls() -> Generator[Call[None]]:
+    def calls() -> Generator[Callable[[], None]]:
         for number, part in enumerate(parts):
             under_way[number] = PartRuns(
                 np.zeros((motions, samples, len(part.bodies)), RESULT),
@@ -228,11 +229,11 @@ def runs_of_each(
             )
             for motion in range(motions):
                 for sample in range(samples):
-                    yield Call(run, number, motion, sample)
+                    yield partial(run, number, motion, sample)
 
     left, following = [motions * samples] * len(parts), 0
-    with ThreadExecutor(threads) as executor:
-        for call, _ in executor.as_completed(calls()):
+    with Pool(threads) as pool:
+        for call, _ in pool.as_completed(calls()):
             left[call // (motions * samples)] -= 1
             if progress is not None:
                 progress(1)

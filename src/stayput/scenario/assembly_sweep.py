@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from functools import partial
 from itertools import product
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from stayput.errors import InputError, instance_of, list_of
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.measures.results import utilisation
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
@@ -59,8 +60,8 @@ def sweep_assembly(
     def run(number: int) -> None:
         results[number], failures[number], used[number] = _run(cases[number])
 
-    with bar(len(cases), "progress.simulating", progress) as advance, ThreadExecutor(threads) as executor:
-        for _ in executor.as_completed(Call(run, number) for number in range(len(cases))):
+    with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
+        for _ in pool.as_completed(partial(run, number) for number in range(len(cases))):
             advance(1)
     shape = tuple(len(values) for values in lists.values())
     dims = (*lists, "piece")

@@ -9,7 +9,7 @@ samples that differ, and refined by bisection.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
+from typing import TYPE_CHECKING, Literal, TypeAlias, get_args
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from stayput.simulation.overturning import FALLEN, SCALE, checked_amplitudes, ov
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from concurrent.futures import Executor
 
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
@@ -57,7 +58,7 @@ def trace_boundary(
     edge: Edge = "all",
     tolerance: float = 1e-4,
     threads: int | None = None,
-    client: Any = None,
+    executor: Executor | None = None,
     progress: bool | None = None,
 ) -> xr.Dataset:
     """Find the amplitudes between standing and falling: the crossings of a sampled map, refined by bisection.
@@ -74,7 +75,7 @@ def trace_boundary(
         case stands. ``all``: every edge, along a dimension ``edge`` that counts from 1 at the lowest.
     tolerance : float
         Width of the interval of amplitudes in which an edge lies, relative to its upper end.
-    threads, client, progress
+    threads, executor, progress
         As for `simulate_many`.
 
     Returns
@@ -110,7 +111,7 @@ def trace_boundary(
     tolerance = within("simulation.tolerance", tolerance, 1e-12, 0.1, field="tolerance")
     sampled = checked_amplitudes(amplitudes, axes)
     grid = make_grid(case, axes or {})
-    mapped = overturning_map(case, sampled, axes, threads=threads, client=client, progress=progress)
+    mapped = overturning_map(case, sampled, axes, threads=threads, executor=executor, progress=progress)
     shape = len(grid), len(sampled)
     falls = (mapped["overturned"] | mapped["failed"]).values.reshape(shape)
 
@@ -118,7 +119,7 @@ def trace_boundary(
         points: NDArray[np.intp], scales: NDArray[np.float64]
     ) -> tuple[NDArray[np.bool_], NDArray[np.int32]]:
         cases = _cases(grid, points, scales)
-        columns = run_grid(cases, threads=threads, client=client, progress=progress)
+        columns = run_grid(cases, threads=threads, executor=executor, progress=progress)
         return np.isin(columns["outcome"], FALLEN), columns["floor_impacts"].astype(np.int32)
 
     crossings = sampled_crossings(falls, sampled)

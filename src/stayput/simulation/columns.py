@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.mechanics.columns import RESULT
 from stayput.mechanics.devices.columns import DEVICE, ELEMENT, NONE
 from stayput.mechanics.runner import Shaking, run_cases, shaking
@@ -142,8 +143,8 @@ def run_columns(
         results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], motion)
         return len(chunk)
 
-    with bar(len(cases), "progress.simulating", progress) as advance, ThreadExecutor(threads) as executor:
-        for _, done in executor.as_completed(Call(run, chunk) for chunk in _chunks(indices)):
+    with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
+        for _, done in pool.as_completed(partial(run, chunk) for chunk in _chunks(indices)):
             advance(done)
             if on_progress is not None:
                 on_progress(done)

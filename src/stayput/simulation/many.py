@@ -1,14 +1,15 @@
-"""`simulate_many` and the run of a grid of cases, on threads or on a Dask cluster."""
+"""`simulate_many` and the run of a grid of cases, on threads or on any executor."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from stayput.errors import instance_of, whole_within
-from stayput.execution import Call, DaskExecutor, Shared, ThreadExecutor, thread_count
+from stayput.execution import Pool, Shared
 from stayput.progress import bar
 from stayput.simulation.axes import make_grid
 from stayput.simulation.columns import prepared_motion, run_rows
@@ -16,6 +17,9 @@ from stayput.simulation.grid import LAW, MOTION
 from stayput.simulation.results import CASE_RESULT, case_results, empty_columns, fill_columns
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from concurrent.futures import Executor
+
     from numpy.typing import NDArray
 
     from stayput.mechanics.runner import Shaking
@@ -36,7 +40,7 @@ def simulate_many(
     columns: Mapping[str, Any],
     *,
     threads: int | None = None,
-    client: Any = None,
+    executor: Executor | None = None,
     chunk: int | None = None,
     progress: bool | None = None,
 ) -> dict[str, NDArray[Any]]:
@@ -52,8 +56,9 @@ def simulate_many(
         A table of pandas will do.
     threads : int, optional
         Threads; default one for each core that this process may use.
-    client : dask.distributed.Client, optional
-        Runs the cases on its cluster instead.
+    executor : concurrent.futures.Executor, optional
+        Runs the cases instead, on processes or on the machines of a cluster; Dask's is
+        ``client.get_executor()``. Then `threads` is how many calls it computes at a time, by default 128.
     chunk : int, optional
         Cases that a thread runs at a time; by default up to 2048.
     progress : bool, optional
@@ -62,13 +67,14 @@ def simulate_many(
     Returns
     -------
     dict of str to ndarray, shape (n,)
-        The columns of `stayput.simulation.results.QUANTITIES`; they do not depend on threads, client or
-        chunk.
+        The columns of `stayput.simulation.results.QUANTITIES`; they do not depend on threads,
+        executor or chunk.
 
     Raises
     ------
     InputError
-        An unknown path, columns of different lengths, a case that is not possible, or a cluster that is lost.
+        An unknown path, columns of different lengths, a case that is not possible, or an executor
+        that is lost.
 
     Examples
     --------
@@ -87,54 +93,49 @@ def simulate_many(
         instance_of("columns", columns, Mapping)
     names = tuple(columns)
     grid = make_grid(case, {names: tuple(columns[name] for name in names)})
-    return run_grid(grid, threads=threads, client=client, chunk=chunk, progress=progress)
+    return run_grid(grid, threads=threads, executor=executor, chunk=chunk, progress=progress)
 
 
 def run_grid(
     grid: Grid,
     *,
     threads: int | None = None,
-    client: Any = None,
+    executor: Executor | None = None,
     chunk: int | None = None,
     progress: bool | None = None,
 ) -> dict[str, NDArray[np.generic]]:
     """Run a grid's cases; return the columns of results, in the grid's order. See `simulate_many`."""
     count = len(grid)
-    threads = thread_count(threads)
-    if chunk is None:
-        # At least eight for each thread, so that all threads end at about the same time.
-        chunk = min(LARGEST_CHUNK, -(-count // (8 * threads)))
-    chunk = whole_within("simulation.chunk", chunk, 1, 10**9, "cases", "chunk")
     columns = empty_columns(count)
-    # On a cluster the motions are sent once; a worker that is lost takes nothing that cannot be made again.
     motions = Shared(prepared_motions, grid.motions, groups_of(grid), grid.dimensions)
-    starts = range(0, count, chunk)
+    with Pool(threads, executor) as pool, bar(count, "progress.simulating", progress) as advance:
+        if chunk is None:
+            # At least eight for each thread, so that all threads end at about the same time.
+            chunk = min(LARGEST_CHUNK, -(-count // (8 * pool.width)))
+        size = whole_within("simulation.chunk", chunk, 1, 10**9, "cases", "chunk")
+        starts = range(0, count, size)
 
-    def run(start: int, motions: PreparedMotions) -> NDArray[np.void]:
-        return run_block(grid.block(start, min(start + chunk, count)), motions)
+        def run(start: int) -> NDArray[np.void]:
+            return run_block(grid.block(start, min(start + size, count)), motions)
 
-    def call(start: int) -> Call[NDArray[np.void]]:
-        if client is None:
-            return Call(run, start, motions)  # the block is made on its thread
-        return Call(run_block, grid.block(start, min(start + chunk, count)), motions)
+        def call(start: int) -> Callable[[], NDArray[np.void]]:
+            if executor is None:
+                return partial(run, start)  # the block is made on its thread
+            return partial(run_block, grid.block(start, min(start + size, count)), motions)
 
-    with (
-        bar(count, "progress.simulating", progress) as advance,
-        ThreadExecutor(threads) if client is None else DaskExecutor(client) as executor,
-    ):
-        for number, results in executor.as_completed(map(call, starts)):
+        for number, results in pool.as_completed(map(call, starts)):
             fill_columns(columns, starts[number], results)
             advance(len(results))
     return columns
 
 
-def run_block(block: CaseBlock, motions: PreparedMotions) -> NDArray[np.void]:
+def run_block(block: CaseBlock, motions: Shared[PreparedMotions]) -> NDArray[np.void]:
     """Run some cases on this thread; return rows of `CASE_RESULT`, in their order."""
     (rows, elements), groups = block.held(), block.group()
     results = np.zeros(block.count, CASE_RESULT)
     for group in np.unique(groups):
         chosen = np.flatnonzero(groups == group)
-        outcome = run_rows(rows[chosen], elements[chosen], motions[int(group)])
+        outcome = run_rows(rows[chosen], elements[chosen], motions.value[int(group)])
         results[chosen] = case_results(elements[chosen], *outcome)
     return results
 

@@ -13,6 +13,8 @@ from stayput.simulation.outcome import Outcome
 from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
@@ -32,7 +34,7 @@ def overturning_map(
     axes: Axes | None = None,
     *,
     threads: int | None = None,
-    client: Any = None,
+    executor: Executor | None = None,
     progress: bool | None = None,
 ) -> xr.Dataset:
     """Sample whether a case overturns, over the amplitude of its motion and other axes.
@@ -45,7 +47,7 @@ def overturning_map(
         Factors on the motion's acceleration, none negative, increasing.
     axes : mapping, optional
         Other axes, as for `sweep`; a *point* is a combination of their values.
-    threads, client, progress
+    threads, executor, progress
         As for `simulate_many`.
 
     Returns
@@ -76,7 +78,9 @@ def overturning_map(
     (0.5, 1.4, 1)
     """
     sampled = checked_amplitudes(amplitudes, axes)
-    data = sweep(case, {**(axes or {}), SCALE: sampled}, threads=threads, client=client, progress=progress)
+    data = sweep(
+        case, {**(axes or {}), SCALE: sampled}, threads=threads, executor=executor, progress=progress
+    )
     falls = data["outcome"].isin(FALLEN)
     failed = data["outcome"] == list(Outcome).index(Outcome.FAILED)
     failed.attrs["long_name"] = "whether the run was given up"

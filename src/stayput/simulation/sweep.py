@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
 
 from stayput.errors import InputError, list_of
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import Shaking
 from stayput.simulation.axes import make_grid
@@ -19,6 +20,7 @@ from stayput.simulation.results import HISTORIES, OUTCOMES, QUANTITIES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from concurrent.futures import Executor
 
     from numpy.typing import NDArray
 
@@ -46,7 +48,7 @@ def sweep(
     *,
     histories: Sequence[str] = (),
     threads: int | None = None,
-    client: Any = None,
+    executor: Executor | None = None,
     chunk: int | None = None,
     progress: bool | None = None,
 ) -> xr.Dataset:
@@ -63,7 +65,7 @@ def sweep(
     histories : sequence of str
         Histories to keep of every case: ``slide``, ``slide_rate``, ``tilt``, ``tilt_rate``, ``x``, ``z``;
         over ``time``, NaN after the end of a case. They need motions of one time step.
-    threads, client, chunk, progress
+    threads, executor, chunk, progress
         As for `simulate_many`.
 
     Returns
@@ -92,7 +94,7 @@ def sweep(
     grid = make_grid(case, axes)
     wanted = list_of("histories", histories, str)
     times, traced = _histories(grid, wanted, threads) if wanted else (None, {})
-    columns = run_grid(grid, threads=threads, client=client, chunk=chunk, progress=progress)
+    columns = run_grid(grid, threads=threads, executor=executor, chunk=chunk, progress=progress)
     data = _frame(grid, case)
     dims = [axis.name for axis in grid.axes]
     for column in QUANTITIES:
@@ -157,8 +159,8 @@ def _histories(
         for name in names:
             tables[name][place, : len(history)] = history[:, HISTORY_COLUMNS[name]]
 
-    with ThreadExecutor(threads) as executor:
-        for _ in executor.as_completed(Call(run, place) for place in range(len(grid))):
+    with Pool(threads) as pool:
+        for _ in pool.as_completed(partial(run, place) for place in range(len(grid))):
             pass
     shape = (*grid.shape, samples)
     return np.arange(samples, dtype=np.float64) * steps[0], {

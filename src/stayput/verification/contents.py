@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,7 @@ from stayput.contents.carrier import Carrier
 from stayput.contents.spill import spill_of
 from stayput.contents.weight import emptied, opened
 from stayput.errors import InputError
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.fragility import Probability, probability
 from stayput.fragility.probabilities import probability_of_counts
 from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
@@ -230,8 +231,8 @@ def _followed(
         return place, number, spilt_under(rows[place], number, floor, body, contents, leaving=True)
 
     places = np.ndindex(len(rows), len(floors.motions))
-    with ThreadExecutor(threads) as executor:
-        for _, (place, number, spilt) in executor.as_completed(Call(follow, *at) for at in places):
+    with Pool(threads) as pool:
+        for _, (place, number, spilt) in pool.as_completed(partial(follow, *at) for at in places):
             found[place][number] = spilt
     return found
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceleration
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.fragility import PFA, PFV
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.montecarlo.counting import OVERTURNED
@@ -84,9 +85,9 @@ class SlidingShare:
             lifted = motion.z is not None and float(np.abs(motion.z).max()) >= gravity / VERTICAL_SHARE
             return math.nan if lifted else asce43_sliding(motion, friction, gravity).distance
 
-        with ThreadExecutor(threads) as executor:
-            calls = (Call(estimated, place) for place in range(len(floors.motions)))
-            distances = np.sort([distance for _, distance in executor.as_completed(calls)])
+        with Pool(threads) as pool:
+            calls = (partial(estimated, place) for place in range(len(floors.motions)))
+            distances = np.sort([distance for _, distance in pool.as_completed(calls)])
         slides = distances[np.isfinite(distances)]  # NaN where the spectrum nowhere reaches the friction
         return cls(len(slides) / len(distances), float(np.median(slides)) if len(slides) else math.nan)
 

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.execution import Call, ThreadExecutor
+from stayput.execution import Pool
 from stayput.motion.processing import ending_at_rest, fft_length
 from stayput.motion.record import COMPONENTS, Motion
 from stayput.motion.suites.envelopes import cosine_taper
@@ -105,9 +106,9 @@ def _gains(
     """Return the log gains with which the geometric mean of components has ln Sa as wanted, shape (m,)."""
     gain = np.zeros(len(periods))
     best, least = gain, np.inf
-    with ThreadExecutor(threads) as executor:
+    with Pool(threads) as pool:
         for _ in range(ITERATIONS):
-            rows = list(executor.in_order(Call(part.log_sa, periods, gain, damping) for part in parts))
+            rows = list(pool.in_order(partial(part.log_sa, periods, gain, damping) for part in parts))
             misfit = wanted - sum(rows) / len(rows)
             error = float(np.mean(np.abs(misfit)))
             if error < least:
@@ -190,11 +191,11 @@ def matched(
 
     results: list[Motion] = []
     with (
-        ThreadExecutor(threads) as executor,
+        Pool(threads) as pool,
         bar(len(motions), "progress.matching", unit="progress.motions") as done,
     ):
         pairs = zip(motions, filtered, strict=True)
-        for motion in executor.in_order(Call(match_alone, *pair) for pair in pairs):
+        for motion in pool.in_order(partial(match_alone, *pair) for pair in pairs):
             results.append(motion)
             done(1)
     return results
