@@ -1,4 +1,4 @@
-"""The picture of the first page: stills of a film of the bookcase that falls."""
+"""The picture of the first page, stills of a film of the bookcase that falls, and that of the README, its verdict."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ import stayput as sp
 
 BEFORE = (2.6, 0.62, 0.26, 0.06)
 """When the stills are taken, before the body lies [s]."""
+DOCS = Path(__file__).parent
 SHOWN = (0, 0, 390, 345)
 """The part of a still without the history of the floor [px]."""
 
 
 def write(folder: Path) -> None:
-    """Write the picture."""
+    """Write the pictures; the README's stands among the sources."""
     room = sp.Room(floor=sp.Floor.of("wood flooring"), left_wall=sp.Wall(gap=0.02))
     run = sp.simulate(sp.Body(width=0.30, height=1.80, mass=200.0), room, sp.near_fault())
     assert run.overturn_time is not None
@@ -31,3 +32,5 @@ def write(folder: Path) -> None:
             film.seek(round((run.overturn_time - before) / step))
             strip.paste(film.convert("RGB").crop(SHOWN), (width * place, 0))
     strip.save(folder / "index_film.png")
+    verdict = sp.verify(sp.read_scenario(DOCS.parent / "examples" / "bookcase.toml"))
+    verdict.plot().figure.savefig(DOCS / "verdict.png", dpi=110, metadata={"Software": None})
