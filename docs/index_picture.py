@@ -1,4 +1,4 @@
-"""The picture of the first page, stills of a film of the bookcase that falls, and that of the README, its verdict."""
+"""The pictures of the first page, stills of a film of the bookcase that falls, and of the README: its verdict."""
 
 from __future__ import annotations
 
