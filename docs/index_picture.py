@@ -1,4 +1,4 @@
-"""The pictures of the first page, stills of a film of the bookcase that falls, and of the README, a verdict."""
+"""The pictures of the first page, stills of a film of a bookcase that falls, and of the README, a verdict."""
 
 from __future__ import annotations
 
