@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, list_of, numbers, within, word_of
+from stayput.errors import InputError, instance_of, list_of, numbers, within, word_of
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.channels import of_the_ground
 from stayput.motion.processing import LARGEST_ACCELERATION
@@ -87,6 +87,7 @@ class TargetSpectrum:
         ) -> None: ...
 
     def __post_init__(self) -> None:
+        instance_of("of_the_ground", self.of_the_ground, bool)
         periods = checked_periods(self.periods)
         sa = np.atleast_1d(numbers("motion.name_target_sa", self.sa, "sa"))
         if len(periods) < 2 or sa.shape != periods.shape:
