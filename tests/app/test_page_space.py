@@ -344,7 +344,7 @@ def test_links_whose_pieces_cannot_be_shown_say_why(
         assert said in it.text("#notices")
         assert it.page.locator("#pieces").is_hidden()
         it.page.click("#notices button")
-        assert it.page.locator("#notices").is_hidden()
+        it.page.wait_for_selector("#notices", state="hidden")
 
 
 ONE = '[furniture]\npreset = "chest"'

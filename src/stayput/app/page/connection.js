@@ -9,6 +9,7 @@ const EVERY = 1000,
 let back = null;
 
 /** Whether the server does not answer; "connection" is sent to the window where that changes. */
+export const isAway = () => back !== null;
 
 /** Why there is no picture yet, as the key of a sentence: the server still compiles, or it computes. */
 export async function whyLong() {

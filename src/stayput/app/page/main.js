@@ -184,7 +184,7 @@ const changed = beforeNextFrame(() => {
  * Keeps the scene in the address. A change gets a place of its own in the browser's history, so that "back" takes it
  * back; what goes on changing the same fields stays in one place.
  */
-const address = settled(250, () => {
+function writeAddress() {
   if (taking || follows) return;
   const hash = hashNow(),
     state = { screen: document.body.dataset.screen };
@@ -194,7 +194,9 @@ const address = settled(250, () => {
     edited.place = false;
   }
   keep.update(measures.inPlace(current()).length > 0);
-});
+}
+
+const address = settled(250, writeAddress);
 
 const hashNow = () => `#${toHash(current(), pieces.linked())}`;
 
@@ -248,7 +250,7 @@ async function begin() {
     follows = false;
     shakeAnew(); // another file is no change of the scene
   });
-  address();
+  writeAddress(); // at once: a change that follows soon has a place to go back to
   simulate();
   understand.outdated();
 }
