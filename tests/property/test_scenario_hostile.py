@@ -15,7 +15,6 @@ pytestmark = pytest.mark.hostile
 
 WHOLE = """\
 title = "Bookcase, 5th floor of 10"  # a comment, with [brackets] and "quotes"
-contact = "coulomb"
 gravity = 9.80665
 
 [furniture]
