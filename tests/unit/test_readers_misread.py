@@ -59,6 +59,9 @@ def codes(path, **options):
         "t,NS raw,NS corrected,UD",
         "t,sensor1 x,sensor2 y,sensor1 z",
         "t,NS1,EW2,UD2",
+        "t,NS_1,EW_2,UD_1",
+        "t,NS 1F,EW 5F,UD 1F",
+        "t,NS (roof),EW (base),UD (roof)",
     ],
 )
 def test_channels_of_two_sensors_or_one_direction_make_no_motion(tmp_path, headings):
@@ -85,6 +88,9 @@ def test_channels_of_two_sensors_or_one_direction_make_no_motion(tmp_path, headi
         "t,CH1 NS,CH2 EW,CH3 UD",
         "t,S1 NS,S1 EW,S1 UD",
         "t,HNN,HNE,HNZ",
+        "t,NS_1,EW_2,UD_3",
+        "t,NS_gal,EW_gal,UD_gal",
+        "t,NS (No.1),EW (No.1),UD (No.1)",
         "t,ax,ay,az",
         "t,NS2,EW2,UD2",
     ],

@@ -79,6 +79,8 @@ class Channel:
         Whether the sensor is below the ground, at the bottom of a borehole.
     role : str
         The component that the caller says it is: "x", "y" or "z"; "" where the label says it.
+    heading : str
+        All that heads its column but the unit; "" where the label is all.
     """
 
     label: str
@@ -91,6 +93,7 @@ class Channel:
     origin: str = ""
     borehole: bool = False
     role: str = ""
+    heading: str = ""
 
 
 class Listing(NamedTuple):
@@ -176,18 +179,19 @@ def in_borehole(label: str, texts: Iterable[str] = ()) -> bool:
     return any(_BOREHOLE.search(text) and not _SURFACE.search(text) for text in texts)
 
 
-def _sensor(label: str) -> str:
-    """Return what a label says beside its direction and the channel's number: "ground NS" → "ground"."""
-    words = re.findall(r"[^\W_]+", _CHANNEL_NUMBER.sub("", label).lower())
-    beside = (word for word in words if not is_direction(word) and word not in "nsewud")
-    return " ".join(beside) if is_direction(label) else ""
+def _sensor(channel: Channel) -> str:
+    """Return what is said beside the direction and the channel's number: "ground NS" → "ground"."""
+    said = _CHANNEL_NUMBER.sub("", (channel.heading or channel.label).lower())
+    words = (word for word in re.findall(r"[^\W_]+", said) if not is_direction(word) and word not in "nsewud")
+    return " ".join(words) if is_direction(channel.label) else ""
 
 
 def _of_one_sensor(channels: Sequence[Channel]) -> bool:
-    """Return whether channels can be the components of one sensor: no direction twice, and alike labels."""
+    """Return whether channels can be the components of one sensor: no direction twice, and headed alike."""
     lines = [line for c in channels if (line := line_of(c.label) or _direction(c.label))]
-    sensors = {sensor for c in channels if (sensor := _sensor(c.label))}
-    return len(set(lines)) == len(lines) and len(sensors) < 2
+    sensors = {sensor for c in channels if (sensor := _sensor(c))}
+    counted = len(sensors) == len(channels) and all(map(str.isdecimal, sensors))
+    return len(set(lines)) == len(lines) and (len(sensors) < 2 or counted)
 
 
 def labels_phrase(labels: Iterable[str]) -> Phrase:

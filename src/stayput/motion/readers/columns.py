@@ -32,7 +32,7 @@ from stayput.motion.readers.headings import (
     split,
     units_in,
 )
-from stayput.motion.readers.quantities import axes_of, column_factors, other_quantities
+from stayput.motion.readers.quantities import axes_of, column_factors, other_quantities, without_unit
 from stayput.motion.readers.text import chunks
 from stayput.motion.units import known_unit, unit_factor
 
@@ -220,6 +220,7 @@ def read(
             location=" ".join(above),
             borehole=in_borehole(label, above),
             role=roles[i] if chosen else "",
+            heading=without_unit(headings.texts[i]) if headings.texts and not chosen else "",
             note=f", column {places[i] + 1}" if chosen else "",
         )
         for i, label in enumerate(labels)

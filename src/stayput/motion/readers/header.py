@@ -32,7 +32,7 @@ _ROUNDING_OF_TIMES = 0.2
 """Error of a printed time, in time steps, that is taken for rounding; a missing sample is one of 1."""
 
 _PER_SECOND_TWICE = r"/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)"
-_MENTIONED = re.compile(
+MENTIONED = re.compile(
     rf"(?<![a-zµμ])(gals?|(?:[cm]?m|in|ft){_PER_SECOND_TWICE}|%g)(?![a-z0-9/^²*])"
     r"|[(\[_] ?(m?g|%g|[cm]?m_?p?s_?2|m_s_2)(?:[)\]]|(?![a-z0-9/^²*]))",
     re.IGNORECASE,
@@ -112,7 +112,7 @@ def stated_factor(lines: Iterable[str]) -> str | None:
 
 def mentioned_unit(header: str) -> str | None:
     """Return the one unit of acceleration that a header mentions: "acc_gal", "PGA [cm/s²]"."""
-    names = {(m[1] or m[2]).lower() for m in _MENTIONED.finditer(header)}
+    names = {(m[1] or m[2]).lower() for m in MENTIONED.finditer(header)}
     return names.pop() if len({unit_factor(name) for name in names}) == 1 else None
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn
 from stayput.motion.channels import is_direction, is_vertical
-from stayput.motion.readers.header import acceleration_unit, mentioned_unit, quantity_of
+from stayput.motion.readers.header import MENTIONED, acceleration_unit, mentioned_unit, quantity_of
 from stayput.motion.units import UNIT_NAMES, known_unit, unit_factor
 
 if TYPE_CHECKING:
@@ -46,6 +46,11 @@ _SCALED_TIME = re.compile(r"[(\[] ?(?:1/)?[0-9.]+ ?m?s", re.IGNORECASE)
 def is_motion(text: str) -> bool:
     """Return whether a heading has a unit of acceleration, or is of a velocity, a displacement or counts."""
     return _unit_in(text) is not None or quantity_of(text) is not None
+
+
+def without_unit(text: str) -> str:
+    """Return a heading without what it says of the unit: "NS (roof) [gal]" → "NS (roof) "."""
+    return MENTIONED.sub("", BRACKET.sub(lambda match: "" if known_unit(match[1]) else match[0], text))
 
 
 def _unit_in(text: str) -> str | None:
