@@ -195,7 +195,15 @@ def test_another_order_is_refused(tmp_path, comment):
 
 
 @pytest.mark.parametrize(
-    "comment", ["NEZ", "XYZ", "channels: 1 2 3", "x, y and z in gal", "first part, up to 30 s", "Station ONE"]
+    "comment",
+    [
+        "NEZ",
+        "XYZ",
+        "channels: 1 2 3",
+        "x, y and z in gal",
+        "Record of the first floor, up to 30 s",
+        "Station ONE",
+    ],
 )
 def test_what_names_the_usual_order_or_none_changes_nothing(tmp_path, comment):
     motion, _ = codes(table(tmp_path, f"# {comment}", columns=4), unit="gal")
@@ -229,7 +237,12 @@ def test_millionths_are_no_unit_that_is_known(tmp_path, above, unit):
         ),
         *(
             (f"time,{value}", "motion.column_quantity")
-            for value in ("Fourier amplitude (gal)", "Spectral acceleration (g)")
+            for value in (
+                "Fourier amplitude (gal)",
+                "Max acc (gal)",
+                "最大加速度 (gal)",
+                "Spectral acceleration (g)",
+            )
         ),
         ("# Period (s), acc (g)", "motion.column_no_time"),
     ],
@@ -256,6 +269,8 @@ def test_a_time_of_any_name_is_one(tmp_path, heading):
         "acc*10 (gal)",
         "acc (gal) / 10",
         "acc ×10 gal",
+        "acc_x100 (gal)",
+        "acc 100x (gal)",
         "acc (gal) 1e-3",
     ],
 )
@@ -284,7 +299,15 @@ def test_a_factor_of_the_time_is_refused(tmp_path, heading):
 
 
 @pytest.mark.parametrize(
-    "heading", ["acc (ch 1) [gal]", "acc x (gal)", "acc2 (gal)", "acc x2 [gal]", "acc (cm s**-2)"]
+    "heading",
+    [
+        "acc (ch 1) [gal]",
+        "acc x (gal)",
+        "acc2 (gal)",
+        "acc 2011/3/10 (gal)",
+        "acc x2 [gal]",
+        "acc (cm s**-2)",
+    ],
 )
 def test_other_figures_of_a_heading_are_none(tmp_path, heading):
     assert sp.read_motion(table(tmp_path, f"t,{heading}")).pga == pytest.approx(0.1, rel=1e-3)
@@ -303,6 +326,7 @@ def test_other_figures_of_a_heading_are_none(tmp_path, heading):
             "Sea level",
             "basement level 2",
             "level 2 data",
+            "level 2 earthquake",
         )
     ],
 )

@@ -36,7 +36,7 @@ _AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90
 _OF_THE_SENSOR = {"H1", "H2", "L", "LONG", "R", "T", "TRAN", "TRANS"}
 _HORIZONTAL = {*_AZIMUTHS, *_OF_THE_SENSOR, "X", "Y"} - {"S"}  # which heads seconds, too
 _SEED_CODE = re.compile(
-    r"(?:[0-9]{2})?[A-Z][HLGN]([NEZ])(?:[0-9]{2})?"
+    r"(?:[0-9]{2})?[A-SU-Z][HLGN]([NEZ])(?:[0-9]{2})?"  # "THE" is none
 )  # a seismometer's channel, its location
 _AXIS = re.compile(r"(?:A|ACC|ACCEL|ACCELERATION)([XYZ])")
 

@@ -21,9 +21,10 @@ _ORDINAL = (
     rf"(?<![0-9a-z])(?<!basement )([0-9]{{1,3}}(?= ?(?:st|nd|rd|th))|{'|'.join(_ORDINALS)})"
     r"(?: ?(?:st|nd|rd|th))?[ _-]{1,2}(?:floor|flr?|storey|story|level)(?![a-z])"
 )
+_OTHER_LEVEL = r"(?! ?[0-9]+ (?:data|earthquake|ground|motion|seismic|shaking|input|wave))"
 _NUMBERED = (
-    r"(?<![a-z])(?:floor|fl\.|storey|story|(?<!sea )(?<!data )(?<!ing )(?<!basement )level(?! ?[0-9]+ data))"
-    r"[ _-]?([0-9]{1,3})(?![0-9.])"
+    r"(?<![a-z])(?:floor|fl\.|storey|story"
+    rf"|(?<!sea )(?<!data )(?<!ing )(?<!basement )level{_OTHER_LEVEL})[ _-]?([0-9]{{1,3}})(?![0-9.])"
 )
 _SHORT = r"(?<![a-z0-9.])([0-9]{1,3})/?(?:f|fl|flr)(?![a-z0-9])"
 _JAPANESE = r"(?<!地下)(?<![0-9])([0-9]{1,3}) ?階(?!建)"

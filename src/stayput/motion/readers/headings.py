@@ -236,7 +236,7 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
         raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
     of_another = _OTHER_THAN_TIME.fullmatch(texts[0]) is not None
     if not (ordered or titles or alike or (of_another and all(map(is_motion, texts[1:])))):
-        return Headings(names=names)
+        return Headings(names=names if all(map(is_direction, names[1:])) else named)
     if count == 1:
         return Headings(tuple(texts), None, names=names)
     if len(times) > 1:

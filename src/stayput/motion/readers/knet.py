@@ -77,7 +77,7 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     if label is None:
         raise InputError("motion.knet_direction", direction=excerpt(direction))
     sensor = {"1": ", borehole", "2": ", surface"}.get(label[-1], "")
-    origin = f"{header.get('stationcode', '')}{sensor}, {header['origintime']}"
+    origin = f"{header.get('stationcode', '')}{sensor}, {header.get('origintime', '')}"
     return [
         Channel(
             label,

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from stayput.motion.readers.headings import Headings
 
 _SPECTRAL = re.compile(
-    r"P?S[avd](?= *(?:[(\[]|$))|PG[av](?![a-z])|.*(?:spectr|fourier|スペクトル|フーリエ)", re.IGNORECASE
+    r"P?S[avd](?= *(?:[(\[]|$))|PG[av](?![a-z])|(?:peak|max(?:imum)?\.?)[ _]"
+    r"|.*(?:spectr|fourier|スペクトル|フーリエ|最大)",
+    re.IGNORECASE,
 )
 _MAGNITUDE = re.compile(
     r".*(?<![a-z])(?:abs(?:olute)?|total|magnitude|norm|resultant|(?:vector )?sum)(?![a-z])|(?:a|acc)_?t\b",
@@ -34,9 +36,10 @@ _FACTOR = re.compile(
     re.IGNORECASE,
 )
 _SCALED = re.compile(
-    r"(?<=[\s)\]])x ?(?:10+|[0-9]*\.[0-9]+)(?![a-z0-9])|(?:[×·⋅÷]|(?<!\*)\*) ?[0-9.]+"
-    r"|(?<![0-9.])[0-9.]+ ?(?:[×·⋅]|\*(?!\*))|/ ?10+(?![0-9/])|(?<![0-9/])1/10+|10\^"
-    r"|(?<![a-z0-9.])[0-9.]+e[-+]?[0-9]",
+    r"(?<=[\s)\]_])x ?(?:10+|[0-9]*\.[0-9]+)(?![a-z0-9])|(?<![a-z0-9])10+ ?x(?![a-z])"
+    r"|(?:[×·⋅÷]|(?<!\*)\*) ?[0-9.]+|(?<![0-9.])[0-9.]+ ?(?:[×·⋅]|\*(?!\*))"
+    r"|(?<!/[0-9])(?<!/[0-9]{2})/ ?10+(?![0-9/])|(?<![0-9/])1/10+"
+    r"|10\^|(?<![a-z0-9.])[0-9.]+e[-+]?[0-9]",
     re.IGNORECASE,
 )
 """A factor anywhere in a heading; "x 2" may be an axis, and "10^" is of a power."""
