@@ -16,7 +16,7 @@ from stayput.model.room import Room
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.channels import of_the_ground
+from stayput.motion.floors import of_the_ground
 from stayput.motion.suites import Suite, synthetic_suite
 
 if TYPE_CHECKING:

@@ -225,14 +225,14 @@ def test_velocity_and_displacement_beside_the_acceleration_are_left_out_and_told
         True
     )
     rows = "".join(f"{mark.join(row)}\n" for row in (["0.00", *"123"], ["0.01", *"456"], ["0.02", *"789"]))
-    with pytest.warns(InputWarning, match="velocities or displacements and are left out") as told:
+    with pytest.warns(InputWarning, match="velocities, displacements or magnitudes and are left out") as told:
         motion = read(f"{names}\n{rows}", unit="m/s²")
     assert motion.x.tolist() == [place, place + 3, place + 6]
     assert list(motion.components) == ["x"]
     (warning,) = (one.message for one in told if one.message.code == "motion.columns_left_out")
     others = [name.strip(" #") for i, name in enumerate(names.split(mark)) if i not in (0, place)]
     assert names.isascii() is all(name in str(warning) for name in others)
-    assert "速度や変位の列" in warning.told("ja")
+    assert "速度、変位、大きさの列" in warning.told("ja")
 
 
 @pytest.mark.parametrize("heading", ["time [ms]", "t (msec)", "time_ms", "Zeit [ms]"])

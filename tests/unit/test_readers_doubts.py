@@ -10,7 +10,7 @@ from test_readers_world import WAVE, cosmos, csmip_channel, esm
 
 import stayput as sp
 from stayput.errors import InputError, InputWarning, warnings_to
-from stayput.motion.channels import upper_floor
+from stayput.motion.floors import upper_floor
 from stayput.motion.readers import read_shaking, read_vertical
 
 

@@ -135,6 +135,13 @@ def knet(
     return "\n".join([*lines, *rows]) + "\n"
 
 
+@pytest.mark.parametrize("direction", ["D-U", "7", "N45E"])
+def test_knet_of_an_unknown_direction_is_refused(read, direction):
+    with pytest.raises(InputError, match="must be N-S, E-W, U-D or 1 to 6") as refused:
+        read(knet(direction=direction))
+    assert f"方向が「{direction}」" in refused.value.told("ja")
+
+
 @pytest.mark.parametrize(
     "changes",
     [

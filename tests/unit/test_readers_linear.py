@@ -55,6 +55,8 @@ LINES = {  # a part of one line that is repeated up to the longest line that is 
     "columns accelerogram": ("UNCORRECTED ", "ACCELEROGRAM ", "\n1 2\n3 4 5\n"),
     "columns units of acceleration": ("# ", "cm/s", "\n1 2\n3 4\n"),
     "columns floors": ("# unit: g ", "floor ", "\n0 2\n1 4\n"),
+    "columns factors": ("t,acc ", "1*", "\n1,2\n3,4\n"),
+    "columns steps": ("# dt = ", "1", "\n1\n2\n"),
     "columns roofs": ("# unit: g ", "1", "\n0 2\n1 4\n"),
     "columns blanks": ("# unit: g\n0 1", " ", "\n1 2\n"),
     "columns points": ("# unit: g\n1 2\n3 ", ".1", ""),

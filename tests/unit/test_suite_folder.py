@@ -96,6 +96,11 @@ def test_titles_without_directions_are_joined_by_the_number_too(peer):
         text = file.read_text(encoding="utf-8")
         title = text.splitlines()[1]
         file.write_text(text.replace(title, title.replace(", ", " ")), encoding="utf-8")
+    assert [list(motion.components) for motion in read(peer)[0]] == [["x", "y", "z"]] * 2
+    for file in peer.glob("*.AT2"):
+        text = file.read_text(encoding="utf-8")
+        title = text.splitlines()[1]
+        file.write_text(text.replace(title, title.rpartition(" ")[0]), encoding="utf-8")
     with pytest.raises(sp.InputError, match=r"RSN1106_KOBE_KJM-DWN.AT2 .*3 channels; component must name"):
         read(peer)
     for file in peer.glob("*-*.AT2"):

@@ -18,7 +18,7 @@ from stayput.app.refusals import RefusedError, problem, refused
 from stayput.app.replies import ChannelReply, DoubtReply, MotionReply, PreviewReply
 from stayput.app.turns import CLIENT, Client, first_to_go
 from stayput.errors import InputError
-from stayput.motion.channels import upper_floor
+from stayput.motion.floors import upper_floor
 from stayput.motion.intensity import EXCEEDED, intensity_class
 from stayput.report.summary import number
 

@@ -14,7 +14,7 @@ from stayput.building.response import FloorPeaks, FloorResponse
 from stayput.errors import InputError, instance_of, list_of, whole_within
 from stayput.execution import Pool
 from stayput.model.parameters import parameter, parameter_of, quantity
-from stayput.motion.channels import of_the_ground
+from stayput.motion.floors import of_the_ground
 from stayput.motion.processing import refine
 from stayput.motion.record import Motion
 from stayput.motion.suites.suite import Suite

@@ -222,6 +222,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file has {count} channels; component must name one of {channels}.",
         "記録に多くのチャンネルがあります（{count}個）。使うものを次から選んで入力してください：「{channels}」",
     ),
+    "two_sensors": (
+        (
+            "The channels are of two sensors or twice of one direction; component must name one of {channels}, or "
+            "{option}, in columns of numbers, those of one sensor."
+        ),
+        (
+            "複数の地震計、または同じ方向のチャンネルがあります。使うものを次から選んで入力してください：「{channels}」。"
+            "数値の列では、1つの地震計の列を「{option}」で指定することもできます。"
+        ),
+    ),
     "vertical_component": (
         "The component {component!r} is a vertical channel; it must be a horizontal one: {channels}.",
         "「{component}」は上下動の成分です。水平の成分を次から選んでください：「{channels}」",
@@ -333,6 +343,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "floor_number": ("floor {number}", "{number}階"),
     "storey_number": ("storey {number}", "{number}階"),
     "roof": ("roof", "屋上"),
+    "some_upper_floor": ("an upper floor", "上の階"),
     # Components that are put together.
     "one_record": (
         "The {first} and {second} components are the same record, {name}; each must have its own.",

@@ -247,8 +247,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "列の指定の{role}={column}に当たる列が1つに決まりません。別々の列を次から選んでください：{known}",
     ),
     "columns_left_out": (
-        "The columns {columns} are velocities or displacements and are left out; the accelerations are taken.",
-        "速度や変位の列「{columns}」は使いません。加速度の列だけを使います。",
+        "The columns {columns} are velocities, displacements or magnitudes and are left out; the accelerations are taken.",
+        "速度、変位、大きさの列「{columns}」は使いません。各方向の加速度の列だけを使います。",
     ),
     "not_of_format": (
         "{name} is given and the file is {format}, which has no use for it; it must be left out.",
@@ -298,11 +298,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "column_count": (
         (
             "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless {option} "
-            "says which are these."
+            "says which are these, as in {example}."
         ),
         (
             "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、"
-            "どれがそれらの列かを「{option}」で指定してください。"
+            "どれがそれらの列かを「{option}」で指定してください（例：「{example}」）。"
         ),
     ),
     "column_row": (
@@ -382,8 +382,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ファイルには{line}と方向が書かれていますが、列の順序を読み取れません。「{option}」で列を指定してください。",
     ),
     "column_unit_factor": (
-        "The heading {column} states the unit {unit}, with a factor; the numbers must be in a unit without one.",
-        "列の見出し{column}の単位{unit}には倍率が付いています。倍率のない単位の数値にしてください。",
+        "The heading {column} states a factor, {factor}; the numbers must be in a unit without one.",
+        "列の見出し{column}に倍率{factor}が書かれています。倍率のない単位の数値にしてください。",
     ),
     "column_line": (
         "The line {line} stands between the headings and the numbers; only the units of the columns may.",
@@ -402,6 +402,11 @@ TEXTS: dict[str, tuple[str, str]] = {
             "line be left out, or its column be headed 'Down'."
         ),
         "{line}の行によると、上下動は下向きが正です。上向きを正として行を消すか、列の見出しを「Down」としてください。",
+    ),
+    "spectral": ("a peak or a spectrum", "最大値やスペクトル"),
+    "two_units": (
+        "The lines above the numbers state the units {first} and {second}; they must agree.",
+        "数値の上の行に{first}と{second}という異なる単位が書かれています。一致しなければなりません。",
     ),
     "column_quantity": (
         "The heading {column} says {quantity}; every column but the time must be an acceleration.",

@@ -138,6 +138,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The header states {stated:g} s and the file has {duration:g} s; they must agree.",
         "ヘッダーに書かれた長さは{stated:g}秒ですが、データは{duration:g}秒です。一致しなければなりません。",
     ),
+    "knet_direction": (
+        "The header's direction is {direction}; it must be N-S, E-W, U-D or 1 to 6.",
+        "ヘッダーの方向が{direction}になっています。N-S、E-W、U-D、または1～6のいずれかでなければなりません。",
+    ),
     "knet_offset_count": (
         "The header line {line} has {count} numbers; it must have {columns}.",
         "ヘッダーの{line}の行に数値が{count}個あります。{columns}個必要です。",

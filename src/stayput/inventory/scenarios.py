@@ -17,7 +17,7 @@ from stayput.building import STRUCTURES
 from stayput.errors import InputError, InputWarning, warn
 from stayput.fragility import JMA_INTENSITY
 from stayput.inventory.places import distances
-from stayput.motion.channels import of_the_ground
+from stayput.motion.floors import of_the_ground
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.messages import refusal_of

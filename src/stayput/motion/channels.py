@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, excerpt, warn
+from stayput.errors import InputError, InputWarning, warn
 from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.motion.floors import upper_floor
 from stayput.motion.processing import check_size
 
 if TYPE_CHECKING:
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.motion.record import Motion
 
 _UNNAMED = "(unnamed)"
 
@@ -36,25 +36,21 @@ _AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90
 _OF_THE_SENSOR = {"H1", "H2", "L", "LONG", "R", "T", "TRAN", "TRANS"}
 _HORIZONTAL = {*_AZIMUTHS, *_OF_THE_SENSOR, "X", "Y"} - {"S"}  # which heads seconds, too
 _SEED_CODE = re.compile(
-    r"(?:[0-9]{2})?[A-Z][HLGN]([NEZ])(?:[0-9]{2})?"
+    r"(?:[0-9]{2})?[A-SU-Z][HLGN]([NEZ])(?:[0-9]{2})?"  # "THE" is none
 )  # a seismometer's channel, its location
 _AXIS = re.compile(r"(?:A|ACC|ACCEL|ACCELERATION)([XYZ])")
 
 _OF_KIK_NET = re.compile(r"(?<=NS|EW|UD)[12]$")  # its two sensors
+_BOREHOLE = re.compile(r"(?<![a-z])(?:bore|down)[ -]?hole(?![a-z])|地中|孔中|ボアホール", re.IGNORECASE)
+_SURFACE = re.compile(r"(?<![a-z])surface|地表", re.IGNORECASE)
+_CHANNEL_NUMBER = re.compile(
+    r"(?<![a-z])(?:ch(?:an(?:nel)?)?|col(?:umn)?|comp(?:onent)?|acc)[ ._-]?[0-9]{1,2}(?![0-9])", re.IGNORECASE
+)
 
 _DOUBTFUL_PEAK = 5.0  # g; no more than a handful of records are larger, a wrong unit nearly always is
 _PEAK_TOLERANCE = 0.01  # headers round the peak, or take it before the last correction
 _PEAK_ROUNDING = 1e-5  # m/s², a header's last digit
 _LENGTH_TOLERANCE = 0.01  # published components of one record differ by some samples at their end
-
-# How names and headers write the upper floor of a building: "42nd Floor", "floor42", "42F", "42階". A number
-# of storeys ("52-STORY BLDG", "12階建") and a floor below the ground ("地下2階") are not meant.
-_ORDINAL = r"(?<![0-9])([0-9]{1,3}) ?(?:st|nd|rd|th)[ _-]{1,2}(?:floor|flr?|storey|story|level)(?![a-z])"
-_NUMBERED = r"(?<![a-z])(?:floor|storey|story)[ _-]?([0-9]{1,3})(?![0-9])"
-_SHORT = r"(?<![a-z0-9.])([0-9]{1,3})(?:f|fl|flr)(?![a-z0-9])"
-_JAPANESE = r"(?<!地下)(?<![0-9])([0-9]{1,3}) ?階(?!建)"
-_UPPER_FLOOR = re.compile(f"{_ORDINAL}|{_NUMBERED}|{_SHORT}|{_JAPANESE}", re.IGNORECASE)
-_ROOF = re.compile(r"(?<![a-z])(?:roof|rooftop|penthouse)(?![a-z])|屋上", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +79,8 @@ class Channel:
         Whether the sensor is below the ground, at the bottom of a borehole.
     role : str
         The component that the caller says it is: "x", "y" or "z"; "" where the label says it.
+    heading : str
+        All that heads its column but the unit; "" where the label is all.
     """
 
     label: str
@@ -95,6 +93,7 @@ class Channel:
     origin: str = ""
     borehole: bool = False
     role: str = ""
+    heading: str = ""
 
 
 class Listing(NamedTuple):
@@ -169,8 +168,30 @@ def is_down(label: str) -> bool:
 
 
 def is_direction(label: str) -> bool:
-    """Return whether a label is that of a direction: "NS", "East", "x", "Up"."""
-    return is_vertical(label) or _direction(label) in _HORIZONTAL
+    """Return whether a label is that of a direction: "NS", "East", "x", "Up", "NS1"."""
+    return is_vertical(label) or bool({_direction(label), _direction(direction(label))} & _HORIZONTAL)
+
+
+def in_borehole(label: str, texts: Iterable[str] = ()) -> bool:
+    """Return whether KiK-net's number of a sensor, or else what is said of it, is of one below the ground."""
+    if _OF_KIK_NET.search(plain := plain_label(label)):
+        return plain.endswith("1")
+    return any(_BOREHOLE.search(text) and not _SURFACE.search(text) for text in texts)
+
+
+def _sensor(channel: Channel) -> str:
+    """Return what is said beside the direction and the channel's number: "ground NS" → "ground"."""
+    said = _CHANNEL_NUMBER.sub("", (channel.heading or channel.label).lower())
+    words = (word for word in re.findall(r"[^\W_]+", said) if not is_direction(word) and word not in "nsewud")
+    return " ".join(words) if is_direction(channel.label) else ""
+
+
+def _of_one_sensor(channels: Sequence[Channel]) -> bool:
+    """Return whether channels can be the components of one sensor: no direction twice, and headed alike."""
+    lines = [line for c in channels if (line := line_of(c.label) or _direction(c.label))]
+    sensors = {sensor for c in channels if (sensor := _sensor(c))}
+    counted = len(sensors) == len(channels) and all(map(str.isdecimal, sensors))
+    return len(set(lines)) == len(lines) and (len(sensors) < 2 or counted)
 
 
 def labels_phrase(labels: Iterable[str]) -> Phrase:
@@ -273,12 +294,20 @@ def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, C
     vertical = [i for i in beside if i not in horizontal]
     if {_direction(channels[i].label) for i in horizontal} == {"X", "Y"}:
         horizontal.sort(key=lambda i: _direction(channels[i].label))
-    if given is None and (len(horizontal) > 2 or len(vertical) > 1):
+    together = len(horizontal) <= 2 and len(vertical) <= 1
+    of_one = _of_one_sensor([channels[i] for i in beside])
+    if len(beside) < len(channels):  # of each sensor the same components
+        of_one &= (
+            len({frozenset(direction(c.label) for c in channels if c.borehole == b) for b in (0, 1)}) == 1
+        )
+    if given is None and not (together and of_one):
         labels = _numbered(channels, horizontal)
+        if together:
+            raise InputError("motion.two_sensors", "component", channels=labels, option="columns")
         raise InputError("motion.many_channels", "component", count=len(channels), channels=labels)
     x = (horizontal or vertical)[0] if given is None else given
     assigned = {"x": channels[x]}
-    if x in horizontal and len(horizontal) <= 2 and len(vertical) <= 1:
+    if x in horizontal and together and of_one:
         others = {"y": [i for i in horizontal if i != x], "z": vertical}
         assigned |= {name: channels[places[0]] for name, places in others.items() if places}
     return assigned
@@ -362,7 +391,7 @@ def motion_fields(
         _warn_of_choice(x, [channel for channel in channels if channel.borehole == x.borehole])
     below = [channel.label for channel in channels if channel.borehole]
     if x.borehole:
-        warn(InputWarning("motion.borehole", "component", label=x.label))
+        warn(InputWarning("motion.borehole", "component", label=x.label or x.name or _UNNAMED))
     elif below and component is None:
         warn(InputWarning("motion.borehole_left_out", "component", channels=labels_phrase(below)))
     _check_sizes(components)
@@ -402,58 +431,3 @@ def _listing(channels: Sequence[Channel], components: Mapping[str, Channel]) -> 
     vertical = tuple(is_vertical(label) for label in labels)
     directions = {name: channel.label for name, channel in components.items()}
     return Listing(tuple(names), vertical, place, directions, " ".join((x.origin or x.name).split()))
-
-
-def upper_floor(texts: Iterable[str]) -> str:
-    """Return the upper floor of a building that texts name, "floor 42" or "roof"; "" where they name none.
-
-    A first floor, a ground floor and a basement are none.
-
-    Parameters
-    ----------
-    texts : iterable of str
-        A record's name and what its header says.
-    """
-    for text in texts:
-        for match in _UPPER_FLOOR.finditer(text):
-            if (floor := int(next(filter(None, match.groups())))) > 1:
-                return f"floor {floor}"
-        if _ROOF.search(text):
-            return "roof"
-    return ""
-
-
-def floor_phrase(floor: str) -> Phrase:
-    """Return the `Motion.floor` of a motion in both languages: "floor 42", "storey 5" or "roof"."""
-    kind, _, number = floor.partition(" ")
-    if kind in ("floor", "storey"):
-        return phrase(f"motion.{kind}_number", number=number)
-    return phrase("motion.roof") if kind == "roof" else (floor, floor)
-
-
-def upper_floor_warning(floor: str) -> InputWarning:
-    """Return the warning that a record is of an upper floor, not of the ground."""
-    return InputWarning("motion.upper_floor", floor=floor_phrase(floor))
-
-
-def of_the_ground(motion: Motion, rule: str) -> Motion:
-    """Return a motion; refuse one of an upper floor for a rule that holds for the ground alone.
-
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    rule : str
-        Which rule, as ``ground_alone_...`` of the catalogue of motions says it.
-
-    Raises
-    ------
-    InputError
-        The motion is of an upper floor.
-    """
-    if motion.floor:
-        told, floor = phrase(f"motion.ground_alone_{rule}"), floor_phrase(motion.floor)
-        raise InputError(
-            "motion.not_of_the_ground", "motion", motion=excerpt(motion.name), floor=floor, rule=told
-        )
-    return motion

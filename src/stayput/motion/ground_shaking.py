@@ -29,7 +29,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, excerpt
 from stayput.model.parameters import arguments, check_fields, parameter, quantity
-from stayput.motion.channels import of_the_ground
+from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.spectrum import DAMPING, response_spectrum

@@ -14,7 +14,8 @@ from stayput.errors import InputError, finite, instance_of, shown, visible, with
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.baseline import check_baseline, checked_record
-from stayput.motion.channels import Listing, common_length, motion_fields, of_the_ground, warn_of_vertical
+from stayput.motion.channels import Listing, common_length, motion_fields, warn_of_vertical
+from stayput.motion.floors import of_the_ground
 from stayput.motion.integrals import Peaks
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
 from stayput.motion.one_record import check_one_record

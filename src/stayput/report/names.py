@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
 from stayput.catalogue.names import FAMILIES, MOTIONS, PIECES, PLACES, STRUCTURES, SURFACES
-from stayput.motion.channels import floor_phrase
+from stayput.motion.floors import floor_phrase
 
 if TYPE_CHECKING:
     from stayput.motion import Motion

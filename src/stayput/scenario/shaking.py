@@ -10,7 +10,7 @@ from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, sine
-from stayput.motion.channels import of_the_ground
+from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import (
     EARTHQUAKE_TERMS,
     EarthquakeSource,

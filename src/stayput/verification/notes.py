@@ -13,7 +13,7 @@ from stayput.fragility.probabilities import percent
 from stayput.measures.parameters import GRADE_OF, MEANINGS
 from stayput.model.parameters import parameters
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.motion.channels import floor_phrase
+from stayput.motion.floors import floor_phrase
 from stayput.verification.grades import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR

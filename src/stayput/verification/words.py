@@ -12,7 +12,7 @@ from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, INTENSITIES
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
-from stayput.motion.channels import floor_phrase
+from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
 from stayput.wording import FAR, inside, is_open, with_aside
 

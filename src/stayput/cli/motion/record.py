@@ -109,7 +109,7 @@ def _print_info(
     from rich.table import Table
 
     from stayput.catalogue.names import INTENSITIES
-    from stayput.motion.channels import floor_phrase
+    from stayput.motion.floors import floor_phrase
     from stayput.report.names import given_name, motion_label
 
     console = Console(highlight=False, markup=False)

@@ -29,9 +29,9 @@ from stayput.motion.channels import (
     labels_phrase,
     motion_fields,
     refuse_vertical,
-    upper_floor_warning,
     warn_of_vertical,
 )
+from stayput.motion.floors import upper_floor_warning
 from stayput.motion.processing import STEP_RANGE
 from stayput.motion.readers import columns as of_columns
 from stayput.motion.readers import cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram

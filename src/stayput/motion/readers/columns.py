@@ -1,7 +1,8 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z; or ``columns``
-says which are these. Velocities and displacements, by their headings, are left out beside accelerations.
+says which are these. Velocities, displacements and the magnitude of the acceleration, by their headings, are
+left out beside accelerations.
 Lines that begin with "#", "%", "//" or "!" are comments. Titles, a line of headings and a row of units may
 stand above the numbers: the column that is headed "time" or "t" is the time, in s or "[ms]"; without such
 a heading the first is, unless it counts the samples, 1, 2, 3, …: then ``dt`` must be given. A comment may
@@ -19,21 +20,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
-from stayput.motion.channels import Channel, is_direction, labels_phrase
+from stayput.motion.channels import Channel, in_borehole, is_direction, labels_phrase
 from stayput.motion.readers.chosen import places_of
 from stayput.motion.readers.fields import Numbers, check_count, numbers
 from stayput.motion.readers.header import regular_step, stated_factor, stated_step, stated_unit, time_step
 from stayput.motion.readers.headings import (
     Headings,
-    column_factors,
     is_time,
     is_title,
-    other_quantities,
     read_headings,
     split,
     units_in,
 )
+from stayput.motion.readers.quantities import axes_of, column_factors, other_quantities, without_unit
 from stayput.motion.readers.text import chunks
+from stayput.motion.units import known_unit, unit_factor
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -161,6 +162,10 @@ def read(
     above = head.comments + head.titles
     if line := stated_factor(above):
         raise InputError("motion.column_factor", "skip_lines", line=excerpt(line), option="skip_lines")
+    units = {unit_factor(name): name for name in map(stated_unit, above) if name and known_unit(name)}
+    if len(units) > 1:
+        first, second, *_ = map(excerpt, units.values())
+        raise InputError("motion.two_units", first=first, second=second)
     written = stated_step("\n".join(above))
     timeless = "t" not in chosen if chosen else len(places) == 1
     # The headings of chosen columns begin with one of the time, whether the file has that or not.
@@ -213,7 +218,9 @@ def read(
             factors[i] * table[:, i],
             step,
             location=" ".join(above),
+            borehole=in_borehole(label, above),
             role=roles[i] if chosen else "",
+            heading=without_unit(headings.texts[i]) if headings.texts and not chosen else "",
             note=f", column {places[i] + 1}" if chosen else "",
         )
         for i, label in enumerate(labels)
@@ -252,5 +259,6 @@ def _usual_columns(head: _Head, counted: bool) -> tuple[Sequence[int], Headings]
         headings = headings.at(places)
     of_directions = all(is_direction(name) for i, name in enumerate(headings.names) if i != headings.time)
     if len(places) not in _LABELS and not (headings.names and of_directions):
-        raise InputError("motion.column_count", columns=len(places), option="columns")
+        example = ",".join(f"{role}={place + 1}" for role, place in axes_of(headings).items()) or "t=1,x=2"
+        raise InputError("motion.column_count", columns=len(places), option="columns", example=example)
     return places, headings

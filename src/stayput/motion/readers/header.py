@@ -32,8 +32,8 @@ _ROUNDING_OF_TIMES = 0.2
 """Error of a printed time, in time steps, that is taken for rounding; a missing sample is one of 1."""
 
 _PER_SECOND_TWICE = r"/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)"
-_MENTIONED = re.compile(
-    rf"(?<![a-z])(gals?|(?:[cm]?m|in|ft){_PER_SECOND_TWICE}|%g)(?![a-z0-9/^²*])"
+MENTIONED = re.compile(
+    rf"(?<![a-zµμ])(gals?|(?:[cm]?m|in|ft){_PER_SECOND_TWICE}|%g)(?![a-z0-9/^²*])"
     r"|[(\[_] ?(m?g|%g|[cm]?m_?p?s_?2|m_s_2)(?:[)\]]|(?![a-z0-9/^²*]))",
     re.IGNORECASE,
 )
@@ -45,13 +45,22 @@ _DISPLACEMENT = re.compile(
     r"(?<![a-z])disp(?:lacement)?(?![a-z])|[(\[] ?[cm]?m ?[)\]]|_[cm]m$|^[cm]?m$", re.IGNORECASE
 )
 _NUMBER = r"[0-9]*\.?[0-9]+(?:[eE][+\-]?[0-9]+)?"
+_SHORT_NUMBER = r"[0-9]{0,9}\.?[0-9]{1,20}(?:[eE][+\-]?[0-9]{1,2})?"
+_VALUE = (
+    r"[^0-9a-z.\n-]{0,4}(?:(?P<bracketed_of>[a-zµμ]+)[)\]])?[ :=：＝]*"
+    rf"(?P<of>{_SHORT_NUMBER})(?:/(?P<per_of>{_SHORT_NUMBER}))?(?!,?[0-9]|/) ?(?P<unit_of>[a-zµμ]*)"
+)
 _STEP = re.compile(
     r"(?:(?<![a-z])(?:dt|delta[ _]?t|(?:time|sampl(?:e|ing))[ _-]?(?:step|interval|period))"
-    r"|時間(?:刻み|間隔)|サンプリング(?:間隔|周期))"
-    rf"[^0-9a-z.\n-]{{0,4}}(?:s(?:ec)?[)\]])?[ :=：＝]*(?P<step>{_NUMBER})(?P<ms> ?m(?:illi)?s)?"
-    r"|(?:(?<![a-z])sampl(?:e|ing)[ _-]?(?:rate|freq(?:uency)?)|サンプリング(?:周波数|レート))"
-    rf"[^0-9a-z.\n-]{{0,4}}(?:hz[)\]])?[ :=：＝]*(?P<rate>{_NUMBER})(?! ?k| ?m?s)",
-    re.IGNORECASE,
+    r"|^(?:delta|interval)(?=[ :=]*0?\.)|時間(?:刻み|間隔)|サンプリング(?:間隔|周期))"
+    rf"{_VALUE.replace('of>', 'step>')}"
+    r"|(?:(?<![a-z])(?:sampl(?:e|ing)[ _-]?(?:rate|freq(?:uency)?)|fs|sps)|サンプリング(?:周波数|レート))"
+    rf"{_VALUE.replace('of>', 'rate>')}"
+    rf"|(?<![a-z0-9.,/])(?P<sps>{_SHORT_NUMBER}) ?(?:sps|samples?(?: per |/)s(?:ec(?:ond)?)?)(?![a-z])",
+    re.IGNORECASE | re.MULTILINE,
+)
+_OTHER_UNIT = re.compile(
+    r"[uµμn]s(?:ec)?|micro.*|m(?:in(?:ute)?s?)?|h(?:ours?|rs?)?|d(?:ays?)?|[km]hz|k", re.IGNORECASE
 )
 _FACTOR = re.compile(
     r"(?:(?<![a-z])(?:scal(?:e|ing)|(?:scal(?:e|ing)|conversion|calibration|multiplication)[ _-]?factor"
@@ -73,13 +82,27 @@ def stated_unit(header: str) -> str | None:
 
 
 def stated_step(header: str) -> float | None:
-    """Return the one time step that a header states: "dt = 0.005", "Sampling rate: 100 Hz"; in s."""
-    steps = {
-        1.0 / float(m["rate"]) if m["rate"] else float(m["step"]) * (1e-3 if m["ms"] else 1.0)
-        for m in _STEP.finditer(header)
-        if float(m["rate"] or m["step"]) > 0.0
-    }
+    """Return the one time step that a header states: "dt = 0.005", "Sampling rate: 100 Hz"; in s.
+
+    None where it is in another unit, or not a plain number or fraction: the step must then be given.
+    """
+    steps = {_step(match) for match in _STEP.finditer(header)}
     return steps.pop() if len(steps) == 1 else None
+
+
+def _step(match: re.Match[str]) -> float | None:
+    kind = next(name for name in ("step", "rate", "sps") if match[name])
+    below, unit = 1.0, ""
+    if kind != "sps":
+        below = float(match[f"per_{kind}"] or 1.0)
+        unit = (match[f"bracketed_{kind}"] or match[f"unit_{kind}"]).lower()
+    in_time = UNIT_OF_TIME.fullmatch(unit) or unit.startswith("milli")
+    value = float(match[kind]) / below if below > 0.0 else 0.0
+    if value <= 0.0 or _OTHER_UNIT.fullmatch(unit) or (kind == "rate" and in_time):
+        return None
+    if kind != "step":
+        return 1.0 / value
+    return value * (1e-3 if in_time and unit.startswith("m") else 1.0)
 
 
 def stated_factor(lines: Iterable[str]) -> str | None:
@@ -89,7 +112,7 @@ def stated_factor(lines: Iterable[str]) -> str | None:
 
 def mentioned_unit(header: str) -> str | None:
     """Return the one unit of acceleration that a header mentions: "acc_gal", "PGA [cm/s²]"."""
-    names = {(m[1] or m[2]).lower() for m in _MENTIONED.finditer(header)}
+    names = {(m[1] or m[2]).lower() for m in MENTIONED.finditer(header)}
     return names.pop() if len({unit_factor(name) for name in names}) == 1 else None
 
 

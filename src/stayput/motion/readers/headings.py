@@ -6,11 +6,11 @@ import re
 import unicodedata
 from typing import TYPE_CHECKING, NamedTuple
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
+from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import is_direction, is_down, is_vertical
-from stayput.motion.readers.header import UNIT_OF_TIME, acceleration_unit, mentioned_unit, quantity_of
-from stayput.motion.units import UNIT_NAMES, known_unit, unit_factor
+from stayput.motion.readers.header import UNIT_OF_TIME, quantity_of
+from stayput.motion.readers.quantities import BRACKET, is_motion, time_factor
+from stayput.motion.units import known_unit
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,21 +21,15 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9\-]{0,11}")
 _NOT_FINITE = re.compile(r"[+\-]?(?:nan|inf|infinity)", re.IGNORECASE)
 _TIME = re.compile(r"t(?![a-z])|.*time(?![ _\-]?(?:history|series))|sec(?:onds?)?(?![a-z])", re.IGNORECASE)
 _COUNTED = re.compile(r"(?:no|n|i|index|samples?|counts?|rows?|lines?)\.?", re.IGNORECASE)
-_TIME_UNIT = re.compile(
-    r"[(\[_] ?(?:(?P<s>s|secs?|seconds?)|(?P<ms>ms|msecs?|milliseconds?)|"
-    r"[uµμ]s|ns|min|minutes?|hr?|hours?|d|days?) ?(?:[)\]]|$)",
+_OTHER_THAN_TIME = re.compile(
+    r"(?:freq(?:uency|\.)?|f|(?:natural |vibration )?period|dist(?:ance|\.)?|depth|frame(?: ?no\.?)?"
+    r"|固有周期|周期|周波数|振動数|距離|深さ)(?:[ _]*[(\[_].*)?",
     re.IGNORECASE,
 )
+"""What heads the first column of spectra and other tables."""
 _OF_TIME = re.compile(r"[(\[] ?m?s(?:ec(?:ond)?s?)? ?[)\]]", re.IGNORECASE)
 _TRANSVERSE = re.compile(r"T(?![A-Za-z])")
 _LONGITUDINAL = re.compile(r"[LR](?![A-Za-z])")
-_BRACKET = re.compile(r"[(\[]([^()\[\]]{1,40})[)\]]")
-_LIKE_A_UNIT = re.compile(r"[^\W\d_]\S{0,5}|\S*[/%^²]\S*")  # "kip", "km/h2"; not "filtered"
-_FACTOR = re.compile(
-    r"[x×*·]?\s*[0-9.][0-9.^e+\-−]*\s*[x×*·]?\s*(?P<after>[^\d\s].*)"
-    r"|(?P<before>.*?)\s*[x×*]\s*[0-9][0-9.^e+\-−]*",
-    re.IGNORECASE,
-)
 _NEGATIVE = re.compile(
     r"\([-−]\)|^[-−](?=[A-Za-z])|[A-Za-z][-−]$|.[\s_(+]down(?:wards?)?\b|下向き", re.IGNORECASE
 )
@@ -56,6 +50,16 @@ _NUMBERED = re.compile(
     r"\b(?:(?:col(?:umn)?|(ch(?:an(?:nel)?)?))\.? ?#?([0-9]{1,2}) ?[:=\-]|([xyz]) ?[:=]) ?([^,;|]{1,80})",
     re.IGNORECASE,
 )
+_GLUED = re.compile(
+    r"(?:(?:columns?|comp(?:onent)?s?|channels?|order)[ :=]*)?t?[ _]?([a-z]{3})(?: order)?", re.IGNORECASE
+)
+_GLUED_WORD = re.compile(r"(?<![A-Za-z])t?[ _]?([A-Z]{3})(?![A-Za-z])")
+_AXES = ({"N", "E", "Z"}, {"N", "E", "U"}, {"X", "Y", "Z"}, {"L", "T", "V"}, {"L", "T", "Z"}, {"R", "T", "Z"})
+_FIGURES = re.compile(
+    r"(?:dir(?:ection)?s?|channels?|columns?|comp(?:onent)?s?|order)[ :=]+([0-9](?:[ ,;/-]+[0-9]){1,8})",
+    re.IGNORECASE,
+)
+_PLACE = re.compile(r"(?<![a-z0-9])(?:first|second|third|last|[1-4](?:st|nd|rd|th))(?![a-z])", re.IGNORECASE)
 _COMPONENT = re.compile(r"(?:comp(?:onent)?|channel|direction|成分|方向) ?[:=：] ?(.*)", re.IGNORECASE)
 _TITLE = re.compile(r"[\"'(\[]?[^\W\d_]{2,}|[0-9/.\-]+ +[^\W\d_]{3,}")
 _RULE = re.compile(r"[-=_+|,; \t]*[-=_]{3}[-=_+|,; \t]*")
@@ -77,6 +81,7 @@ _JAPANESE = (
     (re.compile("东西"), "EW"),
     (re.compile("水平|横揺れ"), "H"),
     (re.compile("(?<=[A-Za-z])(?:方向|成分|軸|動)"), ""),
+    (re.compile("合成|ベクトル和"), "total"),
     (re.compile("ガル"), "gal"),
     (re.compile("カイン"), "kine"),
     (re.compile("加速度"), " acc "),
@@ -229,18 +234,21 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     alike = bool(times) and (times[0] == 0 or _mark(lines[place]) == _mark(row))
     if count > 2 and not any(map(is_vertical, names)) and (unread := _unread_order(lines)):
         raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
-    if not (ordered or titles or alike):
-        return Headings(names=names)
+    of_another = _OTHER_THAN_TIME.fullmatch(texts[0]) is not None
+    if not (ordered or titles or alike or (of_another and all(map(is_motion, texts[1:])))):
+        return Headings(names=names if all(map(is_direction, names[1:])) else named)
     if count == 1:
         return Headings(tuple(texts), None, names=names)
     if len(times) > 1:
         raise InputError("motion.column_times", columns=_listed([texts[i] for i in times]))
-    if not times and (is_direction(first) or _COUNTED.fullmatch(texts[0]) or _is_motion(texts[0])):
+    if not times and (
+        of_another or is_direction(first) or _COUNTED.fullmatch(texts[0]) or is_motion(texts[0])
+    ):
         raise InputError("motion.column_no_time", "columns", column=excerpt(texts[0]), option="columns")
     time = times[0] if times else 0
     if count > 2 and not names:  # of headings that are not understood any may be the vertical
         raise InputError("motion.column_order", columns=_listed(texts), count=count)
-    return Headings(tuple(texts), time, _time_factor(texts[time]), names)
+    return Headings(tuple(texts), time, time_factor(texts[time]), names)
 
 
 def _stated_order(lines: Sequence[str], count: int) -> list[str]:
@@ -254,7 +262,9 @@ def _stated_order(lines: Sequence[str], count: int) -> list[str]:
     texts = [_in_english(numbered[i]) for i in sorted(numbered)]
     if not texts:
         order = next((m[1] for m in map(_ORDER.match, lines) if m), "")
-        if not order.strip(" 0123456789"):
+        glued = [m[1] for line in lines if (m := _GLUED.fullmatch(line)) and set(m[1].upper()) in _AXES]
+        order = " ".join(glued[0]) if glued else order
+        if not order.strip(" 0123456789,;/-"):
             return []
         texts = [text.strip() for text in re.split(r"[;,|\t]", order) if text.strip()]
         if len(texts) != count:
@@ -274,8 +284,15 @@ def _unread_order(lines: Sequence[str]) -> str | None:
     for line in lines:
         plain = _in_english(unicodedata.normalize("NFKC", line) if _FULL_WIDTH.search(line) else line)
         words = [word for word in _WORD.findall(plain) if is_direction(word)]
-        said.append([] if {"x", "y", "z"}.issuperset(map(str.lower, words)) else words)
-        if {True, False} <= set(map(is_vertical, said[-1])):
+        axes = [word.lower() for word in words]
+        said.append([] if {"x", "y", "z"}.issuperset(axes) and axes == sorted(axes) else words)
+        figures = _FIGURES.fullmatch(plain)
+        if (
+            {True, False} <= set(map(is_vertical, said[-1]))
+            or (_PLACE.search(plain) and any(is_vertical(word) for word in words if word != "up"))
+            or any(set(glued) in _AXES for glued in _GLUED_WORD.findall(plain))
+            or (figures and (places := re.findall("[0-9]", figures[1])) != sorted(places))
+        ):
             return line
     # One direction a line: names of one letter stand in too many comments.
     named = [word for words in said for word in words if len(word) > 1]
@@ -303,7 +320,7 @@ def _states_columns(texts: Sequence[str]) -> bool:
     times = _times(texts)
     others = [text for i, text in enumerate(texts) if i not in times]
     return bool(times and others) and all(
-        is_direction(_BRACKET.sub("", text)) or _is_motion(text) or "acc" in text.lower() for text in others
+        is_direction(BRACKET.sub("", text)) or is_motion(text) or "acc" in text.lower() for text in others
     )
 
 
@@ -317,15 +334,16 @@ def _all_directions(texts: Sequence[str]) -> bool:
 
 
 def _all_names(texts: Sequence[str]) -> bool:
-    return all(_NAME.fullmatch(_BRACKET.sub("", text).strip()) for text in texts)
+    return all(_NAME.fullmatch(BRACKET.sub("", text).strip()) for text in texts)
 
 
 def _times(texts: Sequence[str]) -> list[int]:
     """Return which columns are headed as the time; a "T" beside an "L" is the transverse component."""
     beside = any(map(_LONGITUDINAL.match, texts))
-    named = [i for i, text in enumerate(texts) if _TIME.match(text) and not _is_motion(text)]
+    others = [i for i, text in enumerate(texts) if not _OTHER_THAN_TIME.fullmatch(text)]
+    named = [i for i in others if _TIME.match(texts[i]) and not is_motion(texts[i])]
     times = [i for i in named if not (beside and _TRANSVERSE.match(texts[i]))]
-    return times or [i for i, text in enumerate(texts) if _OF_TIME.search(text)]
+    return times or [i for i in others if _OF_TIME.search(texts[i])]
 
 
 def is_time(text: str) -> bool:
@@ -336,36 +354,6 @@ def is_time(text: str) -> bool:
 def _listed(texts: Sequence[str]) -> Phrase:
     english, japanese = zip(*map(excerpt, texts), strict=True)
     return ", ".join(english), "、".join(japanese)
-
-
-def _is_motion(text: str) -> bool:
-    return _unit_in(text) is not None or quantity_of(text) is not None
-
-
-def _unit_in(text: str) -> str | None:
-    """Return the unit of acceleration in a heading, or that is one; None of one with a factor."""
-    if _unit_with_factor(text):
-        return None
-    return next(filter(known_unit, (*_BRACKET.findall(text), text)), None) or mentioned_unit(text)
-
-
-def _unit_with_factor(text: str) -> str | None:
-    """Return what stands in a heading's brackets as "0.1 gal", "X 1000" or "10^-2 m/s2"."""
-    for content in _BRACKET.findall(text):
-        found = _FACTOR.fullmatch(content.strip())
-        unit = found and (found["after"] or found["before"])
-        if found and (known_unit(unit) if unit else mentioned_unit(text)):
-            return content
-    return None
-
-
-def _time_factor(text: str) -> float:
-    unit = _TIME_UNIT.search(text)
-    if unit is None or unit["s"]:
-        return 1.0
-    if unit["ms"]:
-        return 1e-3
-    raise InputError("motion.column_time_unit", column=excerpt(text))
 
 
 def _names(texts: Sequence[str]) -> tuple[str, ...]:
@@ -380,79 +368,3 @@ def _names(texts: Sequence[str]) -> tuple[str, ...]:
         whole if is_direction(whole) and not is_direction(name) else name
         for name, whole in zip(names, long, strict=True)
     )
-
-
-def other_quantities(headings: Headings) -> list[int]:
-    """Return the places of velocities and displacements, where another column is an acceleration."""
-    columns = {i: text for i, text in enumerate(headings.texts) if i != headings.time}
-    bare = {i: re.split(r"[(\[]", text)[0].strip().lower() for i, text in columns.items()}
-    of_letters = {"v", "d"} if {"a", "v", "d"} <= set(bare.values()) else set[str]()
-    others = [
-        i
-        for i, text in columns.items()
-        if bare[i] in of_letters or (mentioned_unit(text) is None and quantity_of(text) is not None)
-    ]
-    return others if len(others) < len(columns) else []
-
-
-def column_factors(
-    headings: Headings, count: int, stated: str | None, given: str | None, above: str, *, step_missing: bool
-) -> list[float]:
-    """Return the size of each column's unit [m/s²]; that of the time's has no meaning.
-
-    Parameters
-    ----------
-    headings : Headings
-        What the headings say.
-    count : int
-        How many columns there are.
-    stated : str, optional
-        Unit that the comments state.
-    given : str, optional
-        Unit that the caller states.
-    above : str
-        All that stands above the numbers.
-    step_missing : bool
-        See `acceleration_unit`.
-
-    Raises
-    ------
-    InputError
-        A column is no acceleration, no unit is stated or given, or two of them contradict each other.
-    """
-    columns = {i: text for i, text in enumerate(headings.texts) if i != headings.time}
-    own = {i: unit_factor(unit) for i, text in columns.items() if (unit := _own_unit(text, stated, given))}
-    if columns and len(own) == len(columns):
-        return [own.get(i, 1.0) for i in range(count)]
-    if len(set(own.values())) > 1:  # a unit that is stated or given contradicts none of them
-        bare = next(text for i, text in columns.items() if i not in own)
-        raise InputError("motion.column_no_unit", column=excerpt(bare))
-    factor = acceleration_unit(stated, given, above, step_missing=step_missing)
-    return [own.get(i, factor) for i in range(count)]
-
-
-def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
-    """Return the unit in a heading, which neither the comments nor the caller may contradict."""
-    unit = _unit_in(text)
-    if unit is None:
-        if factor := _unit_with_factor(text):
-            column, name = excerpt(text), excerpt(factor)
-            raise InputError("motion.column_unit_factor", "unit", column=column, unit=name)
-        if quantity := next(filter(None, map(quantity_of, (text, *_BRACKET.findall(text)))), None):
-            name = phrase(f"motion.{quantity}")
-            raise InputError("motion.column_quantity", column=excerpt(text), quantity=name)
-        unknown = next(
-            (u for u in _BRACKET.findall(text) if _LIKE_A_UNIT.fullmatch(u) and not _all_directions([u])),
-            None,
-        )
-        if unknown is not None and given is not None:
-            warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=unknown))
-        elif unknown is not None and stated is None:
-            column, name = excerpt(text), excerpt(unknown)
-            raise InputError("motion.column_unknown_unit", "unit", column=column, unit=name, known=UNIT_NAMES)
-        return None
-    if stated is not None and unit_factor(stated) != unit_factor(unit):
-        raise InputError("motion.column_header_unit", column=excerpt(text), stated=excerpt(stated))
-    if given is not None and unit_factor(given) != unit_factor(unit):
-        raise InputError("motion.column_another_unit", "unit", given=given, column=excerpt(text))
-    return unit

@@ -11,8 +11,8 @@ import re
 from itertools import islice
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
-from stayput.motion.channels import Channel
+from stayput.errors import InputError, excerpt
+from stayput.motion.channels import Channel, in_borehole
 from stayput.motion.readers.fields import free_numbers, quantity
 from stayput.motion.readers.header import acceleration_unit, time_step
 from stayput.motion.readers.text import lines
@@ -20,7 +20,9 @@ from stayput.motion.readers.text import lines
 FORMAT = "K-NET ASCII"
 
 _HEADER_LINES = 17
-_KIKNET = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"}
+_DIRECTIONS = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"} | {
+    name: name for name in ("NS", "EW", "UD")
+}
 _SCALE = re.compile(
     r"([0-9]{1,9}(?:\.[0-9]{0,9})?) *\(gal\) */ *([0-9]{1,12}(?:\.[0-9]{0,9})?)", re.IGNORECASE
 )
@@ -70,10 +72,12 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         raise InputError("motion.knet_duration", stated=seconds, duration=len(counts) / rate)
     counts -= counts.mean()
     counts *= 0.01 * float(scale[1]) / float(scale[2])  # m/s² a count
-    direction = _entry(header, "Dir.", "direction").replace("-", "")
-    label = _KIKNET.get(direction, direction)
+    direction = _entry(header, "Dir.", "direction")
+    label = _DIRECTIONS.get(direction.replace("-", "").upper())
+    if label is None:
+        raise InputError("motion.knet_direction", direction=excerpt(direction))
     sensor = {"1": ", borehole", "2": ", surface"}.get(label[-1], "")
-    origin = f"{header.get('stationcode', '')}{sensor}, {header['origintime']}"
+    origin = f"{header.get('stationcode', '')}{sensor}, {header.get('origintime', '')}"
     return [
         Channel(
             label,
@@ -83,6 +87,6 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
             peak * factor,
             ", offset removed",
             origin=origin,
-            borehole=label.endswith("1"),
+            borehole=in_borehole(label),
         )
     ]

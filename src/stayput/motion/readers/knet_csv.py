@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from stayput.errors import InputError, excerpt
-from stayput.motion.channels import Channel
+from stayput.motion.channels import Channel, in_borehole
 from stayput.motion.readers.fields import Numbers, numbers, quantity
 from stayput.motion.readers.header import acceleration_unit, regular_step, time_step
 from stayput.motion.readers.text import chunks
@@ -123,7 +123,7 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
             station,
             note=", offset removed",
             location=station,
-            borehole=name.endswith("1"),
+            borehole=in_borehole(name),
         )
         for i, (name, shift) in enumerate(zip(labels, offsets, strict=True), start=1)
     ]

@@ -11,7 +11,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, numbers, within, word_of
 from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.motion.channels import of_the_ground
+from stayput.motion.floors import of_the_ground
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.readers.text import file_text
 from stayput.motion.response import DAMPING, PERIOD_RANGE, checked_periods
