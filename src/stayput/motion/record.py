@@ -16,7 +16,6 @@ from stayput.motion import integrals
 from stayput.motion.baseline import check_baseline, checked_record
 from stayput.motion.channels import Listing, common_length, motion_fields, warn_of_vertical
 from stayput.motion.floors import of_the_ground
-from stayput.motion.integrals import Peaks
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
 from stayput.motion.one_record import check_one_record
 from stayput.motion.processing import (
@@ -324,9 +323,9 @@ class Motion:
         own = self.listing and self.listing.of(x=name)
         return replace(self, x=self.components[name], y=None, z=None, listing=own)
 
-    def peaks(self) -> dict[str, Peaks]:
+    def peaks(self) -> dict[str, integrals.Peaks]:
         """Return the peaks of every component that is there, x first."""
-        return {name: Peaks.of(a, self.dt) for name, a in self.components.items()}
+        return {name: integrals.Peaks.of(a, self.dt) for name, a in self.components.items()}
 
     def _each(self, change: Callable[[NDArray[np.float64]], NDArray[np.float64]], **fields: Any) -> Motion:
         changed: dict[str, Any] = {name: change(values) for name, values in self.components.items()}
