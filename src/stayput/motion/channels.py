@@ -182,16 +182,18 @@ def in_borehole(label: str, texts: Iterable[str] = ()) -> bool:
 def _sensor(channel: Channel) -> str:
     """Return what is said beside the direction and the channel's number: "ground NS" → "ground"."""
     said = _CHANNEL_NUMBER.sub("", (channel.heading or channel.label).lower())
-    words = (word for word in re.findall(r"[^\W_]+", said) if not is_direction(word) and word not in "nsewud")
+    beside = (word for word in re.findall(r"[^\W_]+", said) if not is_direction(word))
+    words = (word for word in beside if word not in ("n", "s", "e", "w", "u", "d", "no", "max", "deg"))
     return " ".join(words) if is_direction(channel.label) else ""
 
 
 def _of_one_sensor(channels: Sequence[Channel]) -> bool:
     """Return whether channels can be the components of one sensor: no direction twice, and headed alike."""
     lines = [line for c in channels if (line := line_of(c.label) or _direction(c.label))]
-    sensors = {sensor for c in channels if (sensor := _sensor(c))}
-    counted = len(sensors) == len(channels) and all(map(str.isdecimal, sensors))
-    return len(set(lines)) == len(lines) and (len(sensors) < 2 or counted)
+    sensors = [sensor for c in channels if (sensor := _sensor(c))]
+    # Figures that are each channel's own count the channels, or are its azimuth or peak.
+    own = len(set(sensors)) == len(sensors) and all(sensor.replace(" ", "").isdecimal() for sensor in sensors)
+    return len(set(lines)) == len(lines) and (len(set(sensors)) < 2 or own)
 
 
 def labels_phrase(labels: Iterable[str]) -> Phrase:
