@@ -38,7 +38,7 @@ def test_a_floor_under_a_building_is_refused(run):
         done = run(*words)
         assert done.exit_code
         said = " ".join(f"{done.exception} {done.stderr}".split())
-        assert "is of floor 42 of a building; a building stands on the ground" in said
+        assert "is of floor 42, not of the ground; a building stands on the ground" in said
         (line,) = told(done)
         assert "floor42.txt (columns of numbers): The name or the header says" in line
 

@@ -255,6 +255,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "傾き{tilt}°・移動{slide}・回転{yaw}°",
     ),
     "nowMost": ("largest tilt {tilt}°", "最大の傾き{tilt}°"),
+    "placeBorehole": ("In the borehole, below the ground,", "地中（ボアホールの底）で、"),
     "placeGround": ("On the ground,", "地面の上、"),
     "placeStorey": ("On storey {storey} of {storeys},", "{storeys}階建ての{storey}階、"),
     "strength": ("JMA intensity {class} ({at}).", "{class}（計測震度{at}）。"),

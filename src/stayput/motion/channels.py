@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from stayput.motion.record import Motion
 
 _UNNAMED = "(unnamed)"
+BOREHOLE = "borehole"
+"""The `Motion.floor` of a sensor below the ground."""
+
 
 _UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
@@ -376,8 +379,8 @@ def motion_fields(
     length, cut = common_length({key: len(channel.acceleration) for key, channel in components.items()})
     roles = ", ".join(f"{key} = {c.label or 'unnamed'}{c.note}" for key, c in components.items())
     samples = {key: channel.acceleration[:length] for key, channel in components.items()}
-    floor = upper_floor((name, x.label, x.name, x.location))
-    place = f"; recorded on {floor}" if floor else ""
+    floor = BOREHOLE if x.borehole else upper_floor((name, x.label, x.name, x.location))
+    place = f"; recorded on {floor_phrase(floor)[0]}" if floor else ""
     return {
         "dt": x.dt,
         "x": samples["x"],
@@ -424,11 +427,11 @@ def upper_floor(texts: Iterable[str]) -> str:
 
 
 def floor_phrase(floor: str) -> Phrase:
-    """Return the `Motion.floor` of a motion in both languages: "floor 42", "storey 5" or "roof"."""
+    """Return where a motion is of in both languages, by its `Motion.floor`."""
     kind, _, number = floor.partition(" ")
     if kind in ("floor", "storey"):
         return phrase(f"motion.{kind}_number", number=number)
-    return phrase("motion.roof") if kind == "roof" else (floor, floor)
+    return phrase(f"motion.{kind}_place") if floor in ("roof", BOREHOLE) else (floor, floor)
 
 
 def upper_floor_warning(floor: str) -> InputWarning:

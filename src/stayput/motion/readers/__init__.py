@@ -25,6 +25,7 @@ from stayput.errors import (
 )
 from stayput.motion.baseline import checked_record
 from stayput.motion.channels import (
+    BOREHOLE,
     is_vertical,
     labels_phrase,
     motion_fields,
@@ -386,7 +387,7 @@ def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], s
             _warn_of_name(first.path, channels)
         motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
         motion = checked_record(motion, remove_mean=first.remove_mean)
-        if motion.floor:
+        if motion.floor not in ("", BOREHOLE):  # the choice of its channel has warned
             warn(upper_floor_warning(motion.floor))
     for warning in (warning for file in files for warning in file.warnings):
         warn(warning)
