@@ -322,6 +322,6 @@ def test_an_option_is_called_by_the_page_s_control_or_by_its_flag(client: httpx.
     assert asked["field"] == "file"
     upright = "t,x,y,z\n" + "".join(f"{0.01 * i:.2f},0,{i % 2},-9.81\n" for i in range(200))
     asked = upload(client, upright, unit="m/s²").json()
-    assert "(Take the mean off each component)" in asked["message"]
-    assert "（各成分から平均を除く）" in asked["message_ja"]
+    assert "(“Take the mean off each component”)" in asked["message"]
+    assert "（「各成分から平均を除く」）" in asked["message_ja"]
     assert asked["field"] == "remove_mean"
