@@ -67,3 +67,12 @@ def test_a_vertical_channel_is_refused_as_component(run, tmp_path):
         in done.stderr
     )
     assert run("simulate", "--motion", "{}/own.csv", "--component", "EW", "--json").exit_code == 0
+
+
+def test_a_unit_that_is_not_known_names_the_flag_on_the_command_line(tmp_path):
+    file = tmp_path / "a.csv"
+    file.write_text("time [s],acc [ug]\n" + "".join(f"{0.01 * i:.2f},{i % 3}\n" for i in range(50)))
+    with pytest.raises(sp.InputError, match=r"; unit must be given as one of") as refused:
+        sp.read_motion(file)
+    assert refused.value.values["option"] == "unit"
+    assert "対応していません" in refused.value.told("ja")

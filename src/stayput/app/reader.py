@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T", InputError, InputWarning)
 
-_CONTROLS = {"dt": "page.file_dt", "remove_mean": "page.file_remove_mean"}
+_CONTROLS = {"unit": "page.file_unit", "dt": "page.file_dt", "remove_mean": "page.file_remove_mean"}
 """The labels of the page's controls for options of reading that have one."""
 
 

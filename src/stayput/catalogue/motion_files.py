@@ -76,7 +76,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "加速度の単位が{unit}になっています。次のいずれかにしてください：{known}",
     ),
     "unknown_stated_unit": (
-        "The file states the unit {unit}, which is not known; unit must be given as one of {known}.",
+        "The file states the unit {unit}, which is not known; {option} must be given as one of {known}.",
         "ファイルに書かれている単位{unit}には対応していません。加速度の単位を次から選んでください：{known}",
     ),
     "stated_quantity": (
@@ -381,7 +381,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "列の見出し{column}に単位がなく、ほかの列の単位は互いに異なります。見出しに単位を書いてください。",
     ),
     "column_unknown_unit": (
-        "The heading {column} states the unit {unit}, which is not known; unit must be given as one of {known}.",
+        "The heading {column} states the unit {unit}, which is not known; {option} must be given as one of {known}.",
         (
             "列の見出し{column}に書かれている単位{unit}には対応していません。"
             "加速度の単位を次から選んでください：{known}"

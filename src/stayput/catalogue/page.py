@@ -430,6 +430,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "通信に時間がかかりすぎました。もう一度お試しください。",
     ),
     "broken": ("Something went wrong; please try again.", "うまくいきませんでした。もう一度お試しください。"),
+    "stillUsed": ("The result is still that of {name}.", "結果は引き続き{name}のものです。"),
     "unreadable": ("This file cannot be used:", "このファイルは使えません。"),
     "tooLarge": ("The file is too large.", "ファイルが大きすぎます。"),
     "refused": ("This cannot be computed:", "この条件では計算できません。"),
