@@ -184,7 +184,7 @@ def test_a_record_with_gravity_is_taken_less_its_mean(client: httpx.Client) -> N
     scene = {**SCENE, "shaking": found["shaking"]}
     assert "remove_mean = true" in client.post("/api/v1/scenario/toml", json={"scene": scene}).text
     assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200
-    rows = "".join(f"{0.01 * i:.2f},{2.0 + np.sin(0.2 * i):.5f}\n" for i in range(1500))
+    rows = "".join(f"{0.01 * i:.2f},{0.3 + np.sin(0.2 * i):.5f}\n" for i in range(1500))
     offset = upload(client, rows, unit="m/s²").json()
     assert [one["field"] for one in offset["warnings"]] == ["remove_mean"]
 

@@ -3,6 +3,7 @@
 import pytest
 from typer.testing import CliRunner
 
+import stayput as sp
 from stayput.cli import app
 
 ROWS = "".join(f"{0.01 * i:.2f} {2.0 * (i % 50 - 25) / 25:.3f}\n" for i in range(400))
