@@ -184,7 +184,7 @@ def test_a_record_with_gravity_is_taken_less_its_mean(client: httpx.Client) -> N
     scene = {**SCENE, "shaking": found["shaking"]}
     assert "remove_mean = true" in client.post("/api/v1/scenario/toml", json={"scene": scene}).text
     assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200
-    rows = "".join(f"{0.01 * i:.2f},{2.0 + np.sin(0.2 * i):.5f}\n" for i in range(1500))
+    rows = "".join(f"{0.01 * i:.2f},{0.3 + np.sin(0.2 * i):.5f}\n" for i in range(1500))
     offset = upload(client, rows, unit="m/s²").json()
     assert [one["field"] for one in offset["warnings"]] == ["remove_mean"]
 
@@ -200,7 +200,7 @@ def test_a_refusal_says_what_the_unit_may_be_and_what_else_is_missing(client: ht
 
 def test_a_vertical_channel_does_not_shake_sideways(client: httpx.Client) -> None:
     text = "# unit: m/s²\nt,NS,EW,UD\n" + "".join(
-        f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(1500)
+        f"{0.01 * i:.2f},{i % 7 - 3},{i % 5 - 2},{i % 3 - 1}\n" for i in range(1500)
     )
     refused = upload(client, text, component="UD")
     assert (refused.status_code, refused.json()["field"]) == (422, "component")
@@ -322,6 +322,6 @@ def test_an_option_is_called_by_the_page_s_control_or_by_its_flag(client: httpx.
     assert asked["field"] == "file"
     upright = "t,x,y,z\n" + "".join(f"{0.01 * i:.2f},0,{i % 2},-9.81\n" for i in range(200))
     asked = upload(client, upright, unit="m/s²").json()
-    assert "(Take the mean off each component)" in asked["message"]
-    assert "（各成分から平均を除く）" in asked["message_ja"]
+    assert "(“Take the mean off each component”)" in asked["message"]
+    assert "（「各成分から平均を除く」）" in asked["message_ja"]
     assert asked["field"] == "remove_mean"

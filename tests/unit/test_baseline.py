@@ -106,14 +106,14 @@ def test_gravity_in_a_component_is_refused_and_taken_off_where_that_is_asked_for
 
 def test_an_offset_is_warned_of_wherever_the_record_is_used(tmp_path):
     offset, clean = tmp_path / "offset.csv", record(tmp_path / "clean.csv", x=WAVE)
-    record(offset, x=WAVE + 2.0)
+    record(offset, x=WAVE + 0.3)
     scenario = tmp_path / "scene.toml"
     scenario.write_text(SCENARIO.format(record=offset.name, more=""), encoding="utf-8")
-    english, japanese = "x oscillates about 2.033 m/s²", "x成分の加速度が2.033 m/s²を中心に振動して"
-    of_motion = ("--motion", offset, "--set", "shaking.unit=m/s²")
+    english, japanese = "x oscillates about 0.3328 m/s²", "x成分の加速度が0.3328 m/s²を中心に振動して"
+    of_motion = ("--motion", offset, "--unit", "m/s²")
     for command in (
         ("simulate", *of_motion),
-        ("motion", "info", offset, "--set", "shaking.unit=m/s²"),
+        ("motion", "info", offset, "--unit", "m/s²"),
         ("verify", scenario),
     ):
         code, output = cli(*command)
@@ -155,7 +155,7 @@ def test_that_the_mean_was_taken_off_is_told_and_written(tmp_path):
 
 
 def test_an_assessment_warns_too(tmp_path):
-    record(tmp_path / "offset.csv", x=WAVE + 2.0)
+    record(tmp_path / "offset.csv", x=WAVE + 0.3)
     for more, warned in (("", True), ("remove_mean = true", False)):
         (tmp_path / "scene.toml").write_text(
             SCENARIO.format(record="offset.csv", more=more), encoding="utf-8"
@@ -259,3 +259,26 @@ def test_the_mean_and_the_unit_of_several_files(tmp_path):
         sp.read_motion(stated, unit="m/s²")
     with pytest.raises(sp.InputError, match="must be one of"):
         sp.read_suite([bare, stated], unit="furlong")
+
+
+@pytest.mark.parametrize(
+    ("columns", "english", "japanese"),
+    [
+        (
+            {"x": WAVE, "y": WAVE + 6.9, "z": WAVE + 6.9},
+            "x, y, z are together",
+            "x, y, z成分の加速度の平均を合わせると",
+        ),
+        ({"x": WAVE + 5.66, "y": WAVE, "z": WAVE - 8.0}, "x, y, z are together", "傾いた計器"),
+        ({"x": WAVE + 2.0}, "of its peak, which would leave the floor moving", "最後に床が"),
+    ],
+)
+def test_gravity_on_a_tilted_instrument_and_a_large_offset_are_refused(tmp_path, columns, english, japanese):
+    file = record(tmp_path / "tilted.csv", **columns)
+    with pytest.raises(sp.InputError) as refused:
+        sp.read_motion(file, unit="m/s²")
+    assert refused.value.field == "remove_mean"
+    assert english in str(refused.value)
+    assert "(remove_mean)" in str(refused.value)
+    assert japanese in refused.value.told("ja")
+    assert sp.read_motion(file, unit="m/s²", remove_mean=True)

@@ -65,8 +65,8 @@ def test_traces_of_both_sensors_are_of_the_surface(tmp_path, recwarn):
         (tmp_path / "one").write_text(knet(str(k + 1)), encoding="utf-8")
         stream += obspy.read(str(tmp_path / "one"))
         stream[-1].data = stream[-1].data * (k + 1)
-    motion = sp.Motion.from_obspy(stream, "mm/s²")
-    assert motion.source.endswith("x = NS2, y = EW2, z = UD2")
+    motion = sp.Motion.from_obspy(stream, "mm/s²", remove_mean=True)
+    assert "x = NS2, y = EW2, z = UD2; mean removed" in motion.source
     assert any("of the borehole" in str(one.message) for one in recwarn)
 
 
@@ -81,3 +81,18 @@ def test_surface_and_borehole_are_two_records(tmp_path):
     with pytest.raises(sp.InputError, match=r"'TST001, surface, .*'TST001, borehole, ") as refused:
         sp.Motion.combine(*parts)
     assert "地震計" in refused.value.told("ja")
+
+
+def test_what_is_told_of_a_borehole_is_not_told_of_the_ground(tmp_path):
+    from stayput.report.summary import rows
+
+    file = tmp_path / "record"
+    file.write_text(knet("1"), encoding="utf-8")
+    motion, heard = told(file)
+    assert motion.floor == "borehole"
+    assert [warning.code for warning in heard].count("motion.upper_floor") == 0
+    run = sp.simulate(sp.Body(0.9, 1.8, 50), sp.Room(), motion)
+    assert rows(run)[0][1].count("recorded on the bottom of a borehole, below the ground") == 1
+    assert "地中（ボアホールの底）の記録" in rows(run, "ja")[0][1]
+    with pytest.raises(sp.InputError, match="below the ground, not of the ground"):
+        motion.to_intensity(5.0)

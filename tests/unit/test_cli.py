@@ -350,7 +350,7 @@ def test_motion_suite_made_and_read_again(tmp_path):
         tmp_path / "a",
     )
     assert made.exit_code == 0, made.output
-    assert "3 synthetic motions: JMA intensity 5.25 to 5.25" in made.stdout
+    assert "3 synthetic motions: JMA intensity 5.2 to 5.2" in made.stdout
     suite = stayput.read_suite(tmp_path / "a" / "motions")
     assert suite.intensities == pytest.approx([5.25] * 3, abs=1e-9)
     assert suite.synthetic

@@ -3,6 +3,7 @@
 import pytest
 from typer.testing import CliRunner
 
+import stayput as sp
 from stayput.cli import app
 
 ROWS = "".join(f"{0.01 * i:.2f} {2.0 * (i % 50 - 25) / 25:.3f}\n" for i in range(400))
@@ -38,7 +39,7 @@ def test_a_floor_under_a_building_is_refused(run):
         done = run(*words)
         assert done.exit_code
         said = " ".join(f"{done.exception} {done.stderr}".split())
-        assert "is of floor 42 of a building; a building stands on the ground" in said
+        assert "is of floor 42, not of the ground; a building stands on the ground" in said
         (line,) = told(done)
         assert "floor42.txt (columns of numbers): The name or the header says" in line
 
@@ -58,3 +59,12 @@ def test_a_vertical_channel_is_refused_as_component(run, tmp_path):
         in done.stderr
     )
     assert run("simulate", "--motion", "{}/own.csv", "--set", "shaking.component=EW", "--json").exit_code == 0
+
+
+def test_a_unit_that_is_not_known_names_the_flag_on_the_command_line(tmp_path):
+    file = tmp_path / "a.csv"
+    file.write_text("time [s],acc [ug]\n" + "".join(f"{0.01 * i:.2f},{i % 3}\n" for i in range(50)))
+    with pytest.raises(sp.InputError, match=r"; unit must be given as one of") as refused:
+        sp.read_motion(file)
+    assert refused.value.values["option"] == "unit"
+    assert "対応していません" in refused.value.told("ja")

@@ -171,7 +171,7 @@ def test_a_floor_that_goes_through_a_building_is_refused():
     )
     for call in calls:
         with pytest.raises(
-            sp.InputError, match=r"is of storey 4 of a building; a building stands on the ground"
+            sp.InputError, match=r"is of storey 4, not of the ground; a building stands on the ground"
         ):
             call()
 

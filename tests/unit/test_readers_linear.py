@@ -113,11 +113,13 @@ def test_a_long_file_is_read_in_a_time_that_grows_as_it_does(name, tmp_path):
 ROWS = 60_000
 LARGE = {
     "columns": "# t, x, y, z\n"
-    + "".join(f"{i / 100:.2f} {i % 97}.125 {i % 89}.25 1.5\n" for i in range(ROWS)),
+    + "".join(f"{i / 100:.2f} {i % 97 - 48}.125 {i % 89 - 44}.25 1.5\n" for i in range(ROWS)),
     "jma": JMA
     + "UNIT = gal\nNS,EW,UD\n"
-    + "".join(f"{i % 97}.125,{i % 89}.250,1.500\n" for i in range(ROWS)),
-    "peer": PEER + f"NPTS= {ROWS}, DT= .01\n" + "".join(f"  .{i % 97:02d}12345E-01\n" for i in range(ROWS)),
+    + "".join(f"{i % 97 - 48}.125,{i % 89 - 44}.250,1.500\n" for i in range(ROWS)),
+    "peer": PEER
+    + f"NPTS= {ROWS}, DT= .01\n"
+    + "".join(f"  {(i % 97 - 48) / 100:.7f}E-01\n" for i in range(ROWS)),
 }
 
 

@@ -148,7 +148,7 @@ def test_without_a_column_of_time_the_way_out_is_named(tmp_path, heading):
     columns = [WAVE] * (heading.count(",") + 1)
     error = refused(file_of(tmp_path / "it.csv", [heading], *columns))
     assert (error.code, error.field) == ("motion.column_no_time", "columns")
-    assert "unless columns says which to read and dt is given" in str(error)
+    assert "unless columns says which to read and the time step is given" in str(error)
     assert "「columns」で" in error.told("ja")
 
 

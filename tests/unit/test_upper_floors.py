@@ -65,9 +65,9 @@ def verdict():
 def refused(call, *parts):
     with pytest.raises(sp.InputError) as caught:
         call()
-    for part in ("is of storey 6 of a building", *parts):
+    for part in ("is of storey 6, not of the ground", *parts):
         assert part in caught.value.told("en")
-    assert "建物の床（6階）の揺れです" in caught.value.told("ja")
+    assert "6階の揺れで、地面の揺れではありません" in caught.value.told("ja")
 
 
 def test_what_is_said_of_the_ground_alone_refuses_a_floor_in_one_sentence():
@@ -120,14 +120,17 @@ def test_a_target_on_the_command_line_refuses_a_floor(folder, tmp_path):
     done = CliRunner().invoke(app, line)
     assert not (tmp_path / "out").exists()
     assert isinstance(done.exception, (SystemExit, sp.InputError))
-    assert "is of floor 6 of a building" in done.output + str(done.exception)
+    assert "is of floor 6, not of the ground" in done.output + str(done.exception)
 
 
 @pytest.mark.parametrize(
     ("motion", "labels"),
     [
         (FLOORS[0], ("Acceleration of\nstorey 6 [m/s²]", "床（6階）の\n加速度 [m/s²]")),
-        (replace(GROUND[0], floor="roof"), ("Acceleration of\nroof [m/s²]", "床（屋上）の\n加速度 [m/s²]")),
+        (
+            replace(GROUND[0], floor="roof"),
+            ("Acceleration of\nthe roof [m/s²]", "床（屋上）の\n加速度 [m/s²]"),
+        ),
         (GROUND[0], ("Floor\nacceleration [m/s²]", "床の\n加速度 [m/s²]")),
     ],
 )
@@ -180,8 +183,14 @@ def test_an_inventory_takes_no_floors(folder, tmp_path):
 @pytest.mark.parametrize(
     ("language", "told"),
     [
-        ("en", ("by the motion on storey 6, not of the place", "The motions are of storey 6 of a building")),
-        ("ja", ("6階の床の揺れによる値で、その場所の震度ではない", "地震動は建物の床（6階）の揺れです")),
+        (
+            "en",
+            ("by the motion on storey 6, not of the place", "The motions are of storey 6, not of the ground"),
+        ),
+        (
+            "ja",
+            ("6階の揺れによる値で、その場所の震度ではない", "地震動は6階の揺れで、地面の揺れではありません"),
+        ),
     ],
 )
 def test_every_form_of_a_verdict_says_which_floor_it_is_of(verdict, language, told):
@@ -231,7 +240,7 @@ def test_several_pieces_and_rooms_say_it_too(folder):
         assert data(verdict)["motion_floor"] == "floor 6"
         assert data(verdict)["intensity_class"] is None
         assert "by the motion on floor 6, not of the place" in verdict.sentence("en")
-        assert "6階の床の揺れによる値で、その場所の震度ではない" in verdict.sentence("ja")
+        assert "6階の揺れによる値で、その場所の震度ではない" in verdict.sentence("ja")
 
 
 def test_intensities_of_a_place_are_not_converted_from_a_floor(folder):
@@ -268,3 +277,19 @@ def test_the_page_is_told_of_the_floor(folder):
         reply = shaking_reply(scenario)
     assert reply.intensity_class is None
     assert "not of the place" in reply.sentence.en
+
+
+@pytest.mark.parametrize(
+    ("floor", "english", "japanese"),
+    [
+        ("", "A", "A"),
+        ("roof", "A, recorded on the roof", "A（屋上の記録）"),
+        ("floor 12", "A, recorded on floor 12", "12階の記録"),
+    ],
+)
+def test_the_table_of_a_run_says_where_its_motion_was_recorded(floor, english, japanese):
+    from stayput.report.names import motion_place
+
+    motion = replace(GROUND[0], name="A", floor=floor, synthetic=False)
+    assert motion_place(motion) == english
+    assert japanese in motion_place(motion, "ja")

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T", InputError, InputWarning)
 
-_CONTROLS = {"dt": "page.file_dt", "remove_mean": "page.file_remove_mean"}
+_CONTROLS = {"unit": "page.file_unit", "dt": "page.file_dt", "remove_mean": "page.file_remove_mean"}
 """The labels of the page's controls for options of reading that have one."""
 
 
@@ -78,7 +78,7 @@ def _on_page(told: T) -> T:
     if option not in OPTIONS:
         return told
     if option in _CONTROLS:
-        way, field = phrase(_CONTROLS[option]), told.field
+        way, field = phrase("app.control", label=phrase(_CONTROLS[option])), told.field
     else:
         way, field = phrase("app.flag", flag=f"--{option.replace('_', '-')}"), None
     return type(told)(told.code, field, context=told.context, **told.values | {"option": way})

@@ -10,7 +10,7 @@ from stayput.app.refusals import refused
 from stayput.app.replies import ShakingReply, Words
 from stayput.catalogue import phrase
 from stayput.montecarlo.hazard import Ground
-from stayput.motion.intensity import intensity_class
+from stayput.motion.intensity import intensity_class, published_intensity
 from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
@@ -48,9 +48,10 @@ def shaking_reply(scenario: Scenario | AssemblyScenario) -> ShakingReply:
 
 def _sentence(middle: float, deviation: float, floor: str) -> Phrase:
     """Return an intensity in words, with the classes within a standard deviation."""
+    at = published_intensity(middle)
     low, high = class_phrase(middle - deviation, floor), class_phrase(middle + deviation, floor)
     if deviation < ALIKE:
-        return phrase("earthquake.amounts", at=middle, strength=class_phrase(middle, floor))
+        return phrase("earthquake.amounts", at=at, strength=class_phrase(middle, floor))
     if low == high:
-        return phrase("earthquake.amounts_about", at=middle, deviation=deviation, strength=low)
-    return phrase("earthquake.amounts_between", at=middle, deviation=deviation, low=low, high=high)
+        return phrase("earthquake.amounts_about", at=at, deviation=deviation, strength=low)
+    return phrase("earthquake.amounts_between", at=at, deviation=deviation, low=low, high=high)

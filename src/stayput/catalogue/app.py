@@ -194,6 +194,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ファイルの読み込みに{seconds:g}秒以上かかるため、中止しました。",
     ),
     # Forms
+    "control": ("“{label}”", "「{label}」"),
     "flag": ("{flag} on the command line", "コマンドの{flag}"),
     "body_not_read": (
         "The body cannot be read; it must be JSON, or that of an upload multipart/form-data.",

@@ -87,7 +87,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Sva {sva:.3g} cm/s at long periods"
         ),
         (
-            "{name}の床の揺れによる計測震度相当値{intensity:.1f}（その場所の震度ではない）、"
+            "{name}の揺れによる計測震度相当値{intensity:.1f}（その場所の震度ではない）、"
             "長周期のSva {sva:.3g} cm/s"
         ),
     ),
@@ -120,8 +120,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "period": ("Period [s]", "周期 [s]"),
     "suite": (
-        "{count}: JMA intensity {low:.2f} to {high:.2f}",
-        "{count}：計測震度{low:.2f}～{high:.2f}",
+        "{count}: JMA intensity {low:.1f} to {high:.1f}",
+        "{count}：計測震度{low:.1f}～{high:.1f}",
     ),
     "suite_off": (
         (

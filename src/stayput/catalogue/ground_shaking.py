@@ -25,7 +25,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "of_floor": (
         "{strength} (by the motion on {floor}, not of the place)",
-        "{strength}相当（{floor}の床の揺れによる値で、その場所の震度ではない）",
+        "{strength}相当（{floor}の揺れによる値で、その場所の震度ではない）",
     ),
     "of_class": ("{strength} ({stated})", "{strength}（{stated}）"),
     "mmi": ("modified Mercalli intensity {value:.3g}", "改正メルカリ震度{value:.3g}"),

@@ -303,8 +303,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "建物の上の階で観測された記録のようです（{floor}）。地面の揺れではありません。",
     ),
     "not_of_the_ground": (
-        "The motion {motion} is of {floor} of a building; {rule}.",
-        "地震動{motion}は建物の床（{floor}）の揺れです。{rule}。",
+        "The motion {motion} is of {floor}, not of the ground; {rule}.",
+        "地震動{motion}は{floor}の揺れで、地面の揺れではありません。{rule}。",
     ),
     "ground_alone_strength": (
         (
@@ -344,6 +344,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "storey_number": ("storey {number}", "{number}階"),
     "roof": ("roof", "屋上"),
     "some_upper_floor": ("an upper floor", "上の階"),
+    "roof_place": ("the roof", "屋上"),
+    "borehole_place": ("the bottom of a borehole, below the ground", "地中（ボアホールの底）"),
     # Components that are put together.
     "one_record": (
         "The {first} and {second} components are the same record, {name}; each must have its own.",

@@ -76,7 +76,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "加速度の単位が{unit}になっています。次のいずれかにしてください：{known}",
     ),
     "unknown_stated_unit": (
-        "The file states the unit {unit}, which is not known; unit must be given as one of {known}.",
+        "The file states the unit {unit}, which is not known; {option} must be given as one of {known}.",
         "ファイルに書かれている単位{unit}には対応していません。加速度の単位を次から選んでください：{known}",
     ),
     "stated_quantity": (
@@ -149,6 +149,26 @@ TEXTS: dict[str, tuple[str, str]] = {
         (
             "{component}成分の加速度の平均が{mean:.4g} m/s²で、重力加速度が含まれています。"
             "重力を除いた加速度が必要です。平均を除いてください（{option}）。"
+        ),
+    ),
+    "gravity_tilted": (
+        (
+            "The mean accelerations of {components} are together {mean:.4g} m/s², which is gravity on a tilted "
+            "instrument; a motion is without it: the means must be taken off ({option})."
+        ),
+        (
+            "{components}成分の加速度の平均を合わせると{mean:.4g} m/s²で、傾いた計器にかかる重力加速度が"
+            "含まれています。重力を除いた加速度が必要です。平均を除いてください（{option}）。"
+        ),
+    ),
+    "offset_refused": (
+        (
+            "The acceleration of {component} oscillates about {mean:.4g} m/s², {share:.0f} % of its peak, which would "
+            "leave the floor moving at {velocity:.3g} m/s; the mean must be taken off ({option})."
+        ),
+        (
+            "{component}成分の加速度が{mean:.4g} m/s²（最大値の{share:.0f}%）を中心に振動しており、最後に床が"
+            "{velocity:.3g} m/sで動き続けることになります。平均を除いてください（{option}）。"
         ),
     ),
     "offset": (
@@ -361,7 +381,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "列の見出し{column}に単位がなく、ほかの列の単位は互いに異なります。見出しに単位を書いてください。",
     ),
     "column_unknown_unit": (
-        "The heading {column} states the unit {unit}, which is not known; unit must be given as one of {known}.",
+        "The heading {column} states the unit {unit}, which is not known; {option} must be given as one of {known}.",
         (
             "列の見出し{column}に書かれている単位{unit}には対応していません。"
             "加速度の単位を次から選んでください：{known}"
@@ -415,11 +435,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "column_no_time": (
         (
             "The first column is headed {column} and no other one is headed as the time; one must be, unless {option} "
-            "says which to read and dt is given."
+            "says which to read and the time step is given."
         ),
         (
             "最初の列の見出しは{column}で、時刻の見出しのある列がありません。時刻の列を加えるか、"
-            "読む列を「{option}」で、時間刻みをdtで指定してください。"
+            "読む列を「{option}」で、時間刻みも指定してください。"
         ),
     ),
     "column_times": (

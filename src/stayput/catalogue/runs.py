@@ -98,6 +98,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "スペースキーで再生・一時停止、矢印キーでコマ送りができます。",
     ),
     "player_tilt_shown": ("Tilt, shown up to {angle}°", "傾き（{angle}°まで表示）"),
+    "recorded_on": ("{name}, recorded on {floor}", "{name}（{floor}の記録）"),
     "unnamed": ("a motion without a name", "名前のない地震動"),
     "motion_title": ("{name}, peak {peak:.2f} m/s²", "{name}、最大加速度 {peak:.2f} m/s²"),
     "caption": (

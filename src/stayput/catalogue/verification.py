@@ -3,12 +3,12 @@
 TEXTS: dict[str, tuple[str, str]] = {
     "of_a_floor": (
         (
-            "The motions are of {floor} of a building: their intensity is what JMA's formula gives for them and "
+            "The motions are of {floor}, not of the ground: their intensity is what JMA's formula gives for them and "
             "not that of the place, and the peaks are the floor's. The equipment guideline and AC156 go by the "
             "storeys of the building, which are not known, and are left out."
         ),
         (
-            "地震動は建物の床（{floor}）の揺れです。計測震度は床の揺れから計算した値でその場所の震度ではなく、"
+            "地震動は{floor}の揺れで、地面の揺れではありません。計測震度は床の揺れから計算した値でその場所の震度ではなく、"
             "最大値も床のものです。設備の指針とAC156は建物の階数によるため省いています。"
         ),
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,9 @@ _FEWEST_CROSSINGS = 10
 _SHARE_OF_PEAK = 1e-3
 _LATE_SHARE = 0.02
 _GRAVITY_TOLERANCE = 0.05
+_FASTEST_LEFT = 5.0
+"""Velocity at a record's end that no floor is left with [m/s]."""
+_MOST_OF_PEAK = 0.1
 
 
 def oscillates_about_offset(a: NDArray[np.float64], dt: float) -> bool:
@@ -86,7 +90,9 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
     Raises
     ------
     InputError
-        A component of a record whose mean is gravity, within 5 %.
+        A component of a record whose mean is gravity, within 5 %, or the means of all together are; an offset
+        of more than a tenth of the peak that would leave the floor moving faster than 5 m/s. The ground has
+        moved at 3 to 4 m/s at most; of corrected records a mean is some thousandths of the peak at most.
 
     Warns
     -----
@@ -97,8 +103,15 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
     if recorded and motion.dt > LONGEST_STEP:
         warn(InputWarning("motion.long_step", "dt", dt=motion.dt, frequency=0.5 / motion.dt))
     option = "remove_mean" if recorded else "baseline_corrected"
+    means = {name: float(a.mean()) for name, a in motion.components.items()}
+    total = math.hypot(*means.values())
+    alone = any(_is_gravity(mean) for mean in means.values())
+    if recorded and not alone and _is_gravity(total):  # of a tilted instrument
+        raise InputError(
+            "motion.gravity_tilted", option, components=", ".join(means), mean=total, option=option
+        )
     for name, a in motion.components.items():
-        mean = float(a.mean())
+        mean = means[name]
         if recorded and _is_gravity(mean):
             raise InputError("motion.gravity", option, component=name, mean=mean, option=option)
         if name == "z" and _is_gravity(mean):
@@ -106,6 +119,9 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
         elif oscillates_about_offset(a, motion.dt):
             velocity = abs(mean) * motion.duration
             about: dict[str, Any] = {"component": name, "mean": mean, "velocity": velocity, "option": option}
+            share = abs(mean) / float(np.abs(a).max())
+            if recorded and velocity > _FASTEST_LEFT and share > _MOST_OF_PEAK:
+                raise InputError("motion.offset_refused", option, **about, share=100.0 * share)
             warn(InputWarning("motion.offset", option, **about))
         elif begin := offset_begins(a, motion.dt):
             about = {"component": name, "mean": float(a[begin:].mean()), "begin": begin * motion.dt}

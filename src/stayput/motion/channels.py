@@ -12,7 +12,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
 from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.motion.floors import upper_floor
+from stayput.motion.floors import BOREHOLE, floor_phrase, upper_floor
 from stayput.motion.processing import check_size
 
 if TYPE_CHECKING:
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
 
 _UNNAMED = "(unnamed)"
-
 _UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
 _VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|(?!HZ)[A-Z]{{1,2}}Z")
@@ -407,8 +406,8 @@ def motion_fields(
     length, cut = common_length({key: len(channel.acceleration) for key, channel in components.items()})
     roles = ", ".join(f"{key} = {c.label or 'unnamed'}{c.note}" for key, c in components.items())
     samples = {key: channel.acceleration[:length] for key, channel in components.items()}
-    floor = upper_floor((name, x.label, x.name, x.location))
-    place = f"; recorded on {floor}" if floor else ""
+    floor = BOREHOLE if x.borehole else upper_floor((name, x.label, x.name, x.location))
+    place = f"; recorded on {floor_phrase(floor)[0]}" if floor else ""
     return {
         "dt": x.dt,
         "x": samples["x"],

@@ -24,7 +24,7 @@ _ORDINAL = (
 _OTHER_LEVEL = r"(?! ?[0-9]+ (?:data|earthquake|ground|motion|seismic|shaking|input|wave))"
 _NUMBERED = (
     r"(?<![a-z])(?:floor|fl\.|storey|story"
-    rf"|(?<!sea )(?<!data )(?<!ing )(?<!basement )level{_OTHER_LEVEL})[ _-]?([0-9]{{1,3}})(?![0-9.])"
+    rf"|(?<!sea )(?<!data )(?<!ing )(?<!basement )level{_OTHER_LEVEL})[ _-]?([0-9]{{1,3}})(?!\.?[0-9])"
 )
 _SHORT = r"(?<![a-z0-9.])([0-9]{1,3})/?(?:f|fl|flr)(?![a-z0-9])"
 _JAPANESE = r"(?<!地下)(?<![0-9])([0-9]{1,3}) ?階(?!建)"
@@ -33,6 +33,10 @@ _HIGH = re.compile(
     r"(?<![a-z])(?:top|upper|uppermost) (?:floor|storey|story|level)(?![a-z])|最上階", re.IGNORECASE
 )
 _ROOF = re.compile(r"(?<![a-z])(?:roof|rooftop|penthouse)(?![a-z])|屋上", re.IGNORECASE)
+
+
+BOREHOLE = "borehole"
+"""The `Motion.floor` of a sensor below the ground."""
 
 
 def upper_floor(texts: Iterable[str]) -> str:
@@ -58,12 +62,12 @@ def upper_floor(texts: Iterable[str]) -> str:
 
 
 def floor_phrase(floor: str) -> Phrase:
-    """Return the `Motion.floor` of a motion in both languages: "floor 42", "storey 5" or "roof"."""
+    """Return where a motion is of in both languages, by its `Motion.floor`."""
     kind, _, number = floor.partition(" ")
     if kind in ("floor", "storey"):
         return phrase(f"motion.{kind}_number", number=number)
-    named = {"roof": "motion.roof", "upper floor": "motion.some_upper_floor"}.get(floor)
-    return phrase(named) if named else (floor, floor)
+    named = {"roof": "roof_place", "upper floor": "some_upper_floor", BOREHOLE: "borehole_place"}.get(floor)
+    return phrase(f"motion.{named}") if named else (floor, floor)
 
 
 def upper_floor_warning(floor: str) -> InputWarning:

@@ -74,8 +74,8 @@ class Motion:
     source : str
         Where it comes from: format, unit, what was done to it.
     floor : str
-        Upper floor of a building that it is of, recorded or computed: "floor 42", "storey 5", "roof"; ""
-        of the ground, or where nothing is known.
+        Upper floor of a building that it is of, recorded or computed: "floor 42", "storey 5", "roof"; or
+        "borehole"; "" of the ground, or where nothing is known.
     listing : Listing, optional
         The channels of the file that it was read from.
 

@@ -79,6 +79,14 @@ def acceleration_label(motion: Motion, language: str) -> str:
     return say(key, language, floor=floor_phrase(motion.floor))
 
 
+def motion_place(motion: Motion, language: str = "en") -> str:
+    """Return a motion's label, with where it was recorded unless on the ground or its name says the floor."""
+    label = motion_label(motion, language)
+    if not motion.floor or motion.floor in motion.name.lower():
+        return label
+    return say("runs.recorded_on", language, name=label, floor=floor_phrase(motion.floor))
+
+
 def motion_label(motion: Motion, language: str = "en") -> str:
     """Return a motion's label in pictures; a computed one is always labelled synthetic."""
     if not motion.name:

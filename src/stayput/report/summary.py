@@ -10,7 +10,7 @@ import numpy as np
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.report.history import history
-from stayput.report.names import motion_label, place_named
+from stayput.report.names import motion_place, place_named
 from stayput.simulation.outcome import Event, EventKind, Outcome
 from stayput.wording import FAR, inside, with_aside
 
@@ -185,7 +185,7 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
         "motion": say(
             "runs.row_motion_value",
             language,
-            name=motion_label(motion, language),
+            name=motion_place(motion, language),
             duration=motion.duration,
             peak=motion.pga,
         ),

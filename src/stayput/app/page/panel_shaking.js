@@ -11,9 +11,12 @@ let fields = {},
   families = [],
   classes = [];
 
+/** An intensity as JMA publishes it: rounded to two decimals, then cut to one. */
+export const published = (intensity) => Math.floor(Math.round(100 * intensity) / 10 + 1e-9) / 10;
+
 /** The class of an intensity, as the scale has it. */
 export const classOf = (intensity) =>
-  classes.findLast((one, i) => i === 0 || intensity + 1e-9 >= one.from) ?? classes[0];
+  classes.findLast((one, i) => i === 0 || published(intensity) >= one.from) ?? classes[0];
 
 /** Where each class begins, from the weakest. */
 export const classesKnown = () => classes;
@@ -96,12 +99,14 @@ export const strengthOf = (motion) =>
         at: number(motion.ground_intensity, 2),
       });
 
+const measured = ({ motion }) => (motion?.floor === "borehole" ? "placeBorehole" : "placeMeasured");
+
 /** Where the piece is shaken, how strongly and by what, in words. */
 export function summary(scene, motion) {
   const place =
     throughBuilding(scene)
       ? t("placeStorey", { storey: number(scene.storey), storeys: number(scene.storeys) })
-      : t(scene.record && scene.onFloor ? "placeMeasured" : "placeGround");
+      : t(!scene.record || !scene.onFloor ? "placeGround" : measured(scene.record));
   const felt =
     throughBuilding(scene) && motion.floor_intensity !== null
       ? t("felt", { at: number(motion.floor_intensity, 2) })

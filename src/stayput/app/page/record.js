@@ -1,13 +1,15 @@
 // What is shown of a record: how long and how strong it is, and its trace.
 
 import { svg } from "./dom.js";
-import { classOf } from "./panel_shaking.js";
+import { classOf, published } from "./panel_shaking.js";
 import { both, number, t } from "./words.js";
 
 /** Its duration, peak and intensity. */
 export function inNumbers({ duration_s: duration, pga_m_s2: peak, intensity }) {
   const strength =
-    intensity === null ? "" : t("recordStrength", { at: number(intensity, 1), class: both(classOf(intensity).label) });
+    intensity === null
+      ? ""
+      : t("recordStrength", { at: number(published(intensity), 1), class: both(classOf(intensity).label) });
   return `${number(duration, 0)}\u00a0s, ${number(peak, 2)}\u00a0m/s²${strength}`;
 }
 

@@ -62,7 +62,7 @@ async function send(file, said) {
     else use(motion, letters);
   } catch (error) {
     if (error.name === "AbortError") return;
-    tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error)]);
+    tell(() => [refusal(worded(error, "unreadable")), still(current()), asking(file, said, error)]);
   }
 }
 
@@ -78,6 +78,9 @@ export function again() {
   shown = record;
   fill(part("uploaded"), ...(trouble?.().filter(Boolean) ?? []), ...(record ? about(record) : []));
 }
+
+/** That the record of before is in use. */
+const still = ({ record }) => record && el("p", { text: t("stillUsed", { name: record.name }) });
 
 export const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
 

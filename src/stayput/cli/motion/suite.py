@@ -139,13 +139,14 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
 def _print_end(
     motions: Suite, target: TargetSpectrum | None, periods: tuple[float, float], out: Path, lang: str
 ) -> None:
+    from stayput.motion.intensity import published_intensity
     from stayput.report.names import given_name
     from stayput.wording import counted
 
     number, kind = len(motions), "synthetic motion" if motions.synthetic else "motion"
     japanese = f"{'模擬' if motions.synthetic else ''}地震動{number}本"
-    count, at = (counted(number, kind), japanese), motions.intensities
-    typer.echo(say("cli.suite", lang, count=count, low=at.min(), high=at.max()))
+    count, at = (counted(number, kind), japanese), [published_intensity(one) for one in motions.intensities]
+    typer.echo(say("cli.suite", lang, count=count, low=min(at), high=max(at)))
     if target is not None:
         off = motions.deviation(target, periods)
         said = say(

@@ -31,7 +31,7 @@ from stayput.motion.channels import (
     refuse_vertical,
     warn_of_vertical,
 )
-from stayput.motion.floors import upper_floor_warning
+from stayput.motion.floors import BOREHOLE, upper_floor_warning
 from stayput.motion.processing import STEP_RANGE
 from stayput.motion.readers import columns as of_columns
 from stayput.motion.readers import cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram
@@ -386,7 +386,7 @@ def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], s
             _warn_of_name(first.path, channels)
         motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
         motion = checked_record(motion, remove_mean=first.remove_mean)
-        if motion.floor:
+        if motion.floor not in ("", BOREHOLE):  # the choice of its channel has warned
             warn(upper_floor_warning(motion.floor))
     for warning in (warning for file in files for warning in file.warnings):
         warn(warning)

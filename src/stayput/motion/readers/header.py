@@ -159,7 +159,9 @@ def acceleration_unit(
         raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(stated or ""))
     if not known and given is None:
         if stated is not None:
-            raise InputError("motion.unknown_stated_unit", "unit", unit=excerpt(stated), known=UNIT_NAMES)
+            raise InputError(
+                "motion.unknown_stated_unit", "unit", unit=excerpt(stated), known=UNIT_NAMES, option="unit"
+            )
         if mentioned is not None:
             raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES)
         if step_missing:

@@ -175,7 +175,14 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
             warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=unknown))
         elif unknown is not None and stated is None:
             column, name = excerpt(text), excerpt(unknown)
-            raise InputError("motion.column_unknown_unit", "unit", column=column, unit=name, known=UNIT_NAMES)
+            raise InputError(
+                "motion.column_unknown_unit",
+                "unit",
+                column=column,
+                unit=name,
+                known=UNIT_NAMES,
+                option="unit",
+            )
         return None
     if stated is not None and unit_factor(stated) != unit_factor(unit):
         raise InputError("motion.column_header_unit", column=excerpt(text), stated=excerpt(stated))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import say
-from stayput.report.names import motion_label
+from stayput.report.names import motion_place
 from stayput.report.space.histories import peak_of
 from stayput.report.space.said import names_of
 from stayput.report.summary import (
@@ -44,7 +44,7 @@ def space_rows(
     shaken = say(
         "space.row_motion_value",
         language,
-        name=motion_label(motion, language),
+        name=motion_place(motion, language),
         duration=motion.duration,
         peak=peak_of(motion),
     )
