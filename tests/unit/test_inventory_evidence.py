@@ -74,6 +74,7 @@ def test_no_set_that_is_compared_is_no_set_that_does_not_help(not_possible, find
         (40, 10, 0.3, 0.0, Finding.HELPED),
         (4, 1, 0.0, 0.0, Finding.TOO_FEW_RUNS),
         (75, 10, 0.0, 0.0, Finding.TOO_FEW_RUNS),
+        (4, 1, 0.75, 0.75, Finding.TOO_FEW_RUNS),  # no measure could be seen to prevent them
         (76, 1, 0.0, 0.0, Finding.NEEDS_NONE),
         (200, 10, 0.002, 0.002, Finding.NEEDS_NONE),
         (40, 10, 0.5, 0.5, Finding.NOT_HELPED),
@@ -87,6 +88,16 @@ def test_what_is_said_of_a_row_holds_over_its_intervals(motions, samples, withou
     assert finding_of(row_of(records), choice) == finding
     assert choice.by_cost == (1 if finding == Finding.HELPED else 0)
     assert least_motions() == 76
+
+
+def test_a_measure_without_a_change_run_by_run_is_not_best():
+    fell, no, still = np.array([[1], [1], [0], [0]], bool), np.zeros((4, 1), bool), np.zeros((4, 1))
+    records = np.zeros(2, record_type(4, 1))
+    for place, slid in enumerate(([0, 1, 1, 1], [0, 0, 1, 1])):  # one that slid also fell
+        outcomes = Outcomes(fell, no, no, no, np.array(slid, float)[:, None], still)
+        fill_record(records[place : place + 1], outcomes, slide_limit=0.1)
+    choice = choose(records, [0, 1], None, None)
+    assert (choice.best, choice.event, choice.change) == (0, None, None)
 
 
 def test_a_difference_is_that_of_a_verification_run_by_run():

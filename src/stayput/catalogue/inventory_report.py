@@ -51,12 +51,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "too_few_runs_counted": (
         (
-            "For {pieces} there are not enough runs to tell whether a measure is needed: overturning and sliding "
-            "too far hardly happened, but {safe} % is not ruled out, which takes {least} motions at least."
+            "For {pieces} there are not enough runs to tell whether a measure is needed or helps; to show that "
+            "less than {safe} % overturn or slide too far takes {least} motions at least."
         ),
         (
-            "{pieces}は、転倒も大きな移動もほとんど起こりませんでしたが、計算数が足りず、対策の要否を判定できません"
-            "（{safe}%以上となる可能性を否定するには、少なくとも{least}本の地震動が必要です）。"
+            "{pieces}は、計算数が足りず、対策の要否や効果を判定できません"
+            "（転倒や大きな移動が{safe}%未満であると示すには、少なくとも{least}本の地震動が必要です）。"
         ),
     ),
     "expected_loss": (

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.fragility import difference
-from stayput.fragility.probabilities import probability_of_counts
+from stayput.fragility.paired import score_interval
+from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
@@ -218,6 +219,8 @@ def choose(
     compared = zip(RANKING_ORDER, ranks[best], ranks[0], strict=False)
     event = next((event for event, held, bare in compared if held < bare), None)
     change = None if event is None else _change(records, best, event)
+    if change is not None and not change.estimate < 0.0:  # as where a piece that slid also overturned
+        best, event, change = 0, None, None
     if costs is None:
         return Choice(best, event, change, None, None)
     seen = fallen[0] - fallen[1:]
@@ -243,9 +246,15 @@ def finding_of(row: Mapping[str, Any], choice: Choice) -> Finding | None:
         return Finding.NEEDS_NONE
     if max(row[OVERTURNED], row[SLID]) < SMALL:
         return Finding.TOO_FEW_RUNS
-    if len(row["options"]) > 1:
-        return Finding.NOT_HELPED
+    if compared := len(row["options"]) - 1:
+        seen = any(_may_be_seen(row[event], row["runs"], compared) for event in (OVERTURNED, SLID))
+        return Finding.NOT_HELPED if seen else Finding.TOO_FEW_RUNS
     return Finding.NONE_POSSIBLE if row["not_possible"] else Finding.NONE_COMPARED
+
+
+def _may_be_seen(share: float, runs: int, compared: int) -> bool:
+    """Whether so many runs, independent at best, could show beyond chance that a measure prevents a share."""
+    return score_interval(0.0, share * runs, runs, 1.0 - (1.0 - CONFIDENCE) / compared)[1] < 0.0
 
 
 def part_names(parts: int) -> list[str]:
