@@ -82,7 +82,8 @@ LISTS = ("cg_offset", "load", "costs", "floor")
 # fmt: off
 IN_OTHER_LANGUAGES: dict[str, tuple[str, ...]] = {
     "id": (
-        "nr", "inventarnummer", "inventarnr", "inventar nr", "inv nr", "n° inventaire", "numéro",
+        "nr", "inventarnummer", "inventarnr", "inventar nr", "inv nr", "n° inventaire", "n° d'inventaire",
+        "numéro d'inventaire", "numéro",
         "número", "código", "no inventario", "관리번호", "자산번호", "번호",
         "编号", "編號", "资产编号", "資產編號", "序号", "序號",
     ),
@@ -93,7 +94,7 @@ IN_OTHER_LANGUAGES: dict[str, tuple[str, ...]] = {
     ),
     "width": ("tiefe", "profondeur", "profundidad", "fondo", "깊이", "深度", "进深", "深"),
     "height": ("höhe", "hauteur", "altura", "alto", "높이", "高度"),
-    "mass": ("gewicht", "poids", "masse", "peso", "무게", "중량", "质量"),
+    "mass": ("gewicht", "poids", "masse", "peso", "무게", "중량", "质量", "重"),
     "floor": ("bodenbelag", "revêtement de sol", "suelo", "바닥재", "地板"),
     "gap": ("wandabstand", "distance au mur", "distancia a la pared", "벽과의 거리", "离墙距离"),
     "building": (
