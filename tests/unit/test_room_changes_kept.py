@@ -5,10 +5,10 @@ import io
 from dataclasses import replace
 
 import pytest
-from stayput.cli.verify_room import print_room
 from test_room_report import made
 
 from stayput.catalogue import say
+from stayput.cli.verdicts import print_verdict
 from stayput.rooms.words import change_label
 
 
@@ -44,7 +44,7 @@ def test_the_terminal_lists_the_changes_that_help_and_the_next_three(
     assert (chance.helps, helping.helps) == (False, True)
     label, better = (change_label(one.change, verdict, language) for one in (chance, helping))
     for others, shown in ((3, 3), (4, 4), (5, 3), (15, 3)):
-        print_room(replace(verdict, changes=(chance,) * others + (helping,)), language)
+        print_verdict(replace(verdict, changes=(chance,) * others + (helping,)), language)
         told = capsys.readouterr().out
         listed = told[told.index(say("rooms.change", language)) :]
         assert (listed.count(label), listed.count(better)) == (shown, 1)
