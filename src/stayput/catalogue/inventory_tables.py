@@ -176,7 +176,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "it declares a document type, which may hold anything",
         "文書型宣言（DOCTYPE）があり、何が含まれるか分かりません",
     ),
-    "grid_broken": ("{said}", "{said}"),
+    "grid_encoding": (
+        "its encoding is not known; it must be saved as UTF-8",
+        "文字コードが分かりません。UTF-8で保存してください",
+    ),
+    "grid_broken": ("it is no well-formed XML ({said})", "XMLの形式が正しくありません（{said}）"),
     "large_map": (
         "The shake map's file {path} has {size:,} bytes; it must have {most:,} at most.",
         "地震動マップのファイル{path}は{size:,}バイトあります。最大{most:,}バイトです。",

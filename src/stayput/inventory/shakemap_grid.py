@@ -215,5 +215,7 @@ def read_grid(path: Path) -> MapGrid:
         return reader.grid()
     except InputError:
         raise
-    except (ValueError, LookupError, expat.ExpatError) as error:  # the first two of its encoding
+    except (ValueError, LookupError):
+        raise reader.refused("encoding") from None
+    except expat.ExpatError as error:
         raise reader.refused("broken", said=str(error)[:200]) from None
