@@ -294,6 +294,7 @@ def test_channels_are_listed_and_another_one_is_taken(client: httpx.Client) -> N
         ("bldg_12F_x.csv", True),
         ("本社ビル42階.csv", True),
         ("roof.csv", True),
+        ("top floor.csv", True),
         ("market_ground_gal.csv", False),
         ("1F.csv", False),
         ("10階建て1階.csv", False),

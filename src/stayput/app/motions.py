@@ -16,6 +16,7 @@ import numpy as np
 
 from stayput.app.refusals import RefusedError, problem, refused
 from stayput.app.replies import ChannelReply, DoubtReply, MotionReply, PreviewReply
+from stayput.app.requests import ID
 from stayput.app.turns import CLIENT, Client, first_to_go
 from stayput.errors import InputError
 from stayput.motion.floors import upper_floor
@@ -34,9 +35,6 @@ if TYPE_CHECKING:
 
 MOST_INTERVALS = 1000
 """Most intervals of a preview, each with its lowest and highest value."""
-
-ID = "[0-9a-f]{32}(?:_floor[0-9]+|_roof)?"
-"""Pattern of an uploaded motion's id, its file's name here, with the upper floor that the user's tells."""
 
 _NAME = re.compile(rf"\b{ID}\b")
 _UNSAFE = re.compile(r"[^\w .,()+-]", re.ASCII)
@@ -120,7 +118,7 @@ class Motions:
         if not data:
             raise refused(422, "app.empty_file", "file")
         if floor := upper_floor([file_name or ""]):
-            name += f"_{floor.replace(' ', '')}"
+            name += f"_{floor.replace(' ', '_')}"
         label, path = safe_label(file_name), self.folder / name
         shaking = {"record": name, **upload.model_dump(exclude={"file"}, exclude_defaults=True)}
         try:

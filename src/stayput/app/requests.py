@@ -8,7 +8,6 @@ from fastapi import Path as InPath
 from fastapi import UploadFile
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
 
-from stayput.app.motions import ID
 from stayput.montecarlo.counting import SLIDE_LIMIT
 
 STANDS_FOR = "x-stands-for"
@@ -32,6 +31,9 @@ Lease = Annotated[
 
 MeasureData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Measure"})]
 """A measure as it came."""
+
+ID = "[0-9a-f]{32}(?:_floor_[0-9]+|_roof|_upper_floor)?"
+"""Pattern of an uploaded motion's id, its file's name here, with the upper floor that the user's tells."""
 
 Name = Annotated[str, InPath(pattern=f"^{ID}$", description="An id that this server gave.")]
 

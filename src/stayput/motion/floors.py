@@ -30,7 +30,7 @@ _SHORT = r"(?<![a-z0-9.])([0-9]{1,3})/?(?:f|fl|flr)(?![a-z0-9])"
 _JAPANESE = r"(?<!地下)(?<![0-9])([0-9]{1,3}) ?階(?!建)"
 _UPPER_FLOOR = re.compile(f"{_ORDINAL}|{_NUMBERED}|{_SHORT}|{_JAPANESE}", re.IGNORECASE)
 _HIGH = re.compile(
-    r"(?<![a-z])(?:top|upper|uppermost) (?:floor|storey|story|level)(?![a-z])|最上階", re.IGNORECASE
+    r"(?<![a-z])(?:top|upper|uppermost)[ _-](?:floor|storey|story|level)(?![a-z])|最上階", re.IGNORECASE
 )
 _ROOF = re.compile(r"(?<![a-z])(?:roof|rooftop|penthouse)(?![a-z])|屋上", re.IGNORECASE)
 
