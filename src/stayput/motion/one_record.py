@@ -11,6 +11,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn
 from stayput.motion.channels import line_of, plain_origin
+from stayput.motion.floors import floor_phrase
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -55,7 +56,9 @@ def check_one_record(parts: Mapping[str, Motion]) -> None:
         if not math.isclose(motion.dt, x.dt, rel_tol=1e-6):
             raise InputError("motion.motion_dt_differs", name, component=name, dt=motion.dt, x_dt=x.dt)
         if motion.floor != x.floor:
-            of, other = (one.floor or phrase("motion.ground") for one in (x, motion))
+            of, other = (
+                floor_phrase(one.floor) if one.floor else phrase("motion.ground") for one in (x, motion)
+            )
             raise InputError("motion.two_floors", name, component=name, of=of, other=other)
 
 
