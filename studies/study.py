@@ -164,3 +164,11 @@ def panels(
     for axis in axes:
         style(axis, zero=False)
     return figure, axes
+
+
+def label_edges(axes: list[Axes], columns: int, below: str, left: str) -> None:
+    """Label the axes of the lowest row and of the first column."""
+    for axis in axes[-columns:]:
+        axis.set_xlabel(below)
+    for axis in axes[::columns]:
+        axis.set_ylabel(left)

@@ -24,7 +24,7 @@ from stayput.simulation.outcome import Outcome
 from stayput.simulation.results import OUTCOMES
 from stayput.simulation.run import LAWS
 from stayput.simulation.sweep import sweep
-from studies.study import Quantity, Study, panels, span
+from studies.study import Quantity, Study, label_edges, panels, span
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -324,10 +324,7 @@ def _drawn(data: xr.Dataset, motion: str) -> Figure:
         free = widths[data["overturned_free"].sel(contact=law).to_numpy()]
         axis.plot(free, np.full(len(free), 1.05 * gaps[-1]), "X", color=ALARM, markersize=5)
         axis.set_title(f"law “{law}”, wall: {wall}")
-    for axis in axes[-len(WALLS) :]:
-        axis.set_xlabel("width [m]")
-    for axis in axes[:: len(WALLS)]:
-        axis.set_ylabel("distance to the wall [m]")
+    label_edges(axes, len(WALLS), "width [m]", "distance to the wall [m]")
     figure.suptitle(
         f"{motion}, b/h = {RATIO:g}; filled: turns over; crosses on top: without a wall, too\n"
         "dashed: 15 % of the width; frame: the paper's rule; thick: the paper's 0.8 to 1.0 m"

@@ -16,7 +16,7 @@ from stayput.motion import near_fault
 from stayput.report.palette import ALARM, INK
 from stayput.simulation.run import LAWS
 from stayput.simulation.sweep import sweep
-from studies.study import COLOURS, Quantity, Study, panels
+from studies.study import COLOURS, Quantity, Study, label_edges, panels
 from studies.wall_gap import DURATION, FALLEN, RATIO, WALLS, coordinates, table_4_2, turnover
 
 if TYPE_CHECKING:
@@ -252,10 +252,7 @@ def _drawn(data: xr.Dataset) -> Figure:
     for axis, (law, polarity, wall) in zip(axes, variants, strict=True):
         _panel(axis, data, law, (polarity, wall))
         axis.set_title(f"law “{law}”, {POLARITIES[polarity]}; wall: {wall}")
-    for axis in axes[-len(WALLS) :]:
-        axis.set_xlabel("distance to the wall [m]")
-    for axis in axes[:: len(WALLS)]:
-        axis.set_ylabel("width [m]")
+    label_edges(axes, len(WALLS), "distance to the wall [m]", "width [m]")
     figure.suptitle(
         f"{data.attrs['motion']}; filled: turns over; cross: without a wall, too\n"
         "frame: the paper's Table 4.3; diamond: how far it comes without a wall"
