@@ -71,7 +71,8 @@ class Finalised:
 with interrupts.HandledBy(interrupts.raise_after_imports):
     try:
         Finalised()
-        time.sleep(60.0)
+        for _ in range(1000):  # what is sent again does not wake a sleeper
+            time.sleep(0.02)
     except KeyboardInterrupt:
         print("raised")
 """
