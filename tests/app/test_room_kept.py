@@ -14,7 +14,7 @@ from test_page_links import LOST, forget, small_record, small_vertical
 from test_room_api import ROOM, ended
 
 import stayput as sp
-from stayput.report.space.animation import animate_space_run
+from stayput.report.animation import animate_space_run
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -14,7 +14,7 @@ from PIL import Image
 from report_runs import BODY, SHAKE, falling, made, rocking
 
 import stayput as sp
-from stayput.report.animation import animate_run
+from stayput.report.animation import animate_run, frame_times
 from stayput.report.film import film_of
 from stayput.report.fonts import font, wrapped
 from stayput.report.frames import Painter
@@ -123,7 +123,7 @@ def test_poses_are_linear_between_samples_and_hold_at_the_end():
 
 @pytest.mark.parametrize(("fps", "speed"), [(20.0, 1.0), (30.0, 0.5), (25.0, 2.0)])
 def test_frames_show_every_instant_once_and_then_hold(fps, speed):
-    times = film_of(falling()).times(fps, speed, hold=1.0)
+    times = frame_times(0.0, 2.505, fps, speed, hold=1.0)
     moving = times[times < 2.505]
     assert moving == pytest.approx(np.arange(len(moving)) * speed / fps)
     assert len(moving) == math.ceil(2.505 * fps / speed)

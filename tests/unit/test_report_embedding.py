@@ -15,8 +15,8 @@ from report_runs import rocking
 from verdict_cases import made
 
 from stayput.report.animation import player_page
-from stayput.report.embedding import canvas_files, script_json, script_module
 from stayput.report.film import film_of
+from stayput.report.page import canvas_files, script_json, script_module
 from stayput.report.verdict.exports import curves_csv, observed_csv
 from stayput.report.verdict.tables import verdict_csv
 from stayput.spreadsheets import text_cell

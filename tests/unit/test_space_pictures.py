@@ -16,16 +16,15 @@ from space_runs import BOX, DRUM, DT, SHAKE, TIME, apart, falling, spinning
 
 import stayput as sp
 from stayput.catalogue import say
-from stayput.report.embedding import script_module
+from stayput.report.animation import animate_space_run, player_page
+from stayput.report.film import space_film
+from stayput.report.page import script_module
 from stayput.report.palette import BODY_COLOURS, rgb
-from stayput.report.space.animation import animate_space_run, space_player_page
-from stayput.report.space.camera import Camera
-from stayput.report.space.film import space_film
-from stayput.report.space.frames import SpacePainter, _from_far, _hull_of
+from stayput.report.space.frames import Camera, SpacePainter, _from_far, _hull_of
 from stayput.report.space.plot import plot_space_run
-from stayput.report.space.said import became
 from stayput.report.space.scene import RATE, space_scene
 from stayput.report.space.shape import shape_of
+from stayput.report.space.summary import became
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
@@ -150,7 +149,7 @@ def test_a_large_ground_displacement_is_drawn_smaller_and_said_so() -> None:
     film = space_film(long, None, "en")
     assert film.scene.shift_scale < 1.0
     assert np.linalg.norm(film.scene.shift, axis=1).max() == pytest.approx(0.9, rel=0.01)
-    assert "of its size" in film.moved
+    assert "of its size" in film.caption
 
 
 def test_a_box_has_sharp_edges_and_a_round_body_a_smooth_side() -> None:
@@ -236,7 +235,7 @@ def test_the_html_page_stands_alone_and_is_small(tmp_path: Path) -> None:
 
 
 def test_the_html_page_is_in_the_language_that_is_wanted() -> None:
-    page = space_player_page(space_film(falling(), ["本棚"], "ja"), 1.0, 1.0)
+    page = player_page(space_film(falling(), ["本棚"], "ja"), 1.0, 1.0)
     assert '<html lang="ja">' in page
     for text in ("本棚は揺れ始めから", "再生", "傾き", "床の加速度：", "視点", "正面"):
         assert text in page

@@ -9,17 +9,17 @@ import numpy as np
 from space_runs import falling
 
 import stayput as sp
+from stayput.report.film import space_film
 from stayput.report.space import frames
-from stayput.report.space.film import space_film
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.scene import space_scene
-from stayput.report.space.still import STILL_LOOKS, still_of
+from stayput.report.space.shape import STILL_LOOKS, still_of
 
 if TYPE_CHECKING:
     import pytest
 
-    from stayput.report.space.still import StillShape
+    from stayput.report.space.shape import StillShape
     from stayput.simulation.space_run import SpaceRun
 
 PLAN = sp.FloorPlan(

@@ -24,10 +24,10 @@ from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.report.names import given_name
-from stayput.report.verdict import words
+from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.curves import legend
-from stayput.report.verdict.data import verdict_data, verdict_json
+from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
@@ -71,7 +71,7 @@ def test_every_mode_outcome_preset_and_quantity_has_its_words():
 
 def test_runs_that_were_not_made_are_told_apart():
     few, all_made = verdict_cases.made(runs=1400, settled=1000), verdict_cases.made()
-    data = json.loads(verdict_json(few))
+    data = json.loads(few.to_json())
     assert (data["runs"], data["settled_runs"]) == (1400, 1000)
     for language in ("en", "ja"):
         assert "1,400" in simulations(few, language)
@@ -83,7 +83,7 @@ def test_runs_that_were_not_made_are_told_apart():
 
 def test_json_holds_the_verdicts_numbers():
     verdict = verdict_cases.made()
-    data = json.loads(verdict_json(verdict))
+    data = json.loads(verdict.to_json())
     assert data["best"] == "belt"
     assert (data["runs"], data["seed"], data["jma_intensity"]) == (2400, 7, 6.123)
     for one, told in zip(verdict.options, data["options"], strict=True):
@@ -103,7 +103,7 @@ def test_json_holds_the_verdicts_numbers():
 
 def test_json_has_no_number_that_json_does_not_know():
     for verdict in (verdict_cases.made(), verdict_cases.without_numbers()):
-        text = verdict_json(verdict)
+        text = verdict.to_json()
         json.loads(text, parse_constant=lambda name: pytest.fail(name))
         assert verdict_data(verdict) == json.loads(text)
 
@@ -137,8 +137,8 @@ def test_markdown_says_what_the_ranking_says(language):
 @pytest.mark.parametrize("language", ["en", "ja"])
 def test_markdown_of_nothing_known_says_so(language):
     text = verdict_markdown(verdict_cases.without_numbers(), language)
-    assert words.word("unknown", language) in text
-    assert words.word("not_precise", language) in text
+    assert numbers.word("unknown", language) in text
+    assert numbers.word("not_precise", language) in text
     assert not re.search(r"\bnan\b", text)
 
 
@@ -155,7 +155,7 @@ def test_a_device_is_told_with_its_load_its_margin_and_when_it_failed(language, 
     assert device_rows(replace(verdict.best, devices=(unhurt,)), language)[0][2:6:3] == ("–", "–")
     text = verdict_markdown(verdict, language)
     assert all(cell in text for cell in row)
-    assert words.word("estimates", language) in text
+    assert numbers.word("estimates", language) in text
 
 
 def test_motions_of_suites_have_names_in_both_languages():
@@ -198,7 +198,7 @@ def test_two_of_one_measure_are_told_apart(language):
     titles = {title(each.option, two, language) for each in two.options}
     assert len(titles) == 4
     assert "strong belt" in next(told for told in titles if "strong" in told)
-    assert {entry.label for entry in legend(two, language)} == titles
+    assert {entry["label"] for entry in legend(two, language)} == titles
     assert "(belt)" in headline(two, language) or "（belt）" in headline(two, language)
     assert "(belt)" not in headline(one, language)
 
@@ -227,15 +227,15 @@ def test_assumptions_carry_how_well_founded_they_are():
         "room": {"floor": {"static_friction": 0.5}},
     }
     preset, own = verdict_cases.made(), verdict_cases.made(given)
-    tags = {one.what("en"): one.confidence for one in assumptions(preset)}
+    tags = {one.what[0]: one.confidence for one in assumptions(preset)}
     assert (tags["Furniture"], tags["Floor"], tags["Wall behind"]) == ("low", "medium", "given")
-    tags = {one.what("en"): one.confidence for one in assumptions(own)}
+    tags = {one.what[0]: one.confidence for one in assumptions(own)}
     assert (tags["Furniture"], tags["Floor"]) == ("given", "given")
     for one in assumptions(preset):
         assert one.confidence in TEXTS
-        assert one.value("en") != ""
-        assert one.value("ja") != ""
-    assert any("synthetic" in one.value("en") for one in assumptions(preset))
+        assert one.value[0] != ""
+        assert one.value[1] != ""
+    assert any("synthetic" in one.value[0] for one in assumptions(preset))
 
 
 @pytest.mark.parametrize(

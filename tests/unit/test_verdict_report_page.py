@@ -16,14 +16,17 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.report.verdict import svg
-from stayput.report.verdict.histories import _panel
 from stayput.report.verdict.html import _place_of_the_measure, report_html, write_report
-from stayput.report.verdict.numbers import interval, share
-from stayput.report.verdict.pairs import RATE, pairs_of, replay
+from stayput.report.verdict.numbers import interval, share, word
+from stayput.report.verdict.pairs import RATE, _panel, floor_motion, pairs_of, replay
 from stayput.report.verdict.tables import ranking
-from stayput.report.verdict.words import word
 from stayput.verification.verdict import Member
 from stayput.verification.words import headline
+
+
+def again(verdict, option, member, ground):
+    """Run one of the runs behind a verdict again."""
+    return replay(verdict, option, member, *floor_motion(verdict, ground, member))
 
 
 @pytest.fixture(scope="module", params=["en", "ja"])
@@ -98,7 +101,7 @@ def test_the_scenes_are_the_runs_of_the_verdict(page):
     verdict, _, text = page
     data = json.loads(re.search(r'<script id="scenes"[^>]*>(.*?)</script>', text, re.DOTALL)[1])
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
-    run = replay(verdict, verdict.without.option, verdict.without.typical, ground)
+    run = again(verdict, verdict.without.option, verdict.without.typical, ground)
     pairs = data["pairs"]
     first, held = pairs[0]["runs"]
     time, tilt = np.array(first["time_s"]), np.array(first["tilt_rad"])
@@ -168,25 +171,25 @@ def test_a_scene_shows_the_time_in_which_something_happens():
     verdict = verdict_cases.made()
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
     for pair in pairs_of(verdict, ground):
-        assert 0.0 <= pair.start < pair.end <= pair.motion.duration
-        assert pair.start <= pair.telling <= pair.end
+        assert 0.0 <= pair.scene.start < pair.scene.end <= pair.motion.duration
+        assert pair.scene.start <= pair.telling <= pair.scene.end
         drawn = pair.scene.data(RATE)
         assert all(math.isfinite(end) for end in drawn["view"].values())
         for run in drawn["runs"]:
             assert {len(run[key]) for key in ("x_m", "z_m", "tilt_rad", "slide_m")} == {len(run["time_s"])}
-            assert pair.start == run["time_s"][0]
-            assert run["time_s"][-1] <= round(pair.end, 4)
+            assert pair.scene.start == run["time_s"][0]
+            assert run["time_s"][-1] <= round(pair.scene.end, 4)
             assert [time for time, _ in run["modes"]] == sorted(time for time, _ in run["modes"])
 
 
 def test_a_replay_meets_the_draw_of_its_member():
     verdict = verdict_cases.made()
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
-    runs = [replay(verdict, verdict.without.option, Member(0, n), ground) for n in (0, 1, 0)]
+    runs = [again(verdict, verdict.without.option, Member(0, n), ground) for n in (0, 1, 0)]
     assert runs[0].body.mass != runs[1].body.mass
     assert runs[0].body == runs[2].body
     np.testing.assert_array_equal(runs[0].tilt, runs[2].tilt)
-    held = replay(verdict, verdict.best.option, Member(0, 0), ground)
+    held = again(verdict, verdict.best.option, Member(0, 0), ground)
     assert held.body == runs[0].body
     assert [device.kind for device in held.devices] == ["belt"]
 
@@ -205,7 +208,7 @@ def test_a_replay_is_the_run_that_was_counted(initial):
     ]
     for one, runs in zip(verdict.options, run_level(rows, floors), strict=True):
         for sample in range(3):
-            run = replay(verdict, one.option, Member(0, sample), ground)
+            run = again(verdict, one.option, Member(0, sample), ground)
             assert run.peak_tilt == runs.tilt[0, sample]
             assert run.peak_slide == runs.slide[0, sample]
             assert run.overturned == runs.overturned[0, sample]

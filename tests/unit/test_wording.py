@@ -21,7 +21,7 @@ from stayput.measures import MEASURES, Belt, DeviceResult
 from stayput.montecarlo.counting import DEVICE_FAILED, Quantiles
 from stayput.report.summary import piece_sentences, rows, sentence
 from stayput.report.verdict import numbers
-from stayput.report.verdict.words import word
+from stayput.report.verdict.numbers import word
 from stayput.simulation.outcome import Outcome
 from stayput.verification.notes import shaken_notes
 from stayput.verification.options import Option

@@ -17,9 +17,8 @@ from starlette.responses import Response
 from stayput.app.refusals import refused
 from stayput.app.running import own_measures, run_of
 from stayput.app.space_running import name_in, pieces_run, space_run_of
-from stayput.report.animation import animate_run
+from stayput.report.animation import animate_run, animate_space_run
 from stayput.report.history import history
-from stayput.report.space.animation import animate_space_run
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.words import names_in
 from stayput.scenario import AssemblyScenario, Scenario

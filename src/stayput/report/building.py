@@ -11,7 +11,7 @@ from stayput.building.response import FloorDrawing
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
-from stayput.report.figures import FONT, new_figure, plain_log, saved, style
+from stayput.report.figures import FONT, label_axes, legend_within, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.names import given_name, motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
@@ -82,10 +82,8 @@ def plot_building(
     InputError
         A storey that the building has not, or a path that cannot be written.
     """
-    figure = new_figure(12.0, 5.0)
+    figure = new_figure(12.0, 5.0, title)
     axes = figure.subplots(1, 3, width_ratios=[1.0, 1.0, 1.35])
-    if title:
-        figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
     for axis, what in zip(axes, get_args(FloorDrawing), strict=True):
         draw_floors(axis, response, what, storeys, language)
     return saved(figure, path)
@@ -138,8 +136,8 @@ def draw_floors(
     else:
         axis.axvline(100.0 * ground.pgv, label=say("plots.ground_x", language), **reference)
     _storey_axis(axis, response, language)
-    axis.set_xlabel(say(f"plots.peak_{what}", language), fontsize=FONT)
-    axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
+    label_axes(axis, language, x=f"plots.peak_{what}")
+    legend_within(axis)
 
 
 def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None:
@@ -158,9 +156,8 @@ def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None
         values = np.append(0.0, found.participation[i] * found.shapes[:, i])
         axis.plot(values, floors, color=colour, linestyle=line, marker="o", markersize=4.0, label=label)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))
-    axis.set_xlabel(say("plots.mode_shapes", language), fontsize=FONT)
-    axis.set_ylabel(say("plots.floor", language), fontsize=FONT)
-    axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
+    label_axes(axis, language, "plots.mode_shapes", "plots.floor")
+    legend_within(axis)
 
 
 def _storey_axis(axis: Axes, response: FloorResponse, language: str) -> None:
@@ -168,7 +165,7 @@ def _storey_axis(axis: Axes, response: FloorResponse, language: str) -> None:
     axis.set_xlim(left=0.0)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))
     axis.set_ylim(0.7, response.model.storeys + 1.3)
-    axis.set_ylabel(say("plots.storey", language, roof=response.model.storeys + 1), fontsize=FONT)
+    label_axes(axis, language, y="plots.storey", roof=response.model.storeys + 1)
 
 
 def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], language: str) -> None:
@@ -186,9 +183,8 @@ def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], l
             axis.axvline(period, color=MUTED, linewidth=0.9, linestyle=":", label=label_of_periods)
     plain_log(axis)
     axis.set_xlim(PERIODS[0], PERIODS[-1])
-    axis.set_xlabel(say("plots.period", language), fontsize=FONT)
-    axis.set_ylabel(say("plots.floor_sa", language, damping=100.0 * DAMPING), fontsize=FONT)
-    axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
+    label_axes(axis, language, "plots.period", "plots.floor_sa", damping=100.0 * DAMPING)
+    legend_within(axis)
 
 
 def plot_recorded_floor(
@@ -213,11 +209,10 @@ def plot_recorded_floor(
         A storey that the building has not, or a path that cannot be written.
     """
     computed = response.floor(storey)
-    figure = new_figure(11.0, 5.2)
-    grid = figure.add_gridspec(3, 2, width_ratios=[1.3, 1.0])
     place, model = response.model.place(storey), response.model
     title = say("plots.recorded", name=model.name, period=model.periods[0], place=place)
-    figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
+    figure = new_figure(11.0, 5.2, title)
+    grid = figure.add_gridspec(3, 2, width_ratios=[1.3, 1.0])
     spectra = figure.add_subplot(grid[:, 1])
     shown = (
         (say("plots.ground_recorded"), response.motion, INK, "-"),
@@ -246,5 +241,5 @@ def plot_recorded_floor(
     spectra.set_xlim(PERIODS[0], PERIODS[-1])
     spectra.set_xlabel(say("plots.period"), fontsize=FONT)
     spectra.set_ylabel(say("plots.sa", damping=100.0 * DAMPING), fontsize=FONT)
-    spectra.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.85)
+    legend_within(spectra, "lower left")
     return saved(figure, path)

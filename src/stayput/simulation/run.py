@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.model.state import State
     from stayput.motion.record import Motion
-    from stayput.report.embedding import Player
+    from stayput.report.page import Player
     from stayput.simulation.case import Case
 
 Contact = Literal["coulomb", "paper"]

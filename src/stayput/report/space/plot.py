@@ -12,14 +12,14 @@ from scipy.spatial import ConvexHull
 from stayput.catalogue import say
 from stayput.catalogue.names import OUTCOMES
 from stayput.errors import word_of
-from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.figures import FONT, label_axes, legend_within, new_figure, saved, style
 from stayput.report.fonts import drawable, with_face, wrapped
+from stayput.report.history import at_time
 from stayput.report.names import acceleration_label, motion_label
 from stayput.report.palette import BODY_COLOURS, COMPONENT_COLOURS, INK, MUTED, ROOM
-from stayput.report.space.histories import at_time
-from stayput.report.space.said import names_of
 from stayput.report.space.scene import body_colour
-from stayput.report.space.still import STILL_LOOKS, still_of
+from stayput.report.space.shape import STILL_LOOKS, still_of
+from stayput.report.space.summary import names_of
 from stayput.simulation.space_records import matrices
 from stayput.simulation.space_run import SpaceDrawing
 from stayput.wording import check_language
@@ -91,10 +91,10 @@ def plot_space_run(
     _draw_acceleration(acceleration, run, language)
     _draw_of_bodies(tilt, run, np.degrees(run.tilt), say("space.axis_tilt", language), language)
     if not several and run.overturned.any():
-        tilt.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
+        legend_within(tilt)
     _draw_of_bodies(turn, run, np.degrees(run.yaw), say("space.axis_yaw", language), language)
     turn.set_xlim(float(run.time[0]), float(run.time[-1]))
-    turn.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+    label_axes(turn, language, x="report.axis_time")
     for axis in (acceleration, tilt):
         axis.tick_params(labelbottom=False)
     figure.align_ylabels([acceleration, tilt, turn])
@@ -103,7 +103,7 @@ def plot_space_run(
     if several:
         _name_bodies(figure, run, called, language)
     else:
-        plan.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
+        legend_within(plan)
     return saved(figure, path)
 
 
@@ -130,7 +130,7 @@ def draw_space_run(
             _draw_acceleration(axis, run, language)
     if what != "plan":
         axis.set_xlim(float(run.time[0]), float(run.time[-1]))
-        axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+        label_axes(axis, language, x="report.axis_time")
     if what != "acceleration" and (len(called) > 1 or what == "plan"):
         axis.legend(handles=_body_handles(run, called, language), fontsize=FONT - 1.0, framealpha=0.85)
 
@@ -244,6 +244,5 @@ def _draw_plan(axis: Axes, run: SpaceRun, names: Sequence[str], language: str) -
             x, y = offset * nx, offset * ny
             axis.axline((x, y), (x + ny, y + nx), color=ROOM, linewidth=4.0, zorder=1)
     axis.set_aspect("equal", adjustable="datalim")
-    axis.set_xlabel(say("space.axis_x", language), fontsize=FONT)
-    axis.set_ylabel(say("space.axis_y", language), fontsize=FONT)
+    label_axes(axis, language, "space.axis_x", "space.axis_y")
     axis.set_title(say("space.plan", language), fontsize=FONT - 0.5, color=MUTED, loc="left")

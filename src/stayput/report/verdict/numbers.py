@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import say
+from stayput.catalogue import TEXTS, say
 from stayput.fragility.probabilities import percent
-from stayput.report.verdict.words import word
 from stayput.verification.words import length as length_of
 from stayput.wording import FAR, is_open
 
@@ -15,6 +14,7 @@ if TYPE_CHECKING:
     from stayput.fragility import Capacity, Difference, Probability
     from stayput.model.room import Room
     from stayput.verification import Quantiles
+
 
 NO_NUMBER = "–"
 """What stands in place of a number that there is none of."""
@@ -175,3 +175,19 @@ def capacity_interval(reached: Capacity | None, language: str) -> str:
     if reached.one_motion:
         return word("no_interval", language)
     return say(reached.ends, language)
+
+
+def word(key: str, language: str, **values: object) -> str:
+    """Return a text of the report in "en" or "ja", with values in it.
+
+    Parameters
+    ----------
+    key : str
+        Its key in `stayput.catalogue.report`, or in `stayput.catalogue.common`.
+    language : str
+        "en" or "ja".
+    **values
+        What stands in its braces.
+    """
+    module = "report" if f"report.{key}" in TEXTS else "common"
+    return say(f"{module}.{key}", language, **values)
