@@ -124,16 +124,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "axis_share": ("Share that overturns", "転倒する割合"),
     "here": ("this shaking: {value}", "この揺れ：{value}"),
     "no_curve": ("no curve ({state})", "曲線なし（{state}）"),
-    "none_fell": ("none fell", "転倒なし"),
-    "all_fell": ("all fell", "すべて転倒"),
-    "abrupt": ("all stand, then all fall", "あるレベルから一斉に転倒"),
     "no_interval": ("one motion: no interval", "地震動が1つのため区間なし"),
     "no_bands": (
         "One motion tells nothing of how other motions scatter, so there are no bands.",
         "地震動が1つだけでは、他の地震動でどれだけばらつくか分からないため、帯はありません。",
     ),
-    "one_level": ("one level", "1レベルのみ"),
-    "no_trend": ("no trend", "傾向なし"),
     "watch": ("See it happen", "動きを見る"),
     "watch_text": (
         (

@@ -11,10 +11,10 @@ from stayput.building.response import FloorDrawing
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
-from stayput.report.figures import FONT, label_axes, legend_within, new_figure, plain_log, saved, style
+from stayput.report.figures import label_axes, legend_within, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.names import given_name, motion_label
-from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
+from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
     from stayput.building.model import ShearModel
     from stayput.building.response import FloorResponse
-    from stayput.motion import Motion
 
 LINES = (
     ("#0072b2", "-"),
@@ -185,61 +184,3 @@ def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], l
     axis.set_xlim(PERIODS[0], PERIODS[-1])
     label_axes(axis, language, "plots.period", "plots.floor_sa", damping=100.0 * DAMPING)
     legend_within(axis)
-
-
-def plot_recorded_floor(
-    response: FloorResponse, storey: int, recorded: Motion, path: str | Path | None = None
-) -> Figure:
-    """Plot a recorded floor beside the computed one: accelerations over time, and spectra.
-
-    Parameters
-    ----------
-    response : FloorResponse
-        What the floors do under the record of the ground.
-    storey : int
-        Storey whose floor was recorded.
-    recorded : Motion
-        Its record.
-    path : str or Path, optional
-        Where to save it: PNG, SVG or PDF, by its ending.
-
-    Raises
-    ------
-    InputError
-        A storey that the building has not, or a path that cannot be written.
-    """
-    computed = response.floor(storey)
-    place, model = response.model.place(storey), response.model
-    title = say("plots.recorded", name=model.name, period=model.periods[0], place=place)
-    figure = new_figure(11.0, 5.2, title)
-    grid = figure.add_gridspec(3, 2, width_ratios=[1.3, 1.0])
-    spectra = figure.add_subplot(grid[:, 1])
-    shown = (
-        (say("plots.ground_recorded"), response.motion, INK, "-"),
-        (say("plots.place_recorded", place=place), recorded, COMPONENT_COLOURS["x"], "-"),
-        (say("plots.place_computed", place=place), computed, ALARM, "--"),
-    )
-    limit = 1.1 * max(motion.pga for _, motion, _, _ in shown)
-    first: Axes | None = None
-    for row, (label, motion, colour, line) in enumerate(shown):
-        axis = figure.add_subplot(grid[row, 0], sharex=first)
-        first = first or axis
-        style(axis)
-        peaks = say("plots.peaks", label=label, pga=motion.pga, pgv=100.0 * motion.pgv)
-        axis.plot(motion.time, motion.x, color=colour, linewidth=0.9)
-        axis.set_title(drawable(peaks), fontsize=FONT - 0.5, color=INK, loc="left")
-        axis.set_ylim(-limit, limit)
-        axis.tick_params(labelbottom=row == len(shown) - 1)
-        spectrum = response_spectrum(motion)
-        spectra.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
-        if row == 1:
-            axis.set_ylabel(say("plots.acceleration"), fontsize=FONT)
-        if row == len(shown) - 1:
-            axis.set_xlabel(say("report.axis_time"), fontsize=FONT)
-    style(spectra, zero=False)
-    plain_log(spectra)
-    spectra.set_xlim(PERIODS[0], PERIODS[-1])
-    spectra.set_xlabel(say("plots.period"), fontsize=FONT)
-    spectra.set_ylabel(say("plots.sa", damping=100.0 * DAMPING), fontsize=FONT)
-    legend_within(spectra, "lower left")
-    return saved(figure, path)

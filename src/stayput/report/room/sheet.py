@@ -15,9 +15,9 @@ from stayput.model.room import WALLS_AROUND
 from stayput.report.verdict import svg
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Iterable
 
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, Window
 
@@ -200,8 +200,28 @@ def scale_svg(sheet: PlanSheet, language: str) -> str:
     return "".join(parts)
 
 
-PlaceShape = tuple["NDArray[np.float64]", str]
-"""Points in the frame of a place [m], and the class of what is drawn through them."""
+_LYING = [(rectangle((0.0, -0.38), 0.62, 0.14), "soft"), (((-0.5, -0.23), (0.5, -0.23)), "fold")]
+_BARS = [
+    (((0.5 * side, y), (0.4 * side, y)), "fold")
+    for side in (-1.0, 1.0)
+    for y in np.linspace(-0.4, 0.4, 7).tolist()
+]
+_INSIDE: dict[str, list[tuple[ArrayLike, str]]] = {
+    "bed": [*_LYING],
+    "futon": [*_LYING],
+    "cot": [(rectangle((0.0, -0.36), 0.5, 0.14), "soft"), *_BARS],
+    "desk": [(rectangle((0.04, 0.0), 0.6, 0.62), "soft"), (rectangle((-0.34, 0.0), 0.12, 0.7), "soft")],
+    "sofa": [
+        (rectangle((-0.39, 0.0), 0.22, 1.0), "soft"),
+        *((rectangle((0.1, end), 0.8, 0.1), "soft") for end in (-0.45, 0.45)),
+    ],
+    "play area": [],
+}
+"""What is drawn in a place of each kind: points as parts of its width and length, and their class.
+
+A pillow at the head, which is at −y, and the edge of the blanket; bars of a cot; a chair with its back at −x;
+a back and arms.
+"""
 
 
 def place_svg(sheet: PlanSheet, place: PersonPlace, kind: str, title: str) -> str:
@@ -221,61 +241,13 @@ def place_svg(sheet: PlanSheet, place: PersonPlace, kind: str, title: str) -> st
     cos, sin = math.cos(place.heading), math.sin(place.heading)
     turn = np.array([[cos, sin], [-sin, cos]])
     parts = [sheet.polygon(place.corners, "place" if place.blocks else "place flat")]
-    for points, class_ in _INSIDE[kind](place.width, place.length):
+    for points, class_ in _INSIDE[kind]:
         draw = sheet.polyline if class_ == "fold" else sheet.polygon
-        parts.append(draw(points @ turn + np.asarray(place.at), class_))
+        inside = np.asarray(points) * [place.width, place.length]
+        parts.append(draw(inside @ turn + np.asarray(place.at), class_))
+    if kind == "play area":  # with a ball
+        angle = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
+        round_it = 0.12 * min(place.width, place.length) * np.column_stack([np.cos(angle), np.sin(angle)])
+        ball = 0.28 * np.array([place.width, place.length]) + round_it
+        parts.append(sheet.polygon(ball @ turn + np.asarray(place.at), "soft"))
     return titled(title, *parts)
-
-
-def _lying(width: float, length: float) -> list[PlaceShape]:
-    """Return a pillow at the head, which is at −y, and the edge of the blanket."""
-    head = -0.5 * length
-    pillow = rectangle((0.0, head + 0.12 * length), 0.62 * width, 0.14 * length)
-    edge = np.array([[-0.5 * width, head + 0.27 * length], [0.5 * width, head + 0.27 * length]])
-    return [(pillow, "soft"), (edge, "fold")]
-
-
-def _cot(width: float, length: float) -> list[PlaceShape]:
-    """Return a pillow, and bars on both sides."""
-    bars = [
-        (np.array([[side * 0.5 * width, y], [side * 0.4 * width, y]]), "fold")
-        for side in (-1.0, 1.0)
-        for y in np.linspace(-0.4 * length, 0.4 * length, 7).tolist()
-    ]
-    return [(rectangle((0.0, -0.36 * length), 0.5 * width, 0.14 * length), "soft"), *bars]
-
-
-def _chair(width: float, length: float) -> list[PlaceShape]:
-    """Return a chair with its back at −x."""
-    return [
-        (rectangle((0.04 * width, 0.0), 0.6 * width, 0.62 * length), "soft"),
-        (rectangle((-0.34 * width, 0.0), 0.12 * width, 0.7 * length), "soft"),
-    ]
-
-
-def _sofa(width: float, length: float) -> list[PlaceShape]:
-    """Return a back at −x, and arms."""
-    arms = [
-        (rectangle((0.1 * width, side * 0.45 * length), 0.8 * width, 0.1 * length), "soft")
-        for side in (-1, 1)
-    ]
-    return [(rectangle((-0.39 * width, 0.0), 0.22 * width, length), "soft"), *arms]
-
-
-def _ball(width: float, length: float) -> list[PlaceShape]:
-    """Return a ball."""
-    angle = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
-    radius = 0.12 * min(width, length)
-    middle = np.array([0.28 * width, 0.28 * length])
-    return [(middle + radius * np.column_stack([np.cos(angle), np.sin(angle)]), "soft")]
-
-
-_INSIDE: dict[str, Callable[[float, float], list[PlaceShape]]] = {
-    "bed": _lying,
-    "futon": _lying,
-    "cot": _cot,
-    "desk": _chair,
-    "sofa": _sofa,
-    "play area": _ball,
-}
-"""What is drawn in a place of each kind."""

@@ -39,9 +39,8 @@ def legend(verdict: Verdict, language: str) -> list[dict[str, object]]:
     for result in verdict.options:
         if result.curves:
             state = result.curves[JMA_INTENSITY].state
-            told = word(state.value.replace(" ", "_"), language) if state is not CurveState.FITTED else ""
             label = title(result.option, verdict, language)
-            note = word("no_curve", language, state=told) if told else ""
+            note = "" if state is CurveState.FITTED else word("no_curve", language, state=state.phrase)
             entries.append({"look": look_of[result.option.name], "label": label, "note": note})
     return entries
 
