@@ -115,7 +115,7 @@ def test_the_room_is_drawn_to_scale_and_moves_with_the_ground():
 
 
 def test_the_html_page_stands_alone_and_holds_the_histories(tmp_path):
-    page = animate_run(falling(), tmp_path / "a.html", name="</script><b>").read_text(encoding="utf-8")
+    page = animate_run(falling(), tmp_path / "a.html", names=["</script><b>"]).read_text(encoding="utf-8")
     assert not re.search(r"https?:|src=|@import|url\(", page)
     assert page.count("</script>") == 2
     assert "{{" not in page

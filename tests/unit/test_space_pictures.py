@@ -14,7 +14,7 @@ from space_runs import BOX, DRUM, DT, SHAKE, TIME, apart, falling, spinning
 
 import stayput as sp
 from stayput.catalogue import say
-from stayput.report.film import space_film
+from stayput.report.film import film_of
 from stayput.report.page import script_module
 from stayput.report.palette import BODY_COLOURS, rgb
 from stayput.report.space.frames import Camera, SpacePainter, _from_far, _hull_of
@@ -105,7 +105,7 @@ def test_the_picture_holds_every_pose_near_the_start() -> None:
     scene = space_scene(run, ("box",))
     for time in (0.0, 1.0, 1.3, 2.0):
         places, turns = scene.pose(time)
-        painter = SpacePainter(space_film(run, None, "en"), 640, 480)
+        painter = SpacePainter(film_of(run, None, "en"), 640, 480)
         seen = np.array(painter._camera.seen(scene.corners(0, turns[0], places[0])))
         assert (seen > 0.0).all()
         assert (seen < [1280, 622]).all()
@@ -122,7 +122,7 @@ def test_runs_beside_each_other_are_drawn_to_one_scale() -> None:
     for key in ("low_m", "high_m", "grid_m"):
         assert views[0][key] == views[1][key]
     assert views[0]["high_m"] != space_scene(still, ("box",)).data()["view"]["high_m"]
-    cameras = [SpacePainter(space_film(run, None, "en", runs), 640, 480)._camera for run in runs]
+    cameras = [SpacePainter(film_of(run, None, "en", runs), 640, 480)._camera for run in runs]
     assert cameras[0].place == pytest.approx(cameras[1].place)
 
 
@@ -167,7 +167,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
             place=run.place[order],
             attitude=run.attitude[order],
         )
-        painter = SpacePainter(space_film(mixed, None, "en"), 640, 480)
+        painter = SpacePainter(film_of(mixed, None, "en"), 640, 480)
         places, turns = painter._film.scene.pose(0.0)
         corners = [painter._film.scene.corners(b, turns[b], places[b]) for b in range(3)]
         hulls = [_hull_of(*each) for each in zip(painter._film.scene.shapes, corners, turns, strict=True)]
@@ -177,7 +177,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
 
 
 def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
-    painter = SpacePainter(space_film(spinning(), NAMES, "en"), 640, 480)
+    painter = SpacePainter(film_of(spinning(), NAMES, "en"), 640, 480)
     shown = np.asarray(painter.frame(0.7)).astype(int).reshape(-1, 3)
     for colour in BODY_COLOURS[:3]:  # light and shade leave the hue
         hue = np.array(rgb(colour)) / max(rgb(colour))
@@ -188,7 +188,7 @@ def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
 def test_what_is_behind_the_camera_is_not_drawn() -> None:
     run = falling()
     way = np.array([4.0, -8.0, 2.0]) * TIME[:, np.newaxis]
-    painter = SpacePainter(space_film(dataclasses.replace(run, place=run.place + way), None, "en"), 640, 480)
+    painter = SpacePainter(film_of(dataclasses.replace(run, place=run.place + way), None, "en"), 640, 480)
     for time in (0.8, 1.2, 1.6, 2.0):
         assert painter.frame(time).size == (640, 480)
 

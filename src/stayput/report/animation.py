@@ -6,7 +6,6 @@ import math
 import subprocess
 import tempfile
 from collections.abc import Callable
-from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -15,13 +14,13 @@ from PIL import Image
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
-from stayput.report.film import film_of, space_film
+from stayput.report.film import film_of
 from stayput.report.frames import Painter
-from stayput.report.history import cut_run, window_in_space
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
 from stayput.report.palette import mode_looks
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.scene import SpaceScene
+from stayput.simulation.space_run import SpaceRun
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -32,7 +31,6 @@ if TYPE_CHECKING:
 
     from stayput.report.film import Film
     from stayput.simulation.run import Run
-    from stayput.simulation.space_run import SpaceRun
 
 Progress: TypeAlias = Callable[[int, int], None]
 """Called with the number of frames drawn and the number of all frames."""
@@ -64,27 +62,28 @@ SPACE_PLAYER_TEXTS = _BAR_TEXTS | {
 
 
 def animate_run(
-    run: Run,
+    run: Run | SpaceRun,
     path: str | Path,
     *,
     fps: float = 20.0,
     speed: float = 1.0,
     hold: float = 1.5,
     width: int = 640,
-    name: str | None = None,
+    names: Sequence[str] | None = None,
     language: str = "en",
     progress: Progress | None = None,
     seconds: float | None = None,
     note: str = "",
 ) -> Path:
-    """Animate a run: the shaken room in section, to scale, above the floor's acceleration.
+    """Animate a run: the shaken room in section or in space, to scale, above the floor's acceleration.
 
     Parameters
     ----------
-    run : Run
+    run : Run or SpaceRun
         The run.
     path : str or Path
-        Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file), by its ending.
+        Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file, which in space needs a
+        browser with WebGL 2 to draw surfaces), by its ending.
     fps : float
         Frames a second. A GIF counts in hundredths of a second, so 20, 25 and 50 are met exactly and
         others as nearly as can be, at most 50, always at the right speed. The HTML player draws
@@ -96,8 +95,8 @@ def animate_run(
         How long the last pose is held [s].
     width : int
         Width of a frame [pixels]; the height is three quarters of it. Not used for HTML.
-    name : str, optional
-        What the body is called; "body" by default.
+    names : sequence of str, optional
+        What the bodies are called; by default "body", or by their numbers where there are several.
     language : str
         Language of the texts, "en" or "ja".
     progress : callable, optional
@@ -115,66 +114,38 @@ def animate_run(
     Raises
     ------
     InputError
-        A value out of range, another language, a path that cannot be written, or no ffmpeg for an MP4.
+        A value out of range, another language, not a name for each body, a path that cannot be written, or no
+        ffmpeg for an MP4.
     """
-    target = _checked(path, fps, speed, hold, width)
-    film = film_of(run, name, check_language(language), seconds=seconds, note=note)
-    return _written(film, partial(Painter, film), target, fps, speed, hold, width, progress)
+    target = check_animation(path)
+    within("runs.animation_fps", fps, 1.0, 100.0, field="fps")
+    within("runs.animation_speed", speed, 0.01, 100.0, field="speed")
+    within("runs.animation_hold", hold, 0.0, 60.0, "s", field="hold")
+    within("runs.animation_width", width, 200, 4000, "pixels", field="width")
+    film = film_of(run, names, check_language(language), seconds=seconds, note=note)
+    suffix = target.suffix.lower()
+    with draft(target) as unfinished:
+        if suffix == ".html":
+            unfinished.write_text(player_page(film, speed, hold), encoding="utf-8")
+            return target
+        size = width - width % 2, round(0.375 * width) * 2  # both even, as MP4 needs them
+        frame = (SpacePainter if isinstance(run, SpaceRun) else Painter)(film, *size).frame
+        delay = max(_SHORTEST, round(100.0 / fps))  # of a GIF
+        rate = 100.0 / delay if suffix == ".gif" else fps
+        times = frame_times(film.scene.start, film.scene.end, rate, speed, hold)
+        images = _images(frame, times, progress)
+        if suffix == ".gif":
+            _write_gif(images, _palette(frame, times), unfinished, delay)
+        else:
+            _write_mp4(images, unfinished, size, rate)
+    return target
 
 
-def animate_space_run(
-    run: SpaceRun,
-    path: str | Path,
-    *,
-    names: Sequence[str] | None = None,
-    fps: float = 20.0,
-    speed: float = 1.0,
-    hold: float = 1.5,
-    width: int = 640,
-    language: str = "en",
-    progress: Progress | None = None,
-    seconds: float | None = None,
-    note: str = "",
-) -> Path:
-    """Animate a run in space: the bodies in their room, above the floor's acceleration.
-
-    Parameters
-    ----------
-    run : SpaceRun
-        The run.
-    path : str or Path
-        Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file, which needs a browser with
-        WebGL 2 to draw surfaces), by its ending.
-    names : sequence of str, optional
-        What the bodies are called; by default by their numbers.
-    fps, speed, hold, width, language, progress, seconds, note
-        As for `animate_run`.
-
-    Returns
-    -------
-    Path
-        The file written.
-
-    Raises
-    ------
-    InputError
-        As for `animate_run`, or there is not a name for each body.
-    """
-    target = _checked(path, fps, speed, hold, width)
-    shown = run if seconds is None else cut_run(run, *window_in_space([run], seconds))
-    film = space_film(shown, names, check_language(language), note=note)
-    return _written(film, partial(SpacePainter, film), target, fps, speed, hold, width, progress)
-
-
-def run_player(run: Run, language: str = "en") -> Player:
+def run_player(
+    run: Run | SpaceRun, names: Sequence[str] | None = None, speed: float = 1.0, language: str = "en"
+) -> Player:
     """Return an animation of a run that notebooks play."""
-    film = film_of(run, None, check_language(language))
-    return Player(player_page(film, speed=1.0, hold=1.5), film.title)
-
-
-def space_run_player(run: SpaceRun, names: Sequence[str] | None, speed: float, language: str) -> Player:
-    """Return an animation of a run in space that notebooks play."""
-    film = space_film(run, names, check_language(language))
+    film = film_of(run, names, check_language(language))
     return Player(player_page(film, speed, hold=1.5), film.title)
 
 
@@ -212,45 +183,6 @@ def player_page(film: Film[Any], speed: float, hold: float, *, plays: bool = Tru
     }
     said = {"language": film.language, "title": film.title, "caption": film.caption}
     return filled(file_of(f"{folder}player.html"), {**texts, **said}, code)
-
-
-def _checked(path: str | Path, fps: float, speed: float, hold: float, width: int) -> Path:
-    """Return the path of an animation, or refuse it or a setting."""
-    target = check_animation(path)
-    within("runs.animation_fps", fps, 1.0, 100.0, field="fps")
-    within("runs.animation_speed", speed, 0.01, 100.0, field="speed")
-    within("runs.animation_hold", hold, 0.0, 60.0, "s", field="hold")
-    within("runs.animation_width", width, 200, 4000, "pixels", field="width")
-    return target
-
-
-def _written(
-    film: Film[Any],
-    painter_of: Callable[[int, int], Painter | SpacePainter],
-    target: Path,
-    fps: float,
-    speed: float,
-    hold: float,
-    width: int,
-    progress: Progress | None,
-) -> Path:
-    """Write an animation by the ending of its path, whose frames a painter draws."""
-    suffix = target.suffix.lower()
-    with draft(target) as unfinished:
-        if suffix == ".html":
-            unfinished.write_text(player_page(film, speed, hold), encoding="utf-8")
-            return target
-        size = width - width % 2, round(0.375 * width) * 2  # both even, as MP4 needs them
-        frame = painter_of(*size).frame
-        delay = max(_SHORTEST, round(100.0 / fps))  # of a GIF
-        rate = 100.0 / delay if suffix == ".gif" else fps
-        times = frame_times(film.scene.start, film.scene.end, rate, speed, hold)
-        images = _images(frame, times, progress)
-        if suffix == ".gif":
-            _write_gif(images, _palette(frame, times), unfinished, delay)
-        else:
-            _write_mp4(images, unfinished, size, rate)
-    return target
 
 
 def frame_times(start: float, end: float, fps: float, speed: float, hold: float) -> NDArray[np.float64]:

@@ -240,7 +240,11 @@ class Run(InNetcdf):
         """
         from stayput.report.animation import animate_run, run_player
 
-        return run_player(self, language) if path is None else animate_run(self, path, language=language)
+        return (
+            run_player(self, language=language)
+            if path is None
+            else animate_run(self, path, language=language)
+        )
 
 
 def run_of(

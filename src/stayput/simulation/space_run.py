@@ -357,10 +357,10 @@ class SpaceRun(InNetcdf):
     ) -> Path | Player:
         """Write an animation (GIF, MP4 or HTML), or without a path return one that notebooks play.
 
-        See `stayput.report.animation.animate_space_run`, which has more to choose from.
+        See `stayput.report.animation.animate_run`, which has more to choose from.
         """
-        from stayput.report.animation import animate_space_run, space_run_player
+        from stayput.report.animation import animate_run, run_player
 
         if path is None:
-            return space_run_player(self, names, speed, language)
-        return animate_space_run(self, path, names=names, fps=fps, speed=speed, language=language)
+            return run_player(self, names, speed, language)
+        return animate_run(self, path, names=names, fps=fps, speed=speed, language=language)

@@ -11,7 +11,7 @@ from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.several import draws_of_several, replay
 from stayput.report.animation import player_page
-from stayput.report.film import space_film
+from stayput.report.film import film_of
 from stayput.report.fonts import drawable
 from stayput.report.history import cut_run, peak_of, window_in_space
 from stayput.report.names import motion_label
@@ -94,7 +94,7 @@ def _pairs(
                         "label": label,
                         "outcome": say(became(run, names), language),
                         # several that play at once would be too much for a slow machine
-                        "player": player_page(space_film(shown, names, language, cut), 1.0, 1.5, plays=False),
+                        "player": player_page(film_of(shown, names, language, cut), 1.0, 1.5, plays=False),
                         "histories": _embedded(plot_space_run(shown, names=names, language=drawn)),
                     }
                     for label, run, shown in zip(labels, runs, cut, strict=True)
