@@ -98,9 +98,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "none": ("none", "なし"),
     "no_device": ("no device", "器具なし"),
     "unsure": ("unsure", "不確実"),
-    "up_to": ("up to {value}", "最大{value}"),
-    "less_than": ("less than {value}", "{value}未満"),
-    "more_than": ("more than {value} (no wall to stop it)", "{value}を超えて（止める壁なし）"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
     "fragility_text": (
@@ -396,20 +393,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "mounting only where “as people install it” is asked for."
         ),
         "がた・減衰と、最も弱い部分の強さをもつばねです。経年劣化は含みません。取付け不良は「実際の取付け」を指定した場合にだけ含みます。",
-    ),
-    # What became of one of the runs in the report.
-    "outcome_rested": ("stays where it is", "動きません"),
-    "outcome_slid": ("slides by {slide} and stays upright", "{slide}滑りますが、倒れません"),
-    "outcome_rocked": (
-        "rocks by {tilt}, slides by {slide} and stays upright",
-        "{tilt}傾き、{slide}移動しますが、倒れません",
-    ),
-    "outcome_leaning": ("is left leaning", "寄りかかったまま止まります"),
-    "outcome_overturned": ("overturns after {time} s", "{time}秒後に転倒します"),
-    "outcome_failed": ("could not be followed to the end", "最後まで計算できませんでした"),
-    "outcome_hardly": (
-        "hardly moves (tilt {tilt}, slide {slide})",
-        "ほとんど動きません（傾き{tilt}、移動{slide}）",
     ),
     # What is drawn at random.
     "as_stated": ("as stated, not drawn", "入力値のまま（ばらつきなし）"),

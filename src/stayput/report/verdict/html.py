@@ -15,6 +15,7 @@ from stayput.report.names import motion_label
 from stayput.report.page import file_of, framed, rendered, script_json, script_module, write_page
 from stayput.report.palette import mode_looks
 from stayput.report.scene import DRIFT_CORNER
+from stayput.report.summary import piece_sentences
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
 from stayput.report.verdict.curves import curves_svg, legend, looks
@@ -218,8 +219,12 @@ def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str
 
 
 def _pair(verdict: Verdict, pair: RunPair, count: int, language: str) -> dict[str, Any]:
+    piece = verdict.scenario.furniture
     sides = [
-        {"label": title(side.option, verdict, language), "outcome": side.outcome(language)}
+        {
+            "label": title(side.option, verdict, language),
+            "outcome": say(piece_sentences(side.run, piece.preset, piece.name), language),
+        }
         for side in pair.sides
     ]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
@@ -240,7 +245,7 @@ def _pair(verdict: Verdict, pair: RunPair, count: int, language: str) -> dict[st
         ),
         "moved": _moved(pair.scene, language),
         "sides": sides,
-        "chart": Markup(histories_svg(pair, language, word("listed", language).join(outcomes))),
+        "chart": Markup(histories_svg(pair, language, (" " if language == "en" else "").join(outcomes))),
     }
 
 

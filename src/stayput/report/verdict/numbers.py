@@ -65,20 +65,6 @@ def length(metres: float, language: str) -> str:
     return length_of(metres)
 
 
-def peak_slide(metres: float, language: str) -> str:
-    """Return a peak slide within a sentence: "up to 2.0 cm", or "less than 0.1 cm" where it is that small."""
-    if metres < 5e-4:
-        return word("less_than", language, value="0.1 cm")
-    return word("up_to", language, value=length(metres, language))
-
-
-def peak_tilt(radians: float, language: str) -> str:
-    """Return a peak tilt within a sentence: "up to 2.3°"."""
-    if math.degrees(radians) < 0.05:
-        return word("less_than", language, value="0.1°")
-    return word("up_to", language, value=angle(radians, language))
-
-
 def angle(radians: float, language: str) -> str:
     """Return an angle: "2.3°"; infinite is a fall."""
     if math.isnan(radians):

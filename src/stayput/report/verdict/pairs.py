@@ -16,15 +16,12 @@ from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces,
 from stayput.motion.suites import Suite
 from stayput.report.history import MOVED, History, history, window_of
 from stayput.report.scene import TIME_DIGITS, Scene, scene_of
-from stayput.report.summary import slides_off
 from stayput.report.verdict import svg
-from stayput.report.verdict.numbers import peak_slide, peak_tilt, word
+from stayput.report.verdict.numbers import word
 from stayput.simulation.case import Case, trace_held
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.outcome import Outcome
 from stayput.simulation.run import run_of
 from stayput.simulation.space import run_held
-from stayput.wording import FAR
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,9 +33,6 @@ if TYPE_CHECKING:
     from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Option, Verdict
     from stayput.verification.verdict import Member
-
-_HARDLY_TILT, _HARDLY_SLIDE = 0.01, 0.005
-"""Peaks [rad, m] below which a run is said to hardly move."""
 
 RATE = 50.0
 """Poses a second that the report holds; its script draws straight lines between them."""
@@ -70,20 +64,6 @@ class Side:
     option: Option
     run: Run
     history: History
-
-    def outcome(self, language: str) -> str:
-        """Return the outcome, as the end of a sentence."""
-        run = self.run
-        still = run.outcome in (Outcome.SLID, Outcome.ROCKED)
-        hardly = still and run.peak_tilt < _HARDLY_TILT and run.peak_slide < _HARDLY_SLIDE
-        slide = peak_slide(run.peak_slide, language)
-        return word(
-            f"outcome_{'hardly' if hardly else run.outcome.value}",
-            language,
-            slide=word("more_than", language, value=f"{FAR:g} m") if slides_off(run) else slide,
-            tilt=peak_tilt(run.peak_tilt, language),
-            time=f"{run.overturn_time:.1f}",
-        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
