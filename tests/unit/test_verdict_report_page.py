@@ -88,7 +88,7 @@ def test_a_typical_case_tells_how_often_the_measure_fails(page):
     verdict, language, text = page
     chance = verdict.best.probabilities["overturned"]
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
-    held = pairs_of(verdict, ground)[0].sides[1].run
+    held = pairs_of(verdict, ground)[0].scene.runs[1]
     spared = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
     key = "typical_also_falls" if held.overturned else spared
     assert word(key, language, share=share(chance.estimate, language)) in Page(text).words
@@ -101,7 +101,7 @@ def test_a_measure_with_which_nothing_falls_is_not_contrasted_with_0_percent():
     never = replace(verdict, options=(best, *verdict.options[1:]))
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
     pair = pairs_of(verdict, ground)[0]
-    assert not pair.sides[1].run.overturned
+    assert not pair.scene.runs[1].overturned
     told = _place_of_the_measure(never, pair, "ja")
     assert told == "この対策では、この計算を含むどの計算でも転倒しません。"
 
@@ -134,7 +134,7 @@ def test_where_nothing_helps_there_is_one_side():
     verdict = verdict_cases.made()
     bare = replace(verdict, options=(verdict.options[1], verdict.options[0], verdict.options[2]))
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
-    assert [len(pair.sides) for pair in pairs_of(bare, ground)] == [1, 1]
+    assert [len(pair.options) for pair in pairs_of(bare, ground)] == [1, 1]
     assert word("typical_bare_text", "en") in Page(report_html(bare)).words
 
 
@@ -142,7 +142,7 @@ def test_a_scene_shows_the_time_in_which_something_happens():
     verdict = verdict_cases.made()
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
     for pair in pairs_of(verdict, ground):
-        assert 0.0 <= pair.scene.start < pair.scene.end <= pair.motion.duration
+        assert 0.0 <= pair.scene.start < pair.scene.end <= pair.scene.motion.duration
         assert pair.scene.start <= pair.telling <= pair.scene.end
         drawn = pair.scene.data(RATE)
         assert all(math.isfinite(end) for end in drawn["view"].values())

@@ -167,9 +167,7 @@ def summary(run: Run) -> dict[str, Any]:
 def motion_data(motion: Motion) -> dict[str, Any]:
     """Return what a motion is as plain values."""
     return {
-        "name": motion.name,
-        "source": motion.source,
-        "synthetic": motion.synthetic,
+        **attributes(motion, "name", "source", "synthetic"),
         "dt_s": motion.dt,
         "duration_s": number(motion.duration),
         "pga_m_s2": number(motion.pga),
@@ -301,6 +299,11 @@ def length(metres: float) -> str:
 def number(value: float) -> float | None:
     """Return a number, or None in place of one that is not finite."""
     return float(value) if math.isfinite(value) else None
+
+
+def attributes(value: object, *names: str) -> dict[str, Any]:
+    """Return attributes of a value by their names; None in place of a number that is not finite."""
+    return {name: number(own) if isinstance(own := getattr(value, name), float) else own for name in names}
 
 
 def by_language(text: Phrase) -> dict[str, str]:

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import stayput
-from stayput.report.summary import by_language, number
+from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.data import head_data, in_both, interval_data, quantiles_data, shaking_data
 from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import forces_asked, heading, where
@@ -28,11 +28,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
         **head_data(verdict, partial(sentence_of_room, verdict)),
         "best": in_both(partial(best_sentence, verdict)),
         **shaking_data(verdict),
-        "motions": verdict.motions,
-        "samples": verdict.samples,
-        "runs": verdict.runs,
-        "seed": verdict.seed,
-        "seconds": number(verdict.seconds),
+        **attributes(verdict, "motions", "samples", "runs", "seed", "seconds"),
         "hit": interval_data(verdict.hit),
         "shut_in": interval_data(verdict.shut_in),
         "risk": number(verdict.risk),
@@ -83,6 +79,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
 
 def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
     change, own = result.change, verdict.piece_changed(result)
+    ends = ("hit", "hit_change", "shut_in", "shut_in_change")
     return {
         "what": change.what,
         "label": in_both(partial(change_label, change, verdict)),
@@ -91,10 +88,7 @@ def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
         "drilled": change.measure is not None and change.measure.drilled,
         "at_m": None if change.at is None else list(change.at),
         "heading_rad": change.heading,
-        "hit": interval_data(result.hit),
-        "hit_change": interval_data(result.hit_change),
-        "shut_in": interval_data(result.shut_in),
-        "shut_in_change": interval_data(result.shut_in_change),
+        **{name: interval_data(getattr(result, name)) for name in ends},
         "overturned": None if own is None else interval_data(own[0]),
         "overturned_change": None if own is None else interval_data(own[1]),
         "risk": number(result.risk),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -89,10 +89,10 @@ def plot_space_run(
     tilt = figure.add_subplot(grid[1, 0], sharex=acceleration)
     turn = figure.add_subplot(grid[2, 0], sharex=acceleration)
     _draw_acceleration(acceleration, run, language)
-    _draw_of_bodies(tilt, run, np.degrees(run.tilt), say("space.axis_tilt", language), language)
+    _draw_of_bodies(tilt, run, "tilt", language)
     if not several and run.overturned.any():
         legend_within(tilt)
-    _draw_of_bodies(turn, run, np.degrees(run.yaw), say("space.axis_yaw", language), language)
+    _draw_of_bodies(turn, run, "yaw", language)
     turn.set_xlim(float(run.time[0]), float(run.time[-1]))
     label_axes(turn, language, x="report.axis_time")
     for axis in (acceleration, tilt):
@@ -120,14 +120,12 @@ def draw_space_run(
     check_language(language)
     called = names_of(run, names, language)
     match word_of("plots.what", what, get_args(SpaceDrawing), "what"):
-        case "tilt":
-            _draw_of_bodies(axis, run, np.degrees(run.tilt), say("space.axis_tilt", language), language)
-        case "yaw":
-            _draw_of_bodies(axis, run, np.degrees(run.yaw), say("space.axis_yaw", language), language)
         case "plan":
             _draw_plan(axis, run, called, language)
-        case _:
+        case "acceleration":
             _draw_acceleration(axis, run, language)
+        case _:
+            _draw_of_bodies(axis, run, what, language)
     if what != "plan":
         axis.set_xlim(float(run.time[0]), float(run.time[-1]))
         label_axes(axis, language, x="report.axis_time")
@@ -186,10 +184,9 @@ def _draw_acceleration(axis: Axes, run: SpaceRun, language: str) -> None:
     axis.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), fontsize=FONT - 1.5, frameon=False, ncols=3)
 
 
-def _draw_of_bodies(
-    axis: Axes, run: SpaceRun, values: NDArray[np.float64], label: str, language: str
-) -> None:
-    """Draw one history for each body, shape (bodies, samples), and when it overturned and fell off."""
+def _draw_of_bodies(axis: Axes, run: SpaceRun, what: SpaceDrawing, language: str) -> None:
+    """Draw one angle of each body over time [°], and when it overturned and fell off."""
+    values: NDArray[np.float64] = np.degrees(getattr(run, what))
     style(axis)
     for b, history in enumerate(values):
         axis.plot(run.time, history, linestyle=_dashes(b), color=body_colour(b), linewidth=1.6)
@@ -200,18 +197,10 @@ def _draw_of_bodies(
         for b, time in enumerate(times.tolist()):
             if math.isnan(time):
                 continue
-            axis.plot(
-                time,
-                at_time(time, run, values[b]),
-                marker,
-                color=body_colour(b),
-                markersize=8.0,
-                markeredgecolor=INK,
-                markeredgewidth=0.8,
-                zorder=5,
-                label=say(said, language, time=time),
-            )
-    axis.set_ylabel(label, fontsize=FONT)
+            looks: dict[str, Any] = {"color": body_colour(b), "label": say(said, language, time=time)}
+            looks |= {"markersize": 8.0, "markeredgecolor": INK, "markeredgewidth": 0.8}
+            axis.plot(time, at_time(time, run, values[b]), marker, zorder=5, **looks)
+    label_axes(axis, language, y=f"space.axis_{what}")
     largest = float(np.abs(values).max())
     if largest < _SMALLEST:
         axis.set_ylim(-_SMALLEST, _SMALLEST)

@@ -12,7 +12,7 @@ from stayput.fragility.curve import METHOD
 from stayput.measures import parameters
 from stayput.measures.parameters import MEANINGS
 from stayput.motion.intensity import intensity_class
-from stayput.report.summary import by_language, number
+from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
 from stayput.report.verdict.tables import contents_data, peaks_data
 from stayput.verification.grades import inputs
@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         Verdict,
     )
     from stayput.verification.several_verdict import DeviceOfSeveral
+    from stayput.verification.verdict import Estimates
 
 
 def json_text(data: dict[str, Any]) -> str:
@@ -87,20 +88,15 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
     verdict : Verdict
         The verdict.
     """
-    test = verdict.estimates.shake_table
     return {
         **head_data(verdict, partial(headline, verdict)),
         "notes": [by_language(note) for note in notes(verdict)],
         "best": verdict.best.option.name,
         **shaking_data(verdict),
         "slide_limit_m": verdict.slide_limit,
-        "motions": verdict.motions,
-        "samples": verdict.samples,
-        "runs": verdict.runs,
+        **attributes(verdict, "motions", "samples", "runs"),
         "settled_runs": verdict.settled,
-        "seed": verdict.seed,
-        "precise": verdict.precise,
-        "seconds": number(verdict.seconds),
+        **attributes(verdict, "seed", "precise", "seconds"),
         "grades": {grade.value: by_language(meaning) for grade, meaning in MEANINGS.items()},
         "options": [_option(result, verdict) for result in verdict.options],
         "not_possible": [
@@ -112,28 +108,32 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             }
             for impossible in verdict.impossible
         ],
-        "estimates": {
-            "rocking_acceleration_m_s2": number(verdict.estimates.rocking_acceleration),
-            "overturning_velocity_m_s": number(verdict.estimates.overturning_velocity),
-            "possible": number(verdict.estimates.possible),
-            "overturning_ratio": number(verdict.estimates.overturning_ratio),
-            "equipment_loads": [
-                {
-                    "equipment_class": load.grade,
-                    "position": load.position,
-                    "k_h": number(load.coefficient),
-                    "overturns": load.overturns,
-                    "tie_force_n": number(load.force),
-                }
-                for load in verdict.estimates.equipment
-            ],
-            "ac156_height_ratio": None if test is None else number(test.height_ratio),
-            "ac156_rocking_s_ds_g": None if test is None else number(test.sds),
-            "asce43_sliding_share": number(verdict.estimates.sliding.share),
-            "asce43_sliding_median_m": number(verdict.estimates.sliding.distance),
-        },
+        "estimates": _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario),
         **_foot(verdict.scenario, assumptions(verdict)),
+    }
+
+
+def _estimates(estimates: Estimates) -> dict[str, Any]:
+    test = estimates.shake_table
+    return {
+        "rocking_acceleration_m_s2": number(estimates.rocking_acceleration),
+        "overturning_velocity_m_s": number(estimates.overturning_velocity),
+        **attributes(estimates, "possible", "overturning_ratio"),
+        "equipment_loads": [
+            {
+                "equipment_class": load.grade,
+                "position": load.position,
+                "k_h": number(load.coefficient),
+                "overturns": load.overturns,
+                "tie_force_n": number(load.force),
+            }
+            for load in estimates.equipment
+        ],
+        "ac156_height_ratio": None if test is None else number(test.height_ratio),
+        "ac156_rocking_s_ds_g": None if test is None else number(test.sds),
+        "asce43_sliding_share": number(estimates.sliding.share),
+        "asce43_sliding_median_m": number(estimates.sliding.distance),
     }
 
 
@@ -185,8 +185,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         if change is None
         else {
             **interval_data(change),
-            "clear": change.clear,
-            "pairs": change.pairs,
+            **attributes(change, "clear", "pairs"),
         },
         "peak_slide_m": quantiles_data(result.slide),
         "peak_tilt_rad": quantiles_data(result.tilt),
@@ -224,7 +223,7 @@ def _measure(measure: Measure) -> dict[str, Any]:
 
 def interval_data(chance: Probability | Difference) -> dict[str, Any]:
     """Return a probability or a difference of two, with its interval."""
-    return {"estimate": number(chance.estimate), "low": number(chance.low), "high": number(chance.high)}
+    return attributes(chance, "estimate", "low", "high")
 
 
 def _counted(chance: Probability) -> dict[str, Any]:
@@ -237,19 +236,14 @@ def _probability(chance: Probability) -> dict[str, Any]:
 
 def quantiles_data(quantiles: Quantiles) -> dict[str, float | None]:
     """Return quantiles as plain values."""
-    return {"median": number(quantiles.median), "p90": number(quantiles.p90)}
+    return attributes(quantiles, "median", "p90")
 
 
 def _capacity(capacity: Capacity) -> dict[str, Any]:
     return {
         "share": capacity.share,
         "jma_intensity": number(capacity.estimate),
-        "low": number(capacity.low),
-        "high": number(capacity.high),
-        "above": number(capacity.above),
-        "below": number(capacity.below),
-        "one_motion": capacity.one_motion,
-        "text": capacity.text,
+        **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
     }
 
 
@@ -274,12 +268,7 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
         "lognormal": None
         if lognormal is None
         else {
-            "family": lognormal.family,
-            "median": number(lognormal.median),
-            "dispersion": number(lognormal.dispersion),
-            "fits": lognormal.fits,
-            "p_value": number(lognormal.p_value),
-            "misfit": number(lognormal.misfit),
+            **attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
         },
     }
 
@@ -291,12 +280,7 @@ def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
         "best": verdict.best.option.name,
         **shaking_data(verdict),
         "slide_limit_m": verdict.slide_limit,
-        "motions": verdict.motions,
-        "samples": verdict.samples,
-        "runs": verdict.runs,
-        "seed": verdict.seed,
-        "precise": verdict.precise,
-        "seconds": number(verdict.seconds),
+        **attributes(verdict, "motions", "samples", "runs", "seed", "precise", "seconds"),
         "options": [_option_of_several(result, verdict) for result in verdict.options],
         "not_possible": [
             {

@@ -11,7 +11,6 @@ from markupsafe import Markup
 from stayput.catalogue import say
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.names import motion_label
 from stayput.report.page import file_of, framed, rendered, script_json, script_module, write_page
 from stayput.report.palette import mode_looks
 from stayput.report.scene import DRIFT_CORNER
@@ -22,7 +21,7 @@ from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
 from stayput.report.verdict.in_space import pairs_of_several, space_pairs
 from stayput.report.verdict.numbers import word
-from stayput.report.verdict.pairs import histories_svg, pairs_of
+from stayput.report.verdict.pairs import histories_svg, motion_told, pairs_of
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
@@ -159,7 +158,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "after": _drawn(verdict, verdict.best, language) if verdict.best.option.measures else None,
         "curves": Markup(curves_svg(verdict, language)) if verdict.best.curves else None,
         "legend": legend(verdict, language),
-        "pairs": [_pair(verdict, pair, len(ground), language) for pair in pairs],
+        "pairs": [_pair(verdict, pair, language) for pair in pairs],
         "space_pairs": space_pairs(verdict, ground, language) if in_space else [],
         "modes": modes.values(),
         "scenes": Markup(script_json(scenes)),
@@ -210,40 +209,30 @@ def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str
     The case is typical of the piece without a measure: the measure may fail in it and hold in most others.
     """
     chance = verdict.best.probabilities[OVERTURNED]
-    if pair.kind != "typical" or len(pair.sides) == 1 or chance.runs == 0:
+    if pair.kind != "typical" or len(pair.options) == 1 or chance.runs == 0:
         return ""
     held = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
-    key = "typical_also_falls" if pair.sides[1].run.overturned else held
+    key = "typical_also_falls" if pair.scene.runs[1].overturned else held
     told = word(key, language, share=numbers.share(chance.estimate, language))
     return f" {told}" if language == "en" else told
 
 
-def _pair(verdict: Verdict, pair: RunPair, count: int, language: str) -> dict[str, Any]:
-    piece = verdict.scenario.furniture
+def _pair(verdict: Verdict, pair: RunPair, language: str) -> dict[str, Any]:
+    piece, scene = verdict.scenario.furniture, pair.scene
     sides = [
         {
-            "label": title(side.option, verdict, language),
-            "outcome": say(piece_sentences(side.run, piece.preset, piece.name), language),
+            "label": title(option, verdict, language),
+            "outcome": say(piece_sentences(run, piece.preset, piece.name), language),
         }
-        for side in pair.sides
+        for option, run in zip(pair.options, scene.runs, strict=True)
     ]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
-    about_key = f"{pair.kind}_text" if len(pair.sides) > 1 else f"{pair.kind}_bare_text"
+    about_key = f"{pair.kind}_text" if len(pair.options) > 1 else f"{pair.kind}_bare_text"
     return {
         "title": word(pair.kind, language),
         "about": word(about_key, language) + _place_of_the_measure(verdict, pair, language),
-        "motion": word(
-            "motion_shown",
-            language,
-            number=pair.member.motion + 1,
-            count=count,
-            name=motion_label(pair.motion, language),
-            peak=pair.motion.pga,
-            start=f"{pair.scene.start:.1f}",
-            end=f"{pair.scene.end:.1f}",
-            duration=f"{pair.motion.duration:g}",
-        ),
-        "moved": _moved(pair.scene, language),
+        "motion": motion_told(verdict, pair.member, scene.runs[0], (scene.start, scene.end), language),
+        "moved": _moved(scene, language),
         "sides": sides,
         "chart": Markup(histories_svg(pair, language, (" " if language == "en" else "").join(outcomes))),
     }

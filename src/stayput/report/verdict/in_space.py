@@ -13,12 +13,11 @@ from stayput.montecarlo.several import draws_of_several, replay
 from stayput.report.animation import player_page
 from stayput.report.film import film_of
 from stayput.report.fonts import drawable
-from stayput.report.history import cut_run, peak_of, window_in_space
-from stayput.report.names import motion_label
+from stayput.report.history import cut_run, window_in_space
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.summary import became
 from stayput.report.verdict.numbers import word
-from stayput.report.verdict.pairs import floor_motion, replay_in_space, shown_options
+from stayput.report.verdict.pairs import floor_motion, motion_told, replay_in_space, shown_options
 from stayput.scenario import Scenario
 from stayput.verification.several_words import title_of_several
 from stayput.verification.words import title
@@ -84,7 +83,6 @@ def _pairs(
         runs = runs_of(member)
         start, end = window_in_space(runs)
         cut = [cut_run(run, start, end) for run in runs]
-        motion = runs[0].motion
         pairs.append(
             {
                 "title": word(kind, language),
@@ -99,17 +97,7 @@ def _pairs(
                     }
                     for label, run, shown in zip(labels, runs, cut, strict=True)
                 ],
-                "motion": word(
-                    "motion_in_space",
-                    language,
-                    number=member.motion + 1,
-                    count=verdict.motions,
-                    name=motion_label(motion, language),
-                    peak=peak_of(motion),
-                    start=f"{start:.1f}",
-                    end=f"{end:.1f}",
-                    duration=f"{motion.duration:g}",
-                ),
+                "motion": motion_told(verdict, member, runs[0], (start, end), language),
             }
         )
     return pairs

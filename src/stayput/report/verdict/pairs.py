@@ -14,7 +14,8 @@ from stayput.mechanics.runner import shaking
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.suites import Suite
-from stayput.report.history import MOVED, History, history, window_of
+from stayput.report.history import MOVED, history, peak_of, window_of
+from stayput.report.names import motion_label
 from stayput.report.scene import TIME_DIGITS, Scene, scene_of
 from stayput.report.verdict import svg
 from stayput.report.verdict.numbers import word
@@ -22,6 +23,7 @@ from stayput.simulation.case import Case, trace_held
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.run import run_of
 from stayput.simulation.space import run_held
+from stayput.simulation.space_run import SpaceRun
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -30,8 +32,7 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
     from stayput.simulation.run import Run
-    from stayput.simulation.space_run import SpaceRun
-    from stayput.verification import Option, Verdict
+    from stayput.verification import AssemblyVerdict, Option, Verdict
     from stayput.verification.verdict import Member
 
 RATE = 50.0
@@ -48,25 +49,6 @@ _TILT_SHOWN = 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Side:
-    """One of the two runs.
-
-    Parameters
-    ----------
-    option : Option
-        The measures, or none.
-    run : Run
-        The run.
-    history : History
-        Where the body is when, until it lies.
-    """
-
-    option: Option
-    run: Run
-    history: History
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class RunPair:
     """Two runs of one member.
 
@@ -76,28 +58,24 @@ class RunPair:
         "typical" or "worst".
     member : Member
         The motion and the draw.
-    motion : Motion
-        The floor's motion.
-    sides : tuple of Side
-        Without a measure first.
+    options : list of Option
+        The measures of each, or none, which comes first.
     scene : Scene
-        What is drawn of them.
+        The runs, and what is drawn of them.
     """
 
     kind: str
     member: Member
-    motion: Motion
-    sides: tuple[Side, ...]
+    options: list[Option]
     scene: Scene
 
     @property
     def telling(self) -> float:
         """The most telling moment [s]: halfway through the first fall, else the largest tilt or slide."""
-        for side in self.sides:
-            if side.run.overturned:
-                far = np.abs(side.history.tilt) > 0.5
-                return float(side.history.time[int(far.argmax())])
-        bare = self.sides[0].history
+        for run, shown in zip(self.scene.runs, self.scene.histories, strict=True):
+            if run.overturned:
+                return float(shown.time[int((np.abs(shown.tilt) > 0.5).argmax())])
+        bare = self.scene.histories[0]
         largest = np.abs(bare.tilt) if np.abs(bare.tilt).max() > MOVED else np.abs(bare.slide)
         return min(max(float(bare.time[int(largest.argmax())]), self.scene.start), self.scene.end)
 
@@ -155,9 +133,8 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite) -> RunPair
     motion, scale = floor_motion(verdict, ground, member)
     options = shown_options(verdict)
     runs = [replay(verdict, option, member, motion, scale) for option in options]
-    sides = tuple(Side(option, run, history(run)) for option, run in zip(options, runs, strict=True))
-    start, end = window_of([(side.run, side.history) for side in sides], motion)
-    return RunPair(kind, member, motion.scaled(scale), sides, scene_of(runs, start, end))
+    window = window_of([(run, history(run)) for run in runs], motion)
+    return RunPair(kind, member, options, scene_of(runs, *window))
 
 
 def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motion, float]:
@@ -229,6 +206,28 @@ def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, sca
     return run_of(case, traced, held, results, most_events=2)  # the pictures need the last one
 
 
+def motion_told(
+    verdict: Verdict | AssemblyVerdict,
+    member: Member,
+    run: Run | SpaceRun,
+    shown: tuple[float, float],
+    language: str,
+) -> str:
+    """Return which motion a run met, how strong it was, and from when to when it is shown [s]."""
+    motion, in_space = run.motion, isinstance(run, SpaceRun)
+    return word(
+        "motion_in_space" if in_space else "motion_shown",
+        language,
+        number=member.motion + 1,
+        count=verdict.motions,
+        name=motion_label(motion, language),
+        peak=peak_of(motion) if in_space else motion.pga,
+        start=f"{shown[0]:.1f}",
+        end=f"{shown[1]:.1f}",
+        duration=f"{motion.duration:g}",
+    )
+
+
 def histories_svg(pair: RunPair, language: str, outcomes: str) -> str:
     """Return the picture of a pair's histories over the time that is shown.
 
@@ -242,12 +241,12 @@ def histories_svg(pair: RunPair, language: str, outcomes: str) -> str:
         What became of them, for those who do not see it.
     """
     x = svg.PixelAxis(pair.scene.start, pair.scene.end, LEFT, RIGHT)
-    motion = pair.motion
+    motion = pair.scene.motion
     inside = (motion.time >= pair.scene.start) & (motion.time <= pair.scene.end)
     floor = [(motion.time[inside], motion.x[inside], 0)]
-    tilts = [(side.history.time, np.degrees(side.history.tilt), n) for n, side in enumerate(pair.sides)]
-    slides = [(side.history.time, 100.0 * side.history.slide, n) for n, side in enumerate(pair.sides)]
-    limit = _TILT_SHOWN * math.degrees(max(pair.sides[0].run.body.slenderness))
+    tilts = [(one.time, np.degrees(one.tilt), n) for n, one in enumerate(pair.scene.histories)]
+    slides = [(one.time, 100.0 * one.slide, n) for n, one in enumerate(pair.scene.histories)]
+    limit = _TILT_SHOWN * math.degrees(max(pair.scene.runs[0].body.slenderness))
     parts = [
         *_panel(x, PANELS[0], floor, word("axis_acceleration", language), "floor", math.inf),
         *_panel(x, PANELS[1], tilts, word("axis_tilt", language), "run", limit),
@@ -300,7 +299,7 @@ def _times(x: svg.PixelAxis, language: str) -> list[str]:
 def _failures(x: svg.PixelAxis, pair: RunPair, language: str) -> list[str]:
     """Return a line and a word where a device fails."""
     top, bottom = PANELS[1][0], PANELS[2][1]
-    times = sorted({d.failure_time for side in pair.sides for d in side.run.devices if d.failed})
+    times = sorted({d.failure_time for run in pair.scene.runs for d in run.devices if d.failed})
     parts = [svg.line(x.place(t), top, x.place(t), bottom, "broken") for t in times if x.low <= t <= x.high]
     if parts:
         right = times[0] < 0.5 * (x.low + x.high)
