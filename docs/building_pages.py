@@ -11,11 +11,18 @@ import stayput as sp
 import workload
 from stayput.building import STRUCTURES, Building
 from stayput.motion.spectrum import PERIODS, response_spectrum
-from stayput.report.building import plot_building, plot_recorded_floor
+from stayput.report.building import plot_building
+from stayput.report.figures import FONT, label_axes, new_figure, plain_log, saved, style
+from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK
 from stayput.vocabulary import also_called
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from stayput.building.response import FloorResponse
 
 GROUND_FILE, FLOOR_FILE = "market575_1989_ground_gal_dt0.01.csv", "market575_1989_floor42_gal_dt0.01.csv"
 TOP, PERIOD = 42, 6.4
@@ -95,6 +102,43 @@ def strongest(motion: sp.Motion, shortest: float, longest: float) -> float:
     return float(1.0 / f[inside][amplitude[inside].argmax()])
 
 
+def draw_recorded_floor(response: FloorResponse, storey: int, recorded: sp.Motion) -> Figure:
+    """Draw a recorded floor beside the computed one: accelerations over time, and spectra."""
+    computed = response.floor(storey)
+    place, model = response.model.place(storey), response.model
+    title = f"{model.name}, T1 = {model.periods[0]:.3g} s: {place}, recorded and computed"
+    figure = new_figure(11.0, 5.2, title)
+    grid = figure.add_gridspec(3, 2, width_ratios=[1.3, 1.0])
+    spectra = figure.add_subplot(grid[:, 1])
+    shown = (
+        ("ground, recorded", response.motion, INK, "-"),
+        (f"{place}, recorded", recorded, COMPONENT_COLOURS["x"], "-"),
+        (f"{place}, computed", computed, ALARM, "--"),
+    )
+    limit = 1.1 * max(motion.pga for _, motion, _, _ in shown)
+    axes: list[Axes] = []
+    for row, (label, motion, colour, line) in enumerate(shown):
+        axis = figure.add_subplot(grid[row, 0], sharex=axes[0] if axes else None)
+        axes.append(axis)
+        style(axis)
+        peaks = f"{label}: {motion.pga:.2f} m/s², {100.0 * motion.pgv:.0f} cm/s"
+        axis.plot(motion.time, motion.x, color=colour, linewidth=0.9)
+        axis.set_title(peaks, fontsize=FONT - 0.5, color=INK, loc="left")
+        axis.set_ylim(-limit, limit)
+        axis.tick_params(labelbottom=row == len(shown) - 1)
+        spectrum = response_spectrum(motion)
+        spectra.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
+    label_axes(axes[1], "en", y="plots.acceleration")
+    label_axes(axes[-1], "en", x="report.axis_time")
+    style(spectra, zero=False)
+    plain_log(spectra)
+    spectra.set_xlim(PERIODS[0], PERIODS[-1])
+    label_axes(spectra, "en", x="plots.period")
+    spectra.set_ylabel("Sa, 5 % damping [m/s²]", fontsize=FONT)
+    spectra.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.85)
+    return figure
+
+
 def market_street(folder: Path) -> str:
     """Draw 575 Market Street's top floor beside the model's; say so where the records are absent."""
     files = [workload.RECORD.parent / name for name in (GROUND_FILE, FLOOR_FILE)]
@@ -102,7 +146,7 @@ def market_street(folder: Path) -> str:
         return "The records were not at hand when this page was built, so there is no picture.\n"
     ground, recorded = (sp.read_motion(file, unit="gal") for file in files)
     response = Building(TOP, "steel", PERIOD, nonlinear=False).respond(ground)
-    plot_recorded_floor(response, TOP, recorded, folder / "building_market.png")
+    saved(draw_recorded_floor(response, TOP, recorded), folder / "building_market.png")
     computed = response.floor(TOP)
     band = (PERIODS >= 0.1) & (PERIODS <= 8.0)
     ratio = response_spectrum(computed).sa[band] / response_spectrum(recorded).sa[band]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import stayput as sp
-from stayput.report.spectrum import plot_spectra
+from stayput.report.spectra import plot_spectra
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -34,12 +34,14 @@ def text_cell(text: str) -> str:
     return str(harmless(text)).replace("\r", " ")
 
 
-def csv_text(names: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
-    """Return a table as CSV."""
+def csv_text(names: Sequence[str], rows: Iterable[Iterable[object]], end: str = "\r\n") -> str:
+    """Return a table as CSV, whose lines end in CR LF or in LF alone."""
     text = io.StringIO()
-    lines = csv.writer(text)
-    lines.writerow(map(harmless, names))
-    lines.writerows(map(harmless, row) for row in rows)
+    lines = csv.writer(text, lineterminator=end)
+    for row in (names, *rows):
+        lines.writerow(
+            text_cell(cell) if isinstance(cell, str) and end == "\n" else harmless(cell) for cell in row
+        )
     return text.getvalue()
 
 

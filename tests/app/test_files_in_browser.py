@@ -33,7 +33,7 @@ def opened(browser: Browser, path: Path) -> tuple[Page, list[str]]:
 def test_the_animation_plays_under_any_name(browser: Browser, tmp_path: Path, name: str) -> None:
     body = sp.Body(width=0.4, height=1.8, mass=100.0)
     run = sp.simulate(body, sp.Room(floor=sp.Floor()), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
-    page, said = opened(browser, animate_run(run, tmp_path / "run.html", name=name))
+    page, said = opened(browser, animate_run(run, tmp_path / "run.html", names=[name]))
     assert name[:4].strip().lower() in page.locator("h1").inner_text().lower()
     page.wait_for_function("document.getElementById('mode').textContent !== ''")
     assert page.locator("body > script").count() == 2

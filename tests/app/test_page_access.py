@@ -12,7 +12,7 @@ from browsing import COMPILING, DESK, LOOKS, PHONE, opened
 
 from stayput.app.pages import words
 from stayput.catalogue import LANGUAGES
-from stayput.report.embedding import canvas_files
+from stayput.report.page import canvas_files
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

@@ -14,7 +14,7 @@ from test_page_links import LOST, forget, small_record, small_vertical
 from test_room_api import ROOM, ended
 
 import stayput as sp
-from stayput.report.space.animation import animate_space_run
+from stayput.report.animation import animate_run
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -40,9 +40,9 @@ def test_a_short_film_of_a_room_says_the_verdict(
 
     def noted(*args: Any, **more: Any) -> Path:
         said.append(more)
-        return animate_space_run(*args, **more)
+        return animate_run(*args, **more)
 
-    monkeypatch.setattr("stayput.app.downloads.animate_space_run", noted)
+    monkeypatch.setattr("stayput.app.downloads.animate_run", noted)
     query = {"kind": "gif", "seconds": 3, "job": job["id"], "lang": "ja"}
     drawn = client.post("/api/v1/simulate/film", params=query, json={"scene": ROOM}).content
     film = Image.open(io.BytesIO(drawn))

@@ -54,11 +54,14 @@ def test_each_refusal_names_a_sentence_and_gives_its_values(calls):
 
 def test_each_text_that_the_code_names_is_there(calls):
     """An id that is put together in the code begins like one that there is."""
+    modules = {"phrase": ("",), "say": ("",), "word": ("report.", "common."), "_text": ("report.",)}
     for file, called, call in calls:
-        name = call.args[0] if called in ("phrase", "say") else None
+        name = call.args[0] if called in modules and call.args else None
         start = name.values[0] if isinstance(name, ast.JoinedStr) else name
-        if isinstance(start, ast.Constant) and re.fullmatch(r"[a-z]+\.\w*", start.value):
-            assert any(key.startswith(start.value) for key in TEXTS), (file, start.value)
+        if isinstance(start, ast.Constant) and isinstance(start.value, str):
+            wanted = [f"{module}{start.value}" for module in modules[called]]
+            begun = start is not name and any(key.startswith(tuple(wanted)) for key in TEXTS)
+            assert begun or any(key in TEXTS for key in wanted), (file, start.value)
 
 
 def test_each_text_of_the_command_line_is_said():

@@ -12,7 +12,7 @@ import pytest
 import stayput as sp
 from long_cases import long
 from stayput.measures import Belt, LBracket
-from stayput.report.action_plan.html import plan_html
+from stayput.report.room.card import plan_html
 from stayput.rooms.changes import Change
 from stayput.rooms.decisions import changes_between
 

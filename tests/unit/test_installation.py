@@ -11,7 +11,6 @@ from stayput.fragility.probabilities import percent
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, LBracketInBoard, TensionPole, WedgeStopper
 from stayput.measures.measure import FAULTY
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.verdict.data import verdict_json
 from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv
@@ -123,7 +122,7 @@ def test_every_form_of_the_verdict_says_it(usual):
     assert clause in verdict_markdown(usual).replace("\\", "")
     assert clause in report_html(usual, "en")
     assert "実際の取付けでは" in verdict_markdown(usual, "ja")
-    data = {one["name"]: one for one in json.loads(verdict_json(usual))["options"]}
+    data = {one["name"]: one for one in json.loads(usual.to_json())["options"]}
     told = data["l_bracket"]["as_installed"]
     assert told["badly_share"] == FAULTY
     assert told["usual"][OVERTURNED] == by_name(usual)["l_bracket"].installed.usual[OVERTURNED]

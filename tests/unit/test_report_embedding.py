@@ -15,8 +15,8 @@ from report_runs import rocking
 from verdict_cases import made
 
 from stayput.report.animation import player_page
-from stayput.report.embedding import canvas_files, script_json, script_module
 from stayput.report.film import film_of
+from stayput.report.page import canvas_files, script_json, script_module
 from stayput.report.verdict.exports import curves_csv, observed_csv
 from stayput.report.verdict.tables import verdict_csv
 from stayput.spreadsheets import text_cell
@@ -49,12 +49,12 @@ def test_an_inline_module_has_no_imports_and_no_exports() -> None:
 
 @pytest.mark.parametrize("name", HOSTILE)
 def test_the_player_holds_any_name(name: str) -> None:
-    page = player_page(film_of(rocking(), name), 1.0, 1.0)
+    page = player_page(film_of(rocking(), [name]), 1.0, 1.0)
     data = re.search(r'<script id="run" type="application/json">(.*?)</script>', page, re.S)
     assert data
     assert "<" not in data[1]
     assert name.lower() in json.loads(data[1])["title"].lower()
-    assert page.count("<script") == player_page(film_of(rocking(), "a"), 1.0, 1.0).count("<script")
+    assert page.count("<script") == player_page(film_of(rocking(), ["a"]), 1.0, 1.0).count("<script")
 
 
 @pytest.mark.parametrize("begins", ["=", "+", "-", "@", "\t", "\r", "＝"])

@@ -168,7 +168,7 @@ def test_a_piece_on_uneven_feet_has_not_overturned() -> None:
 
 
 def test_what_is_told_of_what_fell_off() -> None:
-    from stayput.report.space.said import became as said
+    from stayput.report.space.summary import became as said
     from stayput.report.space.summary import space_rows, space_summary
 
     upper = sp.Standing(BOX(0.1, 0.3, 0.4, 3.0), (-0.1, 0.0, 0.8), velocity=(-1.2, 0.0, 0.0))

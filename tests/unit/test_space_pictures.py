@@ -6,26 +6,22 @@ import base64
 import dataclasses
 import json
 import re
-import shutil
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from PIL import Image
 from space_runs import BOX, DRUM, DT, SHAKE, TIME, apart, falling, spinning
 
 import stayput as sp
 from stayput.catalogue import say
-from stayput.report.embedding import script_module
+from stayput.report.film import film_of
+from stayput.report.page import script_module
 from stayput.report.palette import BODY_COLOURS, rgb
-from stayput.report.space.animation import animate_space_run, space_player_page
-from stayput.report.space.camera import Camera
-from stayput.report.space.film import space_film
-from stayput.report.space.frames import SpacePainter, _from_far, _hull_of
+from stayput.report.space.frames import Camera, SpacePainter, _from_far, _hull_of
 from stayput.report.space.plot import plot_space_run
-from stayput.report.space.said import became
 from stayput.report.space.scene import RATE, space_scene
 from stayput.report.space.shape import shape_of
+from stayput.report.space.summary import became
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
@@ -109,7 +105,7 @@ def test_the_picture_holds_every_pose_near_the_start() -> None:
     scene = space_scene(run, ("box",))
     for time in (0.0, 1.0, 1.3, 2.0):
         places, turns = scene.pose(time)
-        painter = SpacePainter(space_film(run, None, "en"), 640, 480)
+        painter = SpacePainter(film_of(run, None, "en"), 640, 480)
         seen = np.array(painter._camera.seen(scene.corners(0, turns[0], places[0])))
         assert (seen > 0.0).all()
         assert (seen < [1280, 622]).all()
@@ -126,7 +122,7 @@ def test_runs_beside_each_other_are_drawn_to_one_scale() -> None:
     for key in ("low_m", "high_m", "grid_m"):
         assert views[0][key] == views[1][key]
     assert views[0]["high_m"] != space_scene(still, ("box",)).data()["view"]["high_m"]
-    cameras = [SpacePainter(space_film(run, None, "en", runs), 640, 480)._camera for run in runs]
+    cameras = [SpacePainter(film_of(run, None, "en", runs), 640, 480)._camera for run in runs]
     assert cameras[0].place == pytest.approx(cameras[1].place)
 
 
@@ -141,16 +137,6 @@ def test_lines_that_go_behind_the_camera_are_cut_and_the_others_are_whole() -> N
         assert outline == camera.seen(points[list(line)])
     assert outlines[1][0] == outlines[0][1]
     assert outlines[0][1] in outlines[3]
-
-
-def test_a_large_ground_displacement_is_drawn_smaller_and_said_so() -> None:
-    run = falling()
-    assert space_scene(run, ("box",)).shift_scale == 1.0
-    long = dataclasses.replace(run, motion=dataclasses.replace(SHAKE, x=20.0 * np.cos(2.0 * TIME)))
-    film = space_film(long, None, "en")
-    assert film.scene.shift_scale < 1.0
-    assert np.linalg.norm(film.scene.shift, axis=1).max() == pytest.approx(0.9, rel=0.01)
-    assert "of its size" in film.moved
 
 
 def test_a_box_has_sharp_edges_and_a_round_body_a_smooth_side() -> None:
@@ -181,7 +167,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
             place=run.place[order],
             attitude=run.attitude[order],
         )
-        painter = SpacePainter(space_film(mixed, None, "en"), 640, 480)
+        painter = SpacePainter(film_of(mixed, None, "en"), 640, 480)
         places, turns = painter._film.scene.pose(0.0)
         corners = [painter._film.scene.corners(b, turns[b], places[b]) for b in range(3)]
         hulls = [_hull_of(*each) for each in zip(painter._film.scene.shapes, corners, turns, strict=True)]
@@ -191,7 +177,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
 
 
 def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
-    painter = SpacePainter(space_film(spinning(), NAMES, "en"), 640, 480)
+    painter = SpacePainter(film_of(spinning(), NAMES, "en"), 640, 480)
     shown = np.asarray(painter.frame(0.7)).astype(int).reshape(-1, 3)
     for colour in BODY_COLOURS[:3]:  # light and shade leave the hue
         hue = np.array(rgb(colour)) / max(rgb(colour))
@@ -202,25 +188,9 @@ def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
 def test_what_is_behind_the_camera_is_not_drawn() -> None:
     run = falling()
     way = np.array([4.0, -8.0, 2.0]) * TIME[:, np.newaxis]
-    painter = SpacePainter(space_film(dataclasses.replace(run, place=run.place + way), None, "en"), 640, 480)
+    painter = SpacePainter(film_of(dataclasses.replace(run, place=run.place + way), None, "en"), 640, 480)
     for time in (0.8, 1.2, 1.6, 2.0):
         assert painter.frame(time).size == (640, 480)
-
-
-def test_a_gif_has_its_frames_and_its_time(tmp_path: Path) -> None:
-    done: list[tuple[int, int]] = []
-    path = animate_space_run(
-        falling(), tmp_path / "a.gif", fps=10, hold=0.5, width=320, progress=lambda *step: done.append(step)
-    )
-    with Image.open(path) as gif:
-        assert (gif.size, getattr(gif, "n_frames", 0)) == ((320, 240), 21)  # those that hold are one
-    assert done[-1] == (25, 25)
-
-
-@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
-def test_an_mp4_is_written(tmp_path: Path) -> None:
-    path = animate_space_run(falling(), tmp_path / "a.mp4", fps=10)
-    assert path.read_bytes()[4:8] == b"ftyp"
 
 
 def test_the_html_page_stands_alone_and_is_small(tmp_path: Path) -> None:
@@ -233,14 +203,6 @@ def test_the_html_page_stands_alone_and_is_small(tmp_path: Path) -> None:
     assert len(declared) == len(set(declared)), "all modules share one scope"
     assert len(page) < 130_000
     assert "import " not in script_module('import { orbit } from "./canvas/camera.js";\n')
-
-
-def test_the_html_page_is_in_the_language_that_is_wanted() -> None:
-    page = space_player_page(space_film(falling(), ["本棚"], "ja"), 1.0, 1.0)
-    assert '<html lang="ja">' in page
-    for text in ("本棚は揺れ始めから", "再生", "傾き", "床の加速度：", "視点", "正面"):
-        assert text in page
-    assert "Space plays" not in page
 
 
 def test_what_became_of_the_bodies() -> None:
@@ -263,39 +225,6 @@ def test_what_became_of_the_bodies() -> None:
     assert became(still, ["box"])[0] == "The box stayed put: it neither slid nor rocked."
     landed = sp.simulate(sp.Standing(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
     assert became(landed, ["box"])[0].startswith("The box did not overturn; it tilted by less than 0.1°")
-
-
-@pytest.mark.parametrize(
-    ("name", "options", "message"),
-    [
-        ("a.html", {"language": "fr"}, "language is 'fr'"),
-        ("a.avi", {}, "must end in .gif, .mp4, .html"),
-        ("nowhere/a.gif", {}, "its folder must exist"),
-        ("a.gif", {"fps": 0.0}, "fps is 0"),
-        ("a.gif", {"width": 10}, "width is 10"),
-        ("a.html", {"names": ["a", "b"]}, "2 names for 1 bodies"),
-        ("a.html", {"names": "a"}, "must be a list"),
-    ],
-)
-def test_animations_that_are_refused_leave_nothing(
-    tmp_path: Path, name: str, options: dict[str, Any], message: str
-) -> None:
-    with pytest.raises(sp.InputError, match=message):
-        animate_space_run(falling(), tmp_path / name, **options)
-    assert not list(tmp_path.iterdir())
-
-
-def test_a_run_of_one_sample_is_refused(tmp_path: Path) -> None:
-    short = part(falling(), samples=slice(1))
-    with pytest.raises(sp.InputError, match="needs at least 2"):
-        short.animate(tmp_path / "a.html")
-
-
-@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
-def test_plots_are_saved(tmp_path: Path, suffix: str) -> None:
-    path = tmp_path / f"run{suffix}"
-    falling().figure().savefig(path)
-    assert path.read_bytes().startswith({".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}[suffix])
 
 
 def test_the_plot_shows_the_histories_and_the_ways_in_plan() -> None:

@@ -9,17 +9,17 @@ import numpy as np
 from space_runs import falling
 
 import stayput as sp
+from stayput.report.film import film_of
 from stayput.report.space import frames
-from stayput.report.space.film import space_film
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.scene import space_scene
-from stayput.report.space.still import STILL_LOOKS, still_of
+from stayput.report.space.shape import STILL_LOOKS, still_of
 
 if TYPE_CHECKING:
     import pytest
 
-    from stayput.report.space.still import StillShape
+    from stayput.report.space.shape import StillShape
     from stayput.simulation.space_run import SpaceRun
 
 PLAN = sp.FloorPlan(
@@ -81,9 +81,9 @@ def test_a_scene_shows_them_all_and_a_run_without_a_plan_has_none() -> None:
 
 
 def test_films_and_plots_draw_them() -> None:
-    film = space_film(room_run(), ["box"], "en")
+    film = film_of(room_run(), ["box"], "en")
     assert "hold nothing up" in film.caption
-    assert "hold nothing up" not in space_film(falling(), ["box"], "en").caption
+    assert "hold nothing up" not in film_of(falling(), ["box"], "en").caption
     bare = dataclasses.replace(film, scene=dataclasses.replace(film.scene, still=()))
     shown, empty = (np.asarray(SpacePainter(one, 480, 360).frame(0.0), float) for one in (film, bare))
     blue = shown[..., 2] - shown[..., 0] > 30.0
@@ -108,7 +108,7 @@ def test_doors_of_walls_that_are_seen_from_outside_are_drawn_over_the_bodies(
 
     monkeypatch.setattr(frames, "_draw_still", still)
     monkeypatch.setattr(frames, "_draw_body", body)
-    SpacePainter(space_film(room_run(), ["box"], "en"), 480, 360).frame(
+    SpacePainter(film_of(room_run(), ["box"], "en"), 480, 360).frame(
         0.0
     )  # seen from the right and the near wall
     bodies = [place for place, one in enumerate(drawn) if one == "body"]

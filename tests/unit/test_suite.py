@@ -15,7 +15,7 @@ from stayput.motion.suites import (
     synthetic_motion,
     synthetic_suite,
 )
-from stayput.report.suite import plot_suite, suite_title
+from stayput.report.spectra import plot_suite, suite_title
 
 PERIODS = np.array([0.1, 0.3, 1.0, 3.0])
 FLAT = TargetSpectrum([0.05, 10.0], [5.0, 5.0], "flat")

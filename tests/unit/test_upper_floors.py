@@ -23,9 +23,8 @@ from stayput.fragility.nrml import in_openquake
 from stayput.motion.measures import Intensities
 from stayput.report.plot import plot_run
 from stayput.report.room.data import room_data
-from stayput.report.several.data import several_data
 from stayput.report.verdict.curves import curves_svg
-from stayput.report.verdict.data import verdict_data
+from stayput.report.verdict.data import several_data, verdict_data
 from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv

@@ -13,7 +13,7 @@ from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTUR
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
-from stayput.report.verdict.pairs import replay
+from stayput.report.verdict.pairs import floor_motion, replay
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, options_of, verify
 from stayput.verification.options import usual_options
@@ -83,7 +83,10 @@ def test_a_device_s_failures_and_margins_are_those_of_its_runs():
     belt = next(one for one in found.options if one.option.measures)
     ground = weak.shaking.ground(weak.folder)
     members = [Member(m, s) for m in range(found.motions) for s in range(found.samples)]
-    results = [replay(found, belt.option, member, ground).devices[0] for member in members]
+    results = [
+        replay(found, belt.option, member, *floor_motion(found, ground, member)).devices[0]
+        for member in members
+    ]
     (told,) = belt.devices
     times = [one.failure_time for one in results if one.failed]
     assert 0 < len(times) < len(results)

@@ -18,8 +18,8 @@ from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
 from stayput.montecarlo.several import drawn_assembly, drawn_room, draws_of_several
-from stayput.report.several.pairs import replay_of_several
-from stayput.report.several.tables import settlement_assumptions
+from stayput.report.verdict.assumptions import settlement_assumptions
+from stayput.report.verdict.in_space import replay_of_several
 from stayput.scenario import AssemblyScenario
 from stayput.simulation.placing import placed
 from stayput.verification.several_options import label, options_of_several
@@ -228,7 +228,7 @@ def test_what_a_soft_floor_leaves_out_is_said() -> None:
 
     def said(furniture: list[dict[str, Any]], floor: str) -> list[str]:
         scenario = parsed(furniture=furniture, joints=[], room={"floor": floor})
-        return [one.texts[1][0] for one in settlement_assumptions(scenario)]
+        return [one.value[0] for one in settlement_assumptions(scenario)]
 
     solids, stacks = "Left out for round pieces and meshes", "A piece that carries others sinks in"
     assert said([box], "carpet") == []

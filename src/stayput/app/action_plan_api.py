@@ -16,7 +16,7 @@ from stayput.app.service import json_response, problems
 from stayput.app.turns import Turn
 from stayput.catalogue import LANGUAGES, Language
 from stayput.errors import InputError
-from stayput.report.action_plan.html import plan_html
+from stayput.report.room.card import plan_html
 from stayput.rooms.decisions import changes_between
 from stayput.rooms.planning import action_plan
 from stayput.rooms.steps import Home

@@ -19,7 +19,6 @@ from stayput.app.running import own_measures, run_of
 from stayput.app.space_running import name_in, pieces_run, space_run_of
 from stayput.report.animation import animate_run
 from stayput.report.history import history
-from stayput.report.space.animation import animate_space_run
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.words import names_in
 from stayput.scenario import AssemblyScenario, Scenario
@@ -190,11 +189,11 @@ def film(
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
             run = _of_named_motion(run_of(scenario, motion, measures), named)
-            animate_run(run, path, name=name, **told)
+            animate_run(run, path, names=[name], **told)
         else:
             shown, names = _shown_in_space(scenario, held=held)
             run = _of_named_motion(shown, named)
-            animate_space_run(run, path, names=names(language), **told)
+            animate_run(run, path, names=names(language), **told)
         return path.read_bytes()
 
 

@@ -25,11 +25,10 @@ from stayput.app.space_replies import (
 )
 from stayput.errors import InputError
 from stayput.model.room import WALLS_AROUND
+from stayput.report.history import slid
 from stayput.report.scene import TIME_DIGITS, rounded
-from stayput.report.space.histories import slid
-from stayput.report.space.said import became, piece_became
 from stayput.report.space.scene import space_scene
-from stayput.report.space.summary import space_summary
+from stayput.report.space.summary import became, piece_became, space_summary
 from stayput.report.summary import device_results, number, piece_name, place_called
 from stayput.rooms.one_run import happens_in
 from stayput.rooms.words import names_in

@@ -35,10 +35,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "decided": ("your choice", "決めた変更"),
     "nothing": (
         "In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be bought.",
-        (
-            "計算では、家具が人に当たることも、ドアをふさぐことも、何度も倒れることもありませんでした。"
-            "買う物はありません。"
-        ),
+        "計算では、家具が人に当たることも、ドアをふさぐことも、何度も倒れることもありませんでした。買う物はありません。",
     ),
     "in_place": (
         "Taken as already in place: {measures}.",
@@ -53,10 +50,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Steps marked C rest on assumed values: trust their order more than their chances. Before you buy, measure or "
             "look up these inputs, enter them in the room, and make this plan again."
         ),
-        (
-            "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、次の値を"
-            "測るか調べて部屋に入力し、作り直してください。"
-        ),
+        "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、次の値を測るか調べて部屋に入力し、作り直してください。",
     ),
     "home": ("Conditions: {conditions}.", "条件：{conditions}。"),
     "no_drilling": ("no drilling", "壁に穴を開けない"),
@@ -139,10 +133,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Ask the landlord, before you buy, whether furniture may be screwed to the studs of the wall. In Japan the "
             "Ministry of Land's guideline on restoring rented homes names this consent for holding furniture."
         ),
-        (
-            "買う前に、家具を壁の下地にねじで留めてよいか、大家さんや管理会社に相談してください。国土交通省の"
-            "原状回復のガイドラインも、家具の転倒防止では前もって貸主の承諾を得る方法を挙げています。"
-        ),
+        "買う前に、家具を壁の下地にねじで留めてよいか、大家さんや管理会社に相談してください。国土交通省の原状回復のガイドラインも、家具の転倒防止では前もって貸主の承諾を得る方法を挙げています。",
     ),
     "out_of_reach": (
         "Put beds and desks out of its reach, keep heavy things at the bottom, or choose a lower piece.",
@@ -182,10 +173,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "find the studs by tapping or with a stud finder (usually every {near:.0f} or {far:.0f} mm); the screws "
             "must go {depth:.0f} mm into them"
         ),
-        (
-            "下地センサーなどで下地（間柱）を探す（間隔は{near:.0f} mmか{far:.0f} mmが多い）。ねじは下地に{depth:.0f} "
-            "mm以上入れる"
-        ),
+        "下地センサーなどで下地（間柱）を探す（間隔は{near:.0f} mmか{far:.0f} mmが多い）。ねじは下地に{depth:.0f} mm以上入れる",
     ),
     "check_board": (
         "plasterboard alone holds little: use anchors made for it, or find a stud after all",
@@ -267,10 +255,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Chances with their 95 % intervals are from {runs} runs of the room, under {motions} (seed {seed}) without "
             "and with each step. stayput {version}."
         ),
-        (
-            "確率とかっこ内の95%区間は、各項目を行う前と後を、{motions}（乱数のシード{seed}）で{runs}回ずつ計算したものです。"
-            "バージョン{version}。"
-        ),
+        "確率とかっこ内の95%区間は、各項目を行う前と後を、{motions}（乱数のシード{seed}）で{runs}回ずつ計算したものです。バージョン{version}。",
     ),
     "same_motions": ("the same {count} motions", "同じ{count}本の地震動"),
     "limits": (

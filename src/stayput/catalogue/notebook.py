@@ -1,13 +1,6 @@
 """What notebooks show beside pictures."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "rank": ("rank", "順位"),
-    "measures": ("measures", "対策"),
-    "overturned": ("overturns", "転倒"),
-    "slid": ("slides too far", "滑りすぎる"),
-    "hit_wall": ("hits a wall", "壁に当たる"),
-    "device_failed": ("a device fails", "器具が壊れる"),
-    "reason": ("why", "理由"),
     "capacity": ("{percent:.0f} % fall at", "{percent:.0f}%が転倒する強さ"),
     "lognormal": ("lognormal", "対数正規分布"),
     "name": ("motion", "地震動"),

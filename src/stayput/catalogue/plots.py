@@ -45,15 +45,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Floor spectrum Sa, x, {damping:g} % [m/s²]",
         "床応答スペクトル Sa、x、減衰{damping:g}% [m/s²]",
     ),
-    "recorded": (
-        "{name}, T1 = {period:.3g} s: {place}, recorded and computed",
-        "{name}、T1 = {period:.3g} s：{place}、観測と計算",
-    ),
-    "ground_recorded": ("ground, recorded", "地盤、観測"),
-    "place_recorded": ("{place}, recorded", "{place}、観測"),
-    "place_computed": ("{place}, computed", "{place}、計算"),
-    "peaks": ("{label}: {pga:.2f} m/s², {pgv:.0f} cm/s", "{label}：{pga:.2f} m/s²、{pgv:.0f} cm/s"),
-    "sa": ("Sa, {damping:g} % damping [m/s²]", "Sa、減衰{damping:g}% [m/s²]"),
     "sa_of": (
         "Sa of {component}, {damping:g} % damping [m/s²]",
         "{component}のSa、減衰{damping:g}% [m/s²]",

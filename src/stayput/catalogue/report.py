@@ -10,9 +10,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
     "simulations_text": (
-        (
-            "{runs} runs in all; motions × Monte Carlo samples: {motions} × {samples} for each measure and level"
-        ),
+        "{runs} runs in all; motions × Monte Carlo samples: {motions} × {samples} for each measure and level",
         "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算しました。",
     ),
     "settled_text": (
@@ -32,10 +30,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Only one motion was run: the shares and their intervals hold for this motion, "
             "not for other earthquakes of the same intensity."
         ),
-        (
-            "地震動は1本だけです。割合と区間はこの地震動についてのもので、同じ震度の他の地震"
-            "には当てはまりません。"
-        ),
+        "地震動は1本だけです。割合と区間はこの地震動についてのもので、同じ震度の他の地震には当てはまりません。",
     ),
     "after": ("With the best of those compared", "比較した中で最良の対策"),
     "ranking": ("The measures, best first", "対策の順位"),
@@ -93,10 +88,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "I10, I50: where 10, 50 % overturn ({intensity}); ?: unsure. Below, in "
             "brackets: the 95 % interval of overturning."
         ),
-        (
-            "全計算に対する割合（括弧内の英字は入力の根拠の区分）。移動量：最大値の中央値。I1"
-            "0、I50：10%、50%が転倒する値（{intensity}）。?は不確実。かっこ内：転倒の95%区間。"
-        ),
+        "全計算に対する割合（括弧内の英字は入力の根拠の区分）。移動量：最大値の中央値。I10、I50：10%、50%が転倒する値（{intensity}）。?は不確実。かっこ内：転倒の95%区間。",
     ),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
     "change": ("Change from “Without measures”", "対策なしとの差"),
@@ -106,9 +98,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "none": ("none", "なし"),
     "no_device": ("no device", "器具なし"),
     "unsure": ("unsure", "不確実"),
-    "up_to": ("up to {value}", "最大{value}"),
-    "less_than": ("less than {value}", "{value}未満"),
-    "more_than": ("more than {value} (no wall to stop it)", "{value}を超えて（止める壁なし）"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
     "fragility_text": (
@@ -119,11 +108,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "motions of the same kind. Marks and bands are drawn for no measure and for the "
             "best one."
         ),
-        (
-            "計測震度に対する転倒の割合です。印は各レベルで数えた割合、線は増加のみを仮"
-            "定した当てはめ（単調回帰）、帯は同じ種類の別の地震動も考えた95%区間です（印と帯"
-            "は対策なしと最良の対策のみ）。"
-        ),
+        "計測震度に対する転倒の割合です。印は各レベルで数えた割合、線は増加のみを仮定した当てはめ（単調回帰）、帯は同じ種類の別の地震動も考えた95%区間です（印と帯は対策なしと最良の対策のみ）。",
     ),
     "fragility_alt": (
         (
@@ -136,26 +121,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     "axis_share": ("Share that overturns", "転倒する割合"),
     "here": ("this shaking: {value}", "この揺れ：{value}"),
     "no_curve": ("no curve ({state})", "曲線なし（{state}）"),
-    "none_fell": ("none fell", "転倒なし"),
-    "all_fell": ("all fell", "すべて転倒"),
-    "abrupt": ("all stand, then all fall", "あるレベルから一斉に転倒"),
     "no_interval": ("one motion: no interval", "地震動が1つのため区間なし"),
     "no_bands": (
         "One motion tells nothing of how other motions scatter, so there are no bands.",
         "地震動が1つだけでは、他の地震動でどれだけばらつくか分からないため、帯はありません。",
     ),
-    "one_level": ("one level", "1レベルのみ"),
-    "no_trend": ("no trend", "傾向なし"),
     "watch": ("See it happen", "動きを見る"),
     "watch_text": (
         (
             "The room moves with the ground, without its drift below {corner} Hz; the dotted "
             "lines stand still, {grid} m apart."
         ),
-        (
-            "部屋は地盤とともに動きます（{corner} Hz未満のゆっくりした動きは除外）。点線は動"
-            "かない基準線で、間隔は{grid} mです。"
-        ),
+        "部屋は地盤とともに動きます（{corner} Hz未満のゆっくりした動きは除外）。点線は動かない基準線で、間隔は{grid} mです。",
     ),
     "part_shown": (
         "The room's movement is drawn at {part} % of its size.",
@@ -213,10 +190,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Motion {number} of {count}: {name}; peak acceleration of the floor, all components together, {peak:.2f} m/s². "
             "Shown from {start} to {end} s of {duration} s."
         ),
-        (
-            "地震動 {number}/{count}：{name}、床の全成分を合わせた最大加速度 {peak:.2f} m/s²。全{duration}秒のう"
-            "ち{start}～{end}秒を表示。"
-        ),
+        "地震動 {number}/{count}：{name}、床の全成分を合わせた最大加速度 {peak:.2f} m/s²。全{duration}秒のうち{start}～{end}秒を表示。",
     ),
     "motion_shown": (
         (
@@ -235,10 +209,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "These are formulas for a piece that does not slide and stands free, not "
             "simulations. They are here so that the size of the results can be checked."
         ),
-        (
-            "滑らず周囲に壁のない家具についての略算式で、シミュレーションではありません。結果"
-            "の大きさを確かめるために並べています。"
-        ),
+        "滑らず周囲に壁のない家具についての略算式で、シミュレーションではありません。結果の大きさを確かめるために並べています。",
     ),
     "formula": ("Formula", "式"),
     "says": ("What it says", "内容"),
@@ -250,10 +221,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "ishiyama": ("Ishiyama (1982)", "石山（1982）"),
     "ishiyama_text": (
-        (
-            "can only overturn where the floor's peak velocity also exceeds {value} cm/s: "
-            "{share} of the motions"
-        ),
+        "can only overturn where the floor's peak velocity also exceeds {value} cm/s: {share} of the motions",
         "さらに床の最大速度が{value} cm/sを超えないと転倒しない：該当する地震動は{share}",
     ),
     "kaneko": ("Kaneko and Hayashi", "金子・林の式"),
@@ -316,10 +284,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "furniture. Measure what matters, above all friction and the strength of wall, "
             "ceiling and anchors."
         ),
-        (
-            "「既定値」は一般的な値で、お使いの家具で測ったものではありません。特に摩擦と、壁"
-            "・天井・留め具の強さは、実際に確かめてください。"
-        ),
+        "「既定値」は一般的な値で、お使いの家具で測ったものではありません。特に摩擦と、壁・天井・留め具の強さは、実際に確かめてください。",
     ),
     "assumption": ("Assumption", "前提"),
     "low": ("default, low confidence", "既定値・信頼度 低"),
@@ -333,9 +298,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Save this as {file}, and run the command with stayput {version}. The same seed "
             "gives the same numbers."
         ),
-        (
-            "これを{file}に保存し、stayput {version}でコマンドを実行します。同じ乱数のシードなら同じ数値になります。"
-        ),
+        "これを{file}に保存し、stayput {version}でコマンドを実行します。同じ乱数のシードなら同じ数値になります。",
     ),
     "record_text": (
         "It names files of records; they are needed too, in the same place relative to it.",
@@ -413,10 +376,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "No shaking across the piece, no turning about its vertical axis, no bending. What is inside does "
             "not act on the piece; whether it comes out is computed where the scenario says what is inside."
         ),
-        (
-            "奥行方向以外の水平動、水平面内の回転、家具の変形は考慮しません。収納物は家具の動きに影響しないもの"
-            "とし、飛び出しは収納物が指定されている場合にだけ計算します。"
-        ),
+        "奥行方向以外の水平動、水平面内の回転、家具の変形は考慮しません。収納物は家具の動きに影響しないものとし、飛び出しは収納物が指定されている場合にだけ計算します。",
     ),
     "limit_contacts": ("Contacts", "接触"),
     "limit_contacts_text": (
@@ -424,10 +384,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Coulomb friction; a landing corner does not bounce, and rocking loses what the momentum "
             "balance about the place of the landing demands, and a drawn part more."
         ),
-        (
-            "クーロン摩擦。着地した角は跳ね返らず、ロッキングは着地点まわりの運動量のつり合いと、"
-            "ばらつきとして与えた損失に従って減衰します。"
-        ),
+        "クーロン摩擦。着地した角は跳ね返らず、ロッキングは着地点まわりの運動量のつり合いと、ばらつきとして与えた損失に従って減衰します。",
     ),
     "limit_devices": ("Devices", "器具"),
     "limit_devices_text": (
@@ -435,24 +392,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Springs with slack, damping and the strength of their weakest link. Age is not in it; faulty "
             "mounting only where “as people install it” is asked for."
         ),
-        (
-            "がた・減衰と、最も弱い部分の強さをもつばねです。経年劣化は含みません。取付け不良は"
-            "「実際の取付け」を指定した場合にだけ含みます。"
-        ),
-    ),
-    # What became of one of the runs in the report.
-    "outcome_rested": ("stays where it is", "動きません"),
-    "outcome_slid": ("slides by {slide} and stays upright", "{slide}滑りますが、倒れません"),
-    "outcome_rocked": (
-        "rocks by {tilt}, slides by {slide} and stays upright",
-        "{tilt}傾き、{slide}移動しますが、倒れません",
-    ),
-    "outcome_leaning": ("is left leaning", "寄りかかったまま止まります"),
-    "outcome_overturned": ("overturns after {time} s", "{time}秒後に転倒します"),
-    "outcome_failed": ("could not be followed to the end", "最後まで計算できませんでした"),
-    "outcome_hardly": (
-        "hardly moves (tilt {tilt}, slide {slide})",
-        "ほとんど動きません（傾き{tilt}、移動{slide}）",
+        "がた・減衰と、最も弱い部分の強さをもつばねです。経年劣化は含みません。取付け不良は「実際の取付け」を指定した場合にだけ含みます。",
     ),
     # What is drawn at random.
     "as_stated": ("as stated, not drawn", "入力値のまま（ばらつきなし）"),

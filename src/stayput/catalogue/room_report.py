@@ -30,10 +30,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Outlines show the pieces as they stand now, with a thick side at the front. Coloured cells show where each "
             "lies or stands after the shaking: the lightest in up to 10 % of the runs, the darkest in over 90 %."
         ),
-        (
-            "輪郭は地震前の家具で、太い辺が前面です。色の付いた範囲は揺れの後に各家具がある場所で、最も薄い色は確率10%以下、"
-            "最も濃い色は90%超を示します。"
-        ),
+        "輪郭は地震前の家具で、太い辺が前面です。色の付いた範囲は揺れの後に各家具がある場所で、最も薄い色は確率10%以下、最も濃い色は90%超を示します。",
     ),
     "metres": ("{value:g} m", "{value:g} m"),
     "window": ("Window, {width:g} m wide", "窓、幅{width:g} m"),
@@ -47,9 +44,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "The chance that a piece touches whoever is there, with its 95 % interval{covers}. By day ({day:g} hours) and at night ({night:g} hours) it is multiplied by the share "
             "of the time in which somebody is there."
         ),
-        (
-            "そこにいる人に家具が触れる確率と95%区間です{covers}。昼（{day:g}時間）と夜（{night:g}時間）の値は、これに人がいる時間の割合を掛けたものです。"
-        ),
+        "そこにいる人に家具が触れる確率と95%区間です{covers}。昼（{day:g}時間）と夜（{night:g}時間）の値は、これに人がいる時間の割合を掛けたものです。",
     ),
     "covers": (
         ", which covers other earthquakes of this strength too",
@@ -115,10 +110,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Most dangerous first: by the chance that a piece hits somebody, counting how long people are at each place. "
             "The slide is the largest in a run; there is no number where the piece overturns."
         ),
-        (
-            "人がいる時間を考慮した、その家具が人に当たる確率の高い順です。移動量は揺れの間の最大値で、転倒した場合は"
-            "数値を示しません。"
-        ),
+        "人がいる時間を考慮した、その家具が人に当たる確率の高い順です。移動量は揺れの間の最大値で、転倒した場合は数値を示しません。",
     ),
     "piece_risk": ("Hits somebody, counting the hours", "人に当たる確率（いる時間を考慮）"),
     "engine": ("Simulated", "計算"),
@@ -159,16 +151,11 @@ TEXTS: dict[str, tuple[str, str]] = {
             "in the plane across their length, the others in space. Where two would meet is counted, but they do "
             "not push each other."
         ),
-        (
-            "積み重ねても連結してもいない家具は、1つずつ計算します。床に置いた長い家具は奥行き方向の平面内で、ほかは"
-            "三次元で計算します。動く範囲が重なることは数えますが、互いに押し合う効果は考慮しません。"
-        ),
+        "積み重ねても連結してもいない家具は、1つずつ計算します。床に置いた長い家具は奥行き方向の平面内で、ほかは三次元で計算します。動く範囲が重なることは数えますが、互いに押し合う効果は考慮しません。",
     ),
     "limit_persons": ("Persons and beds", "人とベッド"),
     "limit_persons_text": (
-        (
-            "They are boxes that stay where they are. A bed, a desk or a person does not stop a piece that falls on them."
-        ),
+        "They are boxes that stay where they are. A bed, a desk or a person does not stop a piece that falls on them.",
         "人のいる場所は動かない直方体とします。ベッド・机・人は、倒れてくる家具を受け止めません。",
     ),
     "direction": ("Direction of the shaking", "揺れの向き"),
@@ -186,10 +173,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "A person needs {passage:g} m to pass. Nobody climbs over a piece or pushes it away. The floor is "
             "divided into squares of {cell:g} cm."
         ),
-        (
-            "人が通るには幅{passage:g} mが必要とし、家具を乗り越えたり押しのけたりしないものとします。床は"
-            "{cell:g} cm四方に分けて調べます。"
-        ),
+        "人が通るには幅{passage:g} mが必要とし、家具を乗り越えたり押しのけたりしないものとします。床は{cell:g} cm四方に分けて調べます。",
     ),
     "inputs": ("The scenario as TOML", "シナリオ（TOML）"),
     "again_text": (

@@ -131,7 +131,7 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
                 wanted.animate,
                 fps=wanted.fps,
                 speed=wanted.speed,
-                name=wanted.called,
+                names=[wanted.called],
                 language=wanted.lang,
                 progress=progress,
             )
@@ -143,8 +143,7 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
 
 
 def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> None:
-    from stayput.report.space.said import became
-    from stayput.report.space.summary import space_rows, space_summary
+    from stayput.report.space.summary import became, space_rows, space_summary
 
     if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
@@ -152,10 +151,10 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
         title = say(became(run, names), wanted.lang)
         plot_space_run(run, wanted.plot, names=names, title=title, language=wanted.lang)
     if wanted.animate is not None:
-        from stayput.report.space.animation import animate_space_run
+        from stayput.report.animation import animate_run
 
         with _progress() as progress:
-            animate_space_run(
+            animate_run(
                 run,
                 wanted.animate,
                 names=names,

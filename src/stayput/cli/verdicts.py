@@ -58,8 +58,8 @@ def _print_one(verdict: Verdict, lang: str) -> None:
     from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
     from stayput.montecarlo.counting import OVERTURNED
     from stayput.report.verdict import numbers
+    from stayput.report.verdict.numbers import word
     from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
-    from stayput.report.verdict.words import word
     from stayput.verification import EVENTS
     from stayput.verification.words import headline, title
     from stayput.wording import with_aside
@@ -139,9 +139,9 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
     """Print a verdict on several pieces: its sentence, a table of options, and why each is where it is."""
     from rich.table import Table
 
-    from stayput.report.several.tables import rejected_rows, several_rows, simulations_of_several
     from stayput.report.verdict import numbers
-    from stayput.report.verdict.words import word
+    from stayput.report.verdict.numbers import word
+    from stayput.report.verdict.tables import impossible_rows, several_ranking, simulations
     from stayput.verification import EVENTS
     from stayput.verification.several_words import headline_of_several
 
@@ -155,23 +155,23 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
     events = (text(f"brief_{event}", limit=limit) for event in EVENTS)
     for heading in (*events, text("brief_slide"), *verdict.scenario.names):
         table.add_column(heading, justify="right", overflow="fold")
-    rows = several_rows(verdict, lang)
+    rows = several_ranking(verdict, lang)
     for row in rows:
         shares = (
             numbers.NO_NUMBER if chance is None else numbers.probability(chance, lang)
             for _, chance in row.shares
         )
-        slide = text("brief_falls") if math.isinf(row.result.slide.median) else row.slide[0]
+        slide = text("brief_falls") if math.isinf(row.option.slide.median) else row.slide[0]
         each = (numbers.probability(chance, lang) for _, chance in row.pieces)
-        table.add_row(str(row.result.rank), row.brief, *shares, slide, *each)
-    rejected = rejected_rows(verdict, lang)
+        table.add_row(str(row.option.rank), row.brief, *shares, slide, *each)
+    rejected = impossible_rows(verdict, lang)
     for label, _ in rejected:
         table.add_row(numbers.NO_NUMBER, label, text("brief_not_possible"))
     console.print(table)
     paragraph(say("several.brief_text", lang))
     colon = text("colon")
     for row in rows:
-        console.print(f"{row.result.rank}. {row.title}{colon}{row.reason}", soft_wrap=True)
+        console.print(f"{row.option.rank}. {row.label}{colon}{row.reason}", soft_wrap=True)
     for label, why in rejected:
         console.print(
             f"{numbers.NO_NUMBER}  {label}{colon}{text('not_possible')}{colon}{why}", soft_wrap=True
@@ -180,7 +180,7 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
         paragraph(text("one_motion"))
     if not verdict.precise:
         paragraph(text("not_precise"))
-    paragraph(simulations_of_several(verdict, lang))
+    paragraph(simulations(verdict, lang))
 
 
 def _print_room(verdict: RoomVerdict, lang: str) -> None:

@@ -100,7 +100,7 @@ class ResponseSpectrum:
             Another response.
         """
         from stayput.report.figures import axes_of, drawn
-        from stayput.report.spectrum import draw_spectrum
+        from stayput.report.spectra import draw_spectrum
 
         axis = axes_of(ax)
         draw_spectrum(axis, self, what, check_language(language), **line)

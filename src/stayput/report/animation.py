@@ -1,55 +1,89 @@
-"""Animations of a run: GIF, MP4, or a self-contained HTML page."""
+"""Animations of runs, in the plane and in space: GIF, MP4, or a self-contained HTML page."""
 
 from __future__ import annotations
 
-from functools import partial
-from importlib import resources
-from typing import TYPE_CHECKING
+import math
+import subprocess
+import tempfile
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from stayput.catalogue import say
+import numpy as np
+from PIL import Image
+
+from stayput.catalogue import phrase, say
+from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
-from stayput.report.embedding import Player, filled, inks_css, script_json, script_module
 from stayput.report.film import film_of
 from stayput.report.frames import Painter
-from stayput.report.movie import FilmSettings, Progress, write_film
+from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
 from stayput.report.palette import mode_looks
+from stayput.report.space.frames import SpacePainter
+from stayput.report.space.scene import SpaceScene
+from stayput.simulation.space_run import SpaceRun
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
     from pathlib import Path
+
+    from numpy.typing import NDArray
 
     from stayput.report.film import Film
     from stayput.simulation.run import Run
 
-PLAYER_TEXTS = {
-    **{key: f"runs.player_{key}" for key in ("tilt", "slide", "theme", "strip", "keys", "tilt_shown")},
+Progress: TypeAlias = Callable[[int, int], None]
+"""Called with the number of frames drawn and the number of all frames."""
+
+FrameAt: TypeAlias = Callable[[float], Image.Image]
+"""Draws the frame of an instant [s], in RGB."""
+
+_SHORTEST = 2  # hundredths of a second between a GIF's frames: browsers slow down what is shorter
+_COLOURS = 64  # colours of a GIF
+_SAMPLED = 12  # frames from which these are chosen
+
+_BAR_TEXTS = {
     **{key: f"common.{key}" for key in ("play", "pause", "time", "speed")},
+    "theme": "runs.player_theme",
+}
+PLAYER_TEXTS = _BAR_TEXTS | {
+    key: f"runs.player_{key}" for key in ("tilt", "slide", "strip", "keys", "tilt_shown")
 }
 """Texts of the HTML player: their ids by what the player calls them."""
 
+SPACE_PLAYER_TEXTS = _BAR_TEXTS | {
+    key: f"space.{key}"
+    for key in (
+        *("body", "tilt", "slide", "yaw", "view", "view_free", "view_front", "view_side", "view_top"),
+        *("shaken", "scene", "strip", "tilt_of", "keys", "no_webgl"),
+    )
+}
+"""The same of the player in space."""
+
 
 def animate_run(
-    run: Run,
+    run: Run | SpaceRun,
     path: str | Path,
     *,
     fps: float = 20.0,
     speed: float = 1.0,
     hold: float = 1.5,
     width: int = 640,
-    name: str | None = None,
+    names: Sequence[str] | None = None,
     language: str = "en",
     progress: Progress | None = None,
     seconds: float | None = None,
     note: str = "",
 ) -> Path:
-    """Animate a run: the shaken room in section, to scale, above the floor's acceleration.
+    """Animate a run: the shaken room in section or in space, to scale, above the floor's acceleration.
 
     Parameters
     ----------
-    run : Run
+    run : Run or SpaceRun
         The run.
     path : str or Path
-        Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file), by its ending.
+        Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file, which in space needs a
+        browser with WebGL 2 to draw surfaces), by its ending.
     fps : float
         Frames a second. A GIF counts in hundredths of a second, so 20, 25 and 50 are met exactly and
         others as nearly as can be, at most 50, always at the right speed. The HTML player draws
@@ -61,8 +95,8 @@ def animate_run(
         How long the last pose is held [s].
     width : int
         Width of a frame [pixels]; the height is three quarters of it. Not used for HTML.
-    name : str, optional
-        What the body is called; "body" by default.
+    names : sequence of str, optional
+        What the bodies are called; by default "body", or by their numbers where there are several.
     language : str
         Language of the texts, "en" or "ja".
     progress : callable, optional
@@ -80,26 +114,42 @@ def animate_run(
     Raises
     ------
     InputError
-        A value out of range, another language, a path that cannot be written, or no ffmpeg for an MP4.
+        A value out of range, another language, not a name for each body, a path that cannot be written, or no
+        ffmpeg for an MP4.
     """
     target = check_animation(path)
-    settings = FilmSettings(fps, speed, hold, width, progress)
-    film = film_of(run, name, check_language(language), seconds=seconds, note=note)
+    within("runs.animation_fps", fps, 1.0, 100.0, field="fps")
+    within("runs.animation_speed", speed, 0.01, 100.0, field="speed")
+    within("runs.animation_hold", hold, 0.0, 60.0, "s", field="hold")
+    within("runs.animation_width", width, 200, 4000, "pixels", field="width")
+    film = film_of(run, names, check_language(language), seconds=seconds, note=note)
+    suffix = target.suffix.lower()
     with draft(target) as unfinished:
-        if target.suffix.lower() == ".html":
+        if suffix == ".html":
             unfinished.write_text(player_page(film, speed, hold), encoding="utf-8")
+            return target
+        size = width - width % 2, round(0.375 * width) * 2  # both even, as MP4 needs them
+        frame = (SpacePainter if isinstance(run, SpaceRun) else Painter)(film, *size).frame
+        delay = max(_SHORTEST, round(100.0 / fps))  # of a GIF
+        rate = 100.0 / delay if suffix == ".gif" else fps
+        times = frame_times(film.scene.start, film.scene.end, rate, speed, hold)
+        images = _images(frame, times, progress)
+        if suffix == ".gif":
+            _write_gif(images, _palette(frame, times), unfinished, delay)
         else:
-            write_film(film.times, partial(Painter, film), unfinished, settings)
+            _write_mp4(images, unfinished, size, rate)
     return target
 
 
-def run_player(run: Run, language: str = "en") -> Player:
+def run_player(
+    run: Run | SpaceRun, names: Sequence[str] | None = None, speed: float = 1.0, language: str = "en"
+) -> Player:
     """Return an animation of a run that notebooks play."""
-    film = film_of(run, None, check_language(language))
-    return Player(player_page(film, speed=1.0, hold=1.5), film.title)
+    film = film_of(run, names, check_language(language))
+    return Player(player_page(film, speed, hold=1.5), film.title)
 
 
-def player_page(film: Film, speed: float, hold: float) -> str:
+def player_page(film: Film[Any], speed: float, hold: float, *, plays: bool = True) -> str:
     """Return the HTML player: one file with the run in it, drawn by the browser as fast as its screen.
 
     Parameters
@@ -110,20 +160,91 @@ def player_page(film: Film, speed: float, hold: float) -> str:
         Seconds of the run in one second, to start with.
     hold : float
         How long the last pose is held before the film starts again [s].
+    plays : bool
+        Whether it plays at once.
     """
-    files = resources.files("stayput.report")
-    texts = {key: say(name, film.language) for key, name in PLAYER_TEXTS.items()}
+    in_space = isinstance(film.scene, SpaceScene)
+    folder, ids = ("space/", SPACE_PLAYER_TEXTS) if in_space else ("", PLAYER_TEXTS)
+    texts = {key: say(name, film.language) for key, name in ids.items()}
     data = {
         **film.scene.data(),
+        **({} if in_space else {"modes": mode_looks(film.language)}),
         "title": film.title,
         "strip_title": film.strip_title,
-        "caption": film.caption,
         "speed": speed,
         "hold_s": hold,
-        "modes": mode_looks(film.language),
+        "plays": plays,
         "texts": texts,
     }
-    script = files.joinpath("player.js").read_text(encoding="utf-8")
-    code = {"inks": inks_css(), "data": script_json(data), "code": script_module(script)}
-    page = files.joinpath("player.html").read_text(encoding="utf-8")
-    return filled(page, {**texts, "language": film.language, "title": film.title}, code)
+    code = {
+        "inks": inks_css(),
+        "data": script_json(data),
+        "code": script_module(file_of(f"{folder}player.js")),
+    }
+    said = {"language": film.language, "title": film.title, "caption": film.caption}
+    return filled(file_of(f"{folder}player.html"), {**texts, **said}, code)
+
+
+def frame_times(start: float, end: float, fps: float, speed: float, hold: float) -> NDArray[np.float64]:
+    """Return the instant that each frame shows [s].
+
+    Parameters
+    ----------
+    start, end : float
+        What part of the run is shown [s].
+    fps : float
+        Frames a second of the film.
+    speed : float
+        Seconds of the run shown in one second of the film.
+    hold : float
+        How long the last pose is held [s of the film].
+    """
+    moving = start + np.arange(math.ceil((end - start) * fps / speed - 1e-9)) * speed / fps
+    return np.append(moving, np.full(max(1, round(hold * fps)), end))
+
+
+def _images(frame: FrameAt, times: NDArray[np.float64], progress: Progress | None) -> Iterator[Image.Image]:
+    for i, time in enumerate(times):
+        yield frame(float(time))
+        if progress is not None:
+            progress(i + 1, len(times))
+
+
+def _palette(frame: FrameAt, times: NDArray[np.float64]) -> Image.Image:
+    """Return an image whose palette serves every frame: chosen from some of them, one above the other."""
+    chosen = np.append(times[:: max(1, len(times) // _SAMPLED)], times[-1])
+    samples = [frame(float(time)) for time in chosen]
+    sheet = Image.new("RGB", (samples[0].width, sum(image.height for image in samples)))
+    for i, image in enumerate(samples):
+        sheet.paste(image, (0, i * image.height))
+    return sheet.quantize(_COLOURS, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+
+
+def _write_gif(images: Iterator[Image.Image], colours: Image.Image, path: Path, delay: int) -> None:
+    """Write a GIF with one palette for all frames and a delay between them in hundredths of a second."""
+    frames = (image.quantize(palette=colours, dither=Image.Dither.NONE) for image in images)
+    first = next(frames)
+    first.save(path, "GIF", save_all=True, append_images=frames, duration=10 * delay, loop=0)
+
+
+def _write_mp4(images: Iterator[Image.Image], path: Path, size: tuple[int, int], fps: float) -> None:
+    wide, high = size
+    command = ["ffmpeg", "-y", "-loglevel", "error", "-xerror"]  # -xerror: a full disk fails, too
+    command += f"-f rawvideo -pix_fmt rgb24 -s {wide}x{high} -r {fps:g} -i -".split()
+    command += [*["-pix_fmt", "yuv420p", "-movflags", "+faststart"], str(path)]
+    with tempfile.TemporaryFile() as messages:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=messages, stderr=messages) as ffmpeg:
+            assert ffmpeg.stdin is not None
+            try:
+                for image in images:
+                    ffmpeg.stdin.write(image.tobytes())
+            except BrokenPipeError:
+                pass  # ffmpeg gave up; its message says why
+            except BaseException:
+                ffmpeg.kill()
+                raise
+        if ffmpeg.returncode:
+            messages.seek(0)
+            output = messages.read().decode(errors="replace").strip().splitlines()
+            reason = output[-1] if output else phrase("runs.no_reason")
+            raise InputError("runs.no_video", suffix=path.suffix, reason=reason)

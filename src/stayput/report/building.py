@@ -11,10 +11,10 @@ from stayput.building.response import FloorDrawing
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
-from stayput.report.figures import FONT, new_figure, plain_log, saved, style
+from stayput.report.figures import label_axes, legend_within, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.names import given_name, motion_label
-from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
+from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
     from stayput.building.model import ShearModel
     from stayput.building.response import FloorResponse
-    from stayput.motion import Motion
 
 LINES = (
     ("#0072b2", "-"),
@@ -82,10 +81,8 @@ def plot_building(
     InputError
         A storey that the building has not, or a path that cannot be written.
     """
-    figure = new_figure(12.0, 5.0)
+    figure = new_figure(12.0, 5.0, title)
     axes = figure.subplots(1, 3, width_ratios=[1.0, 1.0, 1.35])
-    if title:
-        figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
     for axis, what in zip(axes, get_args(FloorDrawing), strict=True):
         draw_floors(axis, response, what, storeys, language)
     return saved(figure, path)
@@ -138,8 +135,8 @@ def draw_floors(
     else:
         axis.axvline(100.0 * ground.pgv, label=say("plots.ground_x", language), **reference)
     _storey_axis(axis, response, language)
-    axis.set_xlabel(say(f"plots.peak_{what}", language), fontsize=FONT)
-    axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
+    label_axes(axis, language, x=f"plots.peak_{what}")
+    legend_within(axis)
 
 
 def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None:
@@ -158,9 +155,8 @@ def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None
         values = np.append(0.0, found.participation[i] * found.shapes[:, i])
         axis.plot(values, floors, color=colour, linestyle=line, marker="o", markersize=4.0, label=label)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))
-    axis.set_xlabel(say("plots.mode_shapes", language), fontsize=FONT)
-    axis.set_ylabel(say("plots.floor", language), fontsize=FONT)
-    axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
+    label_axes(axis, language, "plots.mode_shapes", "plots.floor")
+    legend_within(axis)
 
 
 def _storey_axis(axis: Axes, response: FloorResponse, language: str) -> None:
@@ -168,7 +164,7 @@ def _storey_axis(axis: Axes, response: FloorResponse, language: str) -> None:
     axis.set_xlim(left=0.0)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))
     axis.set_ylim(0.7, response.model.storeys + 1.3)
-    axis.set_ylabel(say("plots.storey", language, roof=response.model.storeys + 1), fontsize=FONT)
+    label_axes(axis, language, y="plots.storey", roof=response.model.storeys + 1)
 
 
 def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], language: str) -> None:
@@ -186,65 +182,5 @@ def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], l
             axis.axvline(period, color=MUTED, linewidth=0.9, linestyle=":", label=label_of_periods)
     plain_log(axis)
     axis.set_xlim(PERIODS[0], PERIODS[-1])
-    axis.set_xlabel(say("plots.period", language), fontsize=FONT)
-    axis.set_ylabel(say("plots.floor_sa", language, damping=100.0 * DAMPING), fontsize=FONT)
-    axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
-
-
-def plot_recorded_floor(
-    response: FloorResponse, storey: int, recorded: Motion, path: str | Path | None = None
-) -> Figure:
-    """Plot a recorded floor beside the computed one: accelerations over time, and spectra.
-
-    Parameters
-    ----------
-    response : FloorResponse
-        What the floors do under the record of the ground.
-    storey : int
-        Storey whose floor was recorded.
-    recorded : Motion
-        Its record.
-    path : str or Path, optional
-        Where to save it: PNG, SVG or PDF, by its ending.
-
-    Raises
-    ------
-    InputError
-        A storey that the building has not, or a path that cannot be written.
-    """
-    computed = response.floor(storey)
-    figure = new_figure(11.0, 5.2)
-    grid = figure.add_gridspec(3, 2, width_ratios=[1.3, 1.0])
-    place, model = response.model.place(storey), response.model
-    title = say("plots.recorded", name=model.name, period=model.periods[0], place=place)
-    figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
-    spectra = figure.add_subplot(grid[:, 1])
-    shown = (
-        (say("plots.ground_recorded"), response.motion, INK, "-"),
-        (say("plots.place_recorded", place=place), recorded, COMPONENT_COLOURS["x"], "-"),
-        (say("plots.place_computed", place=place), computed, ALARM, "--"),
-    )
-    limit = 1.1 * max(motion.pga for _, motion, _, _ in shown)
-    first: Axes | None = None
-    for row, (label, motion, colour, line) in enumerate(shown):
-        axis = figure.add_subplot(grid[row, 0], sharex=first)
-        first = first or axis
-        style(axis)
-        peaks = say("plots.peaks", label=label, pga=motion.pga, pgv=100.0 * motion.pgv)
-        axis.plot(motion.time, motion.x, color=colour, linewidth=0.9)
-        axis.set_title(drawable(peaks), fontsize=FONT - 0.5, color=INK, loc="left")
-        axis.set_ylim(-limit, limit)
-        axis.tick_params(labelbottom=row == len(shown) - 1)
-        spectrum = response_spectrum(motion)
-        spectra.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
-        if row == 1:
-            axis.set_ylabel(say("plots.acceleration"), fontsize=FONT)
-        if row == len(shown) - 1:
-            axis.set_xlabel(say("report.axis_time"), fontsize=FONT)
-    style(spectra, zero=False)
-    plain_log(spectra)
-    spectra.set_xlim(PERIODS[0], PERIODS[-1])
-    spectra.set_xlabel(say("plots.period"), fontsize=FONT)
-    spectra.set_ylabel(say("plots.sa", damping=100.0 * DAMPING), fontsize=FONT)
-    spectra.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.85)
-    return saved(figure, path)
+    label_axes(axis, language, "plots.period", "plots.floor_sa", damping=100.0 * DAMPING)
+    legend_within(axis)

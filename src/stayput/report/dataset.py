@@ -23,15 +23,13 @@ _EVENT_VALUES = {
 }
 
 _DEVICE_VALUES = {
-    "peak_pull": ("N", "largest pull"),
-    "peak_push": ("N", "largest push"),
-    "peak_shear": ("N", "largest shear"),
-    "used": ("", "largest force over its strength; at least 1 where it failed"),
-    "failed_at": ("s", "time at which it failed, or nan"),
+    "peak_pull": ("peak_pull", "N", "largest pull"),
+    "peak_push": ("peak_push", "N", "largest push"),
+    "peak_shear": ("peak_shear", "N", "largest shear"),
+    "used": ("utilisation", "", "largest force over its strength; at least 1 where it failed"),
+    "failed_at": ("failure_time", "s", "time at which it failed, or nan"),
 }
-
-_DEVICE_ATTRIBUTES = {"used": "utilisation", "failed_at": "failure_time"}
-"""Attributes of a device whose names are those of results of the run."""
+"""Attribute of a device, unit and meaning of each of its values in the dataset."""
 
 
 def run_to_dataset(run: Run) -> xr.Dataset:
@@ -69,8 +67,7 @@ def run_to_dataset(run: Run) -> xr.Dataset:
     data["event_kind"] = ("event", np.array([event.kind.value for event in run.events], dtype=np.str_))
     data["event_mode"] = ("event", np.array([event.mode.value for event in run.events], dtype=np.str_))
     for name, (unit, meaning) in RESULTS.items():
-        attributes = {"units": unit, "long_name": meaning} if unit else {"long_name": meaning}
-        data[name] = ((), getattr(run, name), attributes)
+        data[name] = ((), getattr(run, name), _attributes(unit, meaning))
     for name, meaning in COUNTS.items():
         data[name] = ((), getattr(run, name), {"long_name": meaning})
     if run.devices:
@@ -78,15 +75,17 @@ def run_to_dataset(run: Run) -> xr.Dataset:
     return data
 
 
+def _attributes(unit: str, meaning: str) -> dict[str, str]:
+    return {"units": unit, "long_name": meaning} if unit else {"long_name": meaning}
+
+
 def _add_devices(data: xr.Dataset, devices: tuple[DeviceResult, ...]) -> None:
     """Add the devices' results over ``device``, and their forces over ``time`` too."""
     names = [" ".join(filter(None, (device.kind, device.place))) for device in devices]
     data["device"] = ("device", np.array(names, dtype=np.str_), {"long_name": "measure and place"})
-    for name, (unit, meaning) in _DEVICE_VALUES.items():
-        attribute = _DEVICE_ATTRIBUTES.get(name, name)
+    for name, (attribute, unit, meaning) in _DEVICE_VALUES.items():
         values = np.array([getattr(device, attribute) for device in devices], dtype=np.float64)
-        attributes = {"units": unit, "long_name": meaning} if unit else {"long_name": meaning}
-        data[f"device_{name}"] = ("device", values, attributes)
+        data[f"device_{name}"] = ("device", values, _attributes(unit, meaning))
     causes = np.array([device.cause or "" for device in devices], dtype=np.str_)
     data["device_cause"] = ("device", causes, {"long_name": "why it failed; empty where it holds"})
     for name, meaning in (("pull", "force along its normal, + pull"), ("shear", "force along its tangent")):

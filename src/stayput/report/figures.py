@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from io import BytesIO
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.ticker import NullFormatter, StrMethodFormatter
 
 from stayput.catalogue import say
 from stayput.catalogue.names import INTENSITIES
@@ -38,11 +38,26 @@ FONT = 10.0
 """Size of the labels [points]."""
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure of a size in inches."""
+def new_figure(width: float, height: float, title: str = "") -> Figure:
+    """Return a figure of a size in inches, empty but for a title."""
     figure = Figure(figsize=(width, height), dpi=120, layout="constrained", facecolor="white")
     FigureCanvasAgg(figure)
+    if title:
+        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
     return figure
+
+
+def label_axes(axis: Axes, language: str, x: str = "", y: str = "", **values: object) -> None:
+    """Label an axis along x, y or both, by the ids of the texts and the values in them."""
+    if x:
+        axis.set_xlabel(say(x, language, **values), fontsize=FONT)
+    if y:
+        axis.set_ylabel(say(y, language, **values), fontsize=FONT)
+
+
+def legend_within(axis: Axes, place: Literal["best", "upper right", "lower left"] = "best") -> None:
+    """Explain the lines of an axis within it."""
+    axis.legend(loc=place, fontsize=FONT - 1.5, framealpha=0.85)
 
 
 def axes_of(ax: Axes | None) -> Axes:
@@ -105,10 +120,6 @@ def style(axis: Axes, *, zero: bool = True) -> None:
         axis.spines[side].set_visible(False)
 
 
-def _plain_number(value: float, _: int | None = None) -> str:
-    return f"{value:g}"
-
-
 def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
     """Make axes logarithmic, with numbers instead of powers."""
     if x:
@@ -117,7 +128,7 @@ def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
         axis.set_yscale("log")
     for wanted, line in ((x, axis.xaxis), (y, axis.yaxis)):
         if wanted:
-            line.set_major_formatter(FuncFormatter(_plain_number))
+            line.set_major_formatter(StrMethodFormatter("{x:g}"))
             line.set_minor_formatter(NullFormatter())
 
 

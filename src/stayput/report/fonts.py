@@ -29,22 +29,17 @@ _PARTS = re.compile(rf"[（「]*(?:[{_JAPANESE}]|[^\s{_JAPANESE}]+)[、。」）
 _LEFT_OUT = "\N{HORIZONTAL ELLIPSIS}"
 
 PREFERRED = (
-    "NotoSansCJK-Regular",
-    "NotoSansCJKjp-Regular",
-    "NotoSansJP",
-    "SourceHanSans",
-    "ipaexg",
-    "ipagp",
-    "ipag",
-    "TakaoPGothic",
-    "VL-PGothic",
-    "Hiragino Sans GB",
-    "ヒラギノ角ゴシック W3",
-    "YuGothR",
-    "YuGothM",
-    "meiryo",
-    "msgothic",
-    "DroidSansFallback",
+    *(
+        "NotoSansCJK-Regular",
+        "NotoSansCJKjp-Regular",
+        "NotoSansJP",
+        "SourceHanSans",
+        "ipaexg",
+        "ipagp",
+        "ipag",
+    ),
+    *("TakaoPGothic", "VL-PGothic", "Hiragino Sans GB", "ヒラギノ角ゴシック W3", "YuGothR", "YuGothM"),
+    *("meiryo", "msgothic", "DroidSansFallback"),
 )
 """Sans serifs with Japanese letters, by the start of their file's name; any other font comes after."""
 

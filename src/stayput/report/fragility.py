@@ -13,9 +13,12 @@ from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.fragility.curve import CurveState
 from stayput.fragility.intensity_measures import JMA_INTENSITY
-from stayput.report.figures import FONT, new_figure, plain_log, saved, shaded_classes, style
+from stayput.montecarlo.counting import OVERTURNED
+from stayput.report.figures import FONT, label_axes, new_figure, plain_log, saved, shaded_classes, style
 from stayput.report.fonts import drawable
-from stayput.report.palette import INK, MUTED
+from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
+from stayput.report.verdict import numbers
+from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -27,6 +30,8 @@ if TYPE_CHECKING:
 
     from stayput.fragility.curve import FragilityCurve
     from stayput.fragility.intensity_measures import IntensityMeasure
+    from stayput.verification import Verdict
+
 
 _LOOKS = (
     ("#1f2933", "-", "o"),
@@ -91,7 +96,7 @@ def plot_fragility(
         raise InputError("plots.curves_number", count=len(curves), most=len(_LOOKS))
     _refuse_other_measures([curve.measure.key for curve in curves])
     measure = curves[0].measure
-    figure = new_figure(8.4, 5.4)
+    figure = new_figure(8.4, 5.4, title)
     axis: Axes = figure.subplots()
     style(axis, zero=False)
     grid = _grid(curves, measure)
@@ -103,8 +108,6 @@ def plot_fragility(
         label = say("report.here", language, value=measure.text(here))
         x = here * measure.shown
         axis.plot([x, x], [-0.02, 1.02], color=INK, linewidth=1.6, linestyle=":", zorder=2, label=label)
-    if title:
-        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
     alone = say("plots.no_bands", language) if any(curve.one_motion for curve in curves) else ""
     label = say("plots.isotonic", language, alone=alone)
     below = "\n".join((drawable(subtitle), label)) if subtitle else label
@@ -220,7 +223,7 @@ def _label(axis: Axes, measure: IntensityMeasure, language: str) -> None:
     ticks = np.linspace(0.0, 1.0, 6)
     axis.set_yticks(ticks, [say("plots.per_cent", language, value=100.0 * share) for share in ticks])
     axis.set_xlabel(say(measure.labels, language), fontsize=FONT)
-    axis.set_ylabel(say("plots.probability", language), fontsize=FONT)
+    label_axes(axis, language, y="plots.probability")
 
 
 def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64], language: str) -> None:
@@ -242,3 +245,35 @@ def _mark_classes(axis: Axes, first: float, last: float, language: str) -> None:
     """Shade every second class of JMA's intensity and write their names along the top."""
     for middle, name in shaded_classes(axis, first, last, language):
         axis.text(middle, 1.06, name, ha="center", va="center", fontsize=FONT - 1.5, color=MUTED)
+
+
+def draw_ranking(axis: Axes, verdict: Verdict, language: str) -> None:
+    """Draw the share that overturns with each option, with its 95 % interval and value, the best first."""
+    style(axis, zero=False)
+    for place, option in enumerate(verdict.options):
+        chance = option.probabilities[OVERTURNED]
+        if chance.runs == 0:
+            continue
+        low, estimate, high = (100.0 * value for value in (chance.low, chance.estimate, chance.high))
+        axis.barh(place, estimate, 0.55, color=COMPONENT_COLOURS["x"])
+        axis.errorbar(
+            estimate,
+            place,
+            xerr=[[max(0.0, estimate - low)], [max(0.0, high - estimate)]],
+            color=INK,
+            capsize=3.0,
+            linewidth=1.0,
+        )
+        axis.text(
+            high + 1.5,
+            place,
+            numbers.share(chance.estimate, language),
+            va="center",
+            fontsize=FONT - 1.0,
+        )
+    labels = [drawable(title(option.option, verdict, language)) for option in verdict.options]
+    axis.set_yticks(range(len(labels)), labels, fontsize=FONT - 1.0)
+    axis.set_ylim(len(labels) - 0.4, -0.6)
+    axis.set_xlim(0.0, 112.0)
+    axis.set_xticks(range(0, 101, 20))
+    axis.set_xlabel(drawable(say("plots.axis_overturned", language)), fontsize=FONT)

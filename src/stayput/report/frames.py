@@ -1,19 +1,22 @@
-"""Frames of an animation, drawn with Pillow: the room in section above the floor's acceleration."""
+"""Frames of an animation, drawn with Pillow: their layout, and the room in section."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from PIL import Image, ImageDraw
 
 from stayput.catalogue import say
 from stayput.catalogue.names import MODES
-from stayput.report.layout import FrameLayout
+from stayput.report.fonts import font, with_face, wrapped
 from stayput.report.palette import (
+    ALARM,
+    COMPONENT_COLOURS,
     FAINT,
     INK,
     MODE_COLOURS,
+    MUTED,
     PAPER,
     ROLE_COLOURS,
     ROOM,
@@ -22,8 +25,141 @@ from stayput.report.palette import (
 from stayput.report.scene import room_data, section
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+    from PIL import ImageFont
+
     from stayput.report.film import Film
-    from stayput.report.scene import Pose
+    from stayput.report.scene import Pose, Scene
+
+
+SMOOTH = 2
+"""A scene is drawn so many times larger and reduced, which smooths its edges."""
+
+
+class _SetText(NamedTuple):
+    """A text in lines, its font, and how high it is [pixels]."""
+
+    text: str
+    face: ImageFont.FreeTypeFont
+    height: float
+
+
+def _set(text: str, size: float, room: float) -> _SetText:
+    words, face = with_face(text, size)
+    lines = wrapped(words, face, room)
+    draw = ImageDraw.Draw(Image.new("1", (1, 1)))
+    return _SetText(lines, face, draw.multiline_textbbox((0, 0), lines, font=face, spacing=2)[3])
+
+
+class FrameLayout:
+    """The parts of a frame, and how all but the scene are drawn.
+
+    Parameters
+    ----------
+    film : Film
+        What is shown; its texts above and below the strip get as many lines as they need.
+    acceleration : dict of ndarray
+        Components of the floor's acceleration by their names, shape (n,) each [m/s²].
+    time : ndarray, shape (n,)
+        Their times [s].
+    width, height : int
+        Size of a frame [pixels].
+    """
+
+    def __init__(
+        self,
+        film: Film[Any],
+        acceleration: dict[str, NDArray[np.float64]],
+        time: NDArray[np.float64],
+        width: int,
+        height: int,
+    ) -> None:
+        heading, caption = film.strip_title, f"{film.note} {film.caption}".strip()
+        self._size = (width, height)
+        self._span = (film.scene.start, film.scene.end)
+        unit = height / 480.0
+        self._fonts = {size: font(size * unit) for size in (11, 13, 15)}
+        self._header = round(40 * unit)
+        left, right = round(46 * unit), width - round(12 * unit)
+        self._caption = _set(caption, 11 * unit, width - 16.0)
+        self._heading = _set(heading, 13 * unit, right - left - 48 * unit)
+        if "\n" in self._heading.text:
+            self._heading = _set(heading, 11 * unit, right - left - 48 * unit)
+        bottom = height - round(max(46 * unit, self._caption.height + 14 * unit))
+        self._strip = (left, bottom - round(58 * unit), right, bottom)
+        above = round(max(22 * unit, self._heading.height + 6 * unit))
+        self.scene = (width * SMOOTH, (self._strip[1] - above - self._header) * SMOOTH)
+        self.line = max(1, round(unit * SMOOTH))
+        self._still = self._drawn_once(time, acceleration)
+
+    def _drawn_once(self, time: NDArray[np.float64], parts: dict[str, NDArray[np.float64]]) -> Image.Image:
+        """Return what all frames share: the strip with its heading, and the caption."""
+        image = Image.new("RGB", self._size, PAPER)
+        draw = ImageDraw.Draw(image)
+        left, top, right, bottom = self._strip
+        small, text = self._fonts[11], self._fonts[13]
+        above = (left, top - 3 - self._heading.height)
+        draw.multiline_text(above, self._heading.text, fill=INK, font=self._heading.face, spacing=2)
+        start, end = self._span
+        shown = (time >= start) & (time <= end)
+        peak = max(float(np.abs(a[shown]).max(initial=0.0)) for a in parts.values()) or 1.0
+        middle, half = 0.5 * (top + bottom), 0.46 * (bottom - top)
+        draw.line(((left, middle), (right, middle)), fill=FAINT)
+        x = left + (right - left) * (time[shown] - start) / (end - start)
+        for place, (name, a) in enumerate(reversed(parts.items())):
+            y = middle - half * a[shown] / peak
+            draw.line(list(zip(x.tolist(), y.tolist(), strict=True)), fill=COMPONENT_COLOURS[name])
+            if len(parts) > 1:
+                beside = (right - 1.2 * place * text.size, top - 3)
+                draw.text(beside, name, fill=COMPONENT_COLOURS[name], font=text, anchor="rs")
+        for level in (peak, -peak):
+            place = (left - 4, middle - half * level / peak)
+            draw.text(place, f"{level:z.1f}", fill=MUTED, font=small, anchor="rm")
+        draw.text((left - 4, middle), "m/s²", fill=MUTED, font=small, anchor="rm")
+        below = (8, bottom + 6)
+        draw.multiline_text(below, self._caption.text, fill=MUTED, font=self._caption.face, spacing=2)
+        return image
+
+    def frame(self, scene: Image.Image, time: float) -> Image.Image:
+        """Return a frame without its heading: what all share, the scene, and the time [s]."""
+        image = self._still.copy()
+        image.paste(scene.reduce(SMOOTH), (0, self._header))
+        draw = ImageDraw.Draw(image)
+        place = (self._size[0] - 10, 0.5 * self._header)
+        draw.text(place, f"{time:.2f} s", fill=INK, font=self._fonts[15], anchor="rm")
+        left, top, right, bottom = self._strip
+        start, end = self._span
+        x = left + (right - left) * (time - start) / (end - start)
+        draw.line(((x, top), (x, bottom)), fill=ALARM, width=2)
+        return image
+
+    def head(self, image: Image.Image, text: str, chip: str | None = None) -> None:
+        """Write a heading on a frame, after a chip of a colour where one is given."""
+        draw, middle = ImageDraw.Draw(image), 0.5 * self._header
+        side = 0.6 * self._header
+        start = 10.0
+        if chip is not None:
+            draw.rectangle((10, middle - side / 2, 10 + side, middle + side / 2), fill=chip, outline=INK)
+            start += side + 10.0
+        room = self._size[0] - 80 - start
+        words, face = with_face(text, self._fonts[15].size)
+        if face.getlength(words) > room:
+            words, face = with_face(text, self._fonts[13].size)
+        lines = wrapped(words, face, room)
+        draw.multiline_text((start, middle), lines, fill=INK, font=face, anchor="lm", spacing=2)
+
+    def legend(self, image: Image.Image, entries: dict[str, str]) -> None:
+        """Write names with their colours below the heading of a frame."""
+        draw, small = ImageDraw.Draw(image), self._fonts[11]
+        side, y = 0.8 * small.size, self._header + small.size
+        x = 10.0
+        for name, colour in entries.items():
+            words, face = with_face(name, small.size)
+            if x > 10.0 and x + side + 5 + face.getlength(words) > self._size[0] - 10:
+                x, y = 10.0, y + 1.5 * small.size
+            draw.rectangle((x, y - side / 2, x + side, y + side / 2), fill=colour, outline=INK)
+            draw.text((x + side + 5, y), words, fill=INK, font=face, anchor="lm")
+            x += side + 5 + face.getlength(words) + 14
 
 
 class Painter:
@@ -37,10 +173,9 @@ class Painter:
         Size of a frame [pixels].
     """
 
-    def __init__(self, film: Film, width: int, height: int) -> None:
-        self._film = film
-        caption = " ".join(filter(None, (film.note, film.caption)))
-        self._layout = FrameLayout(width, height, film.scene.start, film.scene.end, film.strip_title, caption)
+    def __init__(self, film: Film[Scene], width: int, height: int) -> None:
+        self._film, motion = film, film.scene.motion
+        self._layout = FrameLayout(film, {"x": motion.x}, motion.time, width, height)
         self._scene, self._line = self._layout.scene, self._layout.line
         room, view = room_data(film.scene.runs[0]), film.scene.view
         # A face of the room that the view leaves out would only be seen where the frame is wider than it.
@@ -55,13 +190,11 @@ class Painter:
             wall_is_left = self._right_wall is None
             self._middle = view.left + self._half if wall_is_left else view.right - self._half
         self._low = view.low
-        motion = film.scene.motion
-        self._still = self._layout.still(motion.time, {"x": motion.x})
 
     def frame(self, time: float) -> Image.Image:
         """Return the frame of an instant [s], in RGB."""
         pose = self._film.scene.pose(time)
-        image = self._layout.frame(self._still, self._draw_scene(pose), pose.time)
+        image = self._layout.frame(self._draw_scene(pose), pose.time)
         ended = pose.time >= self._film.scene.end
         text = self._film.title if ended else say(MODES[pose.mode], self._film.language)
         self._layout.head(image, text, MODE_COLOURS[pose.mode])

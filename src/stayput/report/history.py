@@ -1,9 +1,10 @@
-"""The histories of a run for display: with the final pose of an overturned body."""
+"""The histories of runs for display, and the part of them in which something happens."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,9 +12,20 @@ import numpy as np
 from stayput.simulation.outcome import EventKind, Mode
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
+    from stayput.motion import Motion
     from stayput.simulation.run import Run
+    from stayput.simulation.space_run import SpaceRun
+
+
+BEFORE, AFTER, LONGEST = 2.0, 4.0, 60.0
+"""What is shown before anything moves and after the last thing of note, and at most in all [s]."""
+
+MOVED = 1e-3
+"""Tilt [rad] and slide [m] from which something moves."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,14 +60,9 @@ class History:
 
     def spans(self) -> list[tuple[float, float, Mode]]:
         """Return when the body was in which mode: (start [s], end [s], mode), one after the other."""
-        spans: list[tuple[float, float, Mode]] = []
-        start = 0
-        for i in range(1, len(self.mode) + 1):
-            if i == len(self.mode) or self.mode[i] is not self.mode[start]:
-                end = min(i, len(self.mode) - 1)
-                spans.append((float(self.time[start]), float(self.time[end]), self.mode[start]))
-                start = i
-        return spans
+        starts = [i for i, mode in enumerate(self.mode) if i == 0 or mode is not self.mode[i - 1]]
+        times = self.time[[*starts, -1]].tolist()
+        return [(start, end, self.mode[i]) for i, (start, end) in zip(starts, pairwise(times), strict=True)]
 
 
 def history(run: Run) -> History:
@@ -90,3 +97,78 @@ def turned(corner: tuple[float, float], tilt: float) -> tuple[float, float]:
     u, v = corner
     cos, sin = math.cos(tilt), math.sin(tilt)
     return u * cos + v * sin, v * cos - u * sin
+
+
+def window_of(
+    runs: Sequence[tuple[Run, History]], motion: Motion, longest: float = LONGEST
+) -> tuple[float, float]:
+    """Return the start and the end of the time in which something moves [s].
+
+    Parameters
+    ----------
+    runs : sequence of (Run, History)
+        Runs in the plane, with what is shown of them.
+    motion : Motion
+        How the floor moves.
+    longest : float
+        How long it may be [s].
+    """
+    first = motion.duration
+    for _, shown in runs:
+        moved = (np.abs(shown.tilt - shown.tilt[0]) > MOVED) | (np.abs(shown.slide) > MOVED)
+        if moved.any():
+            first = min(first, float(shown.time[int(moved.argmax())]))
+    falls = [run.overturn_time for run, _ in runs if run.overturned]
+    peaks = [
+        float(shown.time[int(np.abs(values).argmax())])
+        for _, shown in runs
+        for values in (shown.tilt, shown.slide)
+    ]
+    last = max(falls or peaks)
+    if first >= last:  # nothing moves: show the strongest shaking
+        first = last = float(motion.time[int(np.abs(motion.x).argmax())])
+    return _around(first, last, motion.duration, longest)
+
+
+def window_in_space(runs: Sequence[SpaceRun], longest: float = LONGEST) -> tuple[float, float]:
+    """Return the start and the end of the time in which something moves in space [s]; see `window_of`."""
+    times = runs[0].time
+    first, last = float(times[-1]), 0.0
+    for run in runs:
+        tilt, slide = run.tilt.max(axis=0), slid(run).max(axis=0)
+        moved = np.flatnonzero((tilt > MOVED) | (slide > MOVED))
+        if len(moved):
+            first = min(first, float(times[moved[0]]))
+        fell = run.overturn_time[run.overturned]
+        last = max(last, float(fell.max()) if len(fell) else float(times[tilt.argmax()]))
+    if first >= last:  # nothing moves: the strongest shaking is shown
+        first = last = float(times[np.abs(runs[0].motion.x).argmax()])
+    return _around(first, last, float(times[-1]), longest)
+
+
+def _around(first: float, last: float, duration: float, longest: float) -> tuple[float, float]:
+    end = min(duration, last + min(AFTER, 0.4 * longest))
+    return math.floor(10.0 * max(0.0, first - BEFORE, end - longest)) / 10.0, end
+
+
+def cut_run(run: SpaceRun, start: float, end: float) -> SpaceRun:
+    """Return the part of a run between two times [s]."""
+    kept = (run.time >= start - 1e-9) & (run.time <= end + 1e-9)
+    along = ("place", "attitude", "velocity", "rotation_rate", "force")
+    return replace(run, time=run.time[kept], **{name: getattr(run, name)[:, kept] for name in along})
+
+
+def slid(run: SpaceRun) -> NDArray[np.float64]:
+    """Return how far from where it stood each body is in plan, shape (bodies, samples) [m]."""
+    slide = run.slide
+    return np.hypot(slide[..., 0], slide[..., 1])
+
+
+def peak_of(motion: Motion) -> float:
+    """Return the largest acceleration of the floor, all components together [m/s²]."""
+    return float(np.linalg.norm(list(motion.components.values()), axis=0).max())
+
+
+def at_time(time: float, run: SpaceRun, history: NDArray[np.float64]) -> float:
+    """Return the value of a history, shape (samples,), at a time [s]."""
+    return float(np.interp(time, run.time, history))

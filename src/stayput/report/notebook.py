@@ -15,18 +15,15 @@ from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS
 from stayput.report.building import draw_modes
 from stayput.report.figures import new_figure
 from stayput.report.fonts import with_fallback
-from stayput.report.fragility import draw_curve
+from stayput.report.fragility import draw_curve, draw_ranking
 from stayput.report.names import motion_label
 from stayput.report.plot import plot_motion, plot_run
 from stayput.report.section import draw_body_in_room
 from stayput.report.space.plot import plot_space_run
-from stayput.report.space.said import became, names_of
-from stayput.report.space.summary import space_rows
-from stayput.report.spectrum import draw_spectrum
-from stayput.report.suite import draw_suite, suite_title
+from stayput.report.space.summary import became, names_of, space_rows
+from stayput.report.spectra import draw_spectrum, draw_suite, suite_title
 from stayput.report.summary import rows, sentence
-from stayput.report.verdict.numbers import NO_NUMBER
-from stayput.report.verdict.ranking import draw_ranking
+from stayput.report.verdict.numbers import NO_NUMBER, length, word
 from stayput.verification.words import reason, title
 
 if TYPE_CHECKING:
@@ -64,9 +61,9 @@ def space_run_html(run: SpaceRun) -> str:
 def verdict_html(verdict: Verdict) -> str:
     """Return a verdict as its sentence, the chances of its options, and their ranking."""
     figure = _drawn(lambda axis: draw_ranking(axis, verdict, "en"), 8.4, 1.2 + 0.42 * len(verdict.options))
-    heads = [say("notebook.rank"), say("notebook.measures")]
     events = [event for event in EVENTS if event in verdict.best.probabilities]
-    heads += [say(f"notebook.{event}") for event in events] + [say("notebook.reason")]
+    limit = length(verdict.slide_limit, "en")
+    heads = [word(key, "en", limit=limit) for key in ("rank", "measure", *events, "why")]
     table = [
         (
             str(option.rank),

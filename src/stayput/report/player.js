@@ -54,6 +54,5 @@ function draw(now) {
 }
 
 const bar = playBar(film, { start, end }, draw);
-part("caption").textContent = film.caption;
 picked(part("strip"), { start, end }, (time) => bar.clock.seek(time));
 bar.begin();

@@ -6,6 +6,7 @@ The figures are made without pyplot, so that they work in threads and without a 
 from __future__ import annotations
 
 import math
+from itertools import islice
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
@@ -17,7 +18,16 @@ from stayput.errors import word_of
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.motion.measures import DisplacementPeak
 from stayput.motion.record import MotionHistory
-from stayput.report.figures import FONT, LINE, colour_beside, new_figure, saved, style
+from stayput.report.figures import (
+    FONT,
+    LINE,
+    colour_beside,
+    label_axes,
+    legend_within,
+    new_figure,
+    saved,
+    style,
+)
 from stayput.report.fonts import drawable
 from stayput.report.history import history
 from stayput.report.names import acceleration_label, motion_label
@@ -26,7 +36,7 @@ from stayput.simulation.outcome import EventKind, Mode
 from stayput.simulation.run import RunHistory
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
     from pathlib import Path
 
     from matplotlib.axes import Axes
@@ -67,19 +77,17 @@ def plot_run(run: Run, path: str | Path | None = None, *, title: str = "", langu
     InputError
         A path that cannot be written.
     """
-    figure = new_figure(9.5, 7.2)
+    figure = new_figure(9.5, 7.2, title)
     axes = figure.subplots(4, 1, sharex=True, height_ratios=[1.0, 1.6, 1.0, 0.16])
-    acceleration, tilt, slide, modes = axes
-    if title:
-        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
+    acceleration, tilt, slide, strip = axes
     _draw_acceleration(acceleration, run, language)
     name = drawable(motion_label(run.motion, language))
     acceleration.set_title(name, fontsize=FONT - 0.5, color=MUTED, loc="left")
     _draw_tilt(tilt, run, language)
     _draw_slide(slide, run, language)
-    _draw_modes(modes, (tilt, slide), run, language)
-    modes.set_xlim(0.0, _last_time(run))
-    modes.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+    _draw_modes(strip, _draw_bands((tilt, slide), run), language)
+    strip.set_xlim(0.0, _last_time(run))
+    label_axes(strip, language, x="report.axis_time")
     figure.align_ylabels(axes[:3])
     return saved(figure, path)
 
@@ -109,25 +117,27 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
     """
     word_of("plots.what", what, get_args(RunHistory), "what")
     further = any(one.get_gid() == LINE for one in axis.lines)
+    handles: list[Any] = []
     if further:
         looks: dict[str, Any] = {"linewidth": 1.3, "gid": LINE, "color": colour_beside(axis, INK)} | line
         (drawn,) = axis.plot(*_values(run, what), **looks)
-        handles = [*_handles(axis), *([drawn] if "label" in line else [])]
+        if (legend := axis.get_legend()) is not None:
+            handles += legend.legend_handles
+        handles += [drawn] if "label" in line else []
     else:
         draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}[what]
         draw(axis, run, language)
         axis.lines[1].set(**({"gid": LINE} | line))  # the one before it is at zero
         bands = _draw_bands((axis,), run) if what != "acceleration" else ()
         present = [mode for mode in bands if mode not in (Mode.REST, Mode.OVERTURNED)]  # which have no band
-        handles, _ = axis.get_legend_handles_labels()
-        handles = [*handles, *_mode_handles(present, language, alpha=BAND)]
+        handles += [*axis.get_legend_handles_labels()[0], *_mode_handles(present, language, alpha=BAND)]
     if handles:
         # as small as it can be read, since it lies within the axes
         axis.legend(
             handles=handles, loc="best", fontsize=FONT - 2.5, framealpha=0.7, ncols=1 + len(handles) // 5
         )
     axis.set_xlim(0.0, max(_last_time(run), axis.get_xlim()[1] if further else 0.0))
-    axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+    label_axes(axis, language, x="report.axis_time")
 
 
 def _values(run: Run, what: RunHistory) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -136,11 +146,6 @@ def _values(run: Run, what: RunHistory) -> tuple[NDArray[np.float64], NDArray[np
         return run.motion.time, run.motion.x
     shown = history(run)
     return shown.time, np.degrees(shown.tilt) if what == "tilt" else 100.0 * shown.slide
-
-
-def _handles(axis: Axes) -> list[Any]:
-    legend = axis.get_legend()
-    return [] if legend is None else list(legend.legend_handles)
 
 
 def plot_motion(
@@ -172,11 +177,9 @@ def plot_motion(
         A path that cannot be written.
     """
     parts = motion.components
-    figure = new_figure(4.0 + 3.6 * len(parts), 6.6)
+    figure = new_figure(4.0 + 3.6 * len(parts), 6.6, title)
     histories: tuple[MotionHistory, ...] = get_args(MotionHistory)
     axes = figure.subplots(len(histories), len(parts), sharex=True, sharey="row", squeeze=False)
-    if title:
-        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
     for column, component in zip(axes.T, parts, strict=True):
         for axis, what in zip(column, histories, strict=True):
             draw_motion(axis, motion, what, component, language)
@@ -232,28 +235,21 @@ def draw_motion(
             label = f"{math.copysign(peak, values[place]):.3g} {unit}"
         axis.plot(part.time[place], values[place], "o", color=INK, markersize=4.0, label=label)
     axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85, handletextpad=0.2)
-    axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
-    axis.set_ylabel(say(f"plots.{what}", language), fontsize=FONT)
+    label_axes(axis, language, "report.axis_time", f"plots.{what}")
 
 
-def critical_angles(run: Run) -> tuple[float, float]:
-    """Return the tilts beyond which the body falls by itself, to the left (negative) and right [rad]."""
+def _angles(run: Run) -> Iterator[tuple[float, str, str, str]]:
+    """Yield angles to mark [°] with line, colour and text: of falling by itself, and of reaching a wall."""
     left, right = run.body.slenderness
-    return -left - run.body.resting_tilt, right - run.body.resting_tilt
-
-
-def wall_angles(run: Run) -> tuple[float | None, float | None]:
-    """Return the tilts at which a top corner reaches the left and the right wall at slide 0 [rad]."""
+    for critical in (-left - run.body.resting_tilt, right - run.body.resting_tilt):
+        yield math.degrees(critical), "--", MUTED, "plots.critical"
     a, b, c, d = standing_corners(run.body, State())
-    at_left, at_right = wall_faces(run.body, run.room)
-    return _reaching(a, c, at_left), _reaching(b, d, at_right)
-
-
-def _reaching(foot: tuple[float, float], top: tuple[float, float], face: float) -> float | None:
-    """Return by how much a body must turn about its foot for its top corner to reach a wall's face [rad]."""
-    right, up = top[0] - foot[0], top[1] - foot[1]
-    sine = (face - foot[0]) / math.hypot(right, up)
-    return math.asin(sine) - math.atan2(right, up) if abs(sine) < 1.0 else None
+    for foot, top, face in zip((a, b), (c, d), wall_faces(run.body, run.room), strict=True):
+        across, up = top[0] - foot[0], top[1] - foot[1]
+        sine = (face - foot[0]) / math.hypot(across, up)
+        if abs(sine) < 1.0:  # else the top corner stays before the wall, at slide 0
+            colour = EVENT_MARKERS[EventKind.WALL_IMPACT][1]
+            yield math.degrees(math.asin(sine) - math.atan2(across, up)), ":", colour, "plots.wall_reached"
 
 
 def _last_time(run: Run) -> float:
@@ -267,77 +263,52 @@ def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
     motion = run.motion
     for component, a in (("x", motion.x), ("z", motion.z)):
         if a is not None:
-            axis.plot(
-                motion.time,
-                a,
-                color=COMPONENT_COLOURS[component],
-                linewidth=0.9,
-                label=say(f"plots.floor_{component}", language),
-            )
+            label = say(f"plots.floor_{component}", language)
+            axis.plot(motion.time, a, color=COMPONENT_COLOURS[component], linewidth=0.9, label=label)
     axis.set_ylabel(acceleration_label(motion, language), fontsize=FONT)
-    axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85)
+    legend_within(axis, "upper right")
 
 
 def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, np.degrees(shown.tilt), color=INK, linewidth=1.3)
-    axis.set_ylabel(say("plots.tilt", language), fontsize=FONT)
+    label_axes(axis, language, y="plots.tilt")
     low, high = _tilt_limits(run)
     axis.set_ylim(low, high)
-    lines = [
-        (angle, "--", MUTED, say("plots.critical", language, angle=abs(math.degrees(angle))))
-        for angle in critical_angles(run)
-    ]
-    lines += [
-        (
-            angle,
-            ":",
-            EVENT_MARKERS[EventKind.WALL_IMPACT][1],
-            say("plots.wall_reached", language, angle=abs(math.degrees(angle))),
-        )
-        for angle in wall_angles(run)
-        if angle is not None
-    ]
-    in_legend: set[str] = set()
-    for angle, dashes, colour, label in lines:
-        if low < math.degrees(angle) < high:
-            axis.axhline(
-                math.degrees(angle),
-                color=colour,
-                linewidth=1.1,
-                linestyle=dashes,
-                label="" if label in in_legend else label,
-            )
-            in_legend.add(label)
+    labels: set[str] = set()
+    for angle, dashes, colour, text in _angles(run):
+        if low < angle < high:
+            label = say(text, language, angle=abs(angle))
+            once = "" if label in labels else label
+            axis.axhline(angle, linewidth=1.1, color=colour, linestyle=dashes, label=once)
+            labels.add(label)
     for kind, (marker, colour) in EVENT_MARKERS.items():
         events = [event for event in run.events if event.kind is kind]
-        if events:
-            times = [event.time for event in events]
-            heights = [min(max(math.degrees(event.tilt), low), high) for event in events]
-            name = kind.value if language == "en" else say(EVENTS[kind.value], language)
-            label = f"{name} × {len(events)}" if len(events) > 1 else name
-            if kind is EventKind.OVERTURNED:
-                label = say("plots.overturned", language, time=run.overturn_time)
-            axis.plot(
-                times,
-                heights,
-                marker,
-                color=colour,
-                markersize=6.0,
-                markeredgecolor="white",
-                markeredgewidth=0.6,
-                label=label,
-                clip_on=False,
-                zorder=5,
-            )
+        if not events:
+            continue
+        name = kind.value if language == "en" else say(EVENTS[kind.value], language)
+        label = f"{name} × {len(events)}" if len(events) > 1 else name
+        if kind is EventKind.OVERTURNED:
+            label = say("plots.overturned", language, time=run.overturn_time)
+        marks: dict[str, Any] = {"markersize": 6.0, "markeredgecolor": "white", "markeredgewidth": 0.6}
+        axis.plot(
+            [event.time for event in events],
+            [min(max(math.degrees(event.tilt), low), high) for event in events],
+            marker,
+            color=colour,
+            label=label,
+            clip_on=False,
+            zorder=5,
+            **marks,
+        )
     if axis.get_legend_handles_labels()[0]:
-        axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
+        legend_within(axis)
 
 
 def _tilt_limits(run: Run) -> tuple[float, float]:
     """Return the tilt axis' ends [°]: with the critical angles once they matter, but not all of a fall."""
-    low, high = (math.degrees(angle) for angle in critical_angles(run))
+    low, high = (angle for angle, *_ in islice(_angles(run), 2))  # the critical ones
     tilt = np.degrees(history(run).tilt)
     below, above = float(tilt.min()), float(tilt.max())
     peak = max(-below, above, 0.1)
@@ -353,7 +324,7 @@ def _draw_slide(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, 100.0 * shown.slide, color=INK, linewidth=1.3)
-    axis.set_ylabel(say("plots.slide", language), fontsize=FONT)
+    label_axes(axis, language, y="plots.slide")
     if run.peak_slide < 1e-3:
         axis.set_ylim(-0.1, 0.1)
 
@@ -361,23 +332,13 @@ def _draw_slide(axis: Axes, run: Run, language: str) -> None:
 def _draw_bands(bands: tuple[Axes, ...], run: Run) -> dict[Mode, list[tuple[float, float]]]:
     """Draw the modes as faint bands behind histories; return when and how long the body was in each [s]."""
     spans = history(run).spans()
-    present = {
-        mode: [(start, end - start) for start, end, span in spans if span is mode]
-        for mode in Mode
-        if any(span[2] is mode for span in spans)
-    }
+    found = {mode: [(start, end - start) for start, end, one in spans if one is mode] for mode in Mode}
+    present = {mode: widths for mode, widths in found.items() if widths}
     for axis in bands:
         for mode, widths in present.items():
             if mode is not Mode.REST:
-                axis.broken_barh(
-                    widths,
-                    (0.0, 1.0),
-                    facecolors=MODE_COLOURS[mode],
-                    alpha=BAND,
-                    linewidth=0.0,
-                    transform=axis.get_xaxis_transform(),
-                    zorder=0,
-                )
+                looks: dict[str, Any] = {"facecolors": MODE_COLOURS[mode], "alpha": BAND, "linewidth": 0.0}
+                axis.broken_barh(widths, (0.0, 1.0), transform=axis.get_xaxis_transform(), zorder=0, **looks)
         if run.overturned:
             axis.axvline(run.overturn_time, color=ALARM, linewidth=1.0)
     return present
@@ -389,9 +350,8 @@ def _mode_handles(modes: Iterable[Mode], language: str, alpha: float = 1.0) -> l
     ]
 
 
-def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run, language: str) -> None:
-    """Draw the modes as a solid strip with a legend, and as faint bands behind the histories."""
-    present = _draw_bands(bands, run)
+def _draw_modes(strip: Axes, present: dict[Mode, list[tuple[float, float]]], language: str) -> None:
+    """Draw as a strip when and how long the body was in each mode [s], with a legend."""
     for mode, widths in present.items():
         strip.broken_barh(widths, (0.0, 1.0), facecolors=MODE_COLOURS[mode], linewidth=0.0)
     strip.set_yticks([])

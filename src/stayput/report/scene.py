@@ -160,6 +160,11 @@ class Scene:
             around each time, with its sign), ``scale_shown``. ``view``: ``left_m``, ``right_m``, ``low_m``,
             ``high_m``, ``grid_m``. ``runs``: see `run_data`.
         """
+
+        def poses(shown: History) -> NDArray[np.float64]:
+            last = max(self.start, min(self.end, shown.end))
+            return shown.time if rate is None else frames(self.start, last, rate)
+
         times = self.motion.time if rate is None else frames(self.start, self.end, rate)
         times = times[(times >= self.start) & (times <= self.end)]
         return {
@@ -171,13 +176,10 @@ class Scene:
             },
             "view": self.view.data(),
             "runs": [
-                run_data(run, shown, None if rate is None else self._frames_of(shown, rate))
+                run_data(run, shown, poses(shown))
                 for run, shown in zip(self.runs, self.histories, strict=True)
             ],
         }
-
-    def _frames_of(self, shown: History, rate: float) -> NDArray[np.float64]:
-        return frames(self.start, max(self.start, min(self.end, shown.end)), rate)
 
 
 def scene_of(runs: Sequence[Run], start: float = 0.0, end: float | None = None) -> Scene:
@@ -203,7 +205,7 @@ def scene_of(runs: Sequence[Run], start: float = 0.0, end: float | None = None) 
     return Scene(tuple(runs), histories, motion, start, until, shift, scale, view)
 
 
-def run_data(run: Run, shown: History, times: NDArray[np.float64] | None = None) -> dict[str, Any]:
+def run_data(run: Run, shown: History, at: NDArray[np.float64]) -> dict[str, Any]:
     """Return one run of a scene as plain values for JSON, in SI units that the keys name.
 
     Parameters
@@ -212,8 +214,8 @@ def run_data(run: Run, shown: History, times: NDArray[np.float64] | None = None)
         The run.
     shown : History
         Its histories as they are shown.
-    times : ndarray, optional
-        Times of the poses [s]; by default those of the histories.
+    at : ndarray
+        Times of the poses [s].
 
     Returns
     -------
@@ -232,21 +234,25 @@ def run_data(run: Run, shown: History, times: NDArray[np.float64] | None = None)
         - ``shapes``: ``kind``, ``points`` (frame "body" or "room", right, up), ``role``, ``device`` (its
           place in ``devices``, or null), ``when`` ("always", or while the device is "whole" or "broken").
     """
-    at = shown.time if times is None else times
+    body = run.body
+    a, b, c, d = body.corners
+    histories = {"x_m": shown.x, "z_m": shown.z, "tilt_rad": shown.tilt, "slide_m": shown.slide}
     return {
         **results(run),
-        "body": _body(run.body),
+        "body": {
+            "width_m": body.width,
+            "height_m": body.height,
+            "mass_kg": body.mass,
+            "inertia_kg_m2": body.inertia_about_cg,
+            "centre_of_gravity_m": body.centre_of_gravity,
+            "corners_m": [a, b, d, c],
+            "base_heights_m": body.base_heights,
+            "resting_tilt_rad": body.resting_tilt,
+            "slenderness_rad": min(body.slenderness),
+        },
         "room": room_data(run),
         "time_s": rounded(at, TIME_DIGITS),
-        **{
-            key: rounded(np.interp(at, shown.time, values))
-            for key, values in (
-                ("x_m", shown.x),
-                ("z_m", shown.z),
-                ("tilt_rad", shown.tilt),
-                ("slide_m", shown.slide),
-            )
-        },
+        **{key: rounded(np.interp(at, shown.time, values)) for key, values in histories.items()},
         "modes": [(round(start, TIME_DIGITS), mode.value) for start, _, mode in shown.spans()],
         "devices": [
             {
@@ -261,28 +267,13 @@ def run_data(run: Run, shown: History, times: NDArray[np.float64] | None = None)
         else [
             {
                 "kind": shape.kind,
-                "points": [(frame, right, up) for frame, right, up in shape.points],
+                "points": list(shape.points),
                 "role": shape.role,
                 "device": shape.element,
                 "when": shape.when,
             }
             for shape in sketch(run.held)
         ],
-    }
-
-
-def _body(body: Body) -> dict[str, Any]:
-    a, b, c, d = body.corners
-    return {
-        "width_m": body.width,
-        "height_m": body.height,
-        "mass_kg": body.mass,
-        "inertia_kg_m2": body.inertia_about_cg,
-        "centre_of_gravity_m": body.centre_of_gravity,
-        "corners_m": [a, b, d, c],
-        "base_heights_m": body.base_heights,
-        "resting_tilt_rad": body.resting_tilt,
-        "slenderness_rad": min(body.slenderness),
     }
 
 

@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from matplotlib.patches import Polygon, Rectangle
 
-from stayput.catalogue import say
 from stayput.measures import Held
 from stayput.measures.element import at_rest
 from stayput.measures.sketch import shapes
 from stayput.model.body import Body
 from stayput.model.state import State, standing_corners, wall_faces
-from stayput.report.figures import FONT
+from stayput.report.figures import FONT, label_axes
 from stayput.report.palette import BODY_COLOURS, INK, MUTED, ROLE_COLOURS, ROOM
 
 if TYPE_CHECKING:
@@ -73,8 +72,7 @@ def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False)
     axis.set_aspect("equal")
     axis.set_xlim(left, right)
     axis.set_ylim(-_WALL * size, top)
-    axis.set_xlabel(say("plots.across_room", language), fontsize=FONT)
-    axis.set_ylabel(say("plots.above_floor", language), fontsize=FONT)
+    label_axes(axis, language, "plots.across_room", "plots.above_floor")
     axis.tick_params(labelsize=FONT - 1.0, colors=INK)
     for side in ("top", "right"):
         axis.spines[side].set_visible(False)

@@ -125,7 +125,7 @@ def device_results(device: DeviceResult) -> dict[str, Any]:
     """Return a device's results as plain values, in SI units that the keys name."""
     return {
         "kind": device.kind,
-        "label": dict(zip(("en", "ja"), device.label, strict=True)),
+        "label": by_language(device.label),
         "name": device.place,
         "peak_pull_n": device.peak_pull,
         "peak_push_n": device.peak_push,
@@ -134,7 +134,7 @@ def device_results(device: DeviceResult) -> dict[str, Any]:
         "failed": device.failed,
         "failure_time_s": number(device.failure_time),
         "cause": device.cause,
-        "weakest": None if device.weakest is None else dict(zip(LANGUAGES, device.weakest, strict=True)),
+        "weakest": None if device.weakest is None else by_language(device.weakest),
     }
 
 
@@ -167,9 +167,7 @@ def summary(run: Run) -> dict[str, Any]:
 def motion_data(motion: Motion) -> dict[str, Any]:
     """Return what a motion is as plain values."""
     return {
-        "name": motion.name,
-        "source": motion.source,
-        "synthetic": motion.synthetic,
+        **attributes(motion, "name", "source", "synthetic"),
         "dt_s": motion.dt,
         "duration_s": number(motion.duration),
         "pga_m_s2": number(motion.pga),
@@ -301,3 +299,13 @@ def length(metres: float) -> str:
 def number(value: float) -> float | None:
     """Return a number, or None in place of one that is not finite."""
     return float(value) if math.isfinite(value) else None
+
+
+def attributes(value: object, *names: str) -> dict[str, Any]:
+    """Return attributes of a value by their names; None in place of a number that is not finite."""
+    return {name: number(own) if isinstance(own := getattr(value, name), float) else own for name in names}
+
+
+def by_language(text: Phrase) -> dict[str, str]:
+    """Return a text by its languages."""
+    return dict(zip(LANGUAGES, text, strict=True))

@@ -246,19 +246,20 @@ class ActionPlan:
         return self.steps[-1].together if self.steps else None
 
     def to_html(self, language: str = "en") -> str:
-        """Return the plan as a page to print, in "en" or "ja"; see `stayput.report.action_plan`."""
-        from stayput.report.action_plan.html import plan_html
+        """Return the plan as a page to print, in "en" or "ja"; see `stayput.report.room.card`."""
+        from stayput.report.room.card import plan_html
 
         return plan_html(self, language)
 
     def to_json(self) -> str:
         """Return the plan as JSON; keys carry their units."""
-        from stayput.report.action_plan.data import plan_json
+        from stayput.report.room.data import plan_data
+        from stayput.report.verdict.data import json_text
 
-        return plan_json(self)
+        return json_text(plan_data(self))
 
     def report(self, path: str | Path, language: str = "en") -> Path:
         """Write the plan, one HTML file with everything in it, to print."""
-        from stayput.report.action_plan.html import write_plan
+        from stayput.report.room.card import write_plan
 
         return write_plan(self, path, language)

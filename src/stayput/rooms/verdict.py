@@ -336,13 +336,14 @@ class RoomVerdict:
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""
-        from stayput.report.room.data import room_json
+        from stayput.report.room.data import room_data
+        from stayput.report.verdict.data import json_text
 
-        return room_json(self)
+        return json_text(room_data(self))
 
     def to_markdown(self, language: str = "en") -> str:
         """Return the verdict as Markdown, in "en" or "ja"."""
-        from stayput.report.room.markdown import room_markdown
+        from stayput.report.room.tables import room_markdown
 
         return room_markdown(self, language)
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.model.state import State
     from stayput.motion.record import Motion
-    from stayput.report.embedding import Player
+    from stayput.report.page import Player
     from stayput.simulation.case import Case
 
 Contact = Literal["coulomb", "paper"]
@@ -240,7 +240,11 @@ class Run(InNetcdf):
         """
         from stayput.report.animation import animate_run, run_player
 
-        return run_player(self, language) if path is None else animate_run(self, path, language=language)
+        return (
+            run_player(self, language=language)
+            if path is None
+            else animate_run(self, path, language=language)
+        )
 
 
 def run_of(

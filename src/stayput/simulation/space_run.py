@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import FloorPlan
     from stayput.model.room import Room
     from stayput.motion import Motion
-    from stayput.report.embedding import Player
+    from stayput.report.page import Player
     from stayput.simulation.space_fate import Fate
     from stayput.simulation.space_gaps import Gaps
     from stayput.simulation.standing import Standing
@@ -357,10 +357,10 @@ class SpaceRun(InNetcdf):
     ) -> Path | Player:
         """Write an animation (GIF, MP4 or HTML), or without a path return one that notebooks play.
 
-        See `stayput.report.space.animation.animate_space_run`, which has more to choose from.
+        See `stayput.report.animation.animate_run`, which has more to choose from.
         """
-        from stayput.report.space.animation import animate_space_run, space_run_player
+        from stayput.report.animation import animate_run, run_player
 
         if path is None:
-            return space_run_player(self, names, speed, language)
-        return animate_space_run(self, path, names=names, fps=fps, speed=speed, language=language)
+            return run_player(self, names, speed, language)
+        return animate_run(self, path, names=names, fps=fps, speed=speed, language=language)

@@ -145,24 +145,24 @@ class AssemblyVerdict:
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""
-        from stayput.report.several.data import several_json
+        from stayput.report.verdict.data import json_text, several_data
 
-        return several_json(self)
+        return json_text(several_data(self))
 
     def to_markdown(self, language: str = "en") -> str:
         """Return the verdict as Markdown, in "en" or "ja"."""
-        from stayput.report.several.markdown import several_markdown
+        from stayput.report.verdict.markdown import several_markdown
 
         return several_markdown(self, language)
 
     def to_csv(self) -> str:
         """Return the ranking as CSV."""
-        from stayput.report.several.data import several_csv
+        from stayput.report.verdict.tables import several_csv
 
         return several_csv(self)
 
     def report(self, path: str | Path, language: str = "en") -> Path:
-        """Write the report, one HTML file with everything in it; see `stayput.report.several`."""
-        from stayput.report.several.html import write_several_report
+        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
+        from stayput.report.verdict.html import write_report
 
-        return write_several_report(self, path, language)
+        return write_report(self, path, language)

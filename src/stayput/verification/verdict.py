@@ -345,7 +345,7 @@ class Verdict(InJson):
             Language of the texts, "en" or "ja".
         """
         from stayput.report.figures import axes_of, drawn
-        from stayput.report.verdict.ranking import draw_ranking
+        from stayput.report.fragility import draw_ranking
 
         axis = axes_of(ax)
         draw_ranking(axis, self, check_language(language))
@@ -382,9 +382,9 @@ class Verdict(InJson):
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""
-        from stayput.report.verdict.data import verdict_json
+        from stayput.report.verdict.data import json_text, verdict_data
 
-        return verdict_json(self)
+        return json_text(verdict_data(self))
 
     def to_markdown(self, language: str = "en") -> str:
         """Return the verdict as Markdown, in "en" or "ja"."""

@@ -231,7 +231,7 @@ def spectrum(
     if plot is not None:
         from stayput.catalogue import say
         from stayput.report.names import motion_label
-        from stayput.report.spectrum import plot_spectra
+        from stayput.report.spectra import plot_spectra
 
         title = say("plots.spectra", lang, name=motion_label(record, lang), damping=100.0 * damping)
         plot_spectra(record, plot, damping, title=title, language=lang)

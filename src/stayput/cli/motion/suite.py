@@ -111,7 +111,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
 
     from stayput.files import folder_draft, name_part
     from stayput.progress import bar
-    from stayput.report.suite import plot_suite, suite_title
+    from stayput.report.spectra import plot_suite, suite_title
     from stayput.spreadsheets import CSV_ENCODING, text_cell
 
     table = io.StringIO()

@@ -282,7 +282,7 @@ class Suite(Sequence[Motion]):
             Something else to draw, or a component that is not there.
         """
         from stayput.report.figures import axes_of, drawn
-        from stayput.report.suite import draw_suite
+        from stayput.report.spectra import draw_suite
 
         axis = axes_of(ax)
         draw_suite(axis, self, what, target, component, check_language(language), **line)
@@ -297,7 +297,7 @@ class Suite(Sequence[Motion]):
         language: str = "en",
     ) -> Figure:
         """Return a figure with the spectra, and the standard deviation of ln Sa below."""
-        from stayput.report.suite import plot_suite
+        from stayput.report.spectra import plot_suite
 
         return plot_suite(self, None, target, component, title=title, language=check_language(language))
 

@@ -1,65 +1,49 @@
-"""A verdict on a room as plain values: JSON and CSV."""
+"""A verdict on a room, and a plan to buy and do, as plain values: JSON and CSV."""
 
 from __future__ import annotations
 
-import csv
-import io
-import json
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import stayput
-from stayput.catalogue import LANGUAGES
-from stayput.motion.intensity import intensity_class
-from stayput.report.several.data import in_both
-from stayput.report.summary import number
-from stayput.report.verdict.data import quantiles_data, strength_data
+from stayput.report.summary import attributes, by_language, number
+from stayput.report.verdict.data import head_data, in_both, interval_data, quantiles_data, shaking_data
+from stayput.rooms.forces import MARGIN, QUANTILE
+from stayput.rooms.step_words import forces_asked, heading, where
 from stayput.rooms.ways import CELL
 from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room, tags
-from stayput.spreadsheets import text_cell
+from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from stayput.fragility import Difference, Probability
-    from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
-
-
-def room_json(verdict: RoomVerdict) -> str:
-    """Return a verdict as the text of a JSON file; see `room_data`."""
-    return json.dumps(room_data(verdict), allow_nan=False, ensure_ascii=False, indent=2) + "\n"
+    from stayput.rooms.steps import ActionPlan, Fix, PlanStep
+    from stayput.rooms.verdict import ChangeVerdict, RoomEffect, RoomVerdict
 
 
 def room_data(verdict: RoomVerdict) -> dict[str, Any]:
     """Return a verdict as plain values, in SI units that the keys name; what is not finite is None."""
     return {
-        "stayput": stayput.__version__,
-        "title": verdict.scenario.title,
-        "verdict": in_both(lambda language: sentence_of_room(verdict, language)),
-        "best": in_both(lambda language: best_sentence(verdict, language)),
-        "jma_intensity": number(verdict.intensity),
-        "intensity_class": None if verdict.floor else intensity_class(verdict.intensity),
-        "motion_floor": verdict.floor or None,
-        "strength": strength_data(verdict.scenario, verdict.motions),
-        "motions": verdict.motions,
-        "samples": verdict.samples,
-        "runs": verdict.runs,
-        "seed": verdict.seed,
-        "seconds": number(verdict.seconds),
-        "hit": chance_data(verdict.hit),
-        "shut_in": chance_data(verdict.shut_in),
+        **head_data(verdict, partial(sentence_of_room, verdict)),
+        "best": in_both(partial(best_sentence, verdict)),
+        **shaking_data(verdict),
+        **attributes(verdict, "motions", "samples", "runs", "seed", "seconds"),
+        "hit": interval_data(verdict.hit),
+        "shut_in": interval_data(verdict.shut_in),
         "risk": number(verdict.risk),
         "places": [
             {
                 "name": place.place.name,
-                "hit": chance_data(place.hit),
+                "hit": interval_data(place.hit),
                 "hit_by_day": number(place.by_day),
                 "hit_at_night": number(place.by_night),
-                "shut_in": chance_data(place.shut_in),
+                "shut_in": interval_data(place.shut_in),
                 "by": [
                     {
                         "piece": one.piece,
                         "mass_kg": number(one.mass),
-                        "probability": chance_data(one.probability),
+                        "probability": interval_data(one.probability),
                         "speed_m_s": quantiles_data(one.speed),
                         "energy_J": quantiles_data(one.energy),
                     }
@@ -69,14 +53,14 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
             for place in verdict.places
         ],
         "doors": [
-            {"name": door.door.name, "blocked": chance_data(door.blocked), "blocked_at_rest": door.at_rest}
+            {"name": door.door.name, "blocked": interval_data(door.blocked), "blocked_at_rest": door.at_rest}
             for door in verdict.doors
         ],
         "pieces": [
             {
                 "name": piece.name,
                 "engine": "plane" if piece.in_plane else "space",
-                "probabilities": {event: chance_data(one) for event, one in piece.probabilities.items()},
+                "probabilities": {event: interval_data(one) for event, one in piece.probabilities.items()},
                 "peak_slide_m": quantiles_data(piece.slide),
                 "falls": piece.falls,
                 "risk": number(piece.risk),
@@ -86,7 +70,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
         ],
         "cell_m": CELL,
         "collisions": [
-            {"pieces": list(pair), "probability": chance_data(one)}
+            {"pieces": list(pair), "probability": interval_data(one)}
             for pair, one in verdict.collisions.items()
         ],
         "changes": [_change(one, verdict) for one in verdict.changes],
@@ -95,31 +79,24 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
 
 def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
     change, own = result.change, verdict.piece_changed(result)
+    ends = ("hit", "hit_change", "shut_in", "shut_in_change")
     return {
         "what": change.what,
-        "label": in_both(lambda language: change_label(change, verdict, language)),
-        "sentence": in_both(lambda language: change_sentence(result, verdict, language)),
+        "label": in_both(partial(change_label, change, verdict)),
+        "sentence": in_both(partial(change_sentence, result, verdict)),
         "measure": None if change.measure is None else change.measure.kind,
         "drilled": change.measure is not None and change.measure.drilled,
         "at_m": None if change.at is None else list(change.at),
         "heading_rad": change.heading,
-        "hit": chance_data(result.hit),
-        "hit_change": chance_data(result.hit_change),
-        "shut_in": chance_data(result.shut_in),
-        "shut_in_change": chance_data(result.shut_in_change),
-        "overturned": None if own is None else chance_data(own[0]),
-        "overturned_change": None if own is None else chance_data(own[1]),
+        **{name: interval_data(getattr(result, name)) for name in ends},
+        "overturned": None if own is None else interval_data(own[0]),
+        "overturned_change": None if own is None else interval_data(own[1]),
         "risk": number(result.risk),
         "helps": result.helps,
         "better": list(result.better),
         "worse": list(result.worse),
-        "tags": [dict(zip(LANGUAGES, tag, strict=True)) for tag in tags(result)],
+        "tags": [by_language(tag) for tag in tags(result)],
     }
-
-
-def chance_data(chance: Probability | Difference) -> dict[str, float | None]:
-    """Return a probability or a difference of two, with its interval."""
-    return {"estimate": number(chance.estimate), "low": number(chance.low), "high": number(chance.high)}
 
 
 def room_csv(verdict: RoomVerdict) -> str:
@@ -127,20 +104,15 @@ def room_csv(verdict: RoomVerdict) -> str:
 
     Of a change, also what it brings: the probability with it less that of the room as it is.
     """
-    lines = io.StringIO()
-    writer = csv.writer(lines, lineterminator="\r\n")
-    changed = ("change", "change_low", "change_high")
-    writer.writerow(("event", "of", "by", "probability", "low", "high", *changed))
-    for event, of, by, chance, change in _rows(verdict):
-        ends = (*_cells(chance), *(("",) * len(changed) if change is None else _cells(change)))
-        writer.writerow((event, text_cell(of), text_cell(by), *ends))
-    return lines.getvalue()
+    ends = ("", "_low", "_high")
+    names = ("event", "of", "by", "probability", "low", "high", *(f"change{end}" for end in ends))
+    return csv_text(
+        names, ((*texts, *_ends(chance), *_ends(change)) for *texts, chance, change in _rows(verdict))
+    )
 
 
-def _cells(chance: Probability | Difference) -> Iterator[float | str]:
-    for value in (chance.estimate, chance.low, chance.high):
-        finite = number(value)
-        yield "" if finite is None else finite
+def _ends(value: Probability | Difference | None) -> Iterable[float | None]:
+    return (None,) * 3 if value is None else interval_data(value).values()
 
 
 def _rows(verdict: RoomVerdict) -> Iterator[tuple[str, str, str, Probability, Difference | None]]:
@@ -162,3 +134,72 @@ def _rows(verdict: RoomVerdict) -> Iterator[tuple[str, str, str, Probability, Di
         yield "shut_in_with", label, "", one.shut_in, one.shut_in_change
         if (own := verdict.piece_changed(one)) is not None:
             yield "overturned_with", label, "", *own
+
+
+def plan_data(plan: ActionPlan) -> dict[str, Any]:
+    """Return a plan as plain values, in SI units that the keys name; what is not finite is None."""
+    together = plan.together
+    return {
+        "stayput": stayput.__version__,
+        "home": {name: getattr(plan.home, name) for name in plan.home.__dataclass_fields__},
+        "quantile": QUANTILE,
+        "margin": number(MARGIN),
+        "steps": [_step(step, plan) for step in plan.steps],
+        "together": None if together is None else _effect(together),
+        "unsolved": list(plan.unsolved),
+        "with_drilling": {name: _fix(fix) for name, fix in plan.drilled.items()},
+        "room": room_data(plan.verdict),
+    }
+
+
+def _step(step: PlanStep, plan: ActionPlan) -> dict[str, Any]:
+    move = step.move
+    return {
+        "what": step.what,
+        "step": by_language(heading(step, plan)),
+        "at_m": None if move is None or move.at is None else list(move.at),
+        "heading_rad": None if move is None else move.heading,
+        "fix": None if step.fix is None else _fix(step.fix),
+        "without_drilling": None if step.instead is None else _fix(step.instead),
+        "overturned": None if step.overturned is None else interval_data(step.overturned),
+        "alone": _effect(step.alone),
+        "together": _effect(step.together),
+        "for_people": step.for_people,
+        "decided": step.decided,
+        "cost_class": step.cost_class,
+        "grade": step.grade.value,
+        "weakest": [list(one.label) for one in step.weakest],
+    }
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    return {
+        "overturned": interval_data(fix.overturns),
+        "alone": _effect(fix.alone),
+        "enough": fix.enough,
+        "enough_to_jma": None if fix.enough_to is None else number(fix.enough_to),
+        "cautions": [list(caution) for caution in fix.cautions],
+        "buy": [
+            {
+                "type": one.measure.kind,
+                "count": one.count,
+                "where": list(where(one, fix)),
+                "rated_n": {name: number(force) for name, force in forces_asked(one)},
+                "holds_n": None
+                if one.holds is None
+                else {k: number(v) for k, v in one.holds._asdict().items()},
+                "enough": one.enough,
+            }
+            for one in fix.purchases
+        ],
+    }
+
+
+def _effect(effect: RoomEffect) -> dict[str, Any]:
+    ends = ("hit", "hit_change", "shut_in", "shut_in_change", "blocked", "blocked_change")
+    return {
+        **{name: interval_data(getattr(effect, name)) for name in ends},
+        "risk": number(effect.risk),
+        "overturned": [interval_data(one) for one in effect.overturned],
+        "overturned_change": [interval_data(one) for one in effect.overturned_change],
+    }

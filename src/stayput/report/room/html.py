@@ -5,30 +5,24 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from stayput.catalogue import say
-from stayput.report.page import framed, rendered, write_page
-from stayput.report.room.assumptions import assumptions_of_room
-from stayput.report.room.drawing import change_plan, legend, room_plan
-from stayput.report.room.rows import (
-    change_rows,
-    collision_rows,
-    door_rows,
-    hit_rows,
-    piece_rows,
-    place_rows,
-)
+from stayput.montecarlo.counting import OVERTURNED, SLID
+from stayput.report.page import rendered, write_page
+from stayput.report.room.plan import change_plan, legend, room_plan
 from stayput.report.room.tables import sentences, simulations_of_room
 from stayput.report.verdict import numbers
-from stayput.report.verdict.words import word
+from stayput.report.verdict.assumptions import assumptions_of_room
+from stayput.report.verdict.html import shared_content
 from stayput.rooms.verdict import DAY_HOURS
 from stayput.rooms.ways import PASSAGE
-from stayput.verification.words import class_label
+from stayput.rooms.words import change_label, door_name, piece_name, place_name, tags
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
 
 SHEETS = ("verdict/report.css", "canvas/plan.css", "room/plan.css", "room/room.css")
@@ -65,33 +59,25 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
     return rendered("room/room.html", _content(verdict, language))
 
 
+KINDS = ("better", "chance", "worse")
+"""What can be said of a change: that it clearly helps, nothing, or that something clearly gets worse."""
+
+
 def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
-    text = partial(word, language=language)
     headline, *others = sentences(verdict, language)
     moved = change_plan(verdict, language)
     kind = say("rooms.report", language)
     return {
-        **framed(language, "room_report", verdict.scenario.title or kind, SHEETS),
+        **shared_content(verdict, "room_report", kind, SHEETS, assumptions_of_room(verdict), language),
         "kind": kind,
-        "text": text,
-        "numbers": numbers,
-        "verdict": verdict,
         "headline": headline,
         "others": others,
-        "strength": text(
-            "instrumental",
-            **{
-                "class": class_label(verdict.intensity, language, verdict.floor),
-                "value": f"{verdict.intensity:.2f}",
-            },
-        ),
         "simulations": simulations_of_room(verdict, language),
         "plan": Markup(room_plan(verdict, language)),
         "legend": [(Markup(swatch), name) for swatch, name in legend(verdict, language)],
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
         "ways_out": any(one.door.way_out for one in verdict.doors),
-        "limit": numbers.length(verdict.slide_limit, language),
         "places": place_rows(verdict, language),
         "hits": hit_rows(verdict, language),
         "doors": door_rows(verdict, language),
@@ -99,9 +85,106 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
         "collisions": collision_rows(verdict, language),
         "changes": change_rows(verdict, language),
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
-        "assumptions": [
-            (entry.what(language), entry.value(language), entry.confidence)
-            for entry in assumptions_of_room(verdict)
-        ],
-        "toml": escape(verdict.scenario.to_toml()),
     }
+
+
+def place_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
+    """Return the places in the order of the file, with how often somebody is there and hit at what time."""
+    return [
+        {
+            "name": say(place_name(one.place), language),
+            "hit": one.hit,
+            "times": [
+                (
+                    numbers.share(chance, language),
+                    say("room_report.presence", language, share=numbers.share(there, language)),
+                )
+                for chance, there in ((one.by_day, one.place.day), (one.by_night, one.place.night))
+            ],
+            "shut_in": one.shut_in,
+        }
+        for one in verdict.places
+    ]
+
+
+def hit_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
+    """Return what hits each place, the most frequent first: median and 90 % quantile of speed and energy."""
+    return [
+        {
+            "place": say(place_name(place.place), language),
+            "piece": say(piece_name(hit.piece), language),
+            "chance": hit.probability,
+            "speed": (numbers.speed(hit.speed.median), numbers.speed(hit.speed.p90)),
+            "energy": (numbers.energy(hit.energy.median), numbers.energy(hit.energy.p90)),
+            "mass": numbers.mass(hit.mass),
+        }
+        for place in verdict.places
+        for hit in place.by
+    ]
+
+
+def door_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
+    """Return the doors in the order of the file."""
+    return [
+        {
+            "name": say(door_name(one.door), language),
+            "wall": say(f"rooms.{one.door.wall}", language),
+            "opens": say(f"room_report.{one.door.opens}", language),
+            "leads_out": say(f"room_report.{'yes' if one.door.way_out else 'no'}", language),
+            "blocked": one.blocked,
+            "at_rest": one.at_rest,
+        }
+        for one in verdict.doors
+    ]
+
+
+def piece_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
+    """Return the pieces, those that contribute most first, with median and 90 % quantile of their slides."""
+    room = verdict.scenario.surroundings()
+    return [
+        {
+            "name": say(piece_name(one.name), language),
+            "overturned": one.probabilities[OVERTURNED],
+            "slid": one.probabilities[SLID],
+            "slide": numbers.slides(one.slide, room, language),
+            "risk": numbers.share(one.risk, language) if verdict.places else numbers.NO_NUMBER,
+            "engine": say(f"room_report.{'in_plane' if one.in_plane else 'in_space'}", language),
+        }
+        for one in verdict.pieces
+    ]
+
+
+def collision_rows(verdict: RoomVerdict, language: str) -> list[tuple[str, str, Probability]]:
+    """Return the pairs of pieces that meet, the most frequent first."""
+    rows = [
+        (say(piece_name(first), language), say(piece_name(second), language), chance)
+        for (first, second), chance in verdict.collisions.items()
+        if chance.fell
+    ]
+    return sorted(rows, key=lambda row: -row[2].estimate)
+
+
+def change_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
+    """Return the single changes: those that clearly help, the best first, then the others.
+
+    Their differences are from the room as it is; only a piece has a chance of overturning.
+    """
+    change = partial(numbers.change, language=language)
+    rows: list[dict[str, Any]] = []
+    for one in verdict.changes:
+        own = verdict.piece_changed(one)
+        rows.append(
+            {
+                "label": change_label(one.change, verdict, language),
+                "kind": "better" if one.helps else "worse" if one.worse else "chance",
+                "tags": [say(tag, language) for tag in tags(one)],
+                "hit": one.hit,
+                "hit_change": change(one.hit_change),
+                "shut_in": one.shut_in,
+                "shut_in_change": change(one.shut_in_change),
+                "overturned": None if own is None else own[0],
+                "overturned_change": "" if own is None else change(own[1]),
+                "risk": numbers.share(one.risk, language),
+            }
+        )
+    return sorted(rows, key=lambda row: KINDS.index(row["kind"]))

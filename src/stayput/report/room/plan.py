@@ -3,28 +3,34 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from string import ascii_lowercase
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.catalogue import say
+from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.room.labels import FONT, PlanLabel, names_svg, overlap, places_of_names, wrapped
-from stayput.report.room.places import place_svg
-from stayput.report.room.sheet import PlanSheet, titled
-from stayput.report.room.walls import door_svg, scale_svg, walls_svg, window_svg
-from stayput.report.verdict import svg
+from stayput.report.room.sheet import PlanSheet, door_svg, place_svg, scale_svg, titled, walls_svg, window_svg
+from stayput.report.verdict import numbers, svg
 from stayput.rooms.ways import CELL
-from stayput.rooms.words import door_name, piece_name, place_name
+from stayput.rooms.words import change_label, door_name, names_in, piece_name, place_name
+from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import FloorPlan
+    from stayput.catalogue import Phrase
+    from stayput.fragility import Probability
+    from stayput.model.floor_plan import Door, FloorPlan
     from stayput.report.room.sheet import Box
+    from stayput.rooms.changes import Change
+    from stayput.rooms.verdict import RoomVerdict
+    from stayput.simulation.standing import Standing
+
 
 STEPS = 10
 """Steps of the share of the runs in which a piece ends on a spot."""
@@ -101,76 +107,73 @@ def plan_svg(
         Size of the letters of names [px].
     """
     sheet, told, marks = PlanSheet(plan), notes or {}, numbered or {}
-
-    def marked(key: str, name: str) -> str:
-        return f"{marks[key]} {name}" if key in marks else name
-
-    places = [marked(place.name, say(place_name(place), language)) for place in plan.places]
-    doors = [say(door_name(door), language) for door in plan.doors]
-    called = [marked(piece.name, say(piece_name(piece.name), language)) for piece in pieces]
     colon = say("common.colon", language)
+    content, labels, keys, names = [walls_svg(sheet)], list[PlanLabel](), list[str](), list[str]()
 
-    def title(name: str, key: str) -> str:
-        return f"{name}{colon}{told[key]}" if key in told else name
+    def titles(key: str, called: Phrase, aside: str = "") -> tuple[str, str]:
+        """Return a name as it stands on the plan, and what a screen reader says of it."""
+        name = say(called, language)
+        name = f"{marks[key]} {name}" if key in marks else name
+        return name, f"{name}{aside}{colon}{told[key]}" if key in told else f"{name}{aside}"
 
-    labels: list[PlanLabel] = []
-    content = [walls_svg(sheet)]
-    for place, kind, name in zip(plan.places, kinds, places, strict=True):
-        content.append(place_svg(sheet, place, kind, title(name, place.name)))
-        labels.append(PlanLabel(wrapped(name), told.get(place.name, ""), sheet.box_of(place.corners)))
+    def add(key: str, name: str, drawn: str, box: Box, mark: str = "") -> None:
+        content.append(drawn)
+        labels.append(PlanLabel(wrapped(name), told.get(key, ""), box))
+        keys.append(mark)
+        names.append(name)
+
+    for place, kind in zip(plan.places, kinds, strict=True):
+        name, title = titles(place.name, place_name(place))
+        box = sheet.box_of(place.corners)
+        add(place.name, name, place_svg(sheet, place, kind, title), box, place.name)
+    called = [titles(piece.name, piece_name(piece.name)) for piece in pieces]
     content += [
-        titled(title(name, piece.name), covers_svg(sheet, piece.covers, piece.look))
-        for piece, name in zip(pieces, called, strict=True)
+        titled(title, covers_svg(sheet, piece.covers, piece.look))
+        for piece, (_, title) in zip(pieces, called, strict=True)
         if piece.covers is not None
     ]
-    for piece, name in zip(pieces, called, strict=True):
-        content.append(titled(title(name, piece.name), _piece_svg(sheet, piece)))
-        labels.append(PlanLabel(wrapped(name), told.get(piece.name, ""), sheet.box_of(piece.outline)))
+    for piece, (name, title) in zip(pieces, called, strict=True):
+        box = sheet.box_of(piece.outline)
+        add(piece.name, name, titled(title, _piece_svg(sheet, piece)), box, piece.name)
     content += [window_svg(sheet, window, language) for window in plan.windows]
-    for door, name in zip(plan.doors, doors, strict=True):
-        opens = say(f"room_report.{door.opens}", language)
-        name_of = say("common.aside", language, content=opens)
-        content.append(door_svg(sheet, door, title(name + name_of, door.name)))
-        labels.append(
-            PlanLabel(
-                wrapped(name), told.get(door.name, ""), _before(sheet, door.wall, door.start, door.width)
-            )
-        )
-    things = [label.box for label in labels[: len(plan.places) + len(pieces)]]
+    things = [label.box for label in labels]
+    for door in plan.doors:
+        opens = say("common.aside", language, content=say(f"room_report.{door.opens}", language))
+        name, title = titles(door.name, door_name(door), opens)
+        add(door.name, name, door_svg(sheet, door, title), _before(sheet, door))
     boxes = places_of_names(labels, things, sheet.floor, letters)
-    keys = [*(place.name for place in plan.places), *(piece.name for piece in pieces), *("" for _ in doors)]
     legend: list[tuple[str, str]] = []
     if marks and overlap(boxes):
         short = iter(ascii_lowercase)
-        for i, (key, name) in enumerate(zip(keys, (*places, *called, *doors), strict=True)):
+        for i, (key, name) in enumerate(zip(keys, names, strict=True)):
             if (mark := marks.get(key) or next(short, None)) is not None:
                 labels[i] = labels[i]._replace(lines=(mark,))
                 legend += [] if key in marks else [(mark, name)]
         boxes = places_of_names(labels, things, sheet.floor, letters)
     content += [_moved_svg(sheet, before, after) for before, after in moved]
     content += [scale_svg(sheet, language), names_svg(labels, boxes, letters)]
-    listed = say("common.listed", language).join((*places, *called, *doors))
-    name = say("room_report.plan_alt", language, width=plan.width, length=plan.length, content=listed)
-    return DrawnPlan(svg.drawing(*sheet.size, content, name, "plan-room"), tuple(legend))
+    listed = say("common.listed", language).join(names)
+    alt = say("room_report.plan_alt", language, width=plan.width, length=plan.length, content=listed)
+    return DrawnPlan(svg.drawing(*sheet.size, content, alt, "plan-room"), tuple(legend))
 
 
-def _before(sheet: PlanSheet, wall: str, start: float, width: float) -> Box:
+def _before(sheet: PlanSheet, door: Door) -> Box:
     """Return the floor before a door."""
-    ends = [
-        sheet.plan.on_wall(wall, along, into) for along in (start, start + width) for into in (0.0, width)
-    ]
-    return sheet.box_of(ends)
+    ends = (door.start, door.start + door.width)
+    return sheet.box_of(
+        [sheet.plan.on_wall(door.wall, along, into) for along in ends for into in (0.0, door.width)]
+    )
 
 
 def _piece_svg(sheet: PlanSheet, piece: DrawnPiece) -> str:
     outline = sheet.polygon(piece.outline, f"standing hue{piece.look % HUES}")
     sides = zip(piece.outline, np.roll(piece.outline, -1, axis=0), strict=True)
     faces = np.array([math.cos(piece.heading), math.sin(piece.heading)])
+    across, inwards = float(np.ptp(piece.outline @ [-faces[1], faces[0]])), 2.0 / sheet.scale * faces
     front = [
-        sheet.polyline(np.array([start, end]) - inwards * faces, "front")
+        sheet.polyline(np.array([start, end]) - inwards, "front")
         for start, end in sides
-        if _is_front(end - start, faces, float(np.ptp(piece.outline @ [-faces[1], faces[0]])))
-        for inwards in (2.0 / sheet.scale,)
+        if _is_front(end - start, faces, across)
     ]
     return outline + "".join(front)
 
@@ -238,3 +241,95 @@ def swatch_svg(look: int) -> str:
         for step in range(1, STEPS + 1)
     )
     return svg.element("svg", "".join(boxes), viewBox="0 0 80 12", class_="steps", aria_hidden="true")
+
+
+def room_plan(verdict: RoomVerdict, language: str) -> str:
+    """Return the plan of the room with where its pieces come to lie, and who is hit how often."""
+
+    def told(key: str, chance: Probability) -> str:
+        return say(f"room_report.{key}", language, share=numbers.probability(chance, language))
+
+    notes = {one.name: told("overturns", one.probabilities[OVERTURNED]) for one in verdict.pieces}
+    notes |= {one.place.name: told("is_hit", one.hit) for one in verdict.places}
+    notes |= {one.door.name: told("is_blocked", one.blocked) for one in verdict.doors}
+    return plan_svg(
+        verdict.plan,
+        _pieces(verdict),
+        [table.kind for table in verdict.scenario.places],
+        language,
+        notes=notes,
+    ).svg
+
+
+def legend(verdict: RoomVerdict, language: str) -> list[tuple[str, str]]:
+    """Return the colour and the name of each piece."""
+    called = names_in(verdict.scenario, language)
+    return [(swatch_svg(look), name) for look, name in enumerate(called)]
+
+
+def change_plan(verdict: RoomVerdict, language: str) -> tuple[str, str] | None:
+    """Return a plan with the best change that helps and moves something, and what the change is."""
+    best = next((one.change for one in verdict.changes if one.helps and one.change.at is not None), None)
+    if best is None:
+        return None
+    return numbered_plan(verdict, [best], language).svg, change_label(best, verdict, language)
+
+
+def numbered_plan(
+    verdict: RoomVerdict,
+    moves: Iterable[Change],
+    language: str,
+    numbered: Mapping[str, str] | None = None,
+    letters: float = FONT,
+) -> DrawnPlan:
+    """Return a plan of the room with some things moved, and numbers before names or in their place.
+
+    Parameters
+    ----------
+    verdict : RoomVerdict
+        The room.
+    moves : iterable of Change
+        What is moved.
+    language : str
+        "en" or "ja".
+    numbered : mapping of str, optional
+        The number of a piece or a place.
+    letters : float
+        Size of the letters of names [px].
+    """
+    pieces = [replace(piece, covers=None) for piece in _pieces(verdict)]
+    plan, names = verdict.plan, verdict.scenario.names
+    moved: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
+    for change in moves:
+        assert change.at is not None
+        assert change.heading is not None
+        if change.what in names:
+            body = names.index(change.what)
+            before = pieces[body]
+            at, angle = _standing(verdict)[body].at[:2], change.heading - before.heading
+            cos, sin = math.cos(angle), math.sin(angle)
+            turned = (before.outline - np.asarray(at)) @ np.array([[cos, sin], [-sin, cos]])
+            pieces[body] = replace(before, outline=turned + np.asarray(change.at), heading=change.heading)
+            moved.append((before.outline, pieces[body].outline))
+        else:
+            number = [place.name for place in plan.places].index(change.what)
+            place = plan.places[number]
+            other = replace(place, at=change.at, heading=change.heading)
+            moved.append((place.corners, other.corners))
+            plan = plan.with_places({number: other})
+    kinds = [table.kind for table in verdict.scenario.places]
+    return plan_svg(plan, pieces, kinds, language, moved=moved, numbered=numbered, letters=letters)
+
+
+def _standing(verdict: RoomVerdict) -> list[Standing]:
+    scenario = verdict.scenario
+    return [bare(member) for member in scenario.assembly(scenario.stated).members]
+
+
+def _pieces(verdict: RoomVerdict) -> list[DrawnPiece]:
+    """Return the pieces in the order of the file, in which what stands on another comes after it."""
+    found = {piece.name: piece for piece in verdict.pieces}
+    return [
+        DrawnPiece(name, look, found[name].outline, standing.heading, found[name].covers)
+        for look, (name, standing) in enumerate(zip(verdict.scenario.names, _standing(verdict), strict=True))
+    ]

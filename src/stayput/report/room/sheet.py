@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import say
+from stayput.model.floor_plan import rectangle
+from stayput.model.room import WALLS_AROUND
 from stayput.report.verdict import svg
 
 if TYPE_CHECKING:
@@ -15,7 +19,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from stayput.model.floor_plan import FloorPlan
+    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, Window
+
 
 LARGEST = 460.0
 """Longest side of a room [px]."""
@@ -99,3 +104,150 @@ def titled(title: str, *content: str, class_: str = "") -> str:
     """Return parts of a picture as a group that a screen reader and the pointer name."""
     attributes = {"class_": class_} if class_ else {}
     return svg.element("g", svg.element("title", escape(title)) + "".join(content), **attributes)
+
+
+ARC = 24
+"""Parts of the arc of a door."""
+
+
+def walls_svg(sheet: PlanSheet) -> str:
+    """Return the floor with its walls."""
+    x0, y0, x1, y1 = sheet.floor
+    return svg.box(x0 - WALL, y0 - WALL, x1 + WALL, y1 + WALL, "walls") + svg.box(x0, y0, x1, y1, "ground")
+
+
+def _hole(sheet: PlanSheet, wall: str, start: float, width: float) -> str:
+    depth = WALL / sheet.scale
+    corners = ((start, 0.0), (start + width, 0.0), (start + width, -depth), (start, -depth))
+    return sheet.polygon([sheet.plan.on_wall(wall, *corner) for corner in corners], "ground")
+
+
+def window_svg(sheet: PlanSheet, window: Window, language: str) -> str:
+    """Return a window: an opening with a pane in it."""
+    wall, ends = window.wall, (window.start, window.start + window.width)
+    panes = [
+        sheet.polyline(
+            [sheet.plan.on_wall(wall, along, -part * WALL / sheet.scale) for along in ends], "pane"
+        )
+        for part in (0.1, 0.5, 0.9)
+    ]
+    title = say("room_report.window", language, width=window.width)
+    return titled(title, _hole(sheet, wall, window.start, window.width), *panes)
+
+
+def door_svg(sheet: PlanSheet, door: Door, title: str) -> str:
+    """Return a door: its leaf where it stands open, and the arc of its edge; two panels of a sliding one."""
+    hole = _hole(sheet, door.wall, door.start, door.width)
+    return titled(title, hole, *(_panels(sheet, door) if door.opens == "sliding" else _leaf(sheet, door)))
+
+
+def _panels(sheet: PlanSheet, door: Door) -> list[str]:
+    part = 0.55 * door.width
+    ends = (
+        (door.start, door.start + part, 0.3),
+        (door.start + door.width - part, door.start + door.width, 0.7),
+    )
+    return [
+        sheet.polyline(
+            [sheet.plan.on_wall(door.wall, along, -depth * WALL / sheet.scale) for along in (low, high)],
+            "leaf",
+        )
+        for low, high, depth in ends
+    ]
+
+
+def _leaf(sheet: PlanSheet, door: Door) -> list[str]:
+    angle = np.linspace(0.0, 0.5 * math.pi, ARC + 1)
+    into = np.sin(angle) * (-door.width if door.opens == "outwards" else door.width)
+    reach = np.cos(angle) * door.width
+    along = door.start + (reach if door.hinge == "start" else door.width - reach)
+    edge = [
+        sheet.plan.on_wall(door.wall, *point) for point in zip(along.tolist(), into.tolist(), strict=True)
+    ]
+    hinge = sheet.plan.on_wall(door.wall, along[-1].item())
+    return [sheet.polyline(edge, "swing"), sheet.polyline([hinge, edge[-1]], "leaf")]
+
+
+def scale_svg(sheet: PlanSheet, language: str) -> str:
+    """Return metres along the near and the left wall, and the names of all walls."""
+    plan, (x0, y0, x1, y1) = sheet.plan, sheet.floor
+    low, left = y1 + WALL + sheet.beyond("near_side_wall"), x0 - WALL - sheet.beyond("left_wall")
+    count = 1 + round(5.0 * max(plan.width, plan.length) / (plan.width + plan.length))
+    parts: list[str] = []
+    for value in svg.ticks(0.0, max(plan.width, plan.length), 2 * count):
+        told = say("room_report.metres", language, value=round(value, 6))
+        if value <= plan.width + 1e-9:
+            x, _ = sheet.place(value, 0.0)
+            parts += [svg.line(x, low, x, low + 5.0, "axis"), svg.label(x, low + 18.0, told)]
+        if value <= plan.length + 1e-9:
+            _, y = sheet.place(0.0, value)
+            parts += [
+                svg.line(left - 5.0, y, left, y, "axis"),
+                svg.label(left - 8.0, y + 4.0, told, anchor="end"),
+            ]
+    middle_x, middle_y = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
+    width, height = sheet.size
+    at = {
+        "left_wall": (11.0, middle_y, -90.0),
+        "right_wall": (width - 8.0, middle_y, -90.0),
+        "near_side_wall": (middle_x, height - 6.0, 0.0),
+        "far_side_wall": (middle_x, 14.0, 0.0),
+    }
+    for wall in WALLS_AROUND:
+        x, y, turn = at[wall]
+        name = svg.label(0.0, 0.0, say(f"rooms.{wall}", language))
+        parts.append(svg.element("g", name, transform=f"translate({x:.1f} {y:.1f}) rotate({turn:g})"))
+    return "".join(parts)
+
+
+_LYING = [(rectangle((0.0, -0.38), 0.62, 0.14), "soft"), (((-0.5, -0.23), (0.5, -0.23)), "fold")]
+_BARS = [
+    (((0.5 * side, y), (0.4 * side, y)), "fold")
+    for side in (-1.0, 1.0)
+    for y in np.linspace(-0.4, 0.4, 7).tolist()
+]
+_INSIDE: dict[str, list[tuple[ArrayLike, str]]] = {
+    "bed": [*_LYING],
+    "futon": [*_LYING],
+    "cot": [(rectangle((0.0, -0.36), 0.5, 0.14), "soft"), *_BARS],
+    "desk": [(rectangle((0.04, 0.0), 0.6, 0.62), "soft"), (rectangle((-0.34, 0.0), 0.12, 0.7), "soft")],
+    "sofa": [
+        (rectangle((-0.39, 0.0), 0.22, 1.0), "soft"),
+        *((rectangle((0.1, end), 0.8, 0.1), "soft") for end in (-0.45, 0.45)),
+    ],
+    "play area": [],
+}
+"""What is drawn in a place of each kind: points as parts of its width and length, and their class.
+
+A pillow at the head, which is at −y, and the edge of the blanket; bars of a cot; a chair with its back at −x;
+a back and arms.
+"""
+
+
+def place_svg(sheet: PlanSheet, place: PersonPlace, kind: str, title: str) -> str:
+    """Return a place, drawn as what a person of its kind lies or sits on.
+
+    Parameters
+    ----------
+    sheet : PlanSheet
+        Where it is drawn.
+    place : PersonPlace
+        The place.
+    kind : str
+        Of `stayput.model.floor_plan.PLACES`.
+    title : str
+        What a screen reader says.
+    """
+    cos, sin = math.cos(place.heading), math.sin(place.heading)
+    turn = np.array([[cos, sin], [-sin, cos]])
+    parts = [sheet.polygon(place.corners, "place" if place.blocks else "place flat")]
+    for points, class_ in _INSIDE[kind]:
+        draw = sheet.polyline if class_ == "fold" else sheet.polygon
+        inside = np.asarray(points) * [place.width, place.length]
+        parts.append(draw(inside @ turn + np.asarray(place.at), class_))
+    if kind == "play area":  # with a ball
+        angle = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
+        round_it = 0.12 * min(place.width, place.length) * np.column_stack([np.cos(angle), np.sin(angle)])
+        ball = 0.28 * np.array([place.width, place.length]) + round_it
+        parts.append(sheet.polygon(ball @ turn + np.asarray(place.at), "soft"))
+    return titled(title, *parts)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
+import stayput
 from stayput.catalogue import phrase, say
 from stayput.report.verdict import numbers
+from stayput.report.verdict.markdown import plain, table
 from stayput.rooms.words import (
     best_sentence,
     change_label,
@@ -18,11 +19,11 @@ from stayput.rooms.words import (
 )
 
 if TYPE_CHECKING:
+    from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
 
 
-@dataclass(frozen=True, slots=True)
-class TextTable:
+class TextTable(NamedTuple):
     """A table of texts, with what is said below it; without rows it is left out."""
 
     headings: tuple[str, ...]
@@ -42,29 +43,18 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
     def texts(*keys: str) -> tuple[str, ...]:
         return tuple(say(f"rooms.{key}", language) for key in keys)
 
+    def chance(value: Probability) -> str:
+        return numbers.with_interval(value, language)
+
     hits: list[tuple[str, ...]] = []
     for place in verdict.places:
         shares = (numbers.share(one, language) for one in (place.by_day, place.by_night))
         name = say(place_name(place.place), language)
-        hits.append(
-            (name, *texts("any_piece"), numbers.with_interval(place.hit, language), *shares, "", "", "")
-        )
+        hits.append((name, *texts("any_piece"), chance(place.hit), *shares, "", "", ""))
         for one in place.by:
-            values = (
-                numbers.speed(one.speed.median),
-                numbers.energy(one.energy.median),
-                numbers.mass(one.mass),
-            )
-            hits.append(
-                (
-                    "",
-                    say(piece_name(one.piece), language),
-                    numbers.with_interval(one.probability, language),
-                    "",
-                    "",
-                    *values,
-                )
-            )
+            strength = numbers.speed(one.speed.median), numbers.energy(one.energy.median)
+            name = say(piece_name(one.piece), language)
+            hits.append(("", name, chance(one.probability), "", "", *strength, numbers.mass(one.mass)))
     ways = [(phrase("rooms.door_blocked", door=door_name(door.door)), door.blocked) for door in verdict.doors]
     if any(door.door.way_out for door in verdict.doors):
         ways += [
@@ -74,10 +64,10 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
     changes = [
         (
             change_label(one.change, verdict, language),
-            numbers.with_interval(one.hit, language),
+            chance(one.hit),
             numbers.change(one.hit_change, language),
-            numbers.with_interval(one.shut_in, language),
-            "" if (own := verdict.piece_changed(one)) is None else numbers.with_interval(own[0], language),
+            chance(one.shut_in),
+            "" if (own := verdict.piece_changed(one)) is None else chance(own[0]),
         )
         for one in verdict.changes
     ]
@@ -90,7 +80,7 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
         ),
         TextTable(
             texts("way", "chance"),
-            tuple((say(label, language), numbers.with_interval(chance, language)) for label, chance in ways),
+            tuple((say(label, language), chance(blocked)) for label, blocked in ways),
             *(texts("blocked_at_rest") if stuck else ()),
         ),
         TextTable(texts("change", "hit_then", "hit_less", "shut_in_then", "overturned_then"), tuple(changes)),
@@ -103,3 +93,15 @@ def simulations_of_room(verdict: RoomVerdict, language: str) -> str:
     return say(
         "rooms.simulations", language, runs=f"{verdict.runs:,}", motions=motions, samples=verdict.samples
     )
+
+
+def room_markdown(verdict: RoomVerdict, language: str = "en") -> str:
+    """Return a verdict on a room as a text in Markdown, in "en" or "ja"."""
+    first, *others = sentences(verdict, language)
+    lines = [f"# {plain(verdict.scenario.title or say('rooms.report', language))}", f"\n**{plain(first)}**"]
+    lines += [f"\n{plain(sentence)}" for sentence in others]
+    for each in tables(verdict, language):
+        if each.rows:
+            lines += ["", *table(each.headings, each.rows), *([f"\n{each.below}"] if each.below else [])]
+    lines += [f"\n{simulations_of_room(verdict, language)}", f"\nstayput {stayput.__version__}"]
+    return "\n".join(lines) + "\n"

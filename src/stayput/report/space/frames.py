@@ -3,27 +3,29 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
 
-from stayput.report.layout import FrameLayout
+from stayput.catalogue import say
+from stayput.report.frames import FrameLayout
+from stayput.report.history import at_time, slid
 from stayput.report.palette import ALARM, INK, PAPER, ROLE_COLOURS, ROOM, rgb
-from stayput.report.space.camera import Camera
 from stayput.report.space.scene import body_colour
-from stayput.report.space.still import OPENINGS, STILL_LOOKS
+from stayput.report.space.shape import OPENINGS, STILL_LOOKS, cut
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.report.space.camera import Outline
-    from stayput.report.space.film import SpaceFilm
-    from stayput.report.space.shape import SolidShape
-    from stayput.report.space.still import StillShape
+    from stayput.report.film import Film
+    from stayput.report.space.scene import SpaceScene
+    from stayput.report.space.shape import SolidShape, StillShape
+
 
 Colour: TypeAlias = str | int | tuple[int, ...]
 """A colour as Pillow takes it."""
@@ -60,18 +62,16 @@ class SpacePainter:
 
     Parameters
     ----------
-    film : SpaceFilm
+    film : Film
         What is shown.
     width, height : int
         Size of a frame [pixels].
     """
 
-    def __init__(self, film: SpaceFilm, width: int, height: int) -> None:
+    def __init__(self, film: Film[SpaceScene], width: int, height: int) -> None:
         self._film, scene = film, film.scene
         motion = scene.run.motion
-        caption = " ".join(filter(None, (film.note, film.caption, film.moved)))
-        self._layout = FrameLayout(width, height, scene.start, scene.end, film.strip_title, caption)
-        self._still = self._layout.still(motion.time, motion.components)
+        self._layout = FrameLayout(film, motion.components, motion.time, width, height)
         self._camera = Camera(scene.points, *self._layout.scene)
         self._line = self._layout.line
         self._openings = [_in_wall(one) for one in scene.still if one.role in OPENINGS]
@@ -122,11 +122,19 @@ class SpacePainter:
             if not behind:
                 _draw_still(pen, camera, self._line, opening)
         self._draw_ties(draw, camera, time, places, turns)
-        image = self._layout.frame(self._still, scene, time)
-        self._layout.head(image, film.title if time >= film.scene.end else film.state(time))
+        image = self._layout.frame(scene, time)
+        self._layout.head(image, film.title if time >= film.scene.end else self._state(time))
         if len(corners) > 1:
             self._layout.legend(image, {name: body_colour(b) for b, name in enumerate(film.scene.names)})
         return image
+
+    def _state(self, time: float) -> str:
+        """Return how the first body stands at a time [s], where it is the only one; else nothing."""
+        run = self._film.scene.run
+        if len(run.standing) > 1:
+            return ""
+        tilt, slide = at_time(time, run, np.degrees(run.tilt[0])), at_time(time, run, 100.0 * slid(run)[0])
+        return say("space.state", self._film.language, tilt=tilt, slide=slide)
 
     def _draw_room(self, camera: Camera) -> Image.Image:
         """Draw floor, walls and ceiling, where they face the camera, and where bodies stood."""
@@ -331,3 +339,80 @@ def _apart(one: DrawnHull, others: NDArray[np.float64], eye: NDArray[np.float64]
     gaps = (others @ one.normals.T).min(axis=0) - offsets
     best = int(np.argmax(gaps))
     return float(gaps[best]), bool(one.normals[best] @ eye > offsets[best])
+
+
+Outline: TypeAlias = list[tuple[float, float]]
+"""Corners in a picture, right and down [pixels]."""
+
+_AZIMUTH, _HEIGHT = -1.02, 0.33  # direction from which the scene is seen, as on the page [rad]
+_TANGENT = math.tan(math.radians(14.0))  # of half the angle of the picture's height
+_MARGIN = 1.13
+_NEAREST = 0.2  # nothing nearer than this is seen, in the distance of the nearest point
+
+
+class Camera:
+    """A camera that sees all of some points.
+
+    Parameters
+    ----------
+    points : ndarray, shape (k, 3)
+        The points [m].
+    width, height : int
+        Size of the picture [pixels].
+    """
+
+    def __init__(self, points: NDArray[np.float64], width: int, height: int) -> None:
+        self._half = 0.5 * np.array([width, height])
+        c, s = math.cos(_AZIMUTH), math.sin(_AZIMUTH)
+        back = np.array([c * math.cos(_HEIGHT), s * math.cos(_HEIGHT), math.sin(_HEIGHT)])
+        right = np.array([-s, c, 0.0])
+        self._axes = np.array([right, np.cross(back, right), back])
+        # The planes through the points that bound the picture meet in the eye: see `orbit` of camera.js.
+        along = points @ self._axes.T
+        tangents = _TANGENT * np.array([width / height, 1.0])
+        above = (along[:, :2] + tangents * along[:, 2:]).max(axis=0)
+        below = (-along[:, :2] + tangents * along[:, 2:]).max(axis=0)
+        nearest = along[:, 2].max()
+        far = _MARGIN * (((above + below) / (2.0 * tangents)).max() - nearest)
+        self._place = np.array([*(above - below) / 2.0, nearest + far])
+        self._nearest = _NEAREST * far
+        self._focus = self._half[1] / _TANGENT
+
+    def moved(self, way: NDArray[np.float64]) -> Camera:
+        """Return the camera moved, shape (3,) [m]."""
+        other = copy(self)
+        other._place = self._place + self._axes @ way
+        return other
+
+    @property
+    def place(self) -> NDArray[np.float64]:
+        """Where it stands, shape (3,) [m]."""
+        return self._place @ self._axes
+
+    def seen(self, points: NDArray[np.float64]) -> Outline:
+        """Return where the corners of a convex polygon or the ends of a line lie in the picture [pixels].
+
+        Right and down; what is behind the camera, or nearly so, is cut off.
+        """
+        return self.outlines(points, [range(len(points))])[0]
+
+    def outlines(self, points: NDArray[np.float64], parts: Sequence[Sequence[int]]) -> list[Outline]:
+        """Return the same of several polygons or lines, whose corners are given by their numbers."""
+        apart = points @ self._axes.T - self._place
+        inside = -apart[:, 2] - self._nearest
+        behind = inside < 0.0
+        hidden = set(np.flatnonzero(behind).tolist())
+        places = self._projected(np.where(behind[:, np.newaxis], [0.0, 0.0, -1.0], apart))
+        return [
+            [places[corner] for corner in part]
+            if hidden.isdisjoint(part)
+            else self._projected(cut(apart[list(part)], inside[list(part)]))
+            for part in parts
+        ]
+
+    def _projected(self, apart: NDArray[np.float64]) -> Outline:
+        """Return where points in front of the camera lie in the picture, from places along its axes."""
+        across, up, back = apart.T
+        scale = self._focus / -back
+        right, down = self._half[0] + scale * across, self._half[1] - scale * up
+        return list(zip(right.tolist(), down.tolist(), strict=True))

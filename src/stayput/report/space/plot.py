@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -12,14 +12,14 @@ from scipy.spatial import ConvexHull
 from stayput.catalogue import say
 from stayput.catalogue.names import OUTCOMES
 from stayput.errors import word_of
-from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.figures import FONT, label_axes, legend_within, new_figure, saved, style
 from stayput.report.fonts import drawable, with_face, wrapped
+from stayput.report.history import at_time
 from stayput.report.names import acceleration_label, motion_label
 from stayput.report.palette import BODY_COLOURS, COMPONENT_COLOURS, INK, MUTED, ROOM
-from stayput.report.space.histories import at_time
-from stayput.report.space.said import names_of
 from stayput.report.space.scene import body_colour
-from stayput.report.space.still import STILL_LOOKS, still_of
+from stayput.report.space.shape import STILL_LOOKS, still_of
+from stayput.report.space.summary import names_of
 from stayput.simulation.space_records import matrices
 from stayput.simulation.space_run import SpaceDrawing
 from stayput.wording import check_language
@@ -89,12 +89,12 @@ def plot_space_run(
     tilt = figure.add_subplot(grid[1, 0], sharex=acceleration)
     turn = figure.add_subplot(grid[2, 0], sharex=acceleration)
     _draw_acceleration(acceleration, run, language)
-    _draw_of_bodies(tilt, run, np.degrees(run.tilt), say("space.axis_tilt", language), language)
+    _draw_of_bodies(tilt, run, "tilt", language)
     if not several and run.overturned.any():
-        tilt.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
-    _draw_of_bodies(turn, run, np.degrees(run.yaw), say("space.axis_yaw", language), language)
+        legend_within(tilt)
+    _draw_of_bodies(turn, run, "yaw", language)
     turn.set_xlim(float(run.time[0]), float(run.time[-1]))
-    turn.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+    label_axes(turn, language, x="report.axis_time")
     for axis in (acceleration, tilt):
         axis.tick_params(labelbottom=False)
     figure.align_ylabels([acceleration, tilt, turn])
@@ -103,7 +103,7 @@ def plot_space_run(
     if several:
         _name_bodies(figure, run, called, language)
     else:
-        plan.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
+        legend_within(plan)
     return saved(figure, path)
 
 
@@ -120,17 +120,15 @@ def draw_space_run(
     check_language(language)
     called = names_of(run, names, language)
     match word_of("plots.what", what, get_args(SpaceDrawing), "what"):
-        case "tilt":
-            _draw_of_bodies(axis, run, np.degrees(run.tilt), say("space.axis_tilt", language), language)
-        case "yaw":
-            _draw_of_bodies(axis, run, np.degrees(run.yaw), say("space.axis_yaw", language), language)
         case "plan":
             _draw_plan(axis, run, called, language)
-        case _:
+        case "acceleration":
             _draw_acceleration(axis, run, language)
+        case _:
+            _draw_of_bodies(axis, run, what, language)
     if what != "plan":
         axis.set_xlim(float(run.time[0]), float(run.time[-1]))
-        axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+        label_axes(axis, language, x="report.axis_time")
     if what != "acceleration" and (len(called) > 1 or what == "plan"):
         axis.legend(handles=_body_handles(run, called, language), fontsize=FONT - 1.0, framealpha=0.85)
 
@@ -186,10 +184,9 @@ def _draw_acceleration(axis: Axes, run: SpaceRun, language: str) -> None:
     axis.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), fontsize=FONT - 1.5, frameon=False, ncols=3)
 
 
-def _draw_of_bodies(
-    axis: Axes, run: SpaceRun, values: NDArray[np.float64], label: str, language: str
-) -> None:
-    """Draw one history for each body, shape (bodies, samples), and when it overturned and fell off."""
+def _draw_of_bodies(axis: Axes, run: SpaceRun, what: SpaceDrawing, language: str) -> None:
+    """Draw one angle of each body over time [°], and when it overturned and fell off."""
+    values: NDArray[np.float64] = np.degrees(getattr(run, what))
     style(axis)
     for b, history in enumerate(values):
         axis.plot(run.time, history, linestyle=_dashes(b), color=body_colour(b), linewidth=1.6)
@@ -200,18 +197,10 @@ def _draw_of_bodies(
         for b, time in enumerate(times.tolist()):
             if math.isnan(time):
                 continue
-            axis.plot(
-                time,
-                at_time(time, run, values[b]),
-                marker,
-                color=body_colour(b),
-                markersize=8.0,
-                markeredgecolor=INK,
-                markeredgewidth=0.8,
-                zorder=5,
-                label=say(said, language, time=time),
-            )
-    axis.set_ylabel(label, fontsize=FONT)
+            looks: dict[str, Any] = {"color": body_colour(b), "label": say(said, language, time=time)}
+            looks |= {"markersize": 8.0, "markeredgecolor": INK, "markeredgewidth": 0.8}
+            axis.plot(time, at_time(time, run, values[b]), marker, zorder=5, **looks)
+    label_axes(axis, language, y=f"space.axis_{what}")
     largest = float(np.abs(values).max())
     if largest < _SMALLEST:
         axis.set_ylim(-_SMALLEST, _SMALLEST)
@@ -244,6 +233,5 @@ def _draw_plan(axis: Axes, run: SpaceRun, names: Sequence[str], language: str) -
             x, y = offset * nx, offset * ny
             axis.axline((x, y), (x + ny, y + nx), color=ROOM, linewidth=4.0, zorder=1)
     axis.set_aspect("equal", adjustable="datalim")
-    axis.set_xlabel(say("space.axis_x", language), fontsize=FONT)
-    axis.set_ylabel(say("space.axis_y", language), fontsize=FONT)
+    label_axes(axis, language, "space.axis_x", "space.axis_y")
     axis.set_title(say("space.plan", language), fontsize=FONT - 0.5, color=MUTED, loc="left")

@@ -15,11 +15,10 @@ import numpy as np
 
 from stayput.measures.pole import TensionPole
 from stayput.mechanics.space.touching import ROOM
+from stayput.report.history import slid
 from stayput.report.palette import BODY_COLOURS
 from stayput.report.scene import SHIFT_SHOWN, TIME_DIGITS, View, ground_displacement, rounded
-from stayput.report.space.histories import slid
-from stayput.report.space.shape import SolidShape, shape_of
-from stayput.report.space.still import StillShape, still_of
+from stayput.report.space.shape import SolidShape, StillShape, shape_of, still_of
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:

@@ -1,90 +1,126 @@
-"""The assumptions of a verdict, each with how well founded it is."""
+"""The assumptions of verdicts, each with how well founded it is."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+import math
+from dataclasses import asdict
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
 
 from stayput.catalogue import phrase, say
-from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS
+from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS, PIECES
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
-from stayput.uncertainty import Lognormal, Normal, Uniform
+from stayput.rooms.ways import CELL, PASSAGE
 from stayput.verification.grades import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from stayput.catalogue import Phrase
-    from stayput.model.room import Ceiling, Floor, Wall
+    from stayput.model.room import Ceiling, Room, Wall
+    from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.measures import UncertaintyTable
-    from stayput.uncertainty import Marginal
-    from stayput.verification import Verdict
+    from stayput.verification import AssemblyVerdict, Verdict
 
 MODEL = "model"
 """Tag of a limit of the model, beside those of `stayput.measures.parameters.GRADE_OF`."""
 
 
-@dataclass(frozen=True, slots=True)
-class Assumption:
+class Assumption(NamedTuple):
     """An assumption of a verdict.
 
     Parameters
     ----------
-    texts : tuple
+    what, value : tuple
         What it is and its value, in English and in Japanese.
     confidence : str
         "low", "medium", "high", "given" or "model".
     """
 
-    texts: tuple[Phrase, Phrase]
+    what: Phrase
+    value: Phrase
     confidence: str
 
-    def what(self, language: str) -> str:
-        """Return its label."""
-        return say(self.texts[0], language)
 
-    def value(self, language: str) -> str:
-        """Return its value."""
-        return say(self.texts[1], language)
-
-
-LIMITS = ("body", "contacts", "devices")
-"""What the model leaves out, by the keys of its texts."""
+def told(assumptions: Iterable[Assumption], language: str) -> list[tuple[str, str, str]]:
+    """Return assumptions as rows of a table: what, its value, and how well founded it is."""
+    return [(say(one.what, language), say(one.value, language), one.confidence) for one in assumptions]
 
 
 def assumptions(verdict: Verdict) -> list[Assumption]:
     """Return the assumptions of a verdict, apart from the parameters of the measures."""
     scenario = verdict.scenario
     return [
-        furniture_assumption(scenario),
-        *room_assumptions(scenario),
+        _furniture(scenario),
+        *_room(scenario, scenario.room.room()),
         *_contents(scenario),
-        *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(scenario.uncertainty),
-        *(Assumption((_text(f"limit_{key}"), _text(f"limit_{key}_text")), MODEL) for key in LIMITS),
+        *_shaking(scenario, verdict.motions),
+        *_draws(scenario.uncertainty),
+        *(_limit(f"report.limit_{key}") for key in ("body", "contacts", "devices")),
     ]
 
 
-def shaking_assumptions(scenario: Scenario | AssemblyScenario, count: int) -> Iterator[Assumption]:
+def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
+    """Return the assumptions of a verdict on several pieces."""
+    scenario = verdict.scenario
+    return [
+        *_pieces(scenario),
+        *_room(scenario, scenario.room.room()),
+        *_shaking(scenario, verdict.motions),
+        *_draws(scenario.uncertainty),
+        _draws_between(),
+        _limit("several.limit_body"),
+        *settlement_assumptions(scenario),
+        *_rolling(scenario),
+        *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
+    ]
+
+
+def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
+    """Return the assumptions of a verdict on a room, those of its model first."""
+    scenario = verdict.scenario
+    values = {"passage": PASSAGE, "cell": 100.0 * CELL}
+    return [
+        *(_limit(f"room_report.limit_{key}", **values) for key in ("alone", "persons", "passage")),
+        *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
+        *settlement_assumptions(scenario),
+        *_rolling(scenario),
+        _direction(scenario.direction),
+        *_pieces(scenario),
+        *_room(scenario, scenario.surroundings(), gaps=False),
+        *_shaking(scenario, verdict.motions),
+        *_draws(scenario.uncertainty),
+        _draws_between(),
+    ]
+
+
+def _limit(key: str, **values: object) -> Assumption:
+    """Return what the model leaves out, by the key of its name; that of its text ends in "_text"."""
+    return Assumption(phrase(key), phrase(f"{key}_text", **values), MODEL)
+
+
+def _shaking(scenario: Scenario | AssemblyScenario, count: int) -> Iterator[Assumption]:
     """Yield the motions, of which there are so many, how strong they are, and the building."""
-    yield _motions(scenario, count)
+    yield motions_assumption(scenario, count)
     strength = scenario.shaking.strength
     if strength is not None and strength.measure != "JMA":  # whose intensity stands in the title
         tag = GIVEN if strength.scatter == 0.0 else "medium"
-        yield Assumption((_text("strength"), strength.told(count)), tag)
+        yield Assumption(_text("strength"), strength.told(count), tag)
     if scenario.shaking.building is not None:
         yield _building(scenario)
 
 
-def drawn_assumptions(uncertainty: UncertaintyTable) -> Iterator[Assumption]:
+def _draws(uncertainty: UncertaintyTable) -> Iterator[Assumption]:
     """Yield what is drawn, and what is not since it was measured."""
     for name, marginal in uncertainty.quantities.marginals.items():
         if name not in uncertainty.as_stated:
-            yield _drawn(name, marginal)
+            value = _text(type(marginal).__name__.lower(), **asdict(marginal))
+            yield Assumption(_text(f"quantity_{name}"), value, marginal.confidence.value)
     for name in uncertainty.as_stated:
-        yield Assumption((_text(f"quantity_{name}"), _text("as_stated")), GIVEN)
+        yield Assumption(_text(f"quantity_{name}"), _text("as_stated"), GIVEN)
 
 
 def _text(key: str, **values: object) -> Phrase:
@@ -95,56 +131,41 @@ def _in_both(name: str) -> Phrase:
     return named(name, "en"), named(name, "ja")
 
 
-def furniture_assumption(scenario: Scenario) -> Assumption:
+def _furniture(scenario: Scenario) -> Assumption:
     """Return the size, the mass and the centre of gravity of a scenario's piece."""
     table, body = scenario.furniture, scenario.furniture.body()
     x, z = body.centre_of_gravity
     forward = _text("forward", across=x) if x else ""
     value = _text("piece_text", width=body.width, height=body.height, mass=body.mass, up=z, forward=forward)
-    return Assumption((_text("piece"), value), furniture_tag(table))
+    return Assumption(_text("piece"), value, furniture_tag(table))
 
 
-def room_assumptions(scenario: Scenario | AssemblyScenario) -> Iterator[Assumption]:
-    """Yield the floor, the walls and the ceiling."""
-    yield floor_assumption(scenario, scenario.room.room().floor)
-    yield from _walls(scenario)
-
-
-def floor_assumption(scenario: Scenario | AssemblyScenario, floor: Floor) -> Assumption:
-    """Return the floor that a scenario's room has."""
-    table = scenario.room.floor
+def _room(scenario: Scenario | AssemblyScenario, room: Room, *, gaps: bool = True) -> Iterator[Assumption]:
+    """Yield the floor, the gaps to the walls, what devices meet in the wall behind, and the ceiling."""
+    table, floor = scenario.room.floor, room.floor
     name = table if isinstance(table, str) else table.surface
     surface = "" if name is None else _text("surface", name=_in_both(name))
     value = _text("frictions", surface=surface, static=floor.static_friction, kinetic=floor.kinetic_friction)
-    return Assumption((_text("floor"), value), floor_tag(scenario))
-
-
-def _walls(scenario: Scenario | AssemblyScenario) -> Iterator[Assumption]:
-    room = scenario.room.room()
+    yield Assumption(_text("floor"), value, floor_tag(scenario))
     for key, wall in (
         ("wall", room.left_wall),
         ("front_wall", room.right_wall),
         ("near_side_wall", room.near_side_wall),
         ("far_side_wall", room.far_side_wall),
     ):
-        if wall is not None:
-            yield Assumption((_text(key), _text("gap_text", gap=100.0 * wall.gap)), GIVEN)
+        if gaps and wall is not None:
+            yield Assumption(_text(key), _text("gap_text", gap=100.0 * wall.gap), GIVEN)
     if room.left_wall is not None:
-        yield fixed_to("wall_fixing", room.left_wall)
+        yield _fixed_to("wall_fixing", room.left_wall)
     if room.ceiling is not None:
-        yield from ceiling_assumptions(room.ceiling)
+        yield Assumption(_text("ceiling"), _text("height_text", height=room.ceiling.height), GIVEN)
+        yield _fixed_to("ceiling_fixing", room.ceiling)
 
 
-def ceiling_assumptions(ceiling: Ceiling) -> Iterator[Assumption]:
-    """Yield the height of a ceiling, and what poles push against in it."""
-    yield Assumption((_text("ceiling"), _text("height_text", height=ceiling.height)), GIVEN)
-    yield fixed_to("ceiling_fixing", ceiling)
-
-
-def fixed_to(key: str, surface: Wall | Ceiling) -> Assumption:
+def _fixed_to(key: str, surface: Wall | Ceiling) -> Assumption:
     """Return what devices meet in a wall or a ceiling; its default is taken, not known."""
     tag = parameter_of(type(surface), "construction").tag(surface.construction)
-    return Assumption((_text(key), phrase(f"page.choice_{surface.construction}")), tag)
+    return Assumption(_text(key), phrase(f"page.choice_{surface.construction}"), tag)
 
 
 def _contents(scenario: Scenario) -> Iterator[Assumption]:
@@ -167,10 +188,11 @@ def _contents(scenario: Scenario) -> Iterator[Assumption]:
         lip=100.0 * contents.lip,
         front=front,
     )
-    yield Assumption((_text("inside"), value), contents.tag)
+    yield Assumption(_text("inside"), value, contents.tag)
 
 
-def _motions(scenario: Scenario | AssemblyScenario, count: int) -> Assumption:
+def motions_assumption(scenario: Scenario | AssemblyScenario, count: int) -> Assumption:
+    """Return what the motions are, of which there are so many."""
     shaking = scenario.shaking
     heading = _text("motions")
     name = shaking.record or (shaking.suite if isinstance(shaking.suite, str) else None)
@@ -178,35 +200,63 @@ def _motions(scenario: Scenario | AssemblyScenario, count: int) -> Assumption:
         name = shaking.in_python.name or shaking.in_python[0].name
     if name is not None:
         mean = phrase("motion.less_mean") if shaking.remove_mean else ""
-        return Assumption((heading, _text("motions_read", count=count, name=name, mean=mean)), GIVEN)
+        return Assumption(heading, _text("motions_read", count=count, name=name, mean=mean), GIVEN)
     if shaking.of_a_suite:
         family = "mixed" if shaking.suite is None or isinstance(shaking.suite, str) else shaking.suite.family
         value = _text("motions_synthetic", count=count, family=_in_both(family))
-        return Assumption((heading, value), "low")
+        return Assumption(heading, value, "low")
     name = "sine" if shaking.sine is not None else "near-fault"
     value = _text("motion_synthetic", name=_in_both(name))
-    return Assumption((heading, value), GIVEN if shaking.sine is not None else "low")
+    return Assumption(heading, value, GIVEN if shaking.sine is not None else "low")
 
 
 def _building(scenario: Scenario | AssemblyScenario) -> Assumption:
     table = scenario.shaking.building
     assert table is not None
     value = _text("building_text", name=_in_both(table.building().name), storey=scenario.shaking.storey)
-    return Assumption((_text("building"), value), building_tag(table))
+    return Assumption(_text("building"), value, building_tag(table))
 
 
-def _drawn(name: str, marginal: Marginal) -> Assumption:
-    return Assumption((_text(f"quantity_{name}"), _distribution(marginal)), marginal.confidence.value)
+def _pieces(scenario: AssemblyScenario) -> Iterator[Assumption]:
+    """Yield several pieces and the friction between them."""
+    for piece in scenario.furniture:
+        solid = piece.solid(scenario.folder)
+        width, length, height = (float(side) for side in np.ptp(solid.vertices, axis=0))
+        size = phrase("several.piece_box", width=width, length=length, height=height, mass=solid.mass)
+        called = PIECES.get(piece.name, (piece.name, piece.name))
+        if piece.preset is None:
+            yield Assumption(called, size, GIVEN)
+        else:
+            kind = PIECES[piece.preset]
+            yield Assumption(called, (f"{kind[0]}: {size[0]}", f"{kind[1]}：{size[1]}"), "low")
+    friction = {"static": scenario.static_friction, "kinetic": scenario.kinetic_friction}
+    yield Assumption(phrase("several.between"), _text("frictions", surface="", **friction), GIVEN)
 
 
-def _distribution(marginal: Marginal) -> Phrase:
-    """Return a distribution in words."""
-    match marginal:
-        case Lognormal():
-            return _text("lognormal", median=marginal.median, cov=marginal.cov)
-        case Normal():
-            return _text("normal", mean=marginal.mean, deviation=marginal.deviation)
-        case Uniform():
-            return _text("uniform", low=marginal.low, high=marginal.high)
-        case _:
-            raise TypeError(type(marginal).__name__)
+def _draws_between() -> Assumption:
+    """Return how what is between the pieces is drawn."""
+    return Assumption(phrase("several.drawn_between"), phrase("several.drawn_between_text"), "low")
+
+
+def settlement_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
+    """Yield for which pieces the sinking into a soft floor is left out, or less than it may be."""
+    if scenario.floor.settlement == 0.0:
+        return
+    pieces, limit = scenario.furniture, phrase("several.limit_settlement")
+    if any(piece.on is None and not piece.is_furniture for piece in pieces):
+        yield Assumption(limit, phrase("several.settlement_of_solids"), MODEL)
+    if any(piece.on is not None for piece in pieces):
+        yield Assumption(limit, phrase("several.settlement_of_stacks"), MODEL)
+
+
+def _rolling(scenario: AssemblyScenario) -> Iterator[Assumption]:
+    """Yield how round pieces roll, where there are any."""
+    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.furniture):
+        yield _limit("several.rolling")
+
+
+def _direction(given: float | None) -> Assumption:
+    heading = phrase("room_report.direction")
+    if given is None:
+        return Assumption(heading, phrase("room_report.direction_drawn"), MODEL)
+    return Assumption(heading, phrase("room_report.direction_given", degrees=math.degrees(given)), GIVEN)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
@@ -11,12 +10,13 @@ from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import CurveState
 from stayput.motion.intensity import CLASSES
 from stayput.report.verdict import numbers, svg
-from stayput.report.verdict.words import word
+from stayput.report.verdict.numbers import word
 from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve
-    from stayput.verification import OptionVerdict, Verdict
+    from stayput.verification import Verdict
+
 
 WIDTH, HEIGHT = 600.0, 400.0
 LEFT, RIGHT, TOP, BOTTOM = 74.0, 590.0, 34.0, 346.0
@@ -26,15 +26,6 @@ LOOKS = 11
 _POINTS = 191
 
 
-@dataclass(frozen=True, slots=True)
-class LegendEntry:
-    """One line of the legend: the look of the curve, what it is called, and whether there is a curve."""
-
-    look: int
-    label: str
-    note: str
-
-
 def looks(verdict: Verdict) -> dict[str, int]:
     """Return the look of each option's line, by its name: 0 without a measure, the others as they rank."""
     names = [result.option.name for result in verdict.options if result.option.measures]
@@ -42,23 +33,16 @@ def looks(verdict: Verdict) -> dict[str, int]:
     return by_name | {verdict.without.option.name: 0}
 
 
-def legend(verdict: Verdict, language: str) -> list[LegendEntry]:
-    """Return the legend, the best option first."""
-    look_of = looks(verdict)
-    return [
-        LegendEntry(
-            look_of[result.option.name], title(result.option, verdict, language), _note(result, language)
-        )
-        for result in verdict.options
-        if result.curves
-    ]
-
-
-def _note(result: OptionVerdict, language: str) -> str:
-    state = result.curves[JMA_INTENSITY].state
-    if state is CurveState.FITTED:
-        return ""
-    return word("no_curve", language, state=word(state.value.replace(" ", "_"), language))
+def legend(verdict: Verdict, language: str) -> list[dict[str, object]]:
+    """Return the legend, the best option first: each look, label, and whether there is a curve."""
+    look_of, entries = looks(verdict), list[dict[str, object]]()
+    for result in verdict.options:
+        if result.curves:
+            state = result.curves[JMA_INTENSITY].state
+            label = title(result.option, verdict, language)
+            note = "" if state is CurveState.FITTED else word("no_curve", language, state=state.phrase)
+            entries.append({"look": look_of[result.option.name], "label": label, "note": note})
+    return entries
 
 
 def curves_svg(verdict: Verdict, language: str) -> str:
@@ -113,12 +97,10 @@ def _frame(x: svg.PixelAxis, y: svg.PixelAxis, label: str, language: str) -> lis
     parts: list[str] = []
     for share in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0):
         level = y.place(share)
-        parts += [svg.line(LEFT, level, RIGHT, level, "grid")]
-        parts += [svg.label(LEFT - 7.0, level + 4.5, numbers.share(share, language), anchor="end")]
+        parts.append(svg.line(LEFT, level, RIGHT, level, "grid"))
+        parts.append(svg.label(LEFT - 7.0, level + 4.5, numbers.share(share, language), anchor="end"))
     for value in svg.ticks(x.low, x.high, 7):
-        across = x.place(value)
-        parts += [svg.line(across, BOTTOM, across, BOTTOM + 5.0, "axis")]
-        parts += [svg.label(across, BOTTOM + 20.0, f"{value:.1f}")]
+        parts += svg.tick(x.place(value), BOTTOM, f"{value:.1f}")
     parts.append(svg.line(LEFT, BOTTOM, RIGHT, BOTTOM, "axis"))
     parts.append(svg.label(0.5 * (LEFT + RIGHT), BOTTOM + 42.0, label, "name"))
     middle = 0.5 * (TOP + BOTTOM)

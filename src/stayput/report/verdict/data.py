@@ -1,8 +1,9 @@
-"""A verdict as plain values, for the JSON file and the app's replies."""
+"""Verdicts on one piece and on several as plain values, for JSON files and the app's replies."""
 
 from __future__ import annotations
 
 import json
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import stayput
@@ -11,24 +12,69 @@ from stayput.fragility.curve import METHOD
 from stayput.measures import parameters
 from stayput.measures.parameters import MEANINGS
 from stayput.motion.intensity import intensity_class
-from stayput.report.summary import number
-from stayput.report.verdict.assumptions import assumptions
-from stayput.report.verdict.tables import contents_data
+from stayput.report.summary import attributes, by_language, number
+from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
+from stayput.report.verdict.tables import contents_data, peaks_data
 from stayput.verification.grades import inputs
 from stayput.verification.notes import everyday_cases, notes
+from stayput.verification.several_words import headline_of_several, reason_of_several, title_of_several
 from stayput.verification.words import headline, reason
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
-    from stayput.fragility import Capacity, FragilityCurve, Probability
+    from collections.abc import Callable, Iterable
+
+    from stayput.fragility import Capacity, Difference, FragilityCurve, Probability
     from stayput.measures import Measure
+    from stayput.report.verdict.assumptions import Assumption
+    from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import AssemblyScenario, Scenario
-    from stayput.verification import AsInstalled, OptionVerdict, Quantiles, Verdict
+    from stayput.verification import (
+        AsInstalled,
+        AssemblyOptionVerdict,
+        AssemblyVerdict,
+        OptionVerdict,
+        Quantiles,
+        Verdict,
+    )
+    from stayput.verification.several_verdict import DeviceOfSeveral
+    from stayput.verification.verdict import Estimates
 
 
-def verdict_json(verdict: Verdict) -> str:
-    """Return a verdict as the text of a JSON file; see `verdict_data`."""
-    return json.dumps(verdict_data(verdict), allow_nan=False, ensure_ascii=False, indent=2) + "\n"
+def json_text(data: dict[str, Any]) -> str:
+    """Return plain values as the text of a JSON file."""
+    return json.dumps(data, allow_nan=False, ensure_ascii=False, indent=2) + "\n"
+
+
+def head_data(verdict: Verdict | AssemblyVerdict | RoomVerdict, text: Callable[[str], str]) -> dict[str, Any]:
+    """Return the version, the title, and the verdict in one sentence by the language."""
+    return {
+        "stayput": stayput.__version__,
+        "title": verdict.scenario.title,
+        "verdict": in_both(text),
+    }
+
+
+def shaking_data(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> dict[str, Any]:
+    """Return how strong the shaking is."""
+    return {
+        "jma_intensity": number(verdict.intensity),
+        "intensity_class": None if verdict.floor else intensity_class(verdict.intensity),
+        "motion_floor": verdict.floor or None,
+        "strength": strength_data(verdict.scenario, verdict.motions),
+    }
+
+
+def _foot(scenario: Scenario | AssemblyScenario, rests_on: Iterable[Assumption]) -> dict[str, Any]:
+    keys = ("what", "value", "confidence")
+    return {
+        "assumptions": [dict(zip(keys, row, strict=True)) for row in told(rests_on, "en")],
+        "scenario_toml": scenario.to_toml(),
+    }
+
+
+def in_both(text: Callable[[str], str]) -> dict[str, str]:
+    """Return a text by its languages."""
+    return {language: text(language) for language in LANGUAGES}
 
 
 def verdict_data(verdict: Verdict) -> dict[str, Any]:
@@ -42,62 +88,52 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
     verdict : Verdict
         The verdict.
     """
-    test = verdict.estimates.shake_table
     return {
-        "stayput": stayput.__version__,
-        "title": verdict.scenario.title,
-        "verdict": _texts((headline(verdict, "en"), headline(verdict, "ja"))),
-        "notes": [_texts(note) for note in notes(verdict)],
+        **head_data(verdict, partial(headline, verdict)),
+        "notes": [by_language(note) for note in notes(verdict)],
         "best": verdict.best.option.name,
-        "jma_intensity": number(verdict.intensity),
-        "intensity_class": None if verdict.floor else intensity_class(verdict.intensity),
-        "motion_floor": verdict.floor or None,
-        "strength": strength_data(verdict.scenario, verdict.motions),
+        **shaking_data(verdict),
         "slide_limit_m": verdict.slide_limit,
-        "motions": verdict.motions,
-        "samples": verdict.samples,
-        "runs": verdict.runs,
+        **attributes(verdict, "motions", "samples", "runs"),
         "settled_runs": verdict.settled,
-        "seed": verdict.seed,
-        "precise": verdict.precise,
-        "seconds": number(verdict.seconds),
-        "grades": {grade.value: _texts(meaning) for grade, meaning in MEANINGS.items()},
+        **attributes(verdict, "seed", "precise", "seconds"),
+        "grades": {grade.value: by_language(meaning) for grade, meaning in MEANINGS.items()},
         "options": [_option(result, verdict) for result in verdict.options],
         "not_possible": [
             {
                 "name": impossible.option.name,
-                "label": _texts((impossible.option.label("en"), impossible.option.label("ja"))),
+                "label": in_both(impossible.option.label),
                 "measures": [_measure(measure) for measure in impossible.option.measures],
-                "reason": _texts((impossible.why("en"), impossible.why("ja"))),
+                "reason": in_both(impossible.why),
             }
             for impossible in verdict.impossible
         ],
-        "estimates": {
-            "rocking_acceleration_m_s2": number(verdict.estimates.rocking_acceleration),
-            "overturning_velocity_m_s": number(verdict.estimates.overturning_velocity),
-            "possible": number(verdict.estimates.possible),
-            "overturning_ratio": number(verdict.estimates.overturning_ratio),
-            "equipment_loads": [
-                {
-                    "equipment_class": load.grade,
-                    "position": load.position,
-                    "k_h": number(load.coefficient),
-                    "overturns": load.overturns,
-                    "tie_force_n": number(load.force),
-                }
-                for load in verdict.estimates.equipment
-            ],
-            "ac156_height_ratio": None if test is None else number(test.height_ratio),
-            "ac156_rocking_s_ds_g": None if test is None else number(test.sds),
-            "asce43_sliding_share": number(verdict.estimates.sliding.share),
-            "asce43_sliding_median_m": number(verdict.estimates.sliding.distance),
-        },
+        "estimates": _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario),
-        "assumptions": [
-            {"what": entry.what("en"), "value": entry.value("en"), "confidence": entry.confidence}
-            for entry in assumptions(verdict)
+        **_foot(verdict.scenario, assumptions(verdict)),
+    }
+
+
+def _estimates(estimates: Estimates) -> dict[str, Any]:
+    test = estimates.shake_table
+    return {
+        "rocking_acceleration_m_s2": number(estimates.rocking_acceleration),
+        "overturning_velocity_m_s": number(estimates.overturning_velocity),
+        **attributes(estimates, "possible", "overturning_ratio"),
+        "equipment_loads": [
+            {
+                "equipment_class": load.grade,
+                "position": load.position,
+                "k_h": number(load.coefficient),
+                "overturns": load.overturns,
+                "tie_force_n": number(load.force),
+            }
+            for load in estimates.equipment
         ],
-        "scenario_toml": verdict.scenario.to_toml(),
+        "ac156_height_ratio": None if test is None else number(test.height_ratio),
+        "ac156_rocking_s_ds_g": None if test is None else number(test.sds),
+        "asce43_sliding_share": number(estimates.sliding.share),
+        "asce43_sliding_median_m": number(estimates.sliding.distance),
     }
 
 
@@ -111,7 +147,7 @@ def strength_data(scenario: Scenario | AssemblyScenario, motions: int) -> dict[s
         "measure": f"SA({strength.period:g})" if strength.period else strength.measure,
         "median": number(strength.median),
         "scatter_of_log10": number(strength.scatter),
-        "about": _texts(strength.told(motions)),
+        "about": by_language(strength.told(motions)),
     }
 
 
@@ -120,7 +156,7 @@ def everyday_data(scenario: Scenario) -> list[dict[str, Any]]:
     return [
         {
             "case": case.name,
-            "label": _texts(said),
+            "label": by_language(said),
             "restoring_moment_n_m": number(case.restoring),
             "overturning_moment_n_m": number(case.overturning),
             "margin": number(case.margin),
@@ -135,11 +171,11 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
     return {
         "rank": result.rank,
         "name": result.option.name,
-        "label": _texts((result.option.label("en"), result.option.label("ja"))),
-        "reason": _texts((reason(result, verdict, "en"), reason(result, verdict, "ja"))),
+        "label": in_both(result.option.label),
+        "reason": in_both(partial(reason, result, verdict)),
         "grade": verdict.grade(result).value,
         "inputs": [
-            {**_texts(item.label), "grade": item.grade.value, "tag": item.tag}
+            {**by_language(item.label), "grade": item.grade.value, "tag": item.tag}
             for item in inputs(result.option, verdict.scenario)
         ],
         "measures": [_measure(measure) for measure in result.option.measures],
@@ -148,11 +184,8 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         "overturned_change": None
         if change is None
         else {
-            "estimate": number(change.estimate),
-            "low": number(change.low),
-            "high": number(change.high),
-            "clear": change.clear,
-            "pairs": change.pairs,
+            **interval_data(change),
+            **attributes(change, "clear", "pairs"),
         },
         "peak_slide_m": quantiles_data(result.slide),
         "peak_tilt_rad": quantiles_data(result.tilt),
@@ -164,7 +197,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
                 "failure_time_s": number(device.failure_time),
                 "peak_force_n": quantiles_data(device.peak),
                 "utilisation": quantiles_data(device.used),
-                "weakest": None if device.weakest is None else _texts(device.weakest),
+                "weakest": None if device.weakest is None else by_language(device.weakest),
             }
             for device in result.devices
         ],
@@ -179,13 +212,8 @@ def _as_installed(installed: AsInstalled) -> dict[str, Any]:
         "badly_share": installed.share,
         "badly": {event: _probability(value) for event, value in installed.badly.items()},
         "usual": {event: number(value) for event, value in installed.usual.items()},
-        "how": [_texts(how) for how in installed.how],
+        "how": [by_language(how) for how in installed.how],
     }
-
-
-def _texts(text: Phrase) -> dict[str, str]:
-    """Return a text by its languages."""
-    return dict(zip(LANGUAGES, text, strict=True))
 
 
 def _measure(measure: Measure) -> dict[str, Any]:
@@ -193,33 +221,29 @@ def _measure(measure: Measure) -> dict[str, Any]:
     return {"type": measure.kind, **values}
 
 
-def _probability(probability: Probability) -> dict[str, Any]:
-    return {
-        "estimate": number(probability.estimate),
-        "low": number(probability.low),
-        "high": number(probability.high),
-        "count": probability.fell,
-        "runs": probability.runs,
-        "missing": probability.missing,
-        "text": probability.text,
-    }
+def interval_data(chance: Probability | Difference) -> dict[str, Any]:
+    """Return a probability or a difference of two, with its interval."""
+    return attributes(chance, "estimate", "low", "high")
+
+
+def _counted(chance: Probability) -> dict[str, Any]:
+    return {**interval_data(chance), "count": chance.fell, "runs": chance.runs, "missing": chance.missing}
+
+
+def _probability(chance: Probability) -> dict[str, Any]:
+    return {**_counted(chance), "text": chance.text}
 
 
 def quantiles_data(quantiles: Quantiles) -> dict[str, float | None]:
     """Return quantiles as plain values."""
-    return {"median": number(quantiles.median), "p90": number(quantiles.p90)}
+    return attributes(quantiles, "median", "p90")
 
 
 def _capacity(capacity: Capacity) -> dict[str, Any]:
     return {
         "share": capacity.share,
         "jma_intensity": number(capacity.estimate),
-        "low": number(capacity.low),
-        "high": number(capacity.high),
-        "above": number(capacity.above),
-        "below": number(capacity.below),
-        "one_motion": capacity.one_motion,
-        "text": capacity.text,
+        **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
     }
 
 
@@ -244,11 +268,69 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
         "lognormal": None
         if lognormal is None
         else {
-            "family": lognormal.family,
-            "median": number(lognormal.median),
-            "dispersion": number(lognormal.dispersion),
-            "fits": lognormal.fits,
-            "p_value": number(lognormal.p_value),
-            "misfit": number(lognormal.misfit),
+            **attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
         },
+    }
+
+
+def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
+    """Return a verdict on several pieces as plain values; see `verdict_data`."""
+    return {
+        **head_data(verdict, partial(headline_of_several, verdict)),
+        "best": verdict.best.option.name,
+        **shaking_data(verdict),
+        "slide_limit_m": verdict.slide_limit,
+        **attributes(verdict, "motions", "samples", "runs", "seed", "precise", "seconds"),
+        "options": [_option_of_several(result, verdict) for result in verdict.options],
+        "not_possible": [
+            {
+                "name": one.option.name,
+                "label": in_both(partial(title_of_several, one, verdict)),
+                "reason": in_both(one.why),
+            }
+            for one in verdict.rejected
+        ],
+        **_foot(verdict.scenario, several_assumptions(verdict)),
+    }
+
+
+def _option_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> dict[str, Any]:
+    scenario = verdict.scenario
+    measures = zip(scenario.names, result.option.measures, strict=True)
+    return {
+        "name": result.option.name,
+        "rank": result.rank,
+        "label": in_both(partial(title_of_several, result, verdict)),
+        "reason": in_both(partial(reason_of_several, result, verdict)),
+        "joined": result.option.joined,
+        "measures": {name: [measure.kind for measure in held] for name, held in measures},
+        "probabilities": {event: _counted(chance) for event, chance in result.probabilities.items()},
+        "change": None if result.change is None else number(result.change.estimate),
+        **peaks_data(result),
+        "pieces": [
+            {
+                "name": piece.name,
+                "counts": body in scenario.counted,
+                "probabilities": {event: _counted(chance) for event, chance in piece.probabilities.items()},
+                **peaks_data(piece),
+            }
+            for body, piece in enumerate(result.pieces)
+        ],
+        "devices": [_device_of_several(device) for device in result.devices],
+    }
+
+
+def _device_of_several(device: DeviceOfSeveral) -> dict[str, Any]:
+    summary = device.summary
+    return {
+        "holds": list(device.pieces),
+        "kind": summary.kind,
+        "name": summary.name,
+        "failed": number(summary.failed.estimate),
+        "failure_time_s_median": number(summary.failure_time),
+        "peak_force_n_median": number(summary.peak.median),
+        "peak_force_n_p90": number(summary.peak.p90),
+        "utilisation_median": number(summary.used.median),
+        "utilisation_p90": number(summary.used.p90),
+        "weakest": None if summary.weakest is None else by_language(summary.weakest),
     }

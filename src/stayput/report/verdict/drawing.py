@@ -10,10 +10,10 @@ from stayput.measures.element import at_rest
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.names import named
 from stayput.report.verdict import svg
-from stayput.report.verdict.words import word
+from stayput.report.verdict.numbers import word
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from stayput.measures import Held, Measure
     from stayput.verification import Verdict
@@ -97,7 +97,7 @@ def drawing_svg(verdict: Verdict, measures: Sequence[Measure], language: str, la
         height=f"{100.0 * held.body.height:.3g}",
         label=label,
     )
-    parts = [*_room(held, sheet), *_piece(held, sheet), *_sizes(held, sheet)]
+    parts = [*_room(held, sheet), *piece_svg(held, sheet.place), *_centre(held, sheet), *_sizes(held, sheet)]
     return svg.drawing(sheet.width, sheet.height, parts, name, "plan")
 
 
@@ -110,13 +110,8 @@ def _room(held: Held, sheet: Sheet) -> list[str]:
         svg.box(far_left, floor, far_right, floor + 8.0, "room"),
         svg.line(far_left, floor, far_right, floor, "face"),
     ]
-    faces: list[tuple[float, float]] = []
-    if room.left_wall is not None:
-        faces.append((at_left, far_left))
-    if room.right_wall is not None:
-        faces.append((at_right, far_right))
-    for x, edge in faces:
-        if sheet.left < x < sheet.right:
+    for wall, x, edge in ((room.left_wall, at_left, far_left), (room.right_wall, at_right, far_right)):
+        if wall is not None and sheet.left < x < sheet.right:
             across = sheet.place(x, 0.0)[0]
             parts += [svg.box(edge, top, across, floor, "room"), svg.line(across, top, across, floor, "face")]
     if room.ceiling is not None and room.ceiling.height < sheet.top:
@@ -126,28 +121,30 @@ def _room(held: Held, sheet: Sheet) -> list[str]:
     return parts
 
 
-def _piece(held: Held, sheet: Sheet) -> list[str]:
+def piece_svg(held: Held, place: Callable[[float, float], tuple[float, float]]) -> list[str]:
+    """Return a piece at rest with its devices, whose points of the room [m] are placed on a drawing."""
     body = held.body
     a, b, c, d = standing_corners(body, State())
-    outline = [sheet.place(*corner) for corner in (a, b, d, c)]
-    parts = [svg.polygon(outline, "piece")]
-    x, z = centre(held)
+    parts = [svg.polygon([place(*corner) for corner in (a, b, d, c)], "piece")]
+    x, z = at_rest(body, body.centre_of_gravity)
     for shape in shapes(held, x, z, body.resting_tilt):
-        points = [sheet.place(*point) for point in shape["points"]]
-        kind = f"shape {shape['role']}"
+        points = [place(*point) for point in shape["points"]]
         if shape["kind"] == "polygon":
-            parts.append(svg.polygon(points, kind))
+            parts.append(svg.polygon(points, f"shape {shape['role']}"))
         else:
             across, up = zip(*points, strict=True)
-            parts.append(svg.polyline(across, up, f"{kind} open"))
-    u, v = sheet.place(x, z)
-    cross = [svg.line(u - 6.0, v, u + 6.0, v, "axis"), svg.line(u, v - 6.0, u, v + 6.0, "axis")]
-    return [*parts, svg.element("circle", cx=u, cy=v, r=3.5, class_="centre"), *cross]
+            parts.append(svg.polyline(across, up, f"shape {shape['role']} open"))
+    return parts
 
 
-def centre(held: Held) -> tuple[float, float]:
-    """Return where the centre of gravity stands at rest [m]."""
-    return at_rest(held.body, held.body.centre_of_gravity)
+def _centre(held: Held, sheet: Sheet) -> list[str]:
+    """Return the mark of the centre of gravity."""
+    u, v = sheet.place(*at_rest(held.body, held.body.centre_of_gravity))
+    return [
+        svg.element("circle", cx=u, cy=v, r=3.5, class_="centre"),
+        svg.line(u - 6.0, v, u + 6.0, v, "axis"),
+        svg.line(u, v - 6.0, u, v + 6.0, "axis"),
+    ]
 
 
 def _sizes(held: Held, sheet: Sheet) -> list[str]:

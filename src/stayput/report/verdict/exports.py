@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -19,8 +17,8 @@ from stayput.fragility.nrml import in_openquake, nrml_xml
 from stayput.fragility.pelicun import pelicun_csv
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
-from stayput.report.verdict.assumptions import assumptions
-from stayput.spreadsheets import CSV_ENCODING, text_cell
+from stayput.report.verdict.assumptions import motions_assumption
+from stayput.spreadsheets import CSV_ENCODING, csv_text
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
@@ -130,11 +128,16 @@ def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> s
         grid = curve.grid(POINTS)
         low, high = curve.band(grid)
         table = np.column_stack((grid, curve.probability(grid), low, high))
-        rows += [(text_cell(curve.name), *map(number, row.tolist()), METHOD) for row in table]
-    return _text(
-        ("option", key(curves[0].measure if curves else measure), "probability", "low", "high", "method"),
-        rows,
+        rows += [(curve.name, *map(number, row.tolist()), METHOD) for row in table]
+    heading = (
+        "option",
+        key(curves[0].measure if curves else measure),
+        "probability",
+        "low",
+        "high",
+        "method",
     )
+    return csv_text(heading, rows, "\n")
 
 
 def observed_csv(curves: Sequence[FragilityCurve]) -> str:
@@ -142,7 +145,7 @@ def observed_csv(curves: Sequence[FragilityCurve]) -> str:
     heading = ("option", key(curves[0].measure), "overturned", "runs", "probability", "low", "high")
     rows = [
         (
-            text_cell(curve.name),
+            curve.name,
             level.im,
             level.probability.fell,
             level.probability.runs,
@@ -153,7 +156,7 @@ def observed_csv(curves: Sequence[FragilityCurve]) -> str:
         for curve in curves
         for level in curve.levels
     ]
-    return _text(heading, rows)
+    return csv_text(heading, rows, "\n")
 
 
 def key(measure: IntensityMeasure) -> str:
@@ -163,14 +166,6 @@ def key(measure: IntensityMeasure) -> str:
     return f"{name.lower()}{unit}"
 
 
-def _text(heading: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(heading)
-    writer.writerows(rows)
-    return text.getvalue()
-
-
 def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path, language: str) -> None:
     bare = verdict.without
     best = [result for result in verdict.options if result is not bare][: DRAWN - 1]
@@ -178,7 +173,7 @@ def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path, language: str
         replace(result.curves[measure], name=title(result.option, verdict, language))
         for result in (bare, *best)
     ]
-    motions = next(entry for entry in assumptions(verdict) if entry.what("en") == "Motions").value(language)
+    motions = say(motions_assumption(verdict.scenario, verdict.motions).value, language)
     here = verdict.intensity if measure == JMA_INTENSITY else None
     plot_fragility(
         curves,

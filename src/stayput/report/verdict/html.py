@@ -1,4 +1,4 @@
-"""A verdict as a self-contained HTML page."""
+"""Verdicts on one piece and on several as self-contained HTML pages."""
 
 from __future__ import annotations
 
@@ -6,23 +6,22 @@ import shlex
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from stayput.catalogue import say
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.embedding import script_json, script_module
-from stayput.report.names import motion_label
-from stayput.report.page import file_of, framed, rendered, write_page
+from stayput.report.page import file_of, framed, rendered, script_json, script_module, write_page
 from stayput.report.palette import mode_looks
 from stayput.report.scene import DRIFT_CORNER
+from stayput.report.summary import piece_sentences
 from stayput.report.verdict import numbers
-from stayput.report.verdict.assumptions import assumptions
+from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
 from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
-from stayput.report.verdict.histories import histories_svg
-from stayput.report.verdict.in_space import space_pairs
-from stayput.report.verdict.pairs import pairs_of, scene_data
+from stayput.report.verdict.in_space import pairs_of_several, space_pairs
+from stayput.report.verdict.numbers import word
+from stayput.report.verdict.pairs import histories_svg, motion_told, pairs_of
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
@@ -31,31 +30,36 @@ from stayput.report.verdict.tables import (
     grades_text,
     impossible_rows,
     ranking,
+    several_device_rows,
+    several_ranking,
     simulations,
     weakest_inputs,
 )
-from stayput.report.verdict.words import word
+from stayput.verification import AssemblyVerdict
+from stayput.verification.several_words import headline_of_several
 from stayput.verification.words import class_label, headline, title
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable
     from pathlib import Path
 
     from stayput.measures import Measure
     from stayput.report.scene import Scene
+    from stayput.report.verdict.assumptions import Assumption
     from stayput.report.verdict.pairs import RunPair
+    from stayput.rooms.verdict import RoomVerdict
     from stayput.verification import OptionVerdict, Verdict
 
 
-def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Path:
+def write_report(verdict: Verdict | AssemblyVerdict, path: str | Path, language: str = "en") -> Path:
     """Write a report of a verdict: one HTML file with drawings, curves, animations and all inputs.
 
-    It loads nothing from elsewhere, and can be printed. Four of the runs are done again for it.
+    It loads nothing from elsewhere, and can be printed. Up to four of the runs are done again for it.
 
     Parameters
     ----------
-    verdict : Verdict
-        The verdict.
+    verdict : Verdict or AssemblyVerdict
+        The verdict, on one piece or on several.
     path : str or Path
         The file, whose name ends in .html.
     language : str
@@ -74,17 +78,65 @@ def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Pa
     return write_page(path, language, lambda: report_html(verdict, language))
 
 
-def report_html(verdict: Verdict, language: str = "en") -> str:
-    """Return the text of a report; see `write_report`.
+def report_html(verdict: Verdict | AssemblyVerdict, language: str = "en") -> str:
+    """Return the text of a report; see `write_report`."""
+    if isinstance(verdict, AssemblyVerdict):
+        return rendered("verdict/several.html", _content_of_several(verdict, language))
+    return rendered("verdict/report.html", _content(verdict, language))
+
+
+def shared_content(
+    verdict: Verdict | AssemblyVerdict | RoomVerdict,
+    texts: str,
+    kind: str,
+    sheets: Iterable[str],
+    rests_on: Iterable[Assumption],
+    language: str,
+) -> dict[str, Any]:
+    """Return what the reports of all verdicts show.
 
     Parameters
     ----------
-    verdict : Verdict
+    verdict : Verdict, AssemblyVerdict or RoomVerdict
         The verdict.
+    texts : str
+        The part of the catalogue that has the page's own texts.
+    kind : str
+        What the report is called, where the scenario has no title.
+    sheets : iterable of str
+        Style sheets; see `stayput.report.page.framed`.
+    rests_on : iterable of Assumption
+        The assumptions.
     language : str
         "en" or "ja".
     """
-    return rendered("verdict/report.html", _content(verdict, language))
+    shaking = {
+        "class": class_label(verdict.intensity, language, verdict.floor),
+        "value": f"{verdict.intensity:.2f}",
+    }
+    return {
+        **framed(language, texts, verdict.scenario.title or kind, sheets),
+        "text": partial(word, language=language),
+        "numbers": numbers,
+        "verdict": verdict,
+        "kind": kind,
+        "strength": word("instrumental", language, **shaking),
+        "limit": numbers.length(verdict.slide_limit, language),
+        "assumptions": told(rests_on, language),
+        "toml": verdict.scenario.to_toml(),
+    }
+
+
+def _of_a_ranking(
+    verdict: Verdict | AssemblyVerdict, texts: str, kind: str, rests_on: Iterable[Assumption], language: str
+) -> dict[str, Any]:
+    return {
+        **shared_content(verdict, texts, kind, ["verdict/report.css"], rests_on, language),
+        "simulations": simulations(verdict, language),
+        "impossible": impossible_rows(verdict, language),
+        "device_columns": [word(key, language) for key in DEVICE_COLUMNS],
+        "command": _command(verdict, language),
+    }
 
 
 def _content(verdict: Verdict, language: str) -> dict[str, Any]:
@@ -92,69 +144,51 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     ground = scenario.ground()
     in_space = scenario.dimensions == 3
     pairs = () if in_space else pairs_of(verdict, ground)
-    scenes = [pair.scene for pair in pairs]
     modes = mode_looks(language)
-
-    text = partial(word, language=language)
+    scenes = {"modes": modes, "pairs": [pair.data(scenario.furniture) for pair in pairs]}
     return {
-        **framed(language, "report", scenario.title or text("report"), ["verdict/report.css"]),
-        "text": text,
-        "numbers": numbers,
-        "verdict": verdict,
+        **_of_a_ranking(verdict, "report", word("report", language), assumptions(verdict), language),
         "headline": headline(verdict, language),
-        "strength": text(
-            "instrumental",
-            **{
-                "class": class_label(verdict.intensity, language, verdict.floor),
-                "value": f"{verdict.intensity:.2f}",
-            },
-        ),
-        "simulations": simulations(verdict, language),
-        "device_columns": [text(key) for key in DEVICE_COLUMNS],
-        "limit": numbers.length(verdict.slide_limit, language),
         "shares": [f"{100.0 * share:g}" for share in SHARES],
         "notes": verdict.notes(language),
         "grades": grades_text(language),
         "rows": ranking(verdict, language),
-        "impossible": impossible_rows(verdict, language),
         "looks": looks(verdict),
         "before": _drawn(verdict, verdict.without, language),
         "after": _drawn(verdict, verdict.best, language) if verdict.best.option.measures else None,
         "curves": Markup(curves_svg(verdict, language)) if verdict.best.curves else None,
         "legend": legend(verdict, language),
-        "pairs": [
-            _pair(verdict, pair, scene, len(ground), language)
-            for pair, scene in zip(pairs, scenes, strict=True)
-        ],
+        "pairs": [_pair(verdict, pair, language) for pair in pairs],
         "space_pairs": space_pairs(verdict, ground, language) if in_space else [],
         "modes": modes.values(),
-        "scenes": Markup(
-            script_json(
-                {
-                    "modes": modes,
-                    "pairs": [
-                        scene_data(pair, scene, scenario.furniture)
-                        for pair, scene in zip(pairs, scenes, strict=True)
-                    ],
-                }
-            )
-        ),
+        "scenes": Markup(script_json(scenes)),
         "details": [
             _detail(result, verdict, language) for result in verdict.options if result.option.measures
         ],
         "estimates": estimate_rows(verdict, language),
-        "assumptions": [(a.what(language), a.value(language), a.confidence) for a in assumptions(verdict)],
-        "toml": escape(scenario.to_toml()),
         "reads_files": scenario.shaking.record is not None or isinstance(scenario.shaking.suite, str),
-        "command": escape(command(verdict, language)),
         "script": Markup(script_module(file_of("verdict/report.js"))),
     }
 
 
-def command(verdict: Verdict, language: str, file: str = "scenario.toml") -> str:
+def _content_of_several(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:
+    kind, rests_on = say("several.report", language), several_assumptions(verdict)
+    content = _of_a_ranking(verdict, "several", kind, rests_on, language)
+    rows = several_ranking(verdict, language)
+    return {
+        **content,
+        "headline": headline_of_several(verdict, language),
+        "rows": rows,
+        "pairs": pairs_of_several(verdict, language),
+        "device_columns": [say("several.holds", language), *content["device_columns"]],
+        "details": [(row, several_device_rows(row.option, language)) for row in rows if row.option.devices],
+    }
+
+
+def _command(verdict: Verdict | AssemblyVerdict, language: str) -> str:
     """Return the command that makes the report again."""
-    words = ["stayput", "verify", file, "--slide-limit", f"{verdict.slide_limit:g}", "--lang", language]
-    return shlex.join([*words, "--report", "report.html"])
+    words = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
+    return shlex.join([*words, "--lang", language, "--report", "report.html"])
 
 
 def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, Any]:
@@ -175,38 +209,32 @@ def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str
     The case is typical of the piece without a measure: the measure may fail in it and hold in most others.
     """
     chance = verdict.best.probabilities[OVERTURNED]
-    if pair.kind != "typical" or len(pair.sides) == 1 or chance.runs == 0:
+    if pair.kind != "typical" or len(pair.options) == 1 or chance.runs == 0:
         return ""
     held = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
-    key = "typical_also_falls" if pair.sides[1].run.overturned else held
+    key = "typical_also_falls" if pair.scene.runs[1].overturned else held
     told = word(key, language, share=numbers.share(chance.estimate, language))
     return f" {told}" if language == "en" else told
 
 
-def _pair(verdict: Verdict, pair: RunPair, scene: Scene, count: int, language: str) -> dict[str, Any]:
+def _pair(verdict: Verdict, pair: RunPair, language: str) -> dict[str, Any]:
+    piece, scene = verdict.scenario.furniture, pair.scene
     sides = [
-        {"label": title(side.option, verdict, language), "outcome": side.outcome(language)}
-        for side in pair.sides
+        {
+            "label": title(option, verdict, language),
+            "outcome": say(piece_sentences(run, piece.preset, piece.name), language),
+        }
+        for option, run in zip(pair.options, scene.runs, strict=True)
     ]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
-    about_key = f"{pair.kind}_text" if len(pair.sides) > 1 else f"{pair.kind}_bare_text"
+    about_key = f"{pair.kind}_text" if len(pair.options) > 1 else f"{pair.kind}_bare_text"
     return {
         "title": word(pair.kind, language),
         "about": word(about_key, language) + _place_of_the_measure(verdict, pair, language),
-        "motion": word(
-            "motion_shown",
-            language,
-            number=pair.member.motion + 1,
-            count=count,
-            name=motion_label(pair.motion, language),
-            peak=pair.motion.pga,
-            start=f"{pair.start:.1f}",
-            end=f"{pair.end:.1f}",
-            duration=f"{pair.motion.duration:g}",
-        ),
+        "motion": motion_told(verdict, pair.member, scene.runs[0], (scene.start, scene.end), language),
         "moved": _moved(scene, language),
         "sides": sides,
-        "chart": Markup(histories_svg(pair, language, word("listed", language).join(outcomes))),
+        "chart": Markup(histories_svg(pair, language, (" " if language == "en" else "").join(outcomes))),
     }
 
 
@@ -220,7 +248,7 @@ def _moved(scene: Scene, language: str) -> str:
 
 
 def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str, Any]:
-    measures: Sequence[Measure] = result.option.measures
+    measures = result.option.measures
     return {
         **_drawn(verdict, result, language),
         "rank": result.rank,

@@ -1,4 +1,4 @@
-"""A verdict as Markdown."""
+"""Verdicts on one piece and on several as Markdown."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import stayput
-from stayput.report.verdict.assumptions import assumptions
-from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval
+from stayput.catalogue import say
+from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
+from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval, word
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
@@ -17,17 +18,20 @@ from stayput.report.verdict.tables import (
     grades_text,
     impossible_rows,
     ranking,
+    several_device_rows,
+    several_ranking,
     simulations,
 )
-from stayput.report.verdict.words import word
+from stayput.verification.several_words import headline_of_several
 from stayput.verification.words import headline, title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Sequence
 
-    from stayput.report.verdict.tables import RankingRow
-    from stayput.verification import Verdict
+    from stayput.report.verdict.assumptions import Assumption
+    from stayput.report.verdict.tables import RankingRow, SeveralRow
+    from stayput.verification import AssemblyVerdict, Verdict
 
 
 def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
@@ -40,82 +44,135 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
     language : str
         "en" or "ja".
     """
-    return "\n".join(_lines(verdict, language)) + "\n"
-
-
-def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     text = partial(word, language=language)
-    yield f"# {plain(verdict.scenario.title or text('report'))}"
-    yield f"\n**{plain(headline(verdict, language))}**\n"
-    for note in verdict.notes(language):
-        yield f"{plain(note)}\n"
-    yield simulations(verdict, language)
-    if verdict.motions == 1:
-        yield f"\n{text('one_motion')}"
-    if not verdict.precise:
-        yield f"\n{text('not_precise')}"
-    yield f"\n## {text('ranking')}\n"
-    columns = _columns(verdict, language)
-    rows = [_cells(row, language) for row in ranking(verdict, language)]
-    for label, reason in impossible_rows(verdict, language):
-        blank = (NO_NUMBER,) * (len(columns) - 4)
-        rows.append((NO_NUMBER, label, text("not_possible"), *blank, reason))
-    yield from table(columns, rows)
-    yield f"\n{plain(grades_text(language))}"
+    contents = (text("contents_out"),) if verdict.without.contents is not None else ()
+    columns = (
+        *_events(verdict, text("measure"), text("overturned"), language),
+        *contents,
+        text("slide_both"),
+        *(text("capacity", share=f"{100.0 * share:g}") for share in SHARES),
+        text("grade"),
+        text("why"),
+    )
     devices = [
         (title(result.option, verdict, language), *row)
         for result in verdict.options
         for row in device_rows(result, language)
     ]
-    if devices:
-        yield f"\n## {text('devices')}\n"
-        yield from table((text("measure"), *(text(key) for key in DEVICE_COLUMNS)), devices)
-    yield f"\n## {text('estimates')}\n"
-    yield f"{text('estimates_text')}\n"
-    yield from table((text("formula"), text("says"), text("beside")), estimate_rows(verdict, language))
-    yield f"\n## {text('assumptions')}\n"
-    heading = (text("assumption"), text("value"), text("confidence"))
-    yield from table(
-        heading,
-        ((a.what(language), a.value(language), text(a.confidence)) for a in assumptions(verdict)),
+    estimates = table((text("formula"), text("says"), text("beside")), estimate_rows(verdict, language))
+    return _text(
+        *_head(verdict, text("report"), headline(verdict, language), language),
+        *(f"{plain(note)}\n" for note in verdict.notes(language)),
+        *_runs(verdict, language),
+        *_ranking(verdict, columns, [_cells(row, language) for row in ranking(verdict, language)], language),
+        f"\n{plain(grades_text(language))}",
+        *_devices(text("devices"), (text("measure"),), devices, language),
+        *_section(text("estimates"), f"{text('estimates_text')}\n", *estimates),
+        *_foot(verdict, assumptions(verdict), language),
     )
-    yield f"\n## {text('again')}\n"
-    yield text("again_text", file="scenario.toml", version=stayput.__version__)
-    yield "\n```toml"
-    yield verdict.scenario.to_toml().rstrip()
-    yield "```\n"
+
+
+def several_markdown(verdict: AssemblyVerdict, language: str = "en") -> str:
+    """Return a verdict on several pieces as a text in Markdown; see `verdict_markdown`."""
+    text = partial(word, language=language)
+    rows = several_ranking(verdict, language)
+    option, any_piece, each, holds = (
+        say(f"several.{key}", language) for key in ("option", "any", "each", "holds")
+    )
+    columns = (*_events(verdict, option, any_piece, language), each, text("slide_both"), text("why"))
+    devices = [(row.label, *cells) for row in rows for cells in several_device_rows(row.option, language)]
+    return _text(
+        *_head(verdict, say("several.report", language), headline_of_several(verdict, language), language),
+        f"{say('several.about', language)}\n",
+        *_runs(verdict, language),
+        *_ranking(verdict, columns, [_cells_of_several(row, language) for row in rows], language),
+        *_devices(say("several.details", language), (option, holds), devices, language),
+        *_foot(verdict, several_assumptions(verdict), language),
+    )
+
+
+def _text(*lines: str) -> str:
+    return "\n".join(lines) + "\n"
+
+
+def _section(heading: str, *lines: str) -> tuple[str, ...]:
+    return f"\n## {heading}\n", *lines
+
+
+def _head(verdict: Verdict | AssemblyVerdict, kind: str, said: str, language: str) -> tuple[str, str]:
+    return f"# {plain(verdict.scenario.title or kind)}", f"\n**{plain(said)}**\n"
+
+
+def _runs(verdict: Verdict | AssemblyVerdict, language: str) -> Iterator[str]:
+    """Yield how many runs were made, and what they do not tell."""
+    yield simulations(verdict, language)
+    if verdict.motions == 1:
+        yield f"\n{word('one_motion', language)}"
+    if not verdict.precise:
+        yield f"\n{word('not_precise', language)}"
+
+
+def _events(verdict: Verdict | AssemblyVerdict, option: str, falls: str, language: str) -> tuple[str, ...]:
+    """Return the headings of rank, option and events in a ranking."""
+    text = partial(word, language=language)
+    slid = text("slid", limit=length(verdict.slide_limit, language))
+    return text("rank"), option, falls, slid, text("hit_wall"), text("device_failed")
+
+
+def _ranking(
+    verdict: Verdict | AssemblyVerdict,
+    columns: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    language: str,
+) -> tuple[str, ...]:
+    """Return the section of the ranking, with what cannot be put in place at its end."""
+    blank = (NO_NUMBER,) * (len(columns) - 4)
+    impossible = [
+        (NO_NUMBER, label, word("not_possible", language), *blank, reason)
+        for label, reason in impossible_rows(verdict, language)
+    ]
+    return _section(word("ranking", language), *table(columns, [*rows, *impossible]))
+
+
+def _devices(
+    heading: str, first: Sequence[str], rows: Sequence[Sequence[str]], language: str
+) -> tuple[str, ...]:
+    columns = (*first, *(word(key, language) for key in DEVICE_COLUMNS))
+    return _section(heading, *table(columns, rows)) if rows else ()
+
+
+def _foot(verdict: Verdict | AssemblyVerdict, rests_on: Iterable[Assumption], language: str) -> Iterator[str]:
+    """Yield the assumptions, and how to do it again."""
+    text = partial(word, language=language)
+    rows = [(what, value, text(confidence)) for what, value, confidence in told(rests_on, language)]
+    columns = (text("assumption"), text("value"), text("confidence"))
+    yield from _section(text("assumptions"), *table(columns, rows))
+    yield from _section(text("again"), text("again_text", file="scenario.toml", version=stayput.__version__))
+    yield f"\n```toml\n{verdict.scenario.to_toml().rstrip()}\n```\n"
     yield text("caution")
 
 
-def _columns(verdict: Verdict, language: str) -> tuple[str, ...]:
-    far = length(verdict.slide_limit, language)
-    return (
-        word("rank", language),
-        word("measure", language),
-        word("overturned", language),
-        word("slid", language, limit=far),
-        word("hit_wall", language),
-        word("device_failed", language),
-        *((word("contents_out", language),) if verdict.without.contents is not None else ()),
-        word("slide_both", language),
-        *(word("capacity", language, share=f"{100.0 * share:g}") for share in SHARES),
-        word("grade", language),
-        word("why", language),
-    )
-
-
 def _cells(row: RankingRow, language: str) -> tuple[str, ...]:
-    shares = tuple(
-        NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares
-    )
     label = with_aside(row.name, row.label, language) if row.name else row.label
+    contents = () if row.contents is None else (with_interval(row.contents, language),)
     capacities = (with_aside(middle, ends, language) if ends else middle for middle, ends in row.capacities)
     slide = word("listed", language).join(row.slide)
-    contents = () if row.contents is None else (with_interval(row.contents, language),)
+    shares = _shares(row, language)
     return str(row.option.rank), label, *shares, *contents, slide, *capacities, row.grade, row.reason
 
 
-def table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
+def _cells_of_several(row: SeveralRow, language: str) -> tuple[str, ...]:
+    listed = word("listed", language)
+    each = listed.join(f"{name} {with_interval(chance, language)}" for name, chance in row.pieces)
+    shares = _shares(row, language)
+    return str(row.option.rank), row.label, *shares, each, listed.join(row.slide), row.reason
+
+
+def _shares(row: RankingRow | SeveralRow, language: str) -> list[str]:
+    return [NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares]
+
+
+def table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
     """Yield the lines of a table."""
     yield f"| {' | '.join(map(plain, heading))} |"
     yield f"|{' --- |' * len(heading)}"

@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import say
+from stayput.catalogue import TEXTS, say
 from stayput.fragility.probabilities import percent
-from stayput.report.verdict.words import word
 from stayput.verification.words import length as length_of
 from stayput.wording import FAR, is_open
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from stayput.fragility import Capacity, Difference, Probability
     from stayput.model.room import Room
     from stayput.verification import Quantiles
+
 
 NO_NUMBER = "–"
 """What stands in place of a number that there is none of."""
@@ -63,21 +65,6 @@ def length(metres: float, language: str) -> str:
     return length_of(metres)
 
 
-def at_most(text: str, small: bool, least: str, language: str) -> str:
-    """Return a peak within a sentence: "up to 2.0 cm", or "less than 0.1 cm" where it is that small."""
-    return word("less_than", language, value=least) if small else word("up_to", language, value=text)
-
-
-def peak_slide(metres: float, language: str) -> str:
-    """Return a peak slide within a sentence: "up to 2.0 cm"."""
-    return at_most(length(metres, language), metres < 5e-4, "0.1 cm", language)
-
-
-def peak_tilt(radians: float, language: str) -> str:
-    """Return a peak tilt within a sentence: "up to 2.3°"."""
-    return at_most(angle(radians, language), math.degrees(radians) < 0.05, "0.1°", language)
-
-
 def angle(radians: float, language: str) -> str:
     """Return an angle: "2.3°"; infinite is a fall."""
     if math.isnan(radians):
@@ -115,11 +102,11 @@ def energy(joules: float) -> str:
 
 def used(quantiles: Quantiles, language: str) -> tuple[str, ...]:
     """Return median and 90 % quantile of a utilisation; nothing where there is no strength to reach."""
-    return (
-        tuple(share(value, language) for value in (quantiles.median, quantiles.p90))
-        if quantiles.p90 > 0.0
-        else ()
-    )
+    return _both(quantiles, share, language) if quantiles.p90 > 0.0 else ()
+
+
+def _both(quantiles: Quantiles, show: Callable[[float, str], str], language: str) -> tuple[str, str]:
+    return show(quantiles.median, language), show(quantiles.p90, language)
 
 
 def moment(seconds: float, language: str) -> str:
@@ -129,23 +116,22 @@ def moment(seconds: float, language: str) -> str:
 
 def slides(quantiles: Quantiles, room: Room, language: str) -> tuple[str, str]:
     """Return median and 90 % quantile of a slide; in an open room what is beyond `FAR` is "> 3 m"."""
-    values = (quantiles.median, quantiles.p90)
-    far = [math.isfinite(value) and value > FAR and is_open(room) for value in values]
-    first, second = (
-        f"> {FAR:g} m" if beyond else length(value, language)
-        for value, beyond in zip(values, far, strict=True)
-    )
-    return first, second
+
+    def show(slide: float, language: str) -> str:
+        beyond = math.isfinite(slide) and slide > FAR and is_open(room)
+        return f"> {FAR:g} m" if beyond else length(slide, language)
+
+    return _both(quantiles, show, language)
 
 
 def angles(quantiles: Quantiles, language: str) -> tuple[str, str]:
     """Return median and 90 % quantile of an angle."""
-    return angle(quantiles.median, language), angle(quantiles.p90, language)
+    return _both(quantiles, angle, language)
 
 
 def forces(quantiles: Quantiles, language: str) -> tuple[str, str]:
     """Return median and 90 % quantile of a force."""
-    return force(quantiles.median, language), force(quantiles.p90, language)
+    return _both(quantiles, force, language)
 
 
 def capacity(reached: Capacity | None, language: str, *, brief: bool = False) -> str:
@@ -175,3 +161,19 @@ def capacity_interval(reached: Capacity | None, language: str) -> str:
     if reached.one_motion:
         return word("no_interval", language)
     return say(reached.ends, language)
+
+
+def word(key: str, language: str, **values: object) -> str:
+    """Return a text of the report in "en" or "ja", with values in it.
+
+    Parameters
+    ----------
+    key : str
+        Its key in `stayput.catalogue.report`, or in `stayput.catalogue.common`.
+    language : str
+        "en" or "ja".
+    **values
+        What stands in its braces.
+    """
+    module = "report" if f"report.{key}" in TEXTS else "common"
+    return say(f"{module}.{key}", language, **values)

@@ -1,7 +1,8 @@
-"""Pairs of runs shown side by side: one motion and one draw, without and with a measure, simulated again."""
+"""Pairs of runs side by side: one motion and one draw, without and with a measure, simulated again."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -13,18 +14,16 @@ from stayput.mechanics.runner import shaking
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.suites import Suite
-from stayput.report.history import History, history
+from stayput.report.history import MOVED, history, peak_of, window_of
+from stayput.report.names import motion_label
 from stayput.report.scene import TIME_DIGITS, Scene, scene_of
-from stayput.report.summary import slides_off
-from stayput.report.verdict.numbers import peak_slide, peak_tilt
-from stayput.report.verdict.words import word
-from stayput.report.window import MOVED, window_of
+from stayput.report.verdict import svg
+from stayput.report.verdict.numbers import word
 from stayput.simulation.case import Case, trace_held
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.outcome import Outcome
 from stayput.simulation.run import run_of
 from stayput.simulation.space import run_held
-from stayput.wording import FAR
+from stayput.simulation.space_run import SpaceRun
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,48 +32,20 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
     from stayput.simulation.run import Run
-    from stayput.simulation.space_run import SpaceRun
-    from stayput.verification import Option, Verdict
+    from stayput.verification import AssemblyVerdict, Option, Verdict
     from stayput.verification.verdict import Member
-
-_HARDLY_TILT, _HARDLY_SLIDE = 0.01, 0.005
-"""Peaks [rad, m] below which a run is said to hardly move."""
 
 RATE = 50.0
 """Poses a second that the report holds; its script draws straight lines between them."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Side:
-    """One of the two runs.
+WIDTH, HEIGHT = 900.0, 430.0
+LEFT, RIGHT = 62.0, 890.0
+PANELS = ((26.0, 116.0), (148.0, 262.0), (294.0, 384.0))
+"""Upper and lower edge of each panel [px]."""
 
-    Parameters
-    ----------
-    option : Option
-        The measures, or none.
-    run : Run
-        The run.
-    history : History
-        Where the body is when, until it lies.
-    """
-
-    option: Option
-    run: Run
-    history: History
-
-    def outcome(self, language: str) -> str:
-        """Return the outcome, as the end of a sentence."""
-        run = self.run
-        still = run.outcome in (Outcome.SLID, Outcome.ROCKED)
-        hardly = still and run.peak_tilt < _HARDLY_TILT and run.peak_slide < _HARDLY_SLIDE
-        slide = peak_slide(run.peak_slide, language)
-        return word(
-            f"outcome_{'hardly' if hardly else run.outcome.value}",
-            language,
-            slide=word("more_than", language, value=f"{FAR:g} m") if slides_off(run) else slide,
-            tilt=peak_tilt(run.peak_tilt, language),
-            time=f"{run.overturn_time:.1f}",
-        )
+_TILT_SHOWN = 3.0
+"""Tilts beyond this are cut, in critical angles, so that the rocking before a fall is seen."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -87,64 +58,49 @@ class RunPair:
         "typical" or "worst".
     member : Member
         The motion and the draw.
-    motion : Motion
-        The floor's motion.
-    sides : tuple of Side
-        Without a measure first.
-    start, end : float
-        What part of the time is shown [s].
+    options : list of Option
+        The measures of each, or none, which comes first.
+    scene : Scene
+        The runs, and what is drawn of them.
     """
 
     kind: str
     member: Member
-    motion: Motion
-    sides: tuple[Side, ...]
-    start: float
-    end: float
-
-    @property
-    def scene(self) -> Scene:
-        """The scene of the two runs."""
-        return scene_of([side.run for side in self.sides], self.start, self.end)
+    options: list[Option]
+    scene: Scene
 
     @property
     def telling(self) -> float:
         """The most telling moment [s]: halfway through the first fall, else the largest tilt or slide."""
-        for side in self.sides:
-            if side.run.overturned:
-                far = np.abs(side.history.tilt) > 0.5
-                return float(side.history.time[int(far.argmax())])
-        bare = self.sides[0].history
+        for run, shown in zip(self.scene.runs, self.scene.histories, strict=True):
+            if run.overturned:
+                return float(shown.time[int((np.abs(shown.tilt) > 0.5).argmax())])
+        bare = self.scene.histories[0]
         largest = np.abs(bare.tilt) if np.abs(bare.tilt).max() > MOVED else np.abs(bare.slide)
-        return min(max(float(bare.time[int(largest.argmax())]), self.start), self.end)
+        return min(max(float(bare.time[int(largest.argmax())]), self.scene.start), self.scene.end)
 
+    def data(self, look: FurnitureTable) -> dict[str, Any]:
+        """Return the scene for the report's script, as plain values.
 
-def scene_data(pair: RunPair, scene: Scene, look: FurnitureTable) -> dict[str, Any]:
-    """Return a pair's scene for the report's script, as plain values.
+        Parameters
+        ----------
+        look : FurnitureTable
+            The piece, whose kind and shelves are drawn on it.
 
-    Parameters
-    ----------
-    pair : Pair
-        The runs.
-    scene : Scene
-        Its scene.
-    look : FurnitureTable
-        The piece, whose kind and shelves are drawn on it.
-
-    Returns
-    -------
-    dict
-        What `Scene.data` returns; ``start_s``, ``end_s``, ``telling_s``; ``kind`` and ``loads_kg`` of
-        the piece.
-    """
-    return {
-        **scene.data(RATE),
-        "start_s": pair.start,
-        "end_s": pair.end,
-        "telling_s": round(pair.telling, TIME_DIGITS),
-        "kind": look.preset,
-        "loads_kg": look.shelves,
-    }
+        Returns
+        -------
+        dict
+            What `Scene.data` returns; ``start_s``, ``end_s``, ``telling_s``; ``kind`` and ``loads_kg`` of
+            the piece.
+        """
+        return {
+            **self.scene.data(RATE),
+            "start_s": self.scene.start,
+            "end_s": self.scene.end,
+            "telling_s": round(self.telling, TIME_DIGITS),
+            "kind": look.preset,
+            "loads_kg": look.shelves,
+        }
 
 
 def pairs_of(verdict: Verdict, ground: Suite) -> tuple[RunPair, ...]:
@@ -176,28 +132,9 @@ def shown_options(verdict: Verdict) -> list[Option]:
 def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite) -> RunPair:
     motion, scale = floor_motion(verdict, ground, member)
     options = shown_options(verdict)
-    runs = [replay_under(verdict, option, member, motion, scale) for option in options]
-    sides = tuple(Side(option, run, history(run)) for option, run in zip(options, runs, strict=True))
-    start, end = window_of([(side.run, side.history) for side in sides], motion)
-    return RunPair(kind, member, motion.scaled(scale), sides, start, end)
-
-
-def replay(verdict: Verdict, option: Option, member: Member, ground: Suite) -> Run:
-    """Run one of the runs behind a verdict again: the same bits, now with its histories.
-
-    Parameters
-    ----------
-    verdict : Verdict
-        The verdict.
-    option : Option
-        The measures; another option's run of the same member met the same motion and the same draw.
-    member : Member
-        Which motion, and which draw.
-    ground : Suite
-        The motions of the ground, as the verdict's scenario gives them.
-    """
-    motion, scale = floor_motion(verdict, ground, member)
-    return replay_under(verdict, option, member, motion, scale)
+    runs = [replay(verdict, option, member, motion, scale) for option in options]
+    window = window_of([(run, history(run)) for run in runs], motion)
+    return RunPair(kind, member, options, scene_of(runs, *window))
 
 
 def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motion, float]:
@@ -239,14 +176,26 @@ def drawn_piece(verdict: Verdict, option: Option, member: Member) -> tuple[Held,
 def replay_in_space(
     verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float
 ) -> SpaceRun:
-    """Run a member of a verdict in space again under its motion and the factor on it: the same bits."""
+    """Run a member of a verdict in space again; see `replay`."""
     scenario = verdict.scenario
     held, elements = drawn_piece(verdict, option, member)
     return run_held(held, elements, motion.scaled(scale), scenario.initial.state(), scenario.gravity)
 
 
-def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
-    """Run a member again under its motion and the factor on it; see `replay`."""
+def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
+    """Run one of the runs behind a verdict again: the same bits, now with its histories.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        The verdict.
+    option : Option
+        The measures; another option's run of the same member met the same motion and the same draw.
+    member : Member
+        Which motion, and which draw.
+    motion, scale : Motion, float
+        Its motion of the floor and the factor on it; see `floor_motion`.
+    """
     scenario, initial = verdict.scenario, verdict.scenario.initial.state()
     held, elements = drawn_piece(verdict, option, member)
     row = case_columns(held.body, held.room, initial, scenario.gravity)
@@ -255,3 +204,106 @@ def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motio
     case = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
     results = device_results(held, elements, devices, forces, held.body.mass)
     return run_of(case, traced, held, results, most_events=2)  # the pictures need the last one
+
+
+def motion_told(
+    verdict: Verdict | AssemblyVerdict,
+    member: Member,
+    run: Run | SpaceRun,
+    shown: tuple[float, float],
+    language: str,
+) -> str:
+    """Return which motion a run met, how strong it was, and from when to when it is shown [s]."""
+    motion, in_space = run.motion, isinstance(run, SpaceRun)
+    return word(
+        "motion_in_space" if in_space else "motion_shown",
+        language,
+        number=member.motion + 1,
+        count=verdict.motions,
+        name=motion_label(motion, language),
+        peak=peak_of(motion) if in_space else motion.pga,
+        start=f"{shown[0]:.1f}",
+        end=f"{shown[1]:.1f}",
+        duration=f"{motion.duration:g}",
+    )
+
+
+def histories_svg(pair: RunPair, language: str, outcomes: str) -> str:
+    """Return the picture of a pair's histories over the time that is shown.
+
+    Parameters
+    ----------
+    pair : Pair
+        The runs.
+    language : str
+        "en" or "ja".
+    outcomes : str
+        What became of them, for those who do not see it.
+    """
+    x = svg.PixelAxis(pair.scene.start, pair.scene.end, LEFT, RIGHT)
+    motion = pair.scene.motion
+    inside = (motion.time >= pair.scene.start) & (motion.time <= pair.scene.end)
+    floor = [(motion.time[inside], motion.x[inside], 0)]
+    tilts = [(one.time, np.degrees(one.tilt), n) for n, one in enumerate(pair.scene.histories)]
+    slides = [(one.time, 100.0 * one.slide, n) for n, one in enumerate(pair.scene.histories)]
+    limit = _TILT_SHOWN * math.degrees(max(pair.scene.runs[0].body.slenderness))
+    parts = [
+        *_panel(x, PANELS[0], floor, word("axis_acceleration", language), "floor", math.inf),
+        *_panel(x, PANELS[1], tilts, word("axis_tilt", language), "run", limit),
+        *_panel(x, PANELS[2], slides, word("axis_slide", language), "run", math.inf),
+        *_times(x, language),
+        *_failures(x, pair, language),
+        svg.element("line", x1=LEFT, x2=LEFT, y1=PANELS[0][0], y2=PANELS[2][1], class_="now"),
+    ]
+    return svg.drawing(
+        WIDTH, HEIGHT, parts, word("histories_alt", language, outcomes=outcomes), "chart histories"
+    )
+
+
+def _panel(
+    x: svg.PixelAxis,
+    edges: tuple[float, float],
+    lines: list[tuple[NDArray[np.float64], NDArray[np.float64], int]],
+    name: str,
+    class_: str,
+    limit: float,
+) -> list[str]:
+    top, bottom = edges
+    shown = [(t[(t >= x.low) & (t <= x.high)], v[(t >= x.low) & (t <= x.high)], n) for t, v, n in lines]
+    peak = max((float(np.abs(v).max(initial=0.0)) for _, v, _ in shown), default=0.0)
+    most = 1.08 * (min(peak, limit) or 1.0)
+    y = svg.PixelAxis(-most, most, bottom, top)
+    parts = [svg.label(LEFT, top - 8.0, name, "name", "start")]
+    for value in svg.ticks(-most, most, 5):  # one at least on each side of 0
+        level = y.place(value)
+        parts.append(svg.line(LEFT, level, RIGHT, level, "grid"))
+        parts.append(svg.label(LEFT - 7.0, level + 4.5, f"{value:z.4g}".replace("-", "−"), anchor="end"))
+    inside: list[str] = []
+    for time, values, number in reversed(shown):
+        across, up = svg.thinned(time, np.clip(values, -2.0 * most, 2.0 * most))
+        inside.append(svg.polyline(x.at(across), y.at(up), f"{class_} side{number}"))
+    wide, high = RIGHT - LEFT, bottom - top
+    window = f"{LEFT:g} {top:g} {wide:g} {high:g}"
+    clip = svg.element("svg", "".join(inside), x=LEFT, y=top, width=wide, height=high, viewBox=window)
+    return [*parts, clip]
+
+
+def _times(x: svg.PixelAxis, language: str) -> list[str]:
+    bottom = PANELS[-1][1]
+    parts = [svg.line(LEFT, bottom, RIGHT, bottom, "axis")]
+    for value in svg.ticks(x.low, x.high, 8):
+        parts += svg.tick(x.place(value), bottom, f"{value:g}")
+    return [*parts, svg.label(0.5 * (LEFT + RIGHT), bottom + 38.0, word("axis_time", language), "name")]
+
+
+def _failures(x: svg.PixelAxis, pair: RunPair, language: str) -> list[str]:
+    """Return a line and a word where a device fails."""
+    top, bottom = PANELS[1][0], PANELS[2][1]
+    times = sorted({d.failure_time for run in pair.scene.runs for d in run.devices if d.failed})
+    parts = [svg.line(x.place(t), top, x.place(t), bottom, "broken") for t in times if x.low <= t <= x.high]
+    if parts:
+        right = times[0] < 0.5 * (x.low + x.high)
+        across = x.place(times[0]) + (5.0 if right else -5.0)
+        text = word("device_failure", language)
+        parts.append(svg.label(across, top + 12.0, text, "name halo", "start" if right else "end"))
+    return parts

@@ -60,6 +60,11 @@ def line(x0: float, y0: float, x1: float, y1: float, class_: str) -> str:
     return element("line", x1=x0, y1=y0, x2=x1, y2=y1, class_=class_)
 
 
+def tick(x: float, y: float, text: str) -> list[str]:
+    """Return a mark below an axis along x, with its value."""
+    return [line(x, y, x, y + 5.0, "axis"), label(x, y + 20.0, text)]
+
+
 def box(x0: float, y0: float, x1: float, y1: float, class_: str) -> str:
     """Return a rectangle between two corners [px]."""
     low, high = min(x0, x1), min(y0, y1)
@@ -80,11 +85,13 @@ def _points(points: Iterable[tuple[float, float]]) -> str:
     return " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
 
 
-def drawing(width: float, height: float, content: Sequence[str], name: str, class_: str) -> str:
+def drawing(
+    width: float, height: float, content: Sequence[str], name: str, class_: str, **attributes: str
+) -> str:
     """Return a picture with its name for those who do not see it."""
     window = f"0 0 {width:.0f} {height:.0f}"
-    attributes = {"viewBox": window, "class_": class_, "role": "img", "aria_label": name}
-    return element("svg", "".join(content), **attributes)
+    named = {"viewBox": window, "class_": class_, "role": "img", "aria_label": name}
+    return element("svg", "".join(content), **named, **attributes)
 
 
 def ticks(low: float, high: float, count: int) -> list[float]:

@@ -1,31 +1,40 @@
-"""Ranking, devices and quick estimates as rows: for CSV, and as texts for Markdown, HTML and terminal."""
+"""Rankings, devices and quick estimates as rows: for CSV, and as texts for Markdown, HTML and terminal."""
 
 from __future__ import annotations
 
-import csv
-import io
-from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
+from stayput.measures import MEASURES
 from stayput.measures.parameters import MEANINGS
-from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED
+from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
 from stayput.report.names import place_named
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
-from stayput.report.verdict.words import word
-from stayput.spreadsheets import text_cell
-from stayput.verification import EVENTS
+from stayput.report.verdict.numbers import word
+from stayput.simulation.space_devices import JOINT, JOINT_LABEL
+from stayput.spreadsheets import csv_text
+from stayput.verification import AssemblyVerdict
 from stayput.verification.grades import weakest
+from stayput.verification.several_options import brief_label
+from stayput.verification.several_words import is_own, reason_of_several, title_of_several
 from stayput.verification.words import length, reason, title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     from stayput.catalogue import Phrase
-    from stayput.fragility import Probability
-    from stayput.verification import DeviceSummary, OptionVerdict, Verdict
+    from stayput.fragility import Capacity, Probability
+    from stayput.verification import (
+        AssemblyOptionVerdict,
+        DeviceSummary,
+        OptionVerdict,
+        PieceVerdict,
+        Verdict,
+    )
     from stayput.verification.contents import ContentsVerdict
 
 SHARES = (0.1, 0.5)
@@ -34,9 +43,11 @@ SHARES = (0.1, 0.5)
 _NO_MEASURE = "No measure"
 """The option without measures in the CSV file, whose values stay what they are."""
 
+DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used")
+"""Keys of the headings of `device_rows`."""
 
-@dataclass(frozen=True, slots=True)
-class RankingRow:
+
+class RankingRow(NamedTuple):
     """One option as it is read: texts in one language.
 
     Parameters
@@ -76,17 +87,33 @@ class RankingRow:
     contents: Probability | None
 
 
-def grades_text(language: str) -> str:
-    """Return the meanings of the grades in a sentence."""
-    colon = word("colon", language)
-    meanings = [f"{grade.value}{colon}{say(meaning, language)}" for grade, meaning in MEANINGS.items()]
-    return word("grade_text", language, meanings=word("listed", language).join(meanings))
+class SeveralRow(NamedTuple):
+    """One option of several pieces as it is read: texts in one language.
 
+    Parameters
+    ----------
+    option : AssemblyOptionVerdict
+        The option.
+    label, brief : str
+        What it consists of, with the names of the pieces and without; a name of the user's own stands for it.
+    shares : tuple of (str, Probability)
+        Each event of any piece of furniture; there is none of a device's failure without devices.
+    pieces : tuple of (str, Probability)
+        Each piece, and how likely it overturns.
+    slide, tilt : tuple of str
+        Median and 90 % quantile of the peaks.
+    reason : str
+        Why it stands where it does.
+    """
 
-def weakest_inputs(result: OptionVerdict, verdict: Verdict, language: str) -> str:
-    """Return the inputs that give an option its grade, as a text."""
-    inputs = weakest(result.option, verdict.scenario)
-    return word("listed", language).join(say(item.label, language) for item in inputs)
+    option: AssemblyOptionVerdict
+    label: str
+    brief: str
+    shares: tuple[tuple[str, Probability | None], ...]
+    pieces: tuple[tuple[str, Probability], ...]
+    slide: tuple[str, str]
+    tilt: tuple[str, str]
+    reason: str
 
 
 def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
@@ -99,42 +126,73 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
     language : str
         "en" or "ja".
     """
-    return [_row(result, verdict, language) for result in verdict.options]
-
-
-def _row(result: OptionVerdict, verdict: Verdict, language: str) -> RankingRow:
-    option = result.option
-    capacities = [result.capacities.get(share) for share in SHARES]
-    return RankingRow(
-        option=result,
-        label=option.label(language),
-        name=option.name if option.own_name else "",
-        shares=tuple(
-            (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
-            for event in EVENTS
-        ),
-        slide=numbers.slides(result.slide, verdict.scenario.room.room(), language),
-        tilt=numbers.angles(result.tilt, language),
-        reason=reason(result, verdict, language),
-        capacities=tuple(
-            (numbers.capacity(c, language), numbers.capacity_interval(c, language)) for c in capacities
-        ),
-        grade=verdict.grade(result).value,
-        weakest=weakest_inputs(result, verdict, language),
-        contents=None if result.contents is None else result.contents.out,
-    )
-
-
-def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
-    """Return label and reason of each option that cannot be put in place."""
+    room = verdict.scenario.room.room()
     return [
-        (title(impossible.option, verdict, language), impossible.why(language))
-        for impossible in verdict.impossible
+        RankingRow(
+            option=result,
+            label=result.option.label(language),
+            name=result.option.name if result.option.own_name else "",
+            shares=_shares(result),
+            slide=numbers.slides(result.slide, room, language),
+            tilt=numbers.angles(result.tilt, language),
+            reason=reason(result, verdict, language),
+            capacities=tuple(
+                (numbers.capacity(reached, language), numbers.capacity_interval(reached, language))
+                for reached in map(result.capacities.get, SHARES)
+            ),
+            grade=verdict.grade(result).value,
+            weakest=weakest_inputs(result, verdict, language),
+            contents=None if result.contents is None else result.contents.out,
+        )
+        for result in verdict.options
     ]
 
 
-DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used")
-"""Keys of the headings of `device_rows`."""
+def several_ranking(verdict: AssemblyVerdict, language: str) -> list[SeveralRow]:
+    """Return the options of several pieces as they are read, the best first."""
+    room = verdict.scenario.surroundings()
+    return [
+        SeveralRow(
+            option=result,
+            label=title_of_several(result, verdict, language),
+            brief=result.option.name
+            if is_own(result, verdict)
+            else say(brief_label(result.option), language),
+            shares=_shares(result),
+            pieces=tuple((piece.name, piece.probabilities[OVERTURNED]) for piece in result.pieces),
+            slide=numbers.slides(result.slide, room, language),
+            tilt=numbers.angles(result.tilt, language),
+            reason=reason_of_several(result, verdict, language),
+        )
+        for result in verdict.options
+    ]
+
+
+def _shares(result: OptionVerdict | AssemblyOptionVerdict) -> tuple[tuple[str, Probability | None], ...]:
+    return tuple(
+        (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
+        for event in EVENTS
+    )
+
+
+def impossible_rows(verdict: Verdict | AssemblyVerdict, language: str) -> list[tuple[str, str]]:
+    """Return label and reason of each option that cannot be put in place."""
+    if isinstance(verdict, AssemblyVerdict):
+        return [(title_of_several(one, verdict, language), one.why(language)) for one in verdict.rejected]
+    return [(title(one.option, verdict, language), one.why(language)) for one in verdict.impossible]
+
+
+def grades_text(language: str) -> str:
+    """Return the meanings of the grades in a sentence."""
+    colon = word("colon", language)
+    meanings = [f"{grade.value}{colon}{say(meaning, language)}" for grade, meaning in MEANINGS.items()]
+    return word("grade_text", language, meanings=word("listed", language).join(meanings))
+
+
+def weakest_inputs(result: OptionVerdict, verdict: Verdict, language: str) -> str:
+    """Return the inputs that give an option its grade, as a text."""
+    inputs = weakest(result.option, verdict.scenario)
+    return word("listed", language).join(say(item.label, language) for item in inputs)
 
 
 def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
@@ -155,12 +213,22 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
     """
     labels = {measure.kind: measure.label for measure in result.option.measures}
     return [
-        device_cells(device, labels.get(device.kind, (device.kind, device.kind)), language)
+        _device(device, labels.get(device.kind, (device.kind, device.kind)), language)
         for device in result.devices
     ]
 
 
-def device_cells(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, ...]:
+def several_device_rows(result: AssemblyOptionVerdict, language: str) -> list[tuple[str, ...]]:
+    """Return what each device and joint holds, and its results, as texts: see `device_rows`."""
+    labels = {JOINT: JOINT_LABEL} | {kind: measure.label for kind, measure in MEASURES.items()}
+    joint = " – " if language == "en" else "と"
+    return [
+        (joint.join(device.pieces), *_device(device.summary, labels[device.summary.kind], language))
+        for device in result.devices
+    ]
+
+
+def _device(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, ...]:
     """Return the results of a device as texts; its name has its place where its measure has several."""
     name, where = say(label, language), device.name.removeprefix(device.kind).strip()
     listed = word("listed", language)
@@ -174,9 +242,11 @@ def device_cells(device: DeviceSummary, label: Phrase, language: str) -> tuple[s
     )
 
 
-def simulations(verdict: Verdict, language: str) -> str:
+def simulations(verdict: Verdict | AssemblyVerdict, language: str) -> str:
     """Return the number of simulations in words, and of the runs that were settled without one."""
     counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
+    if isinstance(verdict, AssemblyVerdict):
+        return say("several.simulations", language, **counts)
     made = word("simulations_text", language, **counts)
     return made + word("settled_text", language, settled=f"{verdict.settled:,}") if verdict.settled else made
 
@@ -186,18 +256,33 @@ def verdict_csv(verdict: Verdict) -> str:
 
     What cannot be put in place comes last, without a rank and a number, and with the reason.
     """
-    text = io.StringIO()
-    records = [_record(result, verdict) for result in verdict.options]
-    for impossible in verdict.impossible:
-        names = {"option": impossible.option.name, "measures": impossible.option.label("en")}
-        records.append({**dict.fromkeys(records[0]), **names, "not_possible": impossible.reason})
-    writer = csv.DictWriter(text, list(records[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(
-        {name: text_cell(cell) if isinstance(cell, str) else cell for name, cell in record.items()}
-        for record in records
+    return _ranking_csv(
+        [_record(result, verdict) for result in verdict.options],
+        [
+            {"option": one.option.name, "measures": one.option.label("en"), "not_possible": one.reason}
+            for one in verdict.impossible
+        ],
     )
-    return text.getvalue()
+
+
+def several_csv(verdict: AssemblyVerdict) -> str:
+    """Return the ranking of several pieces' options as the text of a CSV file; see `verdict_csv`."""
+    return _ranking_csv(
+        [_record_of_several(result, verdict) for result in verdict.options],
+        [
+            {
+                "option": one.option.name,
+                "consists_of": title_of_several(one, verdict, "en"),
+                "not_possible": one.why("en"),
+            }
+            for one in verdict.rejected
+        ],
+    )
+
+
+def _ranking_csv(records: Sequence[Mapping[str, object]], rejected: Sequence[Mapping[str, object]]) -> str:
+    names = list(records[0])
+    return csv_text(names, ([record.get(name) for name in names] for record in (*records, *rejected)), "\n")
 
 
 def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
@@ -207,37 +292,54 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
         "measures": result.option.label("en") if result.option.measures else _NO_MEASURE,
     }
     for event, chance in result.probabilities.items():
-        ends = (("", chance.estimate), ("_low", chance.low), ("_high", chance.high))
-        record |= {f"{event}{end}": number(value) for end, value in ends}
-        record[f"{event}_count"] = chance.fell
-    shares = result.probabilities[EVENTS[0]]
-    record |= {"runs": shares.runs, "missing": shares.missing}
-    for name, quantiles in (("slide_m", result.slide), ("tilt_rad", result.tilt)):
-        record |= {f"peak_{name}_median": number(quantiles.median), f"peak_{name}_p90": number(quantiles.p90)}
+        record |= {**_ends(event, chance), f"{event}_count": chance.fell}
+    shares = result.probabilities[OVERTURNED]
+    record |= {"runs": shares.runs, "missing": shares.missing, **peaks_data(result)}
     for share in SHARES:
         capacity = result.capacities.get(share)
         key = f"{'floor_jma' if verdict.floor else 'jma_intensity'}_{100.0 * share:.0f}_percent"
-        record |= {
-            key: None if capacity is None else number(capacity.estimate),
-            f"{key}_low": None if capacity is None else number(capacity.low),
-            f"{key}_high": None if capacity is None else number(capacity.high),
-            f"{key}_text": None if capacity is None else capacity.text,
-        }
+        record |= {**_ends(key, capacity), f"{key}_text": None if capacity is None else capacity.text}
     if result.contents is not None:
         record |= contents_data(result.contents)
-    record["grade"] = verdict.grade(result).value
-    record["weakest_inputs"] = weakest_inputs(result, verdict, "en")
     installed = result.installed
-    record["overturned_as_installed"] = None if installed is None else number(installed.usual[OVERTURNED])
-    record["not_possible"] = None
-    return record
+    return {
+        **record,
+        "grade": verdict.grade(result).value,
+        "weakest_inputs": weakest_inputs(result, verdict, "en"),
+        "overturned_as_installed": None if installed is None else number(installed.usual[OVERTURNED]),
+        "not_possible": None,
+    }
+
+
+def _record_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> dict[str, object]:
+    record: dict[str, object] = {
+        "rank": result.rank,
+        "option": result.option.name,
+        "consists_of": title_of_several(result, verdict, "en"),
+    }
+    for event, chance in result.probabilities.items():
+        record |= _ends(event, chance)
+    shares = result.probabilities[OVERTURNED]
+    record |= {"runs": shares.runs, "missing": shares.missing}
+    for piece in result.pieces:
+        record[f"overturned: {piece.name}"] = number(piece.probabilities[OVERTURNED].estimate)
+    return {**record, **peaks_data(result), "not_possible": None}
+
+
+def peaks_data(result: OptionVerdict | AssemblyOptionVerdict | PieceVerdict) -> dict[str, float | None]:
+    """Return the quantiles of the peaks as plain values."""
+    return {
+        f"peak_{name}_{quantile}": number(getattr(quantiles, quantile))
+        for name, quantiles in (("slide_m", result.slide), ("tilt_rad", result.tilt))
+        for quantile in ("median", "p90")
+    }
 
 
 def contents_data(contents: ContentsVerdict) -> dict[str, float | None]:
     """Return what comes out of the furniture as plain values, by keys that name their units."""
     leaving = contents.leaving
     return {
-        **_chance("contents_out_share", contents.out),
+        **_ends("contents_out_share", contents.out),
         "contents_runs": contents.rigid.runs,
         "contents_toppled_share": number(contents.toppled),
         "contents_out_mass_kg": number(contents.mass_out),
@@ -245,17 +347,16 @@ def contents_data(contents: ContentsVerdict) -> dict[str, float | None]:
         "contents_leaving_height_m_most": None if leaving is None else number(leaving.highest),
         "contents_leaving_speed_m_s_median": None if leaving is None else number(leaving.speed),
         "contents_leaving_speed_m_s_p90": None if leaving is None else number(leaving.fast),
-        **_chance("overturned_contents_fixed", contents.rigid),
-        **_chance("overturned_without_contents", contents.emptied),
-        **_chance("overturned_drawers_open", contents.opened),
+        **_ends("overturned_contents_fixed", contents.rigid),
+        **_ends("overturned_without_contents", contents.emptied),
+        **_ends("overturned_drawers_open", contents.opened),
     }
 
 
-def _chance(key: str, chance: Probability | None) -> dict[str, float | None]:
-    """Return a probability and its interval as plain values; nothing of one that does not apply."""
-    ends = (None,) * 3 if chance is None else (chance.estimate, chance.low, chance.high)
-    names = (key, f"{key}_low", f"{key}_high")
-    return {name: None if end is None else number(end) for name, end in zip(names, ends, strict=True)}
+def _ends(key: str, value: Probability | Capacity | None) -> dict[str, float | None]:
+    """Return an estimate and its interval as plain values; nothing of one that does not apply."""
+    ends = (None,) * 3 if value is None else map(number, (value.estimate, value.low, value.high))
+    return dict(zip((key, f"{key}_low", f"{key}_high"), ends, strict=True))
 
 
 def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]:
@@ -268,67 +369,53 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
     language : str
         "en" or "ja".
     """
-    estimates = verdict.estimates
-    simulated = numbers.probability(verdict.without.probabilities[OVERTURNED], language)
-    rocking, _ = numbers.angles(verdict.without.tilt, language)
-    slid, _ = numbers.slides(verdict.without.slide, verdict.scenario.room.room(), language)
-    sliding = estimates.sliding
-
+    estimates, bare = verdict.estimates, verdict.without
+    room = verdict.scenario.room.room()
     text = partial(word, language=language)
-    colon = text("colon")
-    beside = f"{text('overturned')}{colon}{simulated}"
+
+    def beside(key: str, value: str) -> str:
+        return f"{text(key)}{text('colon')}{value}"
+
+    overturned = beside("overturned", numbers.probability(bare.probabilities[OVERTURNED], language))
+    rocking = beside("tilt", numbers.angles(bare.tilt, language)[0])
     median = ""
-    if verdict.without.curves:  # the first verdict of the page has none
-        capacity = numbers.capacity(verdict.without.curves[JMA_INTENSITY].capacity(0.5), language)
-        median = f"{text('listed')}{text('capacity_short', share='50')}{colon}{capacity}"
-    return [
+    if bare.curves:  # the first verdict of the page has none
+        capacity = numbers.capacity(bare.curves[JMA_INTENSITY].capacity(0.5), language)
+        median = f"{text('listed')}{text('capacity_short', share='50')}{text('colon')}{capacity}"
+    rows = [
+        ("west", text("west_text", value=f"{estimates.rocking_acceleration:.2f}"), rocking),
         (
-            text("west"),
-            text("west_text", value=f"{estimates.rocking_acceleration:.2f}"),
-            f"{text('tilt')}{colon}{rocking}",
-        ),
-        (
-            text("ishiyama"),
+            "ishiyama",
             text(
                 "ishiyama_text",
                 value=f"{100.0 * estimates.overturning_velocity:.0f}",
                 share=numbers.share(estimates.possible, language),
             ),
-            beside,
+            overturned,
         ),
         (
-            text("kaneko"),
+            "kaneko",
             text("kaneko_text", share=numbers.share(estimates.overturning_ratio, language)),
-            f"{beside}{median}",
-        ),
-        *(
-            (
-                text("equipment", grade=load.grade, position=text(f"position_{load.position}")),
-                text(
-                    "equipment_overturns" if load.overturns else "equipment_stands",
-                    coefficient=f"{load.coefficient:g}",
-                    force=f"{load.force:.0f}",
-                ),
-                beside,
-            )
-            for load in estimates.equipment
-        ),
-        *(
-            (
-                text("ac156", ratio=f"{test.height_ratio:.2f}"),
-                text("ac156_text", value=f"{test.sds:.2f}"),
-                f"{text('tilt')}{colon}{rocking}",
-            )
-            for test in (estimates.shake_table,)
-            if test is not None
-        ),
-        (
-            text("asce43"),
-            text(
-                {0.0: "asce43_still", 1.0: "asce43_all"}.get(sliding.share, "asce43_text"),
-                share=numbers.share(sliding.share, language),
-                distance=length(sliding.distance),
-            ),
-            f"{text('slide')}{colon}{slid}",
+            f"{overturned}{median}",
         ),
     ]
+    shown = [(text(key), says, simulated) for key, says, simulated in rows]
+    for load in estimates.equipment:
+        says = text(
+            "equipment_overturns" if load.overturns else "equipment_stands",
+            coefficient=f"{load.coefficient:g}",
+            force=f"{load.force:.0f}",
+        )
+        name = text("equipment", grade=load.grade, position=text(f"position_{load.position}"))
+        shown.append((name, says, overturned))
+    if (test := estimates.shake_table) is not None:
+        name = text("ac156", ratio=f"{test.height_ratio:.2f}")
+        shown.append((name, text("ac156_text", value=f"{test.sds:.2f}"), rocking))
+    sliding = estimates.sliding
+    says = text(
+        {0.0: "asce43_still", 1.0: "asce43_all"}.get(sliding.share, "asce43_text"),
+        share=numbers.share(sliding.share, language),
+        distance=length(sliding.distance),
+    )
+    slid = beside("slide", numbers.slides(bare.slide, room, language)[0])
+    return [*shown, (text("asce43"), says, slid)]

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import say
-from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper, shapes
-from stayput.measures.element import at_rest
+from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper
 from stayput.measures.wall import WallDevice
-from stayput.model.state import State, standing_corners, wall_faces
+from stayput.model.state import wall_faces
 from stayput.report.verdict import svg
+from stayput.report.verdict.drawing import piece_svg
 from stayput.rooms.step_words import elements_of, held_by
 from stayput.rooms.words import piece_name
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from stayput.measures import Element, Held
-    from stayput.rooms.steps import Fix
+    from stayput.rooms.steps import ActionPlan, Fix
+
 
 UNIT = 1e-4
 """A unit of the drawing on paper [m]: a tenth of a millimetre."""
@@ -28,6 +30,43 @@ MARGIN, ABOVE, BELOW = 75.0, 14.0, 60.0
 
 HEAD = 0.08
 """What is seen above a piece and its devices [m]."""
+
+
+PLAN_SCALES = (25, 40, 50, 75, 100, 150, 200, 300, 500, 1000)
+"""Scales that a plan is drawn to: metres of the room in a metre of paper."""
+
+ELEVATION_SCALES = (20, 25, 30, 40, 50, 75, 100)
+"""The same of the elevations."""
+
+
+class CardSizes(NamedTuple):
+    """Sizes on paper, which suit so many blocks of text.
+
+    Parameters
+    ----------
+    blocks : float
+        Most blocks of text: a step is one, and another way to do it is one more.
+    letters : float
+        Size of the letters [pt].
+    plan : tuple of float
+        Most that the plan takes up, wide and high [m].
+    elevations : tuple of float
+        Most width of an elevation, and most height of all together [m].
+    """
+
+    blocks: float
+    letters: float
+    plan: tuple[float, float]
+    elevations: tuple[float, float]
+
+
+SIZES = (
+    CardSizes(2, 10.0, (0.104, 0.086), (0.075, 0.092)),
+    CardSizes(4, 8.6, (0.090, 0.068), (0.070, 0.092)),
+    CardSizes(6, 7.7, (0.084, 0.062), (0.060, 0.125)),
+    CardSizes(math.inf, 7.2, (0.080, 0.058), (0.060, 0.130)),
+)
+"""Sizes for few blocks, and for more of them."""
 
 
 def elevation_svg(fix: Fix, name: str, scale: int, language: str) -> str:
@@ -45,17 +84,14 @@ def elevation_svg(fix: Fix, name: str, scale: int, language: str) -> str:
         "en" or "ja".
     """
     view = _view(fix, scale)
-    parts = [*view.front(fix), *view.side(), *view.names(language)]
-    label = say("action_plan.elevation_alt", language, piece=say(piece_name(name), language))
-    millimetres = [f"{1e3 * UNIT * size:.1f}mm" for size in (view.width, view.height)]
-    return svg.element(
-        "svg",
-        "".join(parts),
-        viewBox=f"0 0 {view.width:.1f} {view.height:.1f}",
-        class_="elevation",
-        role="img",
-        aria_label=label,
-        style=f"width:{millimetres[0]};height:{millimetres[1]}",
+    wide, high = (1e3 * UNIT * size for size in (view.width, view.height))
+    return svg.drawing(
+        view.width,
+        view.height,
+        [*view.front(fix), *view.side(), *view.names(language)],
+        say("action_plan.elevation_alt", language, piece=say(piece_name(name), language)),
+        "elevation",
+        style=f"width:{wide:.1f}mm;height:{high:.1f}mm",
     )
 
 
@@ -87,11 +123,11 @@ class _View:
         self.held, self.base, self.metre = held, base, metre
         body = held.body
         self.length, self.depth = body.length or body.width, body.width
-        tops = [base + body.height, *(self.base + end for end in _upper_ends(held))]
+        ends = (one.point[1] + (one.to_anchor or (0.0, 0.0))[1] for one in held.elements)  # of belts
         ceiling = held.room.ceiling
         poles = any(isinstance(measure, TensionPole) for measure in held.measures)
         self.ceiling = ceiling.height if poles and ceiling is not None else None
-        self.top = (self.ceiling or max(tops)) + HEAD
+        self.top = (self.ceiling or base + max(body.height, *ends)) + HEAD
         behind, _ = wall_faces(body, held.room) if held.room.left_wall is not None else (-0.5 * self.depth, 0)
         self.wall = behind
         self.front_at = MARGIN + 0.5 * self.metre * self.length
@@ -159,7 +195,7 @@ class _View:
 
     def side(self) -> Iterator[str]:
         """Yield the side, with the wall behind, and the devices as they are."""
-        held, body = self.held, self.held.body
+        held = self.held
         wall = self.side_at + self.metre * self.wall
         right = self.side_at + self.metre * (0.5 * self.depth + 0.1)
         yield svg.line(wall, self.up(0.0), right, self.up(0.0), "face")
@@ -172,16 +208,7 @@ class _View:
         def place(x: float, z: float) -> tuple[float, float]:
             return self.side_at + self.metre * x, self.up(self.base + z)
 
-        a, b, c, d = standing_corners(body, State())
-        yield svg.polygon([place(*corner) for corner in (a, b, d, c)], "piece")
-        x, z = at_rest(body, body.centre_of_gravity)
-        for shape in shapes(held, x, z, body.resting_tilt):
-            points = [place(*point) for point in shape["points"]]
-            if shape["kind"] == "polygon":
-                yield svg.polygon(points, f"shape {shape['role']}")
-            else:
-                across, up = zip(*points, strict=True)
-                yield svg.polyline(across, up, f"shape {shape['role']} open")
+        yield from piece_svg(held, place)
 
     def names(self, language: str) -> Iterator[str]:
         """Yield which view is which."""
@@ -190,7 +217,27 @@ class _View:
         yield svg.label(self.side_at, level, say("action_plan.side", language))
 
 
-def _upper_ends(held: Held) -> Iterator[float]:
-    """Yield how high belts end on the wall, above the base [m]."""
-    for element in held.elements:
-        yield element.point[1] + (element.to_anchor or (0.0, 0.0))[1]
+def sizes_of(plan: ActionPlan) -> CardSizes:
+    """Return the sizes that suit a plan."""
+    blocks = len(plan.steps) + sum(step.instead is not None for step in plan.steps) + len(plan.drilled)
+    return next(sizes for sizes in SIZES if blocks <= sizes.blocks)
+
+
+def plan_scale(metres: Sequence[float], sizes: CardSizes) -> int:
+    """Return the largest scale of a plan that is so wide and so high with its margins [m]."""
+
+    def fits(scale: int) -> bool:
+        return all(size / scale <= most for size, most in zip(metres, sizes.plan, strict=True))
+
+    return next(filter(fits, PLAN_SCALES), PLAN_SCALES[-1])
+
+
+def elevation_scale(fixes: Sequence[Fix], sizes: CardSizes) -> int:
+    """Return the largest scale to which all elevations are drawn."""
+    wide, high = sizes.elevations
+
+    def fits(scale: int) -> bool:
+        drawn = [size_on_paper(fix, scale) for fix in fixes]
+        return all(width <= wide for width, _ in drawn) and sum(height for _, height in drawn) <= high
+
+    return next(filter(fits, ELEVATION_SCALES), ELEVATION_SCALES[-1])

@@ -1,1 +1,0 @@
-"""Reports of verdicts on several pieces: HTML, Markdown, JSON and CSV."""
