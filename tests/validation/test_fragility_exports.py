@@ -41,8 +41,7 @@ from stayput.fragility import (
     write_pelicun,
 )
 from stayput.fragility.curve import CurveState
-from stayput.fragility.nrml import NAMESPACE, lognormal_moments
-from stayput.fragility.pelicun import JMA_OPTION, MMI_OPTION, pelicun_csv
+from stayput.fragility.exports import NAMESPACE, lognormal_moments, pelicun_csv
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -162,7 +161,7 @@ def test_spectral_accelerations_and_mercalli_intensities(tmp_path: Path) -> None
         sa, mmi = csv.DictReader(file)
     assert (sa["Demand-Type"], sa["Demand-Unit"]) == ("Spectral Acceleration|0.3", "g")
     assert float(sa["LS1-Theta_0"]) == pytest.approx(0.8, rel=1e-3)
-    assert (mmi["Demand-Type"], mmi["LS1-Family"]) == (next(iter(MMI_OPTION)), "normal_std")
+    assert (mmi["Demand-Type"], mmi["LS1-Family"]) == ("Modified Mercalli Intensity", "normal_std")
 
 
 def test_curve_that_no_lognormal_fits_is_written_by_its_levels(tmp_path: Path) -> None:
@@ -322,7 +321,8 @@ def test_pelicun_reads_and_computes(table: Path) -> None:
     import pandas as pd
     from pelicun import file_io  # pyright: ignore[reportMissingImports]
 
-    ours = assessment.Assessment({"PrintLog": False, "Seed": 1, "CustomDemandTypes": JMA_OPTION})
+    own = {"JMA Instrumental Intensity": {"Acronym": "JMA", "UnitType": "unitless"}}
+    ours = assessment.Assessment({"PrintLog": False, "Seed": 1, "CustomDemandTypes": own})
     demands = pd.DataFrame(
         list(DEMANDS.values()),
         columns=["Family", "Theta_0", "Theta_1", "Units"],
