@@ -16,10 +16,10 @@ import stayput as sp
 from stayput.fragility import JMA_INTENSITY, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.cells import number_of, plain
-from stayput.inventory.places import ShakeMap, distances, steps_of
+from stayput.inventory.folder import Workspace
 from stayput.inventory.plan import make_plan
 from stayput.inventory.scenarios import read_scenarios
-from stayput.inventory.workspace import Workspace
+from stayput.inventory.shakemap import ShakeMap, distances, steps_of
 from stayput.montecarlo.hazard import level_of
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))

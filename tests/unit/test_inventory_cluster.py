@@ -7,7 +7,7 @@ from clusters import killed_when, two_processes, workers
 from inventories import city, digests, pieces, table
 
 from stayput.inventory import assess
-from stayput.inventory.records import OutcomeStore
+from stayput.inventory.store import OutcomeStore
 
 pytest.importorskip("dask.distributed", reason="Dask is not installed")
 pytestmark = pytest.mark.processes

@@ -14,13 +14,13 @@ from stayput.catalogue import TEXTS
 from stayput.inventory import assess
 from stayput.inventory.cells import number_of
 from stayput.inventory.columns import COLUMNS, header_name, plain_name
+from stayput.inventory.folder import Workspace
 from stayput.inventory.header import header_of
 from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import ROWS_LOOKED_AT, make_plan
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.store import Store, piece_of
 from stayput.inventory.words import narrow_told
-from stayput.inventory.workspace import Workspace
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.vocabulary import WORDS
@@ -116,7 +116,7 @@ def test_an_amount_with_its_sign_goes_with_decimal_commas(tmp_path):
     text = "id;preset;value\n" + "".join(f"{n};chest;{amount}\n" for n, amount in enumerate(amounts))
     rows, rejects, *_ = read(tmp_path, text)
     assert [row["value"] for row in rows] == [1200.5, 1200.5, 12.5, 45.0]
-    assert ["of which the mark may be" in row["reason"] for row in rejects] == [True, True, False]
+    assert ["whose mark may be" in row["reason"] for row in rejects] == [True, True, False]
     assert "value is '$2,000'" in rejects[0]["reason"]
 
 
@@ -259,7 +259,7 @@ def test_a_point_that_may_be_one_of_thousands_is_never_one_of_decimals(tmp_path,
     if mark == ";" and "1.800" in cells:  # where commas are decimal, the point in mm is one of thousands
         assert sizes(bodies[0])[1] == 1.8
     else:
-        assert "may be that of decimals or of thousands" in rejects[0]["reason"]
+        assert "may be of decimals or of thousands" in rejects[0]["reason"]
         assert not bodies
 
 
@@ -384,9 +384,9 @@ def test_a_mapping_says_which_column_is_which(tmp_path, ending):
         ("width=", "must be such as width="),
         ("breadth=奥行", "must be one of"),
         ("width=深さ", "the table has no such column; it has 'id'"),
-        ("width=奥行[?]", "in '[?]'; its unit must be one of mm, cm, m, in, ft"),
-        ("width=奥行[kg]", "its unit must be one of mm"),
-        ("height=高さ(cm)[mm]", "states another unit"),
+        ("width=奥行[?]", "the unit must be one of mm, cm, m, in, ft"),
+        ("width=奥行[kg]", "the unit must be one of mm"),
+        ("height=高さ(cm)[mm]", "the unit must be one of cm"),
         ("width=奥行[mm],height=奥行[mm]", "for two columns"),
         ("width=奥行[mm],width=高さ", "there twice"),
         ({"width": 3}, "must be such as width="),

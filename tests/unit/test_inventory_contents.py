@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.cli.assess import assess as command
 from stayput.inventory import assess
-from stayput.inventory.contents import contents_of
+from stayput.inventory.items import contents_of
 from stayput.inventory.store import piece_of, piece_spec
 from stayput.scenario import Scenario
 from stayput.verification import verify
@@ -113,7 +113,7 @@ def test_without_contents_nothing_is_said_of_them(tmp_path):
 
 def test_neither_threads_nor_tasks_change_a_bit(small, tmp_path, monkeypatch):
     monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.001)
-    monkeypatch.setattr("stayput.inventory.units.BLOCK", 6)
+    monkeypatch.setattr("stayput.inventory.work.BLOCK", 6)
     assess(table(tmp_path, ROWS, HEADER), city(tmp_path), tmp_path / "out", threads=3, progress=False)
     assert digests(tmp_path / "out") == digests(small.folder)
 

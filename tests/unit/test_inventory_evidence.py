@@ -17,12 +17,12 @@ from typer.testing import CliRunner
 from stayput.cli.assess import assess as command
 from stayput.fragility import difference
 from stayput.inventory import assess
-from stayput.inventory.records import record_type
 from stayput.inventory.report import UNTOLD
 from stayput.inventory.results import Finding, choose, finding_of, least_motions, numbers_of
+from stayput.inventory.store import record_type
 from stayput.inventory.summary import READ, Total
-from stayput.inventory.units import fill_record
 from stayput.inventory.words import findings_told, printed
+from stayput.inventory.work import fill_record
 from stayput.montecarlo.counting import EVENTS, Outcomes
 
 
@@ -252,6 +252,6 @@ def test_what_a_measure_helps_against_is_counted():
     total.add(row | {"finding": "not_helped", "best_lessens": None})
     english, japanese = (findings_told(total, language) for language in ("en", "ja"))
     assert "helps 4 pieces by more than chance (2 against overturning; 2 against sliding too far)" in english
-    assert "For 2 pieces a measure does better in these runs (2 against hitting a wall), which may" in english
+    assert "For 2 pieces a measure does better (2 against hitting a wall), which may" in english
     assert "4点には、偶然の差を超えて効果のある対策があります（転倒の防止2点、移動の抑制2点）" in japanese
     assert "対策がありますが（壁への衝突の防止2点）、計算数が少なく" in japanese

@@ -148,7 +148,7 @@ def test_headings_below_a_title_are_named_with_their_row(tmp_path, name):
     columns = "width=奥行[mm]" if "given" in name else None
     error = refusal(tmp_path, BELOW[name], columns)
     assert "headings seem to stand in row 4" in str(error)
-    assert "remove the rows above" in str(error)
+    assert "the rows above them must be removed" in str(error)
     assert "見出しが4行目" in error.told("ja")
     assert "その上の行を削除" in error.told("ja")
 

@@ -12,7 +12,7 @@ import stayput as sp
 from stayput.fragility import spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.scenarios import read_scenarios
-from stayput.inventory.shakemaps import read_shakemap
+from stayput.inventory.shakemap_files import read_shakemap
 from stayput.montecarlo.hazard import factors_to_level_zero
 
 GRID = ["35,135,5", "35,136,6", "36,135,6", "36,136,7"]

@@ -9,13 +9,13 @@ import pytest
 from inventories import city, rows_of_results, table
 
 from stayput.inventory import assess
+from stayput.inventory.cells import ROOF, storey_called
+from stayput.inventory.folder import Workspace
 from stayput.inventory.plan import make_plan
 from stayput.inventory.report import storey_map
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.store import Store, ground_of
 from stayput.inventory.summary import Total
-from stayput.inventory.vocabulary import ROOF, storey_called
-from stayput.inventory.workspace import Workspace
 
 WRITTEN = {
     3: ("3", "3F", "3 F", "3階", "三階", "3.0", "3fl"),

@@ -15,11 +15,11 @@ from inventories import HEADER, city, table
 
 import stayput as sp
 from stayput.inventory import assess
+from stayput.inventory.folder import Workspace
 from stayput.inventory.header import header_of
 from stayput.inventory.plan import make_plan
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.tables import open_table
-from stayput.inventory.workspace import Workspace
 
 GOOD = "good,chest,,,,,,,,,,,"
 
@@ -57,10 +57,10 @@ REJECTED = {
     "no such building": (row(id="x", preset="chest", building="tower", storey="1"), "building is 'tower'"),
     "no such structure": (row(id="x", preset="chest", building="5 straw", storey="1"), "straw"),
     "storeys": (row(id="x", preset="chest", building="0 RC", storey="1"), "building.storeys is 0"),
-    "storey above the roof": (row(id="x", preset="chest", building="office", storey="9"), "storey is 9; it must be between 1 and 5"),
+    "storey above the roof": (row(id="x", preset="chest", building="office", storey="9"), "storey is 9; it must be 1 to 5"),
     "half a storey": (row(id="x", preset="chest", building="office", storey="1.5"), "whole number"),
     "no storey of a name": (row(id="x", preset="chest", building="office", storey="PH1"), "storey is 'PH1'; it must be a number, 1 on the ground, or such as 3F, M2F, B1 or RF"),
-    "storey of nought": (row(id="x", preset="chest", building="office", storey="0"), "storey is 0; it must be between 1 and 5, the roof, or a basement from B1 to B9"),
+    "storey of nought": (row(id="x", preset="chest", building="office", storey="0"), "storey is 0; it must be 1 to 5, the roof, or a basement from B1 to B9"),
     "decimal comma between commas": (row(id="x", width='"0,4"', height="1", mass="1"), "a comma is a decimal one where semicolons stand between the columns"),
     "no storey": (row(id="x", preset="chest", building="office"), "storey is missing"),
     "no building": (row(id="x", preset="chest", storey="2"), "building is missing"),
@@ -103,7 +103,7 @@ REFUSED = {
     "merged header": ("Piece,,,Place,\nid,preset,width,building,storey\n", "seem to stand in row 2"),
     "no header": ("p1,chest\n", "No heading of the first row is known"),
     "bars": ("id|preset\np|chest\n", "semicolons or tabs must be between"),
-    "unit that is none of a size": ("id,preset,Mass (cm)\np,chest,40\n", "a unit that is unknown for it"),
+    "unit that is none of a size": ("id,preset,Mass (cm)\np,chest,40\n", "no unit that is known for it"),
     "endless cell": ("id,preset\np," + "c" * (2**24 + 1) + "\n", "goes beyond 16,777,216 characters"),
     "misspelt": ("id,presett\np,chest\n", "did you mean 'preset'"),
     "column twice": ("id,preset,preset\np,chest,chest\n", "there twice"),

@@ -116,14 +116,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{measure}{level}で転倒した割合は{probability}です。ほかの強さでは計算していません。{intervals}",
     ),
     "curve_abrupt": (
-        (
-            "All stand up to a level and all fall from the next on, so there is no curve: "
-            "half fall at {measure} {half}.{intervals}"
-        ),
-        (
-            "ある強さまではすべて転倒せず、次の強さからはすべて転倒するため、曲線はありません。"
-            "半数が転倒する{measure}は{half}です。{intervals}"
-        ),
+        "All stand up to a level and all fall from the next on: half fall at {measure} {half}.{intervals}",
+        "ある強さまではすべて転倒せず、次の強さからはすべて転倒します。半数が転倒する{measure}は{half}です。{intervals}",
     ),
     "curve_no_trend": (
         "The share of falls does not grow with {measure} in {runs}, so there is no curve.{intervals}",

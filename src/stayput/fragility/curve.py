@@ -245,8 +245,10 @@ class FragilityCurve(InJson):
         if math.isfinite(u):
             # straight lines of the share and of its band's Φ⁻¹ part by a little; the estimate stays inside
             estimate, low, high = u, min(low, u), max(high, u)
-        ends = (float(self.measure.value(end)) for end in (estimate, above, below, low, high))
-        return Capacity(self.measure, share, *ends, self.one_motion)
+        estimate, above, below, low, high = (
+            float(self.measure.value(end)) for end in (estimate, above, below, low, high)
+        )
+        return Capacity(self.measure, share, estimate, above, below, low, high, self.one_motion)
 
     @property
     def texts(self) -> Phrase:

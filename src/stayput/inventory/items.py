@@ -2,31 +2,33 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from cachetools import LRUCache
 from pydantic import ValidationError
 
 from stayput.catalogue import phrase
+from stayput.contents import Contents
+from stayput.contents.weight import emptied
 from stayput.errors import InputError, unknown, visible, within
 from stayput.inventory.cells import (
+    ROOF,
     Unusable,
     number_of,
     number_or_none,
     numbers_of,
     plain,
+    refusal,
     shown,
     text_of,
     whole_of,
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
-from stayput.inventory.contents import OF_THE_CONTENTS, contents_of
 from stayput.inventory.scenarios import stated_building
 from stayput.inventory.store import ground_spec, measures_spec, piece_spec
-from stayput.inventory.vocabulary import ROOF
 from stayput.measures import MEASURES, hold
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import WALLS, Floor, Wall
@@ -39,8 +41,8 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell
-    from stayput.inventory.places import GroundLevel
     from stayput.inventory.scenarios import Scenarios
+    from stayput.inventory.shakemap import GroundLevel
     from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
@@ -60,7 +62,10 @@ OF_THE_ROOM = ("floor", "gap", "wall", "measures")
 SIZES = {"width": (0.01, 10.0, "m"), "height": (0.01, 10.0, "m"), "mass": (0.1, 50_000.0, "kg")}
 """What a piece of an inventory may have; beyond, its numbers are in another unit than is stated."""
 
-NO_MEASURE = "none"
+OF_THE_CONTENTS = ("contents", "doors", "drawers", "lip", "load")
+
+NO_MEASURE = NOTHING = "none"
+"""What a row says of a piece without a measure, or with nothing inside where the scenario has contents."""
 
 LONGEST_NAME = 100
 """Letters of what a piece is called that are kept."""
@@ -136,24 +141,17 @@ class Item:
     exposures: tuple[Exposure, ...]
 
 
-class ResultCache:
-    """Cache of results, refusals among them, of which the oldest are dropped."""
+class ResultCache(LRUCache["Hashable", Any]):
+    """Cache of results, refusals among them."""
 
-    def __init__(self, most: int = MOST_CACHED) -> None:
-        self.most = most
-        self.results: OrderedDict[Hashable, Any] = OrderedDict()
-
-    def get(self, key: Hashable, make: Callable[[], Any]) -> Any:
+    def result(self, key: Hashable, make: Callable[[], Any]) -> Any:
         """Return the result for a key, or raise the refusal: a copy, since each raise adds to a traceback."""
-        if key not in self.results:
+        if key not in self:
             try:
-                self.results[key] = make()
+                self[key] = make()
             except InputError as error:
-                self.results[key] = error.with_traceback(None)
-            if len(self.results) > self.most:
-                self.results.popitem(last=False)
-        value = self.results[key]
-        if isinstance(value, InputError):
+                self[key] = error.with_traceback(None)
+        if isinstance(value := self[key], InputError):
             raise copy(value)
         return value
 
@@ -174,7 +172,7 @@ class RowReader:
 
     def __init__(self, scenarios: Scenarios) -> None:
         self.scenarios = scenarios
-        self.bodies, self.rooms, self.buildings, self.grounds = (ResultCache() for _ in range(4))
+        self.bodies, self.rooms, self.buildings, self.grounds = (ResultCache(MOST_CACHED) for _ in range(4))
         self.roofs: dict[str, int] = {}
 
     def item(self, row: int, cells: Mapping[str, Cell]) -> Item:
@@ -189,7 +187,7 @@ class RowReader:
         for name in ("id", "name"):
             called = cells.get(name)
             if isinstance(called, str) and TOTAL_ROW.fullmatch(plain_name(called)):
-                raise InputError("inventory.total_row", name, name=name, value=shown(called))
+                raise refusal("total_row", name, value=shown(called))
         count = whole_of("count", cells.get("count"), 1, 1_000_000)
         value = number_of("value", cells.get("value"))
         if value is not None:
@@ -197,11 +195,11 @@ class RowReader:
         lat, lon = number_of("lat", cells.get("lat"), "°"), number_of("lon", cells.get("lon"), "°")
         if (lat is None) != (lon is None):
             name = "lat" if lat is None else "lon"
-            raise InputError("inventory.lat_and_lon", name, name=name)
+            raise refusal("lat_and_lon", name)
         if lat is not None and lon is not None:
             within("lat", lat, -90.0, 90.0, "°", "lat")
             within("lon", lon, -180.0, 360.0, "°", "lon")
-        body = self.bodies.get(_values(cells, OF_THE_BODY), partial(body_of, cells))
+        body = self.bodies.result(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
@@ -212,7 +210,7 @@ class RowReader:
                     "inventory.costs_count", "costs", costs=len(costs), measures=len(options) - 1
                 )
             place = station, level, None if building is None else label
-            ground = self.grounds.get(place, partial(ground_spec, station, level, building))
+            ground = self.grounds.result(place, partial(ground_spec, station, level, building))
             possible = [n for n, option in enumerate(options) if option.name not in not_possible]
             exposures.append(
                 Exposure(
@@ -254,7 +252,7 @@ class RowReader:
             contents = contents_of(cells, body, scenario)
             return piece_spec(body, room, contents), options, not_possible
 
-        return self.rooms.get((station, body, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))), make)
+        return self.rooms.result((station, body, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))), make)
 
     def _building(
         self, cells: Mapping[str, Cell], station: int
@@ -264,15 +262,15 @@ class RowReader:
         shaking, cell = self.scenarios.all[station].scenario.shaking, cells.get("storey")
         building = shaking.building
         if stated is not None:
-            building = self.buildings.get(stated, lambda: self._named(stated))
+            building = self.buildings.result(stated, lambda: self._named(stated))
         if building is None:
             if plain("storey", cell) is not None:
-                raise InputError("inventory.building_missing", "building", name="building")
+                raise refusal("building_missing", "building")
             return None, None, 1
         highest, name = building.highest(), stated or building.building().name
         storey = storey_of(cell, highest) or (shaking.storey if stated is None else None)
         if storey is None:
-            raise InputError("inventory.storey_missing", "storey", name="storey")
+            raise refusal("storey_missing", "storey")
         if storey == highest:
             self.roofs[name] = storey
         return name, building if storey > 0 else None, storey
@@ -284,9 +282,7 @@ class RowReader:
             known = phrase("inventory.one_that_is_named")
             if named:
                 known = phrase("inventory.one_of_the_scenario", names=", ".join(named))
-            raise InputError(
-                "inventory.unknown_building", "building", name="building", value=shown(name), known=known
-            )
+            raise refusal("unknown_building", "building", value=shown(name), known=known)
         return building
 
 
@@ -372,7 +368,7 @@ def _floor(value: str | float, default: Floor) -> Floor:
         return Floor.of(value, **losses)
     pair = numbers_of("floor", value)
     if len(pair) != 2:
-        raise InputError("inventory.floor", "floor", name="floor", value=shown(value))
+        raise refusal("floor", "floor", value=shown(value))
     return Floor(*pair, **losses)
 
 
@@ -387,12 +383,10 @@ def storey_of(cell: Cell, highest: int) -> int | None:
     if cell == ROOF:
         return highest
     if isinstance(cell, str) and cell.strip() and number_or_none(cell) is None:
-        raise InputError("inventory.storey", "storey", name="storey", value=shown(cell))
+        raise refusal("storey", "storey", value=shown(cell))
     storey = whole_of("storey", cell, -1_000_000, 1_000_000)
     if storey is not None and not (1 <= storey <= highest or -DEEPEST <= storey <= -1):
-        raise InputError(
-            "inventory.storey_range", "storey", name="storey", storey=storey, highest=highest, deepest=DEEPEST
-        )
+        raise refusal("storey_range", "storey", storey=storey, highest=highest, deepest=DEEPEST)
     return storey
 
 
@@ -415,17 +409,62 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSe
         for name in names:
             if name not in named and name not in MEASURES:
                 known = ", ".join(dict.fromkeys((*named, *MEASURES)))
-                raise InputError(
-                    "inventory.unknown_measure", "measures", name="measures", value=shown(name), known=known
-                )
+                raise refusal("unknown_measure", "measures", value=shown(name), known=known)
             measures += named[name] if name in named else (MEASURES[name](),)
         sets.append(MeasureSet.of("+".join(names), measures))
     if len(sets) > MOST_OPTIONS + 1:
-        raise InputError(
-            "inventory.too_many_sets", "measures", name="measures", count=len(sets) - 1, most=MOST_OPTIONS
-        )
+        raise refusal("too_many_sets", "measures", count=len(sets) - 1, most=MOST_OPTIONS)
     names = [option.name for option in sets]
     if len(set(names)) < len(names):
         twice = next(name for name in names if names.count(name) > 1)
-        raise InputError("inventory.measure_twice", "measures", name="measures", value=shown(twice))
+        raise refusal("measure_twice", "measures", value=shown(twice))
     return tuple(sets)
+
+
+def contents_of(cells: Mapping[str, Cell], body: Body, scenario: Scenario) -> Contents | None:
+    """Return what is in a row's piece: the scenario's contents, with what the row says; None for nothing.
+
+    A load shelf by shelf is that of the contents; one that is spread evenly is their share of the mass.
+
+    Parameters
+    ----------
+    cells : mapping
+        The row.
+    body : Body
+        The piece with its load.
+    scenario : Scenario
+        Where the piece stands.
+
+    Raises
+    ------
+    InputError
+        No such contents, doors or drawers; doors, drawers or a lip without contents; contents that are too
+        heavy for the piece.
+    """
+    kind = text_of("contents", cells.get("contents"))
+    words = {name: text_of(name, cells.get(name)) for name in ("doors", "drawers")}
+    stated: dict[str, Any] = {**words, "lip": number_of("lip", cells.get("lip"), "m")}
+    stated = {name: value for name, value in stated.items() if value is not None}
+    table = scenario.contents_table
+    if kind == NOTHING or (kind is None and table is None and not stated):
+        return None
+    if kind is None and table is None:
+        name = next(iter(stated))
+        raise InputError("inventory.contents_missing", "contents", name=name)
+    given: dict[str, Any] = {} if table is None else table.model_dump(exclude_unset=True)
+    given |= stated if kind is None else {"kind": kind, **stated}
+    loads = numbers_of("load", cells.get("load"), "kg")
+    if len(loads) == 1:
+        given |= {"loads": None, "mass_share": loads[0] / body.mass}
+    elif loads:  # they say how many shelves there are, and what is on all of them
+        given = {name: value for name, value in given.items() if name not in ("shelves", "mass_share")}
+        given["loads"] = loads
+    elif given.get("loads"):
+        given["loads"] = tuple(given["loads"])
+    try:
+        contents = Contents(**given)
+    except InputError as error:
+        columns = {"kind": "contents", "loads": "load"}
+        raise error.about(columns.get(error.field or "", error.field)) from None
+    emptied(body, contents)  # refuses what is too heavy
+    return contents

@@ -28,9 +28,11 @@ from stayput.inventory.words import (
     narrow_told,
     pieces_counted,
     reason_told,
+    rows_counted,
     rows_told,
     share_of,
     share_told,
+    tell,
 )
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.names import given_name
@@ -57,10 +59,6 @@ RAMP = ("#f7fbff", "#fdd49e", "#fc8d59", "#d7301f", "#7f0000")
 
 UNTOLD = "#c8ccd0"
 """Colour where the runs are too few to tell."""
-
-
-def _words(key: str, language: str, **values: object) -> str:
-    return say(f"inventory_report.{key}", language, **values)
 
 
 def colour(share: float) -> str:
@@ -119,7 +117,7 @@ def storey_map(
             total = totals.get((building, storey))
             if total is not None:
                 floor = _floor(storey, language, roofs.get(building) == storey)
-                where = _words("place", language, building=called[building], floor=floor)
+                where = tell("place", language, building=called[building], floor=floor)
                 parts.append(_map_cell(LEFT + CELL * i, y, total, best, where, language))
     y = TOP + ROW * len(storeys) + 12.0
     for i, building in enumerate(buildings):
@@ -175,8 +173,8 @@ def _floor(storey: int, language: str, roof: bool) -> str:
     if roof:
         return say("motion.roof", language)
     if not storey:
-        return _words("on_ground", language)
-    return _words("floor" if storey > 0 else "basement", language, storey=abs(storey))
+        return tell("on_ground", language)
+    return tell("floor" if storey > 0 else "basement", language, storey=abs(storey))
 
 
 def _map_cell(x: float, y: float, total: Total, best: bool, where: str, language: str) -> str:
@@ -185,7 +183,7 @@ def _map_cell(x: float, y: float, total: Total, best: bool, where: str, language
     fill = "#ffffff" if math.isnan(share) else UNTOLD if untold else colour(share)
     text_shown = "?" if math.isnan(share) else f"{percent(share)}?" if untold else percent(share)
     shown = "?" if math.isnan(share) else share_of(total, which, language)
-    told = _words("cell", language, place=where, share=shown, pieces=pieces_counted(total.pieces))
+    told = tell("cell", language, place=where, share=shown, pieces=pieces_counted(total.pieces))
     title = element("title", Markup.escape(told))
     box = element("rect", title, x=x, y=y, width=CELL - 2.0, height=ROW - 2.0, fill=fill, class_="cell")
     text = element(
@@ -221,8 +219,8 @@ def report_html(
     """
     maps = [_map(event, summary, facts["roofs"], language) for event in summary.events]
     contents = any(row["contents_out_share"] is not None for row in summary.worst)
-    rows = counted_phrase(facts["rows"] - facts["empty rows"], "row", "行")
-    head = framed(language, "inventory_report", _words("title", language), ["inventory/inventory.css"])
+    rows = rows_counted(facts["rows"] - facts["empty rows"])
+    head = framed(language, "inventory_report", tell("title", language), ["inventory/inventory.css"])
     page = {
         **head,
         "maps": maps,
@@ -240,13 +238,13 @@ def report_html(
             }
             for found in facts["rejects alike"]
         ],
-        "rejects_counted": _words("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
+        "rejects_counted": tell("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
         "done": done(facts, manifest, contents, language),
         "ramp": [
             (share_told(share, language), colour(share), _ink(colour(share)))
             for share in (0.0, 0.25, 0.5, 0.75, 1.0)
         ]
-        + [(_words(Finding.TOO_FEW_RUNS, language), UNTOLD, _ink(UNTOLD))],
+        + [(tell(Finding.TOO_FEW_RUNS, language), UNTOLD, _ink(UNTOLD))],
     }
     return rendered("inventory/inventory.html", page)
 
@@ -257,12 +255,12 @@ def _map(event: str, summary: Summary, roofs: Mapping[str, int], language: str) 
     left_out = buildings - MOST_BUILDINGS
     more = counted_phrase(left_out, "more building", "棟")
     verb = ("is" if left_out == 1 else "are", "")
-    names = {best: _words("map_best" if best else "map_without", language) for best in (False, True)}
+    names = {best: tell("map_best" if best else "map_without", language) for best in (False, True)}
     return {
         "event": event,
         "expected": expected(total, language),
         "more": further(total, language),
-        "left_out": _words("left_out", language, buildings=more, verb=verb) if left_out > 0 else "",
+        "left_out": tell("left_out", language, buildings=more, verb=verb) if left_out > 0 else "",
         "without": Markup(storey_map(totals, False, f"{event}: {names[False]}", language, roofs)),
         "best": Markup(storey_map(totals, True, f"{event}: {names[True]}", language, roofs)),
     }
@@ -273,18 +271,20 @@ def _piece(row: Mapping[str, Any], roofs: Mapping[str, int], language: str) -> d
     helped, best = row["best"] != NO_MEASURE, measures_named(row["best"], language)
     by_cost, storey, lessens = row["best_by_cost"], row["storey"], row["best_lessens"]
     if lessens not in (None, OVERTURNED):  # which the columns beside it do not show
-        best = _words("best_against", language, measure=best, against=against_event(lessens))
+        best = tell("best_against", language, measure=best, against=against_event(lessens))
     return {
         **{key: row[key] for key in ("row", "event", "count")},
         "piece": _called(row),
         "building": given_name(row["building"] or "", language),
         "storey": _floor(storey, language, roofs.get(row["building"]) == storey) if storey else "",
-        "overturned": interval_told(row, "overturned", language),
+        "overturned": interval_told(lambda end: row[f"overturned{end}"], language),
         "out": share_told(row["contents_out_share"], language),
-        "best": best if row["finding"] == Finding.HELPED else _words(row["finding"], language, measure=best),
-        "best_overturned": interval_told(row, "best_overturned", language) if helped else "",
+        "best": best if row["finding"] == Finding.HELPED else tell(row["finding"], language, measure=best),
+        "best_overturned": interval_told(lambda end: row[f"best_overturned{end}"], language)
+        if helped
+        else "",
         "best_out": share_told(row["best_contents_out_share"], language) if helped else "",
-        "best_by_cost": _words("not_worth", language)
+        "best_by_cost": tell("not_worth", language)
         if by_cost == NO_MEASURE
         else measures_named(by_cost or "", language),
         "loss": amount(row["expected_loss"]),

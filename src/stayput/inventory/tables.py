@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any, TextIO, cast
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, reason_of
-from stayput.extras import absent
-from stayput.inventory.arrow import arrow, parquet
+from stayput.extras import absent, arrow
 from stayput.inventory.cells import Unusable
 
 if TYPE_CHECKING:
@@ -122,7 +121,7 @@ def _readable(path: Path) -> Generator[None]:
         raise
     except OSError as error:
         reason = reason_of(error)
-        file = phrase("inventory.the_inventory")
+        file = phrase("inventory.input_inventory")
         raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
     except Exception as error:  # of a broken file libraries say this or that
         reason = _one_line(str(error))
@@ -229,11 +228,9 @@ def _csv_rows(reader: Any) -> Iterator[TableRow]:
 
 @contextmanager
 def _parquet(path: Path) -> Generator[OpenTable]:
-    pa, pq = arrow(), parquet()
-
     try:
-        file: Any = pq.ParquetFile(path)
-    except pa.ArrowInvalid:
+        file: Any = arrow("parquet").ParquetFile(path)
+    except arrow().ArrowInvalid:
         raise InputError("inventory.not_parquet", "inventory", path=repr(str(path))) from None
     with file:
         names = cast("list[Cell]", list(file.schema_arrow.names))
