@@ -99,23 +99,14 @@ def test_sa_between_places_is_taken_in_its_logarithm(tmp_path):
     assert 10.0 ** found.at(35.0, 135.5).level == pytest.approx(0.2, rel=0.03)
 
 
-def test_rows_say_no_sa_without_such_a_map(tmp_path):
-    done = assess(table(tmp_path, ["p,chest"], "id,preset"), city(tmp_path), tmp_path / "out", progress=False)
-    (row,) = rows_of_results(done)
-    assert row["sa"] is None
-
-
 @pytest.mark.parametrize(
     "header",
     [
         "lat,lon",
         "lat,lon,pga",
-        "lat,lon,sa",
         "lat,lon,sa(0.3)",
-        "lat,lon,sa_0.3_g",
         "lat,lon,sa_-1",
         "lat,intensity,sa_0.3",
-        "lat,lon,intensity,sa_0.3",
         "lat,lon,sa_0.3,sa_1.0",
         "lat,lon,lon,sa_0.3",
         "",

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import bz2
 import gzip
-import lzma
 import math
 import os
 import re
@@ -12,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from inventories import city, digests, rows_of_results, table
+from inventories import city, rows_of_results, table
 
 import stayput as sp
 from stayput.fragility import PGA, PGV, spectral_acceleration
@@ -98,14 +96,6 @@ def test_uncertainty_is_the_scatter_of_the_level(tmp_path, field, scatter):
     assert found.at(35.0, 135.0).scatter == pytest.approx(scatter, abs=0.005)
 
 
-def test_a_place_without_a_value_is_refused(tmp_path):
-    rows = [*ROWS[:3], (136, 35, "nan", "nan", "nan", "nan")]
-    found = read_shakemap(grid(tmp_path, rows))
-    assert found.at(36.0, 135.0).scatter == 0.0
-    with pytest.raises(sp.InputError, match="shake map has no value"):
-        found.at(35.2, 135.8)
-
-
 def test_a_place_without_a_deviation_is_refused_and_not_taken_as_certain(tmp_path):
     rows = [
         (lon, lat, *(("nan",) * 3 if (lon, lat) == (136, 35) else (0.5, 0.6, 0.7))) for lon, lat, *_ in ROWS
@@ -158,12 +148,6 @@ def test_an_uncertainty_that_says_nothing_or_something_else_is_refused(tmp_path,
         read_shakemap(grid(tmp_path, ROWS), name[3:], deviations)
 
 
-@pytest.mark.parametrize("row", ["35,135,4_0", "3_5,135,40"])
-def test_a_number_of_a_csv_has_no_underscore(tmp_path, row):
-    with pytest.raises(sp.InputError, match="row 2"):
-        read_shakemap(table(tmp_path, [row], "lat,lon,pgv[cm/s]", "map.csv"))
-
-
 BOMB = '<!DOCTYPE x [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>\n'
 OUTSIDE = '<!DOCTYPE x [<!ENTITY a SYSTEM "file:///etc/passwd">]>\n'
 
@@ -172,14 +156,10 @@ HOSTILE = {
     "entities that grow": ({"head": BOMB}, "document type"),
     "another file": ({"head": OUTSIDE}, "document type"),
     "a huge grid": ({"size": (100_000, 100_000)}, "10,000,000 at most"),
-    "a line": ({"size": (1, 4)}, "2 by 2 at least"),
-    "too few numbers": ({"size": (3, 3)}, "it has 24 numbers; it must have 54"),
     "too many numbers": ({"rows": [*ROWS, ROWS[0]]}, "it has 30 numbers; it must have 24"),
-    "words": ({"rows": [*ROWS[:3], (136, 35, "x", 1, 1, 1)]}, "must hold numbers alone"),
     "an underscore": ({"rows": [*ROWS[:3], (136, 35, "8_0", 1, 1, 1)]}, "must hold numbers alone"),
     "no places": ({"rows": [row[2:] for row in ROWS], "fields": dict.fromkeys(("PGA", "PGV", "MMI", "X"), "")}, "LON and LAT"),
     "no grid": ({"rows": [ROWS[0], ROWS[1], (135.5, 35, 1, 1, 1, 1), ROWS[3]]}, "must be a regular grid"),
-    "a place twice": ({"rows": [ROWS[0], ROWS[1], ROWS[0], ROWS[1]]}, "must be a regular grid"),
     "beyond all": ({"rows": [*ROWS[:3], (136, 35, 80, 80_000, 8, 160)]}, "PGV of the shake map is 80000"),
     "below nothing": ({"rows": [*ROWS[:3], (136, 35, 80, -1, 8, 160)]}, "PGV of the shake map is -1"),
     "unknown unit": ({"fields": {**FIELDS, "PGV": "mph"}}, "its unit must be one of cm/s, m/s"),
@@ -198,23 +178,11 @@ SPECIFIED = r"<grid_specification[^>]*/>"
 DAMAGE = {
     "no specification": (SPECIFIED, "", "with one grid_specification"),
     "two specifications": (rf"({SPECIFIED})", r"\1\1", "with one grid_specification"),
-    "no numbers": (r"<grid_data>[^<]*</grid_data>", "", "it has 0 numbers; it must have"),
     "no size": ('nlon="2"', "", "nlon is ''; it must be a whole number"),
-    "a size of many digits": ('nlon="2"', f'nlon="{"9" * 5000}"', "nlon is '9+…'; it must be a whole number"),
-    "a size below zero": ('"2"', '"-2"', "-2 by -2 places"),
     "no index": ('index="1"', "", "index is ''"),
-    "a broken index": ('index="1"', 'index="1.5"', "index is '1.5'"),
-    "no name": ('name="LAT"', "", "LON and LAT"),
     "an unknown encoding": ("UTF-8", "klingon", "saved as UTF-8"),
-    "a multi-byte encoding": ("UTF-8", "Shift_JIS", "saved as UTF-8"),
-    "a null character": ("135 36", "135\0 36", "not well-formed"),
-    "a decimal comma": ("135 36", "135,0 36", "must hold numbers alone"),
     "a latitude that is none": ("135 36", "135 nan", "must be a regular grid"),
-    "half of it": (r"(?s)136 36.*", "", "no element found"),
-    "another element": ("<grid_data>", "<grid_data><x>5</x>", "numbers; it must have 24|numbers; it must have 20"),
-    "twice": (r"(?s)(<grid_data>.*</grid_data>)", r"\1\1", "numbers; it must have 24|numbers; it must have 20"),
     "a late field": ("</grid_data>", '</grid_data><grid_field index="9" name="X"/>', "numbers; it must have"),
-    "nothing in it": (r"(?s)(?<=\?>).*", "", "no element found"),
 }  # fmt: skip
 
 
@@ -242,9 +210,7 @@ def test_a_grid_after_a_byte_order_mark_is_read(tmp_path, encoding):
     assert read_shakemap(file).levels.tolist() == plain.levels.tolist()
 
 
-@pytest.mark.parametrize(
-    "pack", [gzip.compress, bz2.compress, lzma.compress, lambda text: b"PK\x03\x04" + text]
-)
+@pytest.mark.parametrize("pack", [gzip.compress, lambda text: b"PK\x03\x04" + text])
 def test_a_map_that_is_compressed_is_refused(tmp_path, pack):
     file, plain = tmp_path / "grid.xml.gz", grid(tmp_path, ROWS)
     file.write_bytes(pack(plain.read_bytes()))
@@ -388,19 +354,6 @@ def test_scatter_is_that_of_independent_draws(tmp_path):
         fallen += sp.simulate(body, room, flat.scaled(wanted / horizontal_peak(motion, "PGV"))).overturned
     assert shares["with"] != shares["without"]
     assert shares["with"] == pytest.approx(fallen / tried, abs=0.09)  # 40 runs against 600
-
-
-def test_results_do_not_depend_on_threads_with_scatter(tmp_path):
-    places = ["p,chest,35,135", "q,bookcase,35.5,135.5", "r,chest,35.9,135.9"]
-    inventory = table(tmp_path, places, "id,preset,lat,lon")
-    rows = [(lon, lat, 0.5, 0.6, 0.7) for lon, lat, *_ in ROWS]
-    deviations = grid(tmp_path, rows, DEVIATIONS, "uncertainty.xml")
-    given = {"shakemap": grid(tmp_path, ROWS), "uncertainty": deviations, "progress": False}
-    found = [
-        digests(assess(inventory, city(tmp_path), tmp_path / f"out{n}", threads=n, **given).folder)
-        for n in (1, 2)
-    ]
-    assert found[0] == found[1]
 
 
 DEVIATED = [

@@ -269,14 +269,6 @@ def test_nrml_moments_are_those_of_the_variable(model: Path) -> None:
     assert float(params.attrib["stddev"]) == pytest.approx(float(np.sqrt(deviation)), rel=1e-6)
 
 
-def test_openquakes_formula_gives_the_curve_back() -> None:
-    # scientific.FragilityFunctionContinuous: σ = √ln(1 + s²/m²), scale = m²/√(s² + m²)
-    mean, deviation = lognormal_moments(0.6, 0.45)
-    sigma = np.sqrt(np.log1p((deviation / mean) ** 2))
-    scale = mean**2 / np.sqrt(deviation**2 + mean**2)
-    assert (scale, sigma) == pytest.approx((0.6, 0.45))
-
-
 def test_refused(tmp_path: Path) -> None:
     standing = fragility_curve(Trials.from_counts(PGA, [1.0, 2.0], [0, 0], [9, 9]), "bracket")
     for write, path in ((write_pelicun, tmp_path / "a.csv"), (write_nrml, tmp_path / "a.xml")):

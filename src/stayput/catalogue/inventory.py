@@ -54,13 +54,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The inventory is {path}; it must have a row below its header.",
         "家具一覧（{path}）に見出しの行しかありません。家具の行が必要です。",
     ),
-    "not_parquet": (
-        "The inventory is {path}; it must be a Parquet file.",
-        "家具一覧（{path}）はParquetファイルではありません。",
-    ),
-    "not_a_workbook": (
-        "The inventory is {path}; it must be an Excel workbook.",
-        "家具一覧（{path}）はExcelブックではありません。",
+    "other_kind": (
+        "The inventory is {path}; it must be a file of {kind}.",
+        "家具一覧（{path}）は{kind}のファイルではありません。",
     ),
     "workbook_too_large": (
         "The inventory is {path}; unpacked it must be below 8 GiB.",
@@ -69,10 +65,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "workbook_texts": (
         "The workbook has more than {size:.0f} MiB of texts; give more memory, or CSV or Parquet.",
         "ブックの文字列が{size:.0f} MiBを超えています。メモリの指定を増やすか、CSVまたはParquetにしてください。",
-    ),
-    "empty_sheet": (
-        "The inventory is {path}; its first sheet must not be empty.",
-        "家具一覧（{path}）の先頭のシートが空です。",
     ),
     "open_quote": (
         "In row {row} of the inventory (line {line}) a quote opens that does not close; it must close.",
@@ -212,9 +204,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "in_unit": (" in {unit}", "（単位は{unit}）"),
     "without_unit": (", without its unit", "（単位は書きません）"),
-    "too_many_numbers": (
-        "{name} has {count} numbers; it must have at most {most}.",
-        "{name}に数値が{count}個あります。{most}個以下にしてください。",
+    "too_many_parts": (
+        "{name} has {count} parts; it must have at most {most}.",
+        "{name}が{count}個に分かれています。{most}個以下にしてください。",
     ),
     "missing_number": (
         "{name} is {value}; between its semicolons there must be numbers.",
@@ -225,18 +217,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {id}, which is that of row {row}; every row must have its own.",
         "{name}の{id}は{row}行目と同じです。行ごとに異なるものにしてください。",
     ),
-    "lat_and_lon": (
-        "{name} is missing; lat and lon must be given together.",
-        "{name}がありません。緯度と経度は両方とも指定してください。",
-    ),
     "wall": ("wall", "wall"),
-    "wall_without_gap": (
-        "{name} is missing; a wall needs it where the scenario has no wall behind.",
-        "{name}がありません。シナリオに背後の壁がないとき、壁には必要です。",
+    "missing_beside": (
+        "{name} is missing; it must be given where {other} is.",
+        "{name}がありません。{other}を指定するときは必要です。",
     ),
-    "contents_missing": (
-        "contents is missing; {name} needs it where the scenario has none.",
-        "収納物の列がありません。シナリオに収納物がないとき、{name}には必要です。",
+    "missing_in_both": (
+        "{name} is missing; {other} needs it where the scenario has none.",
+        "{name}がありません。シナリオにないとき、{other}には必要です。",
     ),
     "place_missing": (
         "{name} is missing; it must be given where there are stations or a shake map.",
@@ -249,10 +237,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "building_missing": (
         "{name} is missing; a storey needs it: in a column building, or under [shaking] of the scenario.",
         "{name}がありません。階を指定するときは、列「建物」か、シナリオの[shaking]のbuildingとstoreyに書いてください。",
-    ),
-    "storey_missing": (
-        "{name} is missing; it must be given where a building is.",
-        "{name}がありません。建物を指定するときは必要です。",
     ),
     "storey_range": (
         "{name} is {storey}; it must be 1 to {highest}, the roof, or a basement from B1 to B{deepest}.",
@@ -275,10 +259,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unknown_measure": (
         "{name} has {value}; each must be one of {known}.",
         "{name}に{value}があります。次のいずれかにしてください：{known}。",
-    ),
-    "too_many_sets": (
-        "{name} has {count} sets; it must have at most {most}.",
-        "{name}に対策の組み合わせが{count}個あります。{most}個以下にしてください。",
     ),
     "measure_twice": (
         "{name} has {value} twice; each must be there once.",
@@ -344,7 +324,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "（sigmaを加えられます。複数あるときは1つを選びます）。"
         ),
     ),
-    "of_an_empty_file": ("of an empty file", "なし（空のファイル）"),
     "map_cells": (
         "Row {row} of the shake map has {cells} cells; it must have {columns}.",
         "地震動マップの{row}行目のセルは{cells}個です。{columns}個にしてください。",

@@ -15,10 +15,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The mapping says {name}={header}, and the table has no such column; it has {names}.",
         "列の対応に{name}={header}とありますが、表にその列がありません。表の列：{names}。",
     ),
-    "mapped_twice": (
-        "The mapping names {header} for two columns; each must be there once.",
-        "列の対応で{header}が2つの列に使われています。1回だけにしてください。",
-    ),
     "mapped_unclear": (
         "The mapping names {header}, and two columns are called so; it must have the whole name of one.",
         "列の対応の{header}に当たる列が2つあります。列名を全部書いてください。",

@@ -16,11 +16,9 @@ from stayput.fragility.intensity_measures import (
     intensity_measure,
     spectral_acceleration,
 )
-from stayput.fragility.isotonic import Isotonic
-from stayput.fragility.lognormal import LognormalFit
 from stayput.fragility.paired import Difference, difference
-from stayput.fragility.probabilities import Plan, Probability, probability, samples_needed, wilson
-from stayput.fragility.trials import Level, Trials
+from stayput.fragility.probabilities import Probability, probability, samples_needed, wilson
+from stayput.fragility.trials import Trials
 
 __all__ = [
     "INTENSITY_MEASURES",
@@ -35,10 +33,6 @@ __all__ = [
     "Difference",
     "FragilityCurve",
     "IntensityMeasure",
-    "Isotonic",
-    "Level",
-    "LognormalFit",
-    "Plan",
     "Probability",
     "Trials",
     "difference",

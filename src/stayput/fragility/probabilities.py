@@ -157,12 +157,12 @@ def checked_runs(
     if fell.dtype != np.bool_:
         raise InputError("fragility.not_bool", "fallen", dtype=str(fell.dtype))
     if fell.ndim != dimensions or fell.size == 0:
-        raise InputError("fragility.wrong_axes", "fallen", shape=str(fell.shape), dimensions=dimensions)
+        axes = phrase("fragility.axes", dimensions=dimensions)
+        raise InputError("fragility.shape", "fallen", name="fallen", shape=str(fell.shape), allowed=axes)
     given_up = np.zeros(fell.shape, np.bool_) if missing is None else np.asarray(missing, np.bool_)
     if given_up.shape != fell.shape:
-        raise InputError(
-            "fragility.missing_shape", "missing", shape=str(given_up.shape), expected=str(fell.shape)
-        )
+        shape, allowed = str(given_up.shape), str(fell.shape)
+        raise InputError("fragility.shape", "missing", name="missing", shape=shape, allowed=allowed)
     return fell, given_up
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, numbers
 from stayput.fragility.intensity_measures import IntensityMeasure
 from stayput.fragility.probabilities import Probability, checked_runs, probability_of_counts
@@ -97,13 +98,9 @@ class Trials:
         fell, given_up = checked_runs(fallen, missing, 3)
         values = instance_of("measure", measure, IntensityMeasure).checked(im)
         if values.shape not in (fell.shape[:1], fell.shape[:2]):
-            raise InputError(
-                "fragility.intensity_shape",
-                shape=str(values.shape),
-                runs=str(fell.shape),
-                levels=str(fell.shape[:1]),
-                motions=str(fell.shape[:2]),
-            )
+            levels, motions = str(fell.shape[:1]), str(fell.shape[:2])
+            allowed = phrase("fragility.either", first=levels, second=motions)
+            raise InputError("fragility.shape", name="im", shape=str(values.shape), allowed=allowed)
         if values.ndim == 1:
             values = np.repeat(values[:, np.newaxis], fell.shape[1], axis=1)
         level, motion = np.indices(values.shape)

@@ -8,7 +8,7 @@ import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, has_control, within
@@ -72,7 +72,7 @@ CellReader: TypeAlias = Callable[[Cell], Cell]
 """Makes a column's own text or number of a cell in another unit or spelling."""
 
 
-def refusal(key: str, name: str, **values: object) -> InputError:
+def refusal(key: str, name: str, **values: Any) -> InputError:
     """Return the refusal of what a column holds, or lacks."""
     return InputError(f"inventory.{key}", name, name=name, **values)
 
@@ -244,7 +244,7 @@ def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:
         return ()
     parts = value.split(";") if isinstance(value, str) else [value]
     if len(parts) > MOST_NUMBERS:
-        raise refusal("too_many_numbers", name, count=len(parts), most=MOST_NUMBERS)
+        raise refusal("too_many_parts", name, count=len(parts), most=MOST_NUMBERS)
     numbers = [number_of(name, part, unit) for part in parts]
     if any(value is None for value in numbers):
         raise refusal("missing_number", name, value=shown(value))

@@ -262,8 +262,9 @@ class _Reading:
             cells = [str(cell) for cell in self.column(floor) if cell]
             if cells and all(storey_called(cell) is not None for cell in cells):
                 self.doubt("floor", floor, f"storey={self.names[floor]}")
-        by_alias = value is not None and value not in self.mapped
-        if by_alias and "count" in self.places and self.parts[value].base in TOTALS:
+        if value is None or value in self.mapped or "count" not in self.places:
+            return
+        if self.parts[value].base in TOTALS:
             self.doubt("total", value)
 
     @property

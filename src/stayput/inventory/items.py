@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell
     from stayput.inventory.scenarios import Scenarios
-    from stayput.inventory.shakemap import GroundLevel
     from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
@@ -72,71 +71,36 @@ LONGEST_NAME = 100
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class MeasureSet:
-    """A set of measures that a row compares; without a measure it is the piece as it stands."""
-
-    name: str
-    measures: tuple[Measure, ...]
-    spec: str
-
-    @classmethod
-    def of(cls, name: str, measures: tuple[Measure, ...] = ()) -> MeasureSet:
-        """Make an option of measures in any order."""
-        ordered = tuple(sorted(measures, key=lambda measure: measure.kind))
-        return cls(name, ordered, measures_spec(ordered))
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class Exposure:
     """An item under one event.
 
     Parameters
     ----------
-    event : str
-        The event.
-    station : int
-        Place of the scenario among all.
-    level : GroundLevel, optional
-        Level of the ground from a map.
+    row : dict
+        What the plan's row says of it.
     ground : str
         Spec of the shaking of its building.
     storey : int
-        The storey, 1 on the ground, below 0 in a basement.
-    building : str, optional
-        What the building is called; none on the ground.
+        The storey that it moves with: 1 on the ground.
     piece : str
         Spec of the piece with its contents in its room.
-    options : tuple of MeasureSet
-        Without a measure first.
-    impossible : tuple of (str, Phrase)
-        Names of the sets of measures that cannot be put in place, and why not.
-    costs : tuple of float
-        Costs of the options but the first, where they are given.
+    options : list of str
+        Specs of the sets of measures, that without a measure first.
     """
 
-    event: str
-    station: int
-    level: GroundLevel | None
+    row: dict[str, Any]
     ground: str
     storey: int
-    building: str | None
     piece: str
-    options: tuple[MeasureSet, ...]
-    impossible: tuple[tuple[str, Phrase], ...]
-    costs: tuple[float, ...]
+    options: list[str]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Item:
-    """A checked row of an inventory."""
+    """A checked row of an inventory: what the plan's rows say of it in any event, and its depth [m]."""
 
-    row: int
     id: str
-    name: str | None
-    count: int
-    value: float | None
-    lat: float | None
-    lon: float | None
+    row: dict[str, Any]
     depth: float
     exposures: tuple[Exposure, ...]
 
@@ -194,8 +158,8 @@ class RowReader:
             within("value", value, 0.0, 1e15, field="value")
         lat, lon = number_of("lat", cells.get("lat"), "°"), number_of("lon", cells.get("lon"), "°")
         if (lat is None) != (lon is None):
-            name = "lat" if lat is None else "lon"
-            raise refusal("lat_and_lon", name)
+            name, other = ("lat", "lon") if lat is None else ("lon", "lat")
+            raise refusal("missing_beside", name, other=other)
         if lat is not None and lon is not None:
             within("lat", lat, -90.0, 90.0, "°", "lat")
             within("lon", lon, -180.0, 360.0, "°", "lon")
@@ -204,53 +168,57 @@ class RowReader:
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
             label, building, storey = self._building(cells, station)
-            piece_text, options, not_possible = self._room(cells, body, station)
+            spec, options, not_possible = self._room(cells, body, station)
             if costs and len(costs) != len(options) - 1:
                 raise InputError(
                     "inventory.costs_count", "costs", costs=len(costs), measures=len(options) - 1
                 )
+            possible = [n for n, name in enumerate(options) if name not in not_possible]
+            names, specs = list(options), list(options.values())
+            about = {
+                "event": event.name,
+                "station": self.scenarios.all[station].name,
+                "level": None if level is None else level.level,
+                "shaking_scatter": None if level is None else level.scatter,
+                "building": label,
+                "storey": None if label is None else storey,
+                "options": [names[n] for n in possible],
+                "costs": [costs[n - 1] for n in possible[1:]] if costs and possible[1:] else None,
+                "not_possible": [
+                    {"name": name, "reason": english, "reason_ja": japanese}
+                    for name, (english, japanese) in not_possible.items()
+                ],
+            }
             place = station, level, None if building is None else label
             ground = self.grounds.result(place, partial(ground_spec, station, level, building))
-            possible = [n for n, option in enumerate(options) if option.name not in not_possible]
-            exposures.append(
-                Exposure(
-                    event.name,
-                    station,
-                    level,
-                    ground,
-                    storey,
-                    label,
-                    piece_text,
-                    tuple(options[n] for n in possible),
-                    tuple(not_possible.items()),
-                    tuple(costs[n - 1] for n in possible[1:]) if costs else (),
-                )
-            )
+            moves_with = max(storey, 1)  # a basement moves as the ground does
+            exposures.append(Exposure(about, ground, moves_with, spec, [specs[n] for n in possible]))
         for cost in costs:
             within("costs", cost, 0.0, 1e15, field="costs")
-        return Item(
-            row, piece, name_of(cells.get("name")), count or 1, value, lat, lon, body.width, tuple(exposures)
-        )
+        about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count or 1}
+        about |= {"value": value, "lat": lat, "lon": lon}
+        return Item(piece, about, body.width, tuple(exposures))
 
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int
-    ) -> tuple[str, tuple[MeasureSet, ...], dict[str, Phrase]]:
-        """Return the piece's spec in its room, the options, and reasons against those not possible."""
+    ) -> tuple[str, dict[str, str], dict[str, Phrase]]:
+        """Return the piece's spec in its room, those of the options, and reasons against the impossible."""
         scenario = self.scenarios.all[station].scenario
 
-        def make() -> tuple[str, tuple[MeasureSet, ...], dict[str, Phrase]]:
+        def make() -> tuple[str, dict[str, str], dict[str, Phrase]]:
             room = room_of(cells, scenario)
             refuse_bad_start(body, room, State())
             options = options_of(cells, scenario)
             not_possible: dict[str, Phrase] = {}
-            for option in options:
-                refuse_conflicts(option.measures)
+            for name, measures in options.items():
+                refuse_conflicts(measures)
                 try:
-                    hold(body, room, option.measures)
+                    hold(body, room, measures)
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
-                    not_possible[option.name] = error.told("en"), error.told("ja")
+                    not_possible[name] = error.told("en"), error.told("ja")
             contents = contents_of(cells, body, scenario)
-            return piece_spec(body, room, contents), options, not_possible
+            specs = {name: measures_spec(measures) for name, measures in options.items()}
+            return piece_spec(body, room, contents), specs, not_possible
 
         return self.rooms.result((station, body, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))), make)
 
@@ -270,7 +238,7 @@ class RowReader:
         highest, name = building.highest(), stated or building.building().name
         storey = storey_of(cell, highest) or (shaking.storey if stated is None else None)
         if storey is None:
-            raise refusal("storey_missing", "storey")
+            raise refusal("missing_beside", "storey", other="building")
         if storey == highest:
             self.roofs[name] = storey
         return name, building if storey > 0 else None, storey
@@ -357,7 +325,7 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
         if wall not in WALLS:
             raise unknown("inventory.wall", wall, WALLS, field="wall")
         if room.left_wall is None:
-            raise InputError("inventory.wall_without_gap", "wall", name="gap")
+            raise InputError("inventory.missing_in_both", "wall", name="gap", other="wall")
         room = replace(room, left_wall=replace(room.left_wall, construction=wall))
     return room
 
@@ -390,8 +358,8 @@ def storey_of(cell: Cell, highest: int) -> int | None:
     return storey
 
 
-def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSet, ...]:
-    """Return the options of a row, that without a measure first; the scenario's where it says nothing.
+def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple[Measure, ...]]:
+    """Return the options of a row by name, that without a measure first; the scenario's by default.
 
     Raises
     ------
@@ -401,9 +369,11 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSe
     named = {measure_set.name: measure_set.measures for measure_set in scenario.measures}
     text = text_of("measures", cells.get("measures"), 1000)
     if text is None:
-        return (MeasureSet.of(NO_MEASURE), *(MeasureSet.of(*each) for each in named.items()))
-    sets = [MeasureSet.of(NO_MEASURE)]
-    for part in text.split(";"):
+        return {NO_MEASURE: (), **{name: _ordered(measures) for name, measures in named.items()}}
+    options: dict[str, tuple[Measure, ...]] = {NO_MEASURE: ()}
+    parts = text.split(";")
+    twice: str | None = None
+    for part in parts:
         names = [name.strip() for name in part.split("+")]
         measures: tuple[Measure, ...] = ()
         for name in names:
@@ -411,14 +381,18 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSe
                 known = ", ".join(dict.fromkeys((*named, *MEASURES)))
                 raise refusal("unknown_measure", "measures", value=shown(name), known=known)
             measures += named[name] if name in named else (MEASURES[name](),)
-        sets.append(MeasureSet.of("+".join(names), measures))
-    if len(sets) > MOST_OPTIONS + 1:
-        raise refusal("too_many_sets", "measures", count=len(sets) - 1, most=MOST_OPTIONS)
-    names = [option.name for option in sets]
-    if len(set(names)) < len(names):
-        twice = next(name for name in names if names.count(name) > 1)
+        together = "+".join(names)
+        twice = twice or (together if together in options else None)
+        options[together] = _ordered(measures)
+    if len(parts) > MOST_OPTIONS:
+        raise refusal("too_many_parts", "measures", count=len(parts), most=MOST_OPTIONS)
+    if twice is not None:
         raise refusal("measure_twice", "measures", value=shown(twice))
-    return tuple(sets)
+    return options
+
+
+def _ordered(measures: tuple[Measure, ...]) -> tuple[Measure, ...]:
+    return tuple(sorted(measures, key=lambda measure: measure.kind))
 
 
 def contents_of(cells: Mapping[str, Cell], body: Body, scenario: Scenario) -> Contents | None:
@@ -450,7 +424,7 @@ def contents_of(cells: Mapping[str, Cell], body: Body, scenario: Scenario) -> Co
         return None
     if kind is None and table is None:
         name = next(iter(stated))
-        raise InputError("inventory.contents_missing", "contents", name=name)
+        raise refusal("missing_in_both", "contents", other=name)
     given: dict[str, Any] = {} if table is None else table.model_dump(exclude_unset=True)
     given |= stated if kind is None else {"kind": kind, **stated}
     loads = numbers_of("load", cells.get("load"), "kg")

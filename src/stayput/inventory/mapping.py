@@ -62,7 +62,7 @@ class ColumnMapping:
         for name, header in self.pairs:
             place, unit = _find(name, header, names)
             if place in {other for other, _ in found.values()}:
-                raise InputError("inventory_tables.mapped_twice", "columns", header=shown(header))
+                raise InputError("inventory.column_twice", "columns", name=shown(header))
             found[name] = place, unit
         return found, {_find(IGNORE, header, names)[0] for header in self.ignored}
 
@@ -75,7 +75,7 @@ def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit
         return place, units.get(header_name(header).unit)
     matched = _UNIT.fullmatch(header.strip())
     place = None if matched is None else _place(matched[1], names)
-    said: dict[str, object] = {"name": name, "header": shown(header)}
+    said: dict[str, Any] = {"name": name, "header": shown(header)}
     if matched is None or place is None:
         listed = ", ".join(shown(each) for each in names if each)[:300] or phrase("inventory.nothing")
         raise InputError("inventory_tables.mapped_missing", "columns", **said, names=listed)

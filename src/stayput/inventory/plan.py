@@ -247,11 +247,13 @@ def _fill(
     reader, impossible = RowReader(scenarios), Findings()
     counts = Counter[str]()
     left_empty = Counter[str]()
-    buffered: list[tuple[Item, list[list[int]]]] = []
+    buffered: list[dict[str, Any]] = []
 
     def flush() -> None:
         if buffered:
-            _write_rows(folder / ROWS / f"part-{counts['parts']:06d}.parquet", buffered, scenarios)
+            table = arrow().Table.from_pylist(buffered, schema=schema())
+            path = folder / ROWS / f"part-{counts['parts']:06d}.parquet"
+            arrow("parquet").write_table(table, path, compression="zstd")
             counts["parts"] += 1
             buffered.clear()
 
@@ -272,26 +274,25 @@ def _fill(
                 if item is None or isinstance(cells, InputError):
                     continue
                 units = [
-                    store.units_of(
-                        exposure.ground,
-                        max(exposure.storey, 1),  # a basement moves as the ground does
-                        exposure.piece,
-                        [option.spec for option in exposure.options],
-                    )
-                    for exposure in item.exposures
+                    store.units_of(each.ground, each.storey, each.piece, each.options)
+                    for each in item.exposures
                 ]
-                not_put = chain.from_iterable(exposure.impossible for exposure in item.exposures)
-                for name, reasons in dict(not_put).items():
-                    impossible.add((item.row, item.id, item.name, *reasons), name)
+                not_put = chain.from_iterable(each.row["not_possible"] for each in item.exposures)
+                for named in {each["name"]: each for each in not_put}.values():
+                    told = (item.row["row"], item.id, item.row["name"], named["reason"], named["reason_ja"])
+                    impossible.add(told, named["name"])
                 width = header.width_of(cells)
                 counts["choices"] += sum(map(len, units))
                 counts["pieces"] += 1
-                counts["with coordinates"] += item.lat is not None
+                counts["with coordinates"] += item.row["lat"] is not None
                 counts["narrower than deep"] += width is not None and 0.0 < width < item.depth
                 places = ((name, header.places.get(name)) for name in MAY_BE_EMPTY)
                 left_empty.update(n for n, place in places if place is not None and is_empty(cells[place]))
-                buffered.append((item, units))
-                if len(buffered) >= ROWS_PER_PART:
+                buffered += [
+                    {**item.row, **each.row, "units": numbers}
+                    for each, numbers in zip(item.exposures, units, strict=True)
+                ]
+                if counts["pieces"] % ROWS_PER_PART == 0:
                     flush()
             flush()
         if counts["rows"] == counts["empty rows"]:
@@ -355,28 +356,3 @@ def _in_words_of_the_table(error: InputError, header: Header) -> InputError:
         context = phrase("inventory_tables.column", header=excerpt(written)), *context
     values = {key: named(value) for key, value in error.values.items()}
     return InputError(error.code, error.field, context=context, **values)
-
-
-def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], scenarios: Scenarios) -> None:
-    lines = [
-        {
-            **{name: getattr(piece, name) for name in ("row", "id", "name", "count", "value", "lat", "lon")},
-            "event": exposure.event,
-            "station": scenarios.all[exposure.station].name,
-            "level": None if exposure.level is None else exposure.level.level,
-            "shaking_scatter": None if exposure.level is None else exposure.level.scatter,
-            "building": exposure.building,
-            "storey": None if exposure.building is None else exposure.storey,
-            "options": [option.name for option in exposure.options],
-            "costs": list(exposure.costs) or None,
-            "units": numbers,
-            "not_possible": [
-                {"name": name, "reason": english, "reason_ja": japanese}
-                for name, (english, japanese) in exposure.impossible
-            ],
-        }
-        for piece, units in rows
-        for exposure, numbers in zip(piece.exposures, units, strict=True)
-    ]
-    table = arrow().Table.from_pylist(lines, schema=schema())
-    arrow("parquet").write_table(table, path, compression="zstd")

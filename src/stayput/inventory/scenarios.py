@@ -194,10 +194,10 @@ def read_scenarios(
     paths = sorted(place.glob("*.toml")) if place.is_dir() else [place]
     if not paths:
         raise InputError("inventory.no_scenarios", "scenario", path=repr(str(place)))
-    return _joined(tuple(read_scenario_file(path, changed) for path in paths), place.stem, shakemap)
+    return _joined([read_scenario_file(path, changed) for path in paths], place.stem, shakemap)
 
 
-def _joined(scenarios: tuple[ScenarioFile, ...], folder: str, shakemap: ShakeMap | None) -> Scenarios:
+def _joined(scenarios: Sequence[ScenarioFile], folder: str, shakemap: ShakeMap | None) -> Scenarios:
     located = [file for file in scenarios if file.station is not None]
     if located and len(located) < len(scenarios):
         other = next(file.name for file in scenarios if file.station is None)
@@ -206,21 +206,20 @@ def _joined(scenarios: tuple[ScenarioFile, ...], folder: str, shakemap: ShakeMap
         raise InputError("inventory.map_beside_stations", "shakemap")
     if shakemap is not None and scenarios[0].scenario.shaking.scale is not None:
         raise InputError("inventory.scale_beside_map", "shaking.scale")
-    return Scenarios(scenarios, _events(scenarios, folder), shakemap)
+    return Scenarios(tuple(scenarios), _events(scenarios, folder), shakemap)
 
 
 def _events(scenarios: Sequence[ScenarioFile], folder: str) -> tuple[Earthquake, ...]:
-    if scenarios[0].station is None:
-        return tuple(Earthquake(file.name, (place,)) for place, file in enumerate(scenarios))
-    groups: dict[str, list[int]] = {}
-    for place, file in enumerate(scenarios):
-        assert file.station is not None
-        groups.setdefault(file.station.event or folder, []).append(place)
     events: list[Earthquake] = []
-    for name, places in groups.items():
-        tables = [table for place in places if (table := scenarios[place].station) is not None]
-        lats, lons = tuple(table.lat for table in tables), tuple(table.lon for table in tables)
-        events.append(Earthquake(name, tuple(places), lats, lons))
+    stations: dict[str, list[tuple[int, StationTable]]] = {}
+    for place, file in enumerate(scenarios):
+        if file.station is None:
+            events.append(Earthquake(file.name, (place,)))
+        else:
+            stations.setdefault(file.station.event or folder, []).append((place, file.station))
+    for name, located in stations.items():
+        places = ((place, table.lat, table.lon) for place, table in located)
+        events.append(Earthquake(name, *zip(*places, strict=True)))
     return tuple(events)
 
 

@@ -40,28 +40,11 @@ _KINDS = {"event": "string", "building": "string", "storey": "int32", "rows": "i
 """Types of the first columns of the summary; those that count pieces are whole too, all others are not."""
 
 READ = (
-    "row",
-    "id",
-    "name",
-    "event",
-    "building",
-    "storey",
-    "count",
-    "overturned",
-    "overturned_low",
-    "overturned_high",
-    "best",
-    "best_overturned",
-    "best_overturned_low",
-    "best_overturned_high",
-    "best_lessens",
-    "finding",
-    "best_by_cost",
-    "expected_loss",
-    "best_expected_loss",
-    "contents_out_share",
-    "best_contents_out_share",
+    *("row", "id", "name", "event", "building", "storey", "count", "best", "best_lessens", "finding"),
+    *(f"{which}overturned{end}" for which in ("", "best_") for end in ENDS),
+    *("best_by_cost", "expected_loss", "best_expected_loss", "contents_out_share", "best_contents_out_share"),
 )
+"""Columns of the results that are read to sum them up."""
 
 
 @dataclass(slots=True)

@@ -246,7 +246,7 @@ def open_workbook(path: Path, memory: int) -> Generator[Workbook]:
     InputError
         It is none, or too large.
     """
-    wrong = InputError("inventory.not_a_workbook", "inventory", path=repr(str(path)))
+    wrong = InputError("inventory.other_kind", "inventory", path=repr(str(path)), kind="Excel")
     try:
         packed = zipfile.ZipFile(path)
     except zipfile.BadZipFile:
