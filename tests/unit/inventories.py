@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pyarrow.parquet as pq
 
+import stayput as sp
+
 if TYPE_CHECKING:
     from pathlib import Path
 
-    import stayput as sp
     from stayput.inventory import Assessment
 
 
@@ -108,3 +109,26 @@ def planned(folder: Path, file: Path, scenario: str = CITY, columns: Any = None)
                     specs[unit], moved[unit] = piece, (ground_of(spec)[2] is not None, storey)
     first = [row["units"][0] for row in rows]
     return Plan(rows, rejects, [piece_of(specs[unit])[0] for unit in first], facts, [moved[n] for n in first])
+
+
+def verified(
+    gap: float = 0.05,
+    floor: str = "wood flooring",
+    wall: str | None = None,
+    shaking: dict[str, Any] | None = None,
+    furniture: dict[str, Any] | None = None,
+    **tables: Any,
+) -> sp.Verdict:
+    """What a verification says of a bookcase, or other furniture, in the room and the shaking of `CITY`."""
+    from stayput.verification import verify
+
+    suite = {"family": "crustal", "count": 3, "seed": 1}
+    behind = {"gap": gap} if wall is None else {"gap": gap, "construction": wall}
+    scenario = {
+        "furniture": furniture or {"preset": "bookcase"},
+        "room": {"floor": floor, "back_wall": behind, "ceiling": {"height": 2.4}},
+        "shaking": {"intensity": 6.0, "suite": suite, **(shaking or {})},
+        "uncertainty": {"samples": 6, "seed": 1},
+        **tables,
+    }
+    return verify(sp.Scenario.parse(scenario), levels=(), progress=False, threads=1)

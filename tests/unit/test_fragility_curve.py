@@ -12,7 +12,7 @@ from scipy.special import ndtr, ndtri
 
 from stayput import InputError
 from stayput.fragility import JMA_INTENSITY, PFV, PGA, PGV, CurveState, Trials, fragility_curve
-from stayput.fragility.isotonic import pooled
+from stayput.fragility.trials import pooled
 
 LEVELS = np.linspace(5.0, 7.0, 11)
 
@@ -169,14 +169,6 @@ def test_band_of_a_curve_that_barely_rises_stays_with_what_fell() -> None:
     assert high.max() < 0.25
     assert curve.capacity(0.1).text == "> 6.95 (unsure)"
     assert curve.capacity(0.5).text == "> 6.95"
-
-
-def test_capacity_is_read_off_the_band() -> None:
-    curve = fragility_curve(Trials.from_runs(JMA_INTENSITY, LEVELS, _runs(5)))
-    found = curve.capacity(0.3)
-    low, high = curve.band([found.high, found.low])
-    assert curve.probability(found.estimate) == pytest.approx(0.3)
-    assert (low[0], high[1]) == pytest.approx((0.3, 0.3))
 
 
 def test_nothing_is_told_outside_what_was_run() -> None:

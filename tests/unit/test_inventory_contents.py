@@ -7,7 +7,7 @@ import json
 
 import pytest
 import typer
-from inventories import city, digests, rows_of_results, table
+from inventories import city, digests, rows_of_results, table, verified
 from typer.testing import CliRunner
 
 import stayput as sp
@@ -16,7 +16,6 @@ from stayput.inventory import assess
 from stayput.inventory.items import contents_of
 from stayput.inventory.store import piece_of, piece_spec
 from stayput.scenario import Scenario
-from stayput.verification import verify
 
 HEADER = "id,preset,contents,doors,drawers,lip,load,measures"
 ROWS = [
@@ -48,15 +47,11 @@ def unsaid():
 
 
 def test_a_row_tells_what_a_verification_tells(small):
-    scenario = {
-        "furniture": {"preset": "bookcase", "shelves": [20.0, 15.0, 10.0]},
-        "room": {"floor": "wood flooring", "back_wall": {"gap": 0.05}, "ceiling": {"height": 2.4}},
-        "shaking": {"intensity": 6.0, "suite": {"family": "crustal", "count": 3, "seed": 1}},
-        "contents": {"kind": "bottles", "lip": 0.03},
-        "uncertainty": {"samples": 6, "seed": 1},
-        "measures": [{"type": "wedge_stopper", "name": "wedge"}],
-    }
-    verdict = verify(Scenario.parse(scenario), levels=(), progress=False, threads=1)
+    verdict = verified(
+        furniture={"preset": "bookcase", "shelves": [20.0, 15.0, 10.0]},
+        contents={"kind": "bottles", "lip": 0.03},
+        measures=[{"type": "wedge_stopper", "name": "wedge"}],
+    )
     told = {"wedge" if one.option.measures else "none": one.contents.out for one in verdict.options}
     row = rows_of_results(small)[2]
     for option in row["options"]:
@@ -94,13 +89,6 @@ def test_summary_report_and_command_tell_the_mean_over_what_has_contents(small, 
     assert "Of what is inside 3 pieces" in CliRunner().invoke(app, arguments).output
     told = json.loads(CliRunner().invoke(app, [*arguments, "--json"]).output)
     assert told["events"]["city"]["contents_out_share"] == total.share_out
-
-
-def test_the_sentences_of_the_report_stand_apart(tmp_path):
-    valued = table(tmp_path, [f"{ROWS[0]},100"], f"{HEADER},value")
-    assess(valued, city(tmp_path), tmp_path / "out", threads=1, progress=False)
-    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    assert "in their currency). Of what is inside" in page
 
 
 def test_neither_threads_nor_tasks_change_a_bit(small, tmp_path, monkeypatch):

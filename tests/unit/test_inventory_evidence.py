@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -212,22 +211,6 @@ def test_a_piece_that_never_overturns_needs_no_measure_where_the_runs_can_tell(
         assert (UNTOLD in page.partition('<div class="maps">')[2]) == (finding == "too_few_runs")
     for name in ("summary.csv", "rejects.csv"):  # by the mark a spreadsheet knows UTF-8
         assert (tmp_path / "out" / name).read_bytes().startswith(b"\xef\xbb\xbf")
-
-
-@pytest.mark.parametrize(
-    ("total", "told"),
-    [
-        ({"not_helped": 4}, ["For 4 pieces none of the compared measures is seen to help."]),
-        ({"needs_none": 3}, ["No measure is needed for 3 pieces"]),
-        ({"none_compared": 2}, ["For 2 pieces no measure was asked for, so none was compared."]),
-        ({"none_possible": 1}, ["For 1 piece no measure was compared: none of those that were asked for"]),
-        ({}, [""]),
-    ],
-)
-def test_what_is_found_is_counted_in_sentences(total, told):
-    sentences = findings_told(Total(found=Counter(total)), "en")
-    assert all(part in sentences for part in told)
-    assert len(re.findall(r"\.(?: |$)", sentences)) == len(total)
 
 
 def test_a_measure_that_only_keeps_a_piece_in_its_place_is_said_to(tmp_path):

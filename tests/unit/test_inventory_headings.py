@@ -92,15 +92,6 @@ def test_a_heading_in_another_language_that_is_not_known_is_asked_for_while_size
     assert proposal_of(refused.value) == "id=编号,height=高度[?],width=深度[?]"
 
 
-@pytest.mark.parametrize(("heading", "mark"), [("Weight", True), ("Gewicht (kg)", False)])
-def test_what_belongs_in_the_place_of_a_mark_is_asked_for_where_there_is_one(heading, mark):
-    with pytest.raises(sp.InputError) as refused:
-        header_of(["name", "depth (mm)", "height (mm)", heading], [["shelf", "300", "1800", "60"]])
-    assert ("?" in proposal_of(refused.value)) == mark
-    assert ("in the place of each ?" in refused.value.told("en")) == mark
-    assert ("?を埋めて" in refused.value.told("ja")) == mark
-
-
 def test_unknown_headings_are_proposed_with_a_mark_for_each(tmp_path):
     text = "Артикул,Наименование,Глубина,Высота,Масса\n1,Шкаф,450,1800,60\n"
     error = refusal(tmp_path, text)

@@ -91,14 +91,6 @@ def test_a_motion_of_one_component_has_its_sa():
     assert sa(motion.scaled(factor), 0.5, "x") == pytest.approx(1.0, rel=1e-9)
 
 
-def test_sa_between_places_is_taken_in_its_logarithm(tmp_path):
-    found = read_shakemap(table(tmp_path, SA_GRID, "lat,lon,sa_0.3", "map.csv"))
-    assert found.measure == spectral_acceleration(0.3)
-    assert 10.0 ** found.at(36.0, 136.0).level == pytest.approx(1.6, rel=0.03)
-    assert 10.0 ** found.at(35.5, 135.5).level == pytest.approx(0.4, rel=0.03)
-    assert 10.0 ** found.at(35.0, 135.5).level == pytest.approx(0.2, rel=0.03)
-
-
 @pytest.mark.parametrize(
     "header",
     [

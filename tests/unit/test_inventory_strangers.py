@@ -106,7 +106,7 @@ def test_what_is_in_the_way_is_named_and_stays(done, tmp_path, kind, name):
         case _:
             path.symlink_to(mine)
     before = everything(out)
-    with pytest.raises(sp.InputError, match=f"holds the {kind} '{name}', .* in its way; move it elsewhere"):
+    with pytest.raises(sp.InputError, match=f"holds '{name}/?', .* in its way; move it elsewhere"):
         assess(*inputs, out, progress=False)
     assert everything(out) == before
     assert (mine / "file").read_text() == "mine"
@@ -115,7 +115,7 @@ def test_what_is_in_the_way_is_named_and_stays(done, tmp_path, kind, name):
 def test_a_part_that_the_plan_does_not_have_is_named(done):
     inputs, out = done
     (out / "pieces" / "part-000001.parquet").touch()
-    with pytest.raises(sp.InputError, match=r"holds the file 'part-000001\.parquet'"):
+    with pytest.raises(sp.InputError, match=r"holds 'part-000001\.parquet'"):
         assess(*inputs, out, progress=False)
 
 

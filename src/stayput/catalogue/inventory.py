@@ -360,12 +360,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "別のコマンドが{folder}で実行中です。終わるまでお待ちください。",
     ),
     "in_the_way": (
-        "The folder {folder} holds the {kind} {name}, not the assessment's, in its way; move it elsewhere.",
-        "フォルダー{folder}にある{kind}{name}は評価結果のものではなく、妨げになります。別の場所へ移してください。",
+        "The folder {folder} holds {name}, which is not the assessment's and in its way; move it elsewhere.",
+        "フォルダー{folder}にある{name}は評価結果のものではなく、妨げになります。別の場所へ移してください。",
     ),
-    "kind_file": ("file", "ファイル"),
-    "kind_folder": ("folder", "フォルダー"),
-    "kind_link": ("link", "リンク"),
     # executors
     "no_scheduler": (
         "The scheduler is {scheduler}; it could not be reached: {reason}.",

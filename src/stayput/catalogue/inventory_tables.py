@@ -49,17 +49,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "シートの1行目のセル{cells}が結合されています。見出しは1行目だけにまとめ、列名を全部書いてください。",
     ),
     # what is unclear about columns
-    "doubt_language": (
-        "{headers} are not in English or Japanese (width is the depth, from front to back)",
-        "{headers}などの見出しが日本語でも英語でもありません（widthは奥行です）",
-    ),
+    "doubt_language": ("{header} is not in English or Japanese", "{header}は日本語でも英語でもありません"),
     "unclear": (
         (
             'Not all columns are certain; they look like --columns "{proposal}", which must be checked and '
-            "given{fill}: {doubts}."
+            "given{fill} (width is the depth, from front to back): {doubts}."
         ),
         (
-            '意味のはっきりしない列があります。おそらく --columns "{proposal}" です。'
+            '意味のはっきりしない列があります。おそらく --columns "{proposal}" です（widthは奥行）。'
             "確かめて{fill}指定してください：{doubts}。"
         ),
     ),

@@ -11,9 +11,8 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import instance_of, within
-from stayput.fragility.isotonic import Isotonic
 from stayput.fragility.lognormal import LognormalFit, lognormal
-from stayput.fragility.trials import Level, Trials, observed_levels
+from stayput.fragility.trials import Isotonic, Level, Trials, observed_levels
 from stayput.saved import InJson
 from stayput.wording import check_language, counted
 
@@ -118,7 +117,7 @@ class Capacity:
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class FragilityCurve(InJson):
-    """The probability of falling over an intensity, by isotonic regression; see `stayput.fragility.isotonic`.
+    """The probability of falling over an intensity, by isotonic regression; see `stayput.fragility.trials`.
 
     Parameters
     ----------

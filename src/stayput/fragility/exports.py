@@ -163,23 +163,20 @@ def _tag(name: str) -> str:
 
 def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit, imt: str, factor: float) -> None:
     median, beta = curve.median * factor, curve.dispersion
-    mean, deviation = lognormal_moments(median, beta)
-    function = ET.SubElement(
-        model, _tag("fragilityFunction"), {"id": name, "format": "continuous", "shape": "logncdf"}
-    )
+    mean, deviation = (repr(moment) for moment in lognormal_moments(median, beta))
     lowest, highest = (repr(median * math.exp(sign * _REACH * beta)) for sign in (-1.0, 1.0))
+    about = {"id": name, "format": "continuous", "shape": "logncdf"}
+    function = ET.SubElement(model, _tag("fragilityFunction"), about)
     ends = {"imt": imt, "noDamageLimit": lowest, "minIML": lowest, "maxIML": highest}
     ET.SubElement(function, _tag("imls"), ends)
-    ET.SubElement(
-        function, _tag("params"), {"ls": LIMIT_STATE, "mean": repr(mean), "stddev": repr(deviation)}
-    )
+    ET.SubElement(function, _tag("params"), {"ls": LIMIT_STATE, "mean": mean, "stddev": deviation})
 
 
 def _add_discrete(model: ET.Element, name: str, curve: FragilityCurve, imt: str, factor: float) -> None:
-    levels = [level.im * factor for level in curve.levels]
+    levels = [f"{level.im * factor:.6g}" for level in curve.levels]
     function = ET.SubElement(model, _tag("fragilityFunction"), {"id": name, "format": "discrete"})
-    ends = {"imt": imt, "noDamageLimit": f"{levels[0]:.6g}"}
-    ET.SubElement(function, _tag("imls"), ends).text = " ".join(f"{level:.6g}" for level in levels)
+    ends = {"imt": imt, "noDamageLimit": levels[0]}
+    ET.SubElement(function, _tag("imls"), ends).text = " ".join(levels)
     shares = " ".join(f"{p:.6f}" for p in curve.rising.share)
     ET.SubElement(function, _tag("poes"), {"ls": LIMIT_STATE}).text = shares
 
@@ -215,15 +212,8 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
 
 
 HEADER = (
-    "ID",
-    "Incomplete",
-    "Demand-Type",
-    "Demand-Unit",
-    "Demand-Offset",
-    "Demand-Directional",
-    "LS1-Family",
-    "LS1-Theta_0",
-    "LS1-Theta_1",
+    *("ID", "Incomplete", "Demand-Type", "Demand-Unit", "Demand-Offset", "Demand-Directional"),
+    *("LS1-Family", "LS1-Theta_0", "LS1-Theta_1"),
 )
 """Columns of pelicun's file."""
 

@@ -208,9 +208,8 @@ def _refuse_others(folder: Path) -> None:
 
 def _in_the_way(folder: Path, entry: str) -> InputError:
     """Return the refusal of something that lies where the assessment writes or reads."""
-    kind = phrase(f"inventory.kind_{ {'/': 'folder', '@': 'link'}.get(entry[-1], 'file') }")
-    name = repr(entry.rstrip("/@"))
-    return InputError("inventory.in_the_way", "out", folder=repr(str(folder)), kind=kind, name=name)
+    name = repr(entry.rstrip("@"))
+    return InputError("inventory.in_the_way", "out", folder=repr(str(folder)), name=name)
 
 
 def _holds_results(folder: Path) -> bool:

@@ -149,7 +149,7 @@ class _Reading:
         self.mapped = frozenset(self.places.values())
         self.in_own_units: set[str] = set()
         self.doubts: list[tuple[Phrase, str]] = []  # each with the part of --columns that would settle it
-        self.proposed: dict[str, int] = {}
+        self.proposed: set[str] = set()
         self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
         taken = {*self.mapped, *self.ignored}
         self.free = [place for place, name in enumerate(names) if name and place not in taken]
@@ -163,8 +163,12 @@ class _Reading:
         """Return the cells of a column in the sample."""
         return [row[place] for row in self.sample if place < len(row)]
 
+    def has_numbers(self, place: int) -> bool:
+        """Return whether a column has numbers in the sample."""
+        return any(number_or_none(cell) is not None for cell in self.column(place))
+
     def take_known(self) -> None:
-        """Take the columns that are called as stayput calls them, then as inventories usually do."""
+        """Take columns by stayput's names, then by usual ones; doubt those that other languages call so."""
         for place in list(self.free):
             name = self.names[place].lower()
             if name in COLUMNS and name not in self.places:
@@ -181,23 +185,14 @@ class _Reading:
                 self.doubt("note", place, self._proposed(name, place), note=part.note)
             else:
                 self._take(name, place)
-
-    def propose_foreign(self) -> None:
-        """Doubt the columns that are called so in other languages."""
-        for place in self.free:
+        for place in list(self.free):
             name = self.parts[place].in_another_language
-            if self.parts[place].base == "nombre" and any(
-                number_or_none(cell) is not None for cell in self.column(place)
-            ):
+            if self.parts[place].base == "nombre" and self.has_numbers(place):
                 name = "count"  # in French; in Spanish it is what a piece is called
-            if name is not None and name not in self.places:
-                self.proposed.setdefault(name, place)
-        if self.proposed:
-            settled = ",".join(self._proposed(name, place) for name, place in self.proposed.items())
-            headers = [shown(self.names[place]) for place in self.proposed.values()]
-            about = phrase("inventory_tables.doubt_language", headers=", ".join(headers[:SHOWN]))
-            self.doubts.append((about, settled))
-            self.free = [place for place in self.free if place not in self.proposed.values()]
+            if name is not None and name not in self.known:
+                self.free.remove(place)
+                self.proposed.add(name)
+                self.doubt("language", place, self._proposed(name, place))
 
     def _second(self, name: str, place: int) -> None:
         """Take in another column of a name that is taken: a total beside a price is left out."""
@@ -219,9 +214,8 @@ class _Reading:
         self.places[name], self.units[name] = place, UNITS.get(kind, {}).get(written)
         if self.units[name] is not None or not (written or kind in ("m", "kg")):
             return
-        cells = self.column(place)
-        numbers = any(number_or_none(cell) is not None for cell in cells)
-        if not written and not numbers and any(in_own_unit(cell, kind) for cell in cells):
+        bare = not written and not self.has_numbers(place)
+        if bare and any(in_own_unit(cell, kind) for cell in self.column(place)):
             self.in_own_units.add(name)
         else:
             self.doubt("unit", place, self._proposed(name, place))
@@ -380,7 +374,6 @@ def header_of(
         if name and plain.count(name) > 1:
             raise InputError("inventory.column_twice", name, name=shown(name))
     reading.take_known()
-    reading.propose_foreign()
     reading.take_rest()
     reading.refuse_what_is_unclear()
     places = {name: reading.places[name] for name in COLUMNS if name in reading.places}

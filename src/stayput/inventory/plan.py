@@ -60,27 +60,12 @@ ROWS_PER_UPDATE = 2000
 def schema() -> Any:
     """Return the schema of the checked rows: one for each piece and event."""
     pa = arrow()
-    return pa.schema(
-        [
-            ("row", pa.int64()),
-            ("id", pa.string()),
-            ("name", pa.string()),
-            ("count", pa.int32()),
-            ("value", pa.float64()),
-            ("lat", pa.float64()),
-            ("lon", pa.float64()),
-            ("event", pa.string()),
-            ("station", pa.string()),
-            ("level", pa.float64()),
-            ("shaking_scatter", pa.float64()),
-            ("building", pa.string()),
-            ("storey", pa.int32()),
-            ("options", pa.list_(pa.string())),
-            ("costs", pa.list_(pa.float64())),
-            ("units", pa.list_(pa.int64())),
-            ("not_possible", not_possible()),
-        ]
-    )
+    text, real, texts = pa.string(), pa.float64(), pa.list_(pa.string())
+    kinds = {"row": pa.int64(), "id": text, "name": text, "count": pa.int32()}
+    kinds |= dict.fromkeys(("value", "lat", "lon"), real) | dict.fromkeys(("event", "station"), text)
+    kinds |= {"level": real, "shaking_scatter": real, "building": text, "storey": pa.int32()}
+    kinds |= {"options": texts, "costs": pa.list_(real), "units": pa.list_(pa.int64())}
+    return pa.schema([*kinds.items(), ("not_possible", not_possible())])
 
 
 def not_possible() -> Any:

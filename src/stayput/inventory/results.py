@@ -77,16 +77,16 @@ def schema(metadata: Mapping[str, str]) -> Any:
             for end, about in _ENDS
         ]
 
+    def interval(name: str, about: str) -> list[Any]:
+        ends = {"": about, "_low": "95 % interval from", "_high": "95 % interval to"}
+        return [number(f"{name}{end}", told) for end, told in ends.items()]
+
     slides = [
         number("slide_median", "median of the peak slide [m], infinite where so many overturn"),
         number("slide_p90", "90 % quantile of the peak slide [m], infinite where so many overturn"),
         number("slide_mean", "expected peak slide of those that stay upright [m]"),
     ]
-    inside = [
-        number(OUT, "expected share of the contents that come out; null where nothing is said of them"),
-        number(f"{OUT}_low", "95 % interval from"),
-        number(f"{OUT}_high", "95 % interval to"),
-    ]
+    inside = interval(OUT, "expected share of the contents that come out; null where nothing is said of them")
     option = pa.struct(
         [
             pa.field("name", pa.string()),
@@ -128,9 +128,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
             "device that fails, of hitting the wall; 'none' where none does",
             pa.string(),
         ),
-        number("best_overturned", "probability of overturning with it"),
-        number("best_overturned_low", "95 % interval from"),
-        number("best_overturned_high", "95 % interval to"),
+        *interval("best_overturned", "probability of overturning with it"),
         number(
             "best_lessens",
             "the event that ranks the best first; beside overturning, or that it overturns",
