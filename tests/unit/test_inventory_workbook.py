@@ -138,7 +138,7 @@ def test_a_book_without_sheets_is_none(tmp_path, part, content):
 
 
 BOMBS = {
-    "texts": (TEXTS, repeated("<sst>", "<si><t>abcdefgh</t></si>", 4000, "</sst>"), "more than 16 MiB of texts"),
+    "texts": (TEXTS, repeated("<sst>", "<si><t>abcdefgh</t></si>", 4000, "</sst>"), "than 16 MiB of texts"),
     "one text": (TEXTS, repeated("<sst><si><t>", "a" * 10, 8000, "</t></si></sst>"), "goes beyond"),
     "one cell": (SHEET, repeated(f"{HEAD}<row><c><v>", "a" * 10, 8000, ""), "goes beyond"),
     "one tag": (SHEET, repeated(f"{HEAD}<row ", "a" * 10, 8000, ""), "a tag"),

@@ -143,29 +143,23 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
     if value is None:
         return None
     if isinstance(value, str):
-        text = half_width(value)
-        if _may_be_thousands(name, text, unit):
+        number, written = _parted(value) or ("", "")
+        points = "," not in number and _THOUSANDS.fullmatch(number) is not None
+        if points and (name in WHOLE or (written or unit) in _WHOLE_UNITS):  # it may be one of thousands
             raise refusal("comma", name, value=shown(value))
-        number = _in_unit(text, unit)
-        if number is None:
+        factor = _factor(written, unit) if written else (1.0, 1.0)
+        number = without_thousands(number, written or unit)
+        if factor is None or _NUMBER.fullmatch(number) is None:
             hint: Phrase | str = ""
-            if _DECIMAL_COMMA.fullmatch(text):
+            if _DECIMAL_COMMA.fullmatch(half_width(value)):
                 hint = phrase("inventory.decimal_comma")
             elif unit and re.match(r"[+-]?[\d.,]+\s*[^\d.,]+$", value):
                 hint = phrase("inventory.without_unit")
             raise _not_a_plain_number(name, shown(value), unit, hint)
-        value = number
+        value = float(number) * factor[0] / factor[1]
     if not math.isfinite(value):
         raise _not_a_plain_number(name, str(value), unit)
     return float(value)
-
-
-def _may_be_thousands(name: str, text: str, unit: str) -> bool:
-    """Return whether a number has a point that would leave thousandths of what nobody divides so finely."""
-    parted = _WITH_REST.fullmatch(text)
-    if parted is None or "," in parted[1] or _THOUSANDS.fullmatch(parted[1]) is None:
-        return False
-    return name in WHOLE or (_unit_behind(parted) or unit) in _WHOLE_UNITS
 
 
 def half_width(text: str) -> str:
@@ -173,22 +167,12 @@ def half_width(text: str) -> str:
     return text if text.isascii() else text.translate(_FULL_WIDTH)
 
 
-def _in_unit(text: str, unit: str) -> float | None:
-    """Return the number of a text in a unit, converted from the one behind it; None where it is none."""
-    parted = _WITH_REST.fullmatch(text)
-    if parted is None:
+def _parted(text: str) -> tuple[str, str] | None:
+    """Return the number of a text and the unit behind it, "" without one; None where it is no number."""
+    matched = _WITH_REST.fullmatch(half_width(text.strip()))
+    if matched is None:
         return None
-    number, written = parted[1], _unit_behind(parted)
-    factor = _factor(written, unit) if written else (1.0, 1.0)
-    number = without_thousands(number, written or unit)
-    if factor is None or _NUMBER.fullmatch(number) is None:
-        return None
-    times, over = factor
-    return float(number) * times / over
-
-
-def _unit_behind(parted: re.Match[str]) -> str:
-    return unicodedata.normalize("NFKC", parted[2] or "").strip().lower()
+    return matched[1], unicodedata.normalize("NFKC", matched[2] or "").strip().lower()
 
 
 def _factor(written: str, unit: str) -> tuple[float, float] | None:
@@ -262,8 +246,8 @@ def number_or_none(cell: Cell) -> float | None:
 
 def in_own_unit(cell: Cell, kind: str) -> bool:
     """Return whether a cell is a number with a unit behind it, of the kind of a column's unit."""
-    parted = _WITH_REST.fullmatch(half_width(cell.strip())) if isinstance(cell, str) else None
-    return parted is not None and _unit_behind(parted) in UNITS[kind]
+    parted = _parted(cell) if isinstance(cell, str) else None
+    return parted is not None and parted[1] in UNITS[kind]
 
 
 def refuse_without_unit(name: str, cell: Cell) -> Cell:
@@ -289,13 +273,15 @@ def with_point(name: str, text: str, kind: str, money: bool = False) -> str:
     InputError
         The comma or the point may be one of thousands.
     """
-    parted = _WITH_REST.fullmatch(_SIGN_OF_MONEY.sub("", text.strip(), 1) if money else text.strip())
+    plain = _SIGN_OF_MONEY.sub("", text.strip(), 1) if money else text.strip()
+    parted = _parted(plain)
     if parted is None:
         return text
-    number, rest = without_thousands(parted[1], parted[2] or kind, ".,"), parted[2] or ""
-    if _THOUSANDS.fullmatch(number) and (rest or kind) not in ("m", "°"):  # a piece of 1800 m is none
+    number, unit = without_thousands(parted[0], parted[1] or kind, ".,"), parted[1]
+    if _THOUSANDS.fullmatch(number) and (unit or kind) not in ("m", "°"):  # a piece of 1800 m is none
         raise refusal("comma", name, value=shown(text))
-    return (number.replace(",", ".") if _DECIMAL_COMMA.fullmatch(number) else number) + rest
+    pointed = number.replace(",", ".") if _DECIMAL_COMMA.fullmatch(number) else number
+    return plain.replace(parted[0], pointed, 1)
 
 
 def amount_of(text: str) -> str:
