@@ -211,10 +211,9 @@ def whole(folder: Path) -> list[dict[str, Any]]:
 def kinds(folder: Path) -> list[dict[str, Any]]:
     """Time of a run of a full bookcase by what holds it, on one thread, the best of three."""
     import stayput as sp
-    from stayput.inventory.records import record_type
     from stayput.inventory.scenarios import read_scenarios
-    from stayput.inventory.store import measures_spec, piece_spec
-    from stayput.inventory.units import evaluate
+    from stayput.inventory.store import measures_spec, piece_spec, record_type
+    from stayput.inventory.work import evaluate
     from stayput.measures import MEASURES
     from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings

@@ -7,7 +7,6 @@ import sys
 import tempfile
 from pathlib import Path
 
-import pyarrow.parquet as pq
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -16,70 +15,11 @@ import stayput as sp
 from stayput.fragility import JMA_INTENSITY, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.cells import number_of, plain
-from stayput.inventory.places import ShakeMap, distances, steps_of
-from stayput.inventory.plan import make_plan
-from stayput.inventory.scenarios import read_scenarios
-from stayput.inventory.workspace import Workspace
+from stayput.inventory.shakemap import ShakeMap, distances, steps_of
 from stayput.montecarlo.hazard import level_of
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))
 from inventories import city, pieces, table
-
-NAMES = ["id", "preset", "width", "height", "mass", "floor", "gap", "building", "storey", "measures", "count"]
-CELLS = st.one_of(
-    st.sampled_from(
-        ["", "chest", "bookcase", "0.4", "1.8", "-1", "vinyl", "office", "3", "wedge", "2 wood", "nan"]
-    ),
-    st.text(max_size=12),
-    st.floats().map(str),
-)
-
-
-@pytest.fixture(scope="module")
-def cities():
-    with tempfile.TemporaryDirectory() as folder:
-        yield read_scenarios(city(Path(folder)))
-
-
-def planned(cities, content: bytes):
-    with tempfile.TemporaryDirectory() as folder:
-        work, file = Path(folder), Path(folder) / "inventory.csv"
-        file.write_bytes(content)
-        facts = make_plan(Workspace(work), file, cities, 2**20, lambda count: None)
-        rejects = pq.read_table(work / "plan" / "rejects.parquet").to_pylist()
-        parts = sorted((work / "plan" / "rows").iterdir())
-        rows = [row for part in parts for row in pq.read_table(part)["row"].to_pylist()]
-    return facts, rows, rejects
-
-
-@given(st.lists(st.lists(CELLS, min_size=len(NAMES), max_size=len(NAMES)), min_size=1, max_size=8))
-def test_each_row_is_a_piece_or_a_reject_or_empty(cities, rows):
-    import csv
-    import io
-
-    text = io.StringIO()
-    writer = csv.writer(text)
-    writer.writerow(NAMES)
-    writer.writerows(rows)
-    try:
-        content = text.getvalue().encode()
-        facts, good, rejects = planned(cities, content)
-    except sp.InputError:
-        return
-    except UnicodeEncodeError:
-        return
-    assert facts["rows"] == len(good) + len(rejects) + facts["empty rows"]
-    assert not {row["row"] for row in rejects} & set(good)
-    assert all(row["reason"].endswith(".") for row in rejects)
-
-
-@given(st.binary(max_size=400))
-def test_any_bytes_are_read_or_refused_in_a_sentence(cities, content):
-    try:
-        facts, good, rejects = planned(cities, b"id,preset,width\n" + content)
-    except sp.InputError:
-        return
-    assert facts["rows"] == len(good) + len(rejects) + facts["empty rows"]
 
 
 @given(st.one_of(st.text(), st.floats(), st.integers(), st.none()))

@@ -19,9 +19,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import stayput as sp
+from stayput.inventory.folder import Workspace
 from stayput.inventory.plan import make_plan
 from stayput.inventory.scenarios import read_scenarios
-from stayput.inventory.workspace import Workspace
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))
 from inventories import city

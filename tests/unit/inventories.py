@@ -3,12 +3,28 @@
 from __future__ import annotations
 
 import hashlib
-from typing import TYPE_CHECKING, Any
+from contextlib import closing
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import pyarrow.parquet as pq
+
+import stayput as sp
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.inventory import Assessment
+
+
+class Plan(NamedTuple):
+    """Checked rows, rejects, bodies, facts, and for each row whether its building moves, and its storey."""
+
+    rows: list[dict[str, Any]]
+    rejects: list[dict[str, Any]]
+    bodies: list[sp.Body]
+    facts: dict[str, Any]
+    moved: list[tuple[bool, int]]
+
 
 CITY = """
 title = "test"
@@ -66,3 +82,53 @@ def digests(folder: Path) -> dict[str, str]:
         for path in sorted(folder.rglob("*"))
         if path.is_file() and not {"work", ".lock"} & set(path.relative_to(folder).parts)
     }
+
+
+def planned(folder: Path, file: Path, scenario: str = CITY, columns: Any = None) -> Plan:
+    """The plan of a table, made in a folder."""
+    from stayput.inventory.folder import Workspace
+    from stayput.inventory.mapping import read_columns
+    from stayput.inventory.plan import make_plan
+    from stayput.inventory.scenarios import read_scenarios
+    from stayput.inventory.store import Store, ground_of, piece_of
+
+    space = folder / "space"
+    space.mkdir()
+    scenarios = read_scenarios(city(folder, scenario))
+    facts = make_plan(
+        Workspace(space), file, scenarios, 2**24, lambda count: None, columns=read_columns(columns)
+    )
+    parts = sorted((space / "plan" / "rows").iterdir())
+    rows = [row for part in parts for row in pq.read_table(part).to_pylist()]
+    rejects = pq.read_table(space / "plan" / "rejects.parquet").to_pylist()
+    specs, moved = {}, {}
+    with closing(Store(space / "plan" / "plan.sqlite")) as store:
+        for spec, sites in store.grounds():
+            for site, storey in sites:
+                for unit, _, piece in store.units_at(site):
+                    specs[unit], moved[unit] = piece, (ground_of(spec)[2] is not None, storey)
+    first = [row["units"][0] for row in rows]
+    return Plan(rows, rejects, [piece_of(specs[unit])[0] for unit in first], facts, [moved[n] for n in first])
+
+
+def verified(
+    gap: float = 0.05,
+    floor: str = "wood flooring",
+    wall: str | None = None,
+    shaking: dict[str, Any] | None = None,
+    furniture: dict[str, Any] | None = None,
+    **tables: Any,
+) -> sp.Verdict:
+    """What a verification says of a bookcase, or other furniture, in the room and the shaking of `CITY`."""
+    from stayput.verification import verify
+
+    suite = {"family": "crustal", "count": 3, "seed": 1}
+    behind = {"gap": gap} if wall is None else {"gap": gap, "construction": wall}
+    scenario = {
+        "furniture": furniture or {"preset": "bookcase"},
+        "room": {"floor": floor, "back_wall": behind, "ceiling": {"height": 2.4}},
+        "shaking": {"intensity": 6.0, "suite": suite, **(shaking or {})},
+        "uncertainty": {"samples": 6, "seed": 1},
+        **tables,
+    }
+    return verify(sp.Scenario.parse(scenario), levels=(), progress=False, threads=1)

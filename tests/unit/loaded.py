@@ -10,14 +10,14 @@ import scipy.stats  # noqa: F401
 
 import stayput as sp
 from conftest import load_solvers
-from stayput.inventory.arrow import dataset, parquet
+from stayput.extras import arrow
 from stayput.inventory.assess import assess  # noqa: F401
 
 with suppress(ImportError):  # for the workers of a cluster
     pass
 
-dataset()
-parquet()
+arrow("dataset")
+arrow("parquet")
 load_solvers()
 BUILDING = {"storeys": 4, "structure": "steel"}
 SHAKING = {"suite": {"family": "crustal", "count": 3, "seed": 1}, "intensity": 6.0, "building": BUILDING}

@@ -19,16 +19,6 @@ def slow_square(n):
     return n * n
 
 
-@pytest.mark.parametrize("threads", [1, 2, 7, None])
-def test_results_are_those_of_the_calls(threads):
-    squares = [n * n for n in range(50)]
-    with Pool(threads) as pool:
-        assert list(pool.in_order(partial(slow_square, n) for n in range(50))) == squares
-        unordered = pool.as_completed(partial(slow_square, n) for n in range(50))
-        assert dict(unordered) == dict(enumerate(squares))
-        assert list(pool.in_order([])) == []
-
-
 def test_calls_are_made_a_few_ahead_of_the_results():
     """A first call that takes long holds back the results of the others, which must not pile up."""
     made, first = [], threading.Event()

@@ -12,7 +12,7 @@ from scipy.special import ndtr, ndtri
 
 from stayput import InputError
 from stayput.fragility import JMA_INTENSITY, PFV, PGA, PGV, CurveState, Trials, fragility_curve
-from stayput.fragility.isotonic import pooled
+from stayput.fragility.trials import pooled
 
 LEVELS = np.linspace(5.0, 7.0, 11)
 
@@ -89,14 +89,6 @@ def test_layouts_agree() -> None:
     assert width[0] > 2.5 * width[1]
 
 
-def test_scale_of_the_measure_does_not_matter() -> None:
-    im, fell, runs = np.array([1.0, 2.0, 4.0]), [2, 9, 18], [20, 20, 20]
-    small = fragility_curve(Trials.from_counts(PGA, im, fell, runs)).capacity()
-    large = fragility_curve(Trials.from_counts(PGA, 1e6 * im, fell, runs)).capacity()
-    ends = (large.low, large.estimate, large.high)
-    assert ends == pytest.approx(tuple(1e6 * end for end in (small.low, small.estimate, small.high)))
-
-
 def test_missing_runs_are_left_out() -> None:
     fallen = _runs(2)
     missing = np.zeros_like(fallen)
@@ -150,48 +142,6 @@ def test_curve_that_bends_is_not_called_lognormal() -> None:
     assert refused >= 32
 
 
-def test_lognormal_whose_median_was_not_seen_does_not_fit() -> None:
-    found = fragility_curve(_counts([1, 2, 4, 9])).lognormal
-    assert found is not None
-    assert found.median > 6.5
-    assert not found.fits
-    assert "outside what was run" in found.text
-
-
-def test_lower_tail_is_not_on_the_unsafe_side() -> None:
-    # 30 % of the motions topple it early: the lognormal tells 10 % by 0.1 and more too high, the curve not
-    rng = np.random.default_rng(6)
-    truth = float(np.quantile(_bent_capacities(rng, 200_000), 0.1))
-    curves = [fragility_curve(Trials.from_runs(JMA_INTENSITY, LEVELS, _bent(rng, 40, 8))) for _ in range(60)]
-    told = np.array([curve.capacity(0.1).estimate for curve in curves])
-    assert abs(float(np.median(told)) - truth) < 0.04
-    held = sum(curve.capacity(0.1).low <= truth <= curve.capacity(0.1).high for curve in curves)
-    assert held >= 0.95 * 60 - 3.0 * np.sqrt(60 * 0.95 * 0.05)
-
-
-def _bent_capacities(rng: np.random.Generator, motions: int) -> np.ndarray:
-    early = rng.random(motions) < 0.3
-    mean = np.where(early, 5.3, 6.3) + 0.2 * rng.standard_normal(motions)
-    return mean + 0.1 * rng.standard_normal(motions)
-
-
-@pytest.mark.parametrize(
-    ("motions", "samples", "between", "within"), [(40, 8, 0.4, 0.2), (20, 1, 0.4, 0.05), (40, 8, 0.1, 0.4)]
-)
-def test_capacity_intervals_hold_the_truth(motions: int, samples: int, between: float, within: float) -> None:
-    beta, trials = np.hypot(between, within), 150
-    held = {0.1: 0, 0.5: 0}
-    for seed in range(trials):
-        curve = fragility_curve(
-            Trials.from_runs(JMA_INTENSITY, LEVELS, _runs(seed, motions, samples, between, within))
-        )
-        for share in held:
-            found = curve.capacity(share)
-            held[share] += found.low <= 6.0 + beta * ndtri(share) <= found.high
-    # 95 % less three standard errors
-    assert min(held.values()) >= trials * 0.95 - 3.0 * np.sqrt(trials * 0.95 * 0.05)
-
-
 def test_one_motion_has_no_band() -> None:
     # 62 % observed at 6.07 and 2 of 40 at 5.45, as of one record under forty draws
     levels = np.array([5.30, 5.45, 5.61, 5.76, 5.92, 6.07, 6.22, 6.5])
@@ -219,14 +169,6 @@ def test_band_of_a_curve_that_barely_rises_stays_with_what_fell() -> None:
     assert high.max() < 0.25
     assert curve.capacity(0.1).text == "> 6.95 (unsure)"
     assert curve.capacity(0.5).text == "> 6.95"
-
-
-def test_capacity_is_read_off_the_band() -> None:
-    curve = fragility_curve(Trials.from_runs(JMA_INTENSITY, LEVELS, _runs(5)))
-    found = curve.capacity(0.3)
-    low, high = curve.band([found.high, found.low])
-    assert curve.probability(found.estimate) == pytest.approx(0.3)
-    assert (low[0], high[1]) == pytest.approx((0.3, 0.3))
 
 
 def test_nothing_is_told_outside_what_was_run() -> None:

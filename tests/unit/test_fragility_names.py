@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from stayput import InputError
 from stayput.files import name_part
 from stayput.fragility import INTENSITY_MEASURES
-from stayput.fragility.labels import plain_names
+from stayput.fragility.exports import plain_names
 from stayput.report.verdict import exports
 from stayput.spreadsheets import text_cell
 from stayput.verification.options import Option

@@ -7,16 +7,15 @@ import json
 
 import pytest
 import typer
-from inventories import city, digests, rows_of_results, table
+from inventories import city, digests, rows_of_results, table, verified
 from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.cli.assess import assess as command
 from stayput.inventory import assess
-from stayput.inventory.contents import contents_of
+from stayput.inventory.items import contents_of
 from stayput.inventory.store import piece_of, piece_spec
 from stayput.scenario import Scenario
-from stayput.verification import verify
 
 HEADER = "id,preset,contents,doors,drawers,lip,load,measures"
 ROWS = [
@@ -48,15 +47,11 @@ def unsaid():
 
 
 def test_a_row_tells_what_a_verification_tells(small):
-    scenario = {
-        "furniture": {"preset": "bookcase", "shelves": [20.0, 15.0, 10.0]},
-        "room": {"floor": "wood flooring", "back_wall": {"gap": 0.05}, "ceiling": {"height": 2.4}},
-        "shaking": {"intensity": 6.0, "suite": {"family": "crustal", "count": 3, "seed": 1}},
-        "contents": {"kind": "bottles", "lip": 0.03},
-        "uncertainty": {"samples": 6, "seed": 1},
-        "measures": [{"type": "wedge_stopper", "name": "wedge"}],
-    }
-    verdict = verify(Scenario.parse(scenario), levels=(), progress=False, threads=1)
+    verdict = verified(
+        furniture={"preset": "bookcase", "shelves": [20.0, 15.0, 10.0]},
+        contents={"kind": "bottles", "lip": 0.03},
+        measures=[{"type": "wedge_stopper", "name": "wedge"}],
+    )
     told = {"wedge" if one.option.measures else "none": one.contents.out for one in verdict.options}
     row = rows_of_results(small)[2]
     for option in row["options"]:
@@ -91,29 +86,14 @@ def test_summary_report_and_command_tell_the_mean_over_what_has_contents(small, 
     app.command()(command)
     where = table(tmp_path, ROWS, HEADER), city(tmp_path)
     arguments = [str(where[0]), "--scenario", str(where[1]), "--out", str(tmp_path / "out")]
-    assert "of what is inside 3 pieces" in CliRunner().invoke(app, arguments).output
+    assert "Of what is inside 3 pieces" in CliRunner().invoke(app, arguments).output
     told = json.loads(CliRunner().invoke(app, [*arguments, "--json"]).output)
     assert told["events"]["city"]["contents_out_share"] == total.share_out
 
 
-def test_the_sentences_of_the_report_stand_apart(tmp_path):
-    valued = table(tmp_path, [f"{ROWS[0]},100"], f"{HEADER},value")
-    assess(valued, city(tmp_path), tmp_path / "out", threads=1, progress=False)
-    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    assert "in their currency). Of what is inside" in page
-
-
-def test_without_contents_nothing_is_said_of_them(tmp_path):
-    done = assess(table(tmp_path, ["a,chest"], "id,preset"), city(tmp_path), tmp_path / "out", progress=False)
-    assert done.summary.events["city"].share_out is None
-    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    assert "what is inside" not in page.lower()
-    assert "Contents out" not in page
-
-
 def test_neither_threads_nor_tasks_change_a_bit(small, tmp_path, monkeypatch):
     monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.001)
-    monkeypatch.setattr("stayput.inventory.units.BLOCK", 6)
+    monkeypatch.setattr("stayput.inventory.work.BLOCK", 6)
     assess(table(tmp_path, ROWS, HEADER), city(tmp_path), tmp_path / "out", threads=3, progress=False)
     assert digests(tmp_path / "out") == digests(small.folder)
 

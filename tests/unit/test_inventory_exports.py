@@ -6,7 +6,7 @@ import csv
 import json
 
 import pytest
-from inventories import city, digests, rows_of_results, table
+from inventories import city, rows_of_results, table
 
 import stayput as sp
 from stayput.inventory import assess
@@ -39,16 +39,6 @@ def test_a_geojson_has_a_point_for_each_place(exported):
     assert points[1]["coordinates"] == [-134.5, 35.2]  # a longitude of 225.5°
     assert points[2] is None
     assert [feature["properties"]["id"] for feature in content["features"]] == ["a", "本棚", "c"]
-
-
-def test_exports_are_the_same_bytes_whatever_the_threads(tmp_path):
-    file = table(tmp_path, ROWS, "id,preset,lat,lon,owner")
-    given = {"export": ["csv", "geojson"], "progress": False}
-    found = [
-        digests(assess(file, city(tmp_path), tmp_path / f"out{n}", threads=n, **given).folder) for n in (1, 2)
-    ]
-    assert found[0] == found[1]
-    assert {"pieces.csv", "pieces.geojson"} <= set(found[0])
 
 
 def test_an_export_may_follow(tmp_path):

@@ -20,9 +20,9 @@ import stayput as sp
 from long_cases import long
 from stayput.execution import Pool
 from stayput.inventory import assess
+from stayput.inventory.folder import OWN, Workspace, entries
 from stayput.inventory.store import Store
-from stayput.inventory.work import Costs, Work
-from stayput.inventory.workspace import OWN, Workspace, entries
+from stayput.inventory.work import Work
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="kill -9 is of POSIX")
 
@@ -90,7 +90,7 @@ def check(out: Path, expected: dict[str, str]) -> None:
     ]
     assert rows == list(range(2, PIECES + 2))
     assert not list((out / "work" / "drafts").iterdir())
-    assert all(OWN.fullmatch(entry) for entry in entries(out, OWN))
+    assert all(OWN.fullmatch(entry) for entry in entries(out))
 
 
 @pytest.mark.processes
@@ -246,7 +246,7 @@ def test_what_reads_the_plan_is_closed_before_it(tmp_path, monkeypatch, error, k
     monkeypatch.setattr(Store, "units_at", watched)
     monkeypatch.setattr(Store, "close", lambda self: (order.append("closed"), close(self))[1])
     monkeypatch.setattr(kind, place, failing)
-    monkeypatch.setattr(Costs, "wanted", lambda *_: 0.0)  # a task for each unit
+    monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.0)  # a task for each unit
     file = table(tmp_path, [f"p{n},,0.{n},1.8,50" for n in range(30, 70)], "id,preset,width,height,mass")
     order.clear()
     with pytest.raises(error) as held:

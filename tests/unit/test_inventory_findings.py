@@ -61,18 +61,6 @@ def test_a_long_id_is_shortened_in_what_is_said_of_it(tmp_path, length):
     assert max(line.count("x") for line in told) < 500
 
 
-def test_an_id_that_is_missing_is_that_of_the_row(tmp_path):
-    rows = ["1,chest", ",chest", ",", "3,chest", ",chest"]
-    done = assess(table(tmp_path, rows, "id,preset"), city(tmp_path), tmp_path / "out", progress=False)
-    assert [row["id"] for row in rows_of_results(done)] == [
-        "1",
-        "row 3",
-        "3",
-        "row 6",
-    ]  # as row numbers count
-    assert done.facts["empty cells"] == {"id": 2}
-
-
 @pytest.mark.parametrize(
     ("language", "sentences"),
     [

@@ -12,7 +12,7 @@ import stayput as sp
 from stayput.fragility import spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.scenarios import read_scenarios
-from stayput.inventory.shakemaps import read_shakemap
+from stayput.inventory.shakemap_files import read_shakemap
 from stayput.montecarlo.hazard import factors_to_level_zero
 
 GRID = ["35,135,5", "35,136,6", "36,135,6", "36,136,7"]
@@ -91,31 +91,14 @@ def test_a_motion_of_one_component_has_its_sa():
     assert sa(motion.scaled(factor), 0.5, "x") == pytest.approx(1.0, rel=1e-9)
 
 
-def test_sa_between_places_is_taken_in_its_logarithm(tmp_path):
-    found = read_shakemap(table(tmp_path, SA_GRID, "lat,lon,sa_0.3", "map.csv"))
-    assert found.measure == spectral_acceleration(0.3)
-    assert 10.0 ** found.at(36.0, 136.0).level == pytest.approx(1.6, rel=0.03)
-    assert 10.0 ** found.at(35.5, 135.5).level == pytest.approx(0.4, rel=0.03)
-    assert 10.0 ** found.at(35.0, 135.5).level == pytest.approx(0.2, rel=0.03)
-
-
-def test_rows_say_no_sa_without_such_a_map(tmp_path):
-    done = assess(table(tmp_path, ["p,chest"], "id,preset"), city(tmp_path), tmp_path / "out", progress=False)
-    (row,) = rows_of_results(done)
-    assert row["sa"] is None
-
-
 @pytest.mark.parametrize(
     "header",
     [
         "lat,lon",
         "lat,lon,pga",
-        "lat,lon,sa",
         "lat,lon,sa(0.3)",
-        "lat,lon,sa_0.3_g",
         "lat,lon,sa_-1",
         "lat,intensity,sa_0.3",
-        "lat,lon,intensity,sa_0.3",
         "lat,lon,sa_0.3,sa_1.0",
         "lat,lon,lon,sa_0.3",
         "",

@@ -19,10 +19,3 @@ def test_what_only_a_verification_uses_is_said(tmp_path: Path, added: str, key: 
     file.write_text(PLAIN + added, encoding="utf-8")
     with pytest.warns(sp.InputWarning, match=rf"quake.toml.*{key}.* is not used"):
         read_scenario_file(file)
-
-
-def test_a_plain_scenario_is_read_without_a_word(tmp_path: Path, recwarn: pytest.WarningsRecorder) -> None:
-    file = tmp_path / "quake.toml"
-    file.write_text(PLAIN, encoding="utf-8")
-    read_scenario_file(file)
-    assert not recwarn

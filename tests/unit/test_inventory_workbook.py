@@ -112,16 +112,12 @@ HEAD = '<worksheet><sheetData><row><c t="str"><v>id</v></c></row>'
 DAMAGED = {
     "a row twice": (SHEET, sheet('<row r="2"/><row r="2"/>'), "row 2 does not follow row 2"),
     "a row far below": (SHEET, sheet('<row r="99999999"/>'), "beyond 1048576"),
-    "a row of no number": (SHEET, sheet('<row r="x"/>'), "is broken"),
     "a column far off": (SHEET, sheet('<row r="1"><c r="ZZZ1"/></row>'), "beyond 16384"),
-    "a column of no name": (SHEET, sheet('<row r="1"><c r="ZZZZZZZZZ1"/></row>'), "is no place of a cell"),
     "columns in disorder": (SHEET, sheet('<row r="1"><c r="B1"/><c r="A1"/></row>'), "follow column 2"),
     "no such text": (SHEET, sheet('<row r="1"><c t="s"><v>9</v></c></row>'), "has no text 9"),
-    "no such text, below": (SHEET, sheet('<row r="1"><c t="s"><v>-1</v></c></row>'), "has no text -1"),
     "a number of 5000 digits": (SHEET, sheet(f'<row r="1"><c><v>{"9" * 5000}x</v></c></row>'), "is broken"),
     "entities": (SHEET, '<!DOCTYPE a [<!ENTITY b "c">]>' + sheet(""), "declares a document type"),
     "nested": (SHEET, sheet("<row>" + "<a>" * 100), "nests more than 50"),
-    "cut": (SHEET, sheet("")[:-5], "is broken"),
     "many formats": (STYLES, "<a><cellXfs>" + "<xf/>" * 100_001 + "</cellXfs></a>", "100000 formats"),
 }  # fmt: skip
 
@@ -137,13 +133,12 @@ def test_a_damaged_part_is_refused_in_a_sentence(tmp_path, name):
 @pytest.mark.parametrize("part", ["xl/workbook.xml", "_rels/.rels", "xl/_rels/workbook.xml.rels"])
 @pytest.mark.parametrize("content", ["", "<a/>", "<a>", "<Relationships/>"])
 def test_a_book_without_sheets_is_none(tmp_path, part, content):
-    with pytest.raises(sp.InputError, match="it must be an Excel workbook"):
+    with pytest.raises(sp.InputError, match="it must be a file of Excel"):
         read(with_part(written(tmp_path), part, content))
 
 
 BOMBS = {
-    "texts": (TEXTS, repeated("<sst>", "<si><t>abcdefgh</t></si>", 4000, "</sst>"), "take more than 16 MiB"),
-    "empty texts": (TEXTS, repeated("<sst>", "<si/>", 10_000, "</sst>"), "take more than 16 MiB"),
+    "texts": (TEXTS, repeated("<sst>", "<si><t>abcdefgh</t></si>", 4000, "</sst>"), "than 16 MiB of texts"),
     "one text": (TEXTS, repeated("<sst><si><t>", "a" * 10, 8000, "</t></si></sst>"), "goes beyond"),
     "one cell": (SHEET, repeated(f"{HEAD}<row><c><v>", "a" * 10, 8000, ""), "goes beyond"),
     "one tag": (SHEET, repeated(f"{HEAD}<row ", "a" * 10, 8000, ""), "a tag"),

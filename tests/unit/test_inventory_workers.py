@@ -17,7 +17,7 @@ from typer.testing import CliRunner
 
 from stayput.cli import app
 from stayput.inventory import assess, work
-from stayput.inventory.records import OutcomeStore
+from stayput.inventory.store import OutcomeStore
 from waiting import wait_until
 
 if TYPE_CHECKING:

@@ -18,8 +18,8 @@ import stayput as sp
 from stayput.app.shaking import shaking_reply
 from stayput.cli import app
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, spectral_acceleration
+from stayput.fragility.exports import in_openquake
 from stayput.fragility.intensity_measures import FLOOR_JMA
-from stayput.fragility.nrml import in_openquake
 from stayput.motion.measures import Intensities
 from stayput.report.plot import plot_run
 from stayput.report.room.data import room_data

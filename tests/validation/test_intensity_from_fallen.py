@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.fragility.fallen import _kernel, estimate_from_counts
+from stayput.fallen import _kernel, estimate_from_counts
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.sampling import draws, rows_of

@@ -29,28 +29,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The type of fallen is {dtype}; it must be bool, and missing runs go apart.",
         "fallenの型が{dtype}になっています。bool型にしてください（打ち切った計算はmissingで指定します）。",
     ),
-    "wrong_axes": (
-        "The shape of fallen is {shape}; it must have {dimensions} axes, none empty.",
-        "fallenの形状が{shape}になっています。{dimensions}次元で、どの軸も1以上の長さにしてください。",
+    "shape": (
+        "The shape of {name} is {shape}; it must be {allowed}.",
+        "{name}の形状が{shape}になっています。{allowed}にしてください。",
     ),
-    "missing_shape": (
-        "The shape of missing is {shape}; it must be that of fallen, {expected}.",
-        "missingの形状が{shape}になっています。fallenと同じ{expected}にしてください。",
-    ),
-    "pair_shapes": (
-        "The shapes are {first} and {second}; both must have the same motions and samples.",
-        "形状が{first}と{second}になっています。地震動とサンプルの数を両方で同じにしてください。",
-    ),
-    "intensity_shape": (
-        (
-            "The shape of the intensities is {shape}; with runs of shape {runs} it must be {levels} or "
-            "{motions}."
-        ),
-        (
-            "揺れの強さの形状が{shape}になっています。計算の形状が{runs}のときは"
-            "{levels}または{motions}にしてください。"
-        ),
-    ),
+    "axes": ("of {dimensions} axes, none empty", "{dimensions}次元で、どの軸も1以上の長さ"),
+    "either": ("{first} or {second}", "{first}または{second}"),
     "list_shapes": (
         "The shapes are {im}, {fell}, {runs}; they must be lists of one length.",
         "形状が{im}、{fell}、{runs}になっています。同じ長さの1次元の配列にしてください。",

@@ -12,9 +12,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "メモリが{memory}になっています。2GBのように指定してください。",
     ),
     # files
-    "the_inventory": ("inventory", "家具一覧"),
-    "the_uncertainty": ("uncertainty of the shake map", "地震動マップの不確かさ"),
-    "the_shake_map": ("shake map", "地震動マップ"),
     "not_a_file": (
         "The {file} is {path}; it must be a file.",
         "{file}が{path}になっています。ファイルを指定してください。",
@@ -32,14 +29,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{file}（{path}）を読み込めませんでした：{reason}。",
     ),
     "unwritable": (
-        (
-            "The folder is {folder}; it could not be written: {reason}{at}. "
-            "What is complete is kept, and the same command goes on from it."
-        ),
-        (
-            "フォルダー{folder}に書き込めませんでした：{reason}{at}。"
-            "完了した分は残っており、同じコマンドで続きから再開できます。"
-        ),
+        "The folder is {folder}; it could not be written: {reason}{at}. The same command goes on from there.",
+        "フォルダー{folder}に書き込めませんでした：{reason}{at}。同じコマンドで続きから再開できます。",
     ),
     "at_path": (" (at {path})", "（{path}）"),
     "file_ending": (
@@ -51,14 +42,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "家具一覧（{path}）が壊れています：{reason}。",
     ),
     "encoding": (
-        (
-            "The inventory is {path}; it must be a text in UTF-8, cp932 (Shift_JIS), or UTF-16 with a byte order "
-            "mark (Excel saves it as CSV UTF-8)."
-        ),
-        (
-            "家具一覧（{path}）の文字コードが、UTF-8、cp932（Shift_JIS）、BOM付きUTF-16のいずれでもありません"
-            "（Excelでは「CSV UTF-8」で保存できます）。"
-        ),
+        "The inventory is {path}; it must be UTF-8, cp932 (Shift_JIS) or UTF-16 (Excel saves CSV UTF-8).",
+        "家具一覧（{path}）の文字コードは、UTF-8、cp932（Shift_JIS）、BOM付きUTF-16のいずれかにしてください（Excelでは「CSV UTF-8」）。",
     ),
     "first_row": (
         "The inventory is {path}; its first row must name the columns: {reason}.",
@@ -69,45 +54,25 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The inventory is {path}; it must have a row below its header.",
         "家具一覧（{path}）に見出しの行しかありません。家具の行が必要です。",
     ),
-    "not_parquet": (
-        "The inventory is {path}; it must be a Parquet file.",
-        "家具一覧（{path}）はParquetファイルではありません。",
-    ),
-    "not_a_workbook": (
-        "The inventory is {path}; it must be an Excel workbook.",
-        "家具一覧（{path}）はExcelブックではありません。",
+    "other_kind": (
+        "The inventory is {path}; it must be a file of {kind}.",
+        "家具一覧（{path}）は{kind}のファイルではありません。",
     ),
     "workbook_too_large": (
         "The inventory is {path}; unpacked it must be below 8 GiB.",
         "家具一覧（{path}）が大きすぎます。展開後の大きさを8 GiB未満にしてください。",
     ),
     "workbook_texts": (
-        (
-            "The texts of the workbook take more than {size:.0f} MiB; they must "
-            "take less, or the memory be more, or the table CSV or Parquet."
-        ),
-        (
-            "ブックの文字列が{size:.0f} MiBを超えています。減らすか、メモリの指定を増やすか、"
-            "CSVまたはParquetにしてください。"
-        ),
-    ),
-    "empty_sheet": (
-        "The inventory is {path}; its first sheet must not be empty.",
-        "家具一覧（{path}）の先頭のシートが空です。",
+        "The workbook has more than {size:.0f} MiB of texts; give more memory, or CSV or Parquet.",
+        "ブックの文字列が{size:.0f} MiBを超えています。メモリの指定を増やすか、CSVまたはParquetにしてください。",
     ),
     "open_quote": (
         "In row {row} of the inventory (line {line}) a quote opens that does not close; it must close.",
         "家具一覧の{row}行目（ファイルの{line}行目）で始まる引用符が閉じられていません。",
     ),
     "long_cell": (
-        (
-            "In row {row} of the inventory (line {line}) a cell goes beyond {most:,} characters; it must be "
-            "shorter (is a quote not closed?)."
-        ),
-        (
-            "家具一覧の{row}行目（ファイルの{line}行目）のセルが{most:,}文字を超えています。"
-            "引用符の閉じ忘れがないか確かめてください。"
-        ),
+        "In row {row} (line {line}) a cell goes beyond {most:,} characters; is a quote not closed?",
+        "家具一覧の{row}行目（ファイルの{line}行目）のセルが{most:,}文字を超えています。引用符の閉じ忘れがないか確かめてください。",
     ),
     "bad_row": ("The row cannot be read: {reason}.", "行を読み込めません：{reason}。"),
     # header
@@ -201,11 +166,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "cell_other": ("neither text nor number", "文字列でも数値でもない値"),
     "cell_error": ("an error of the spreadsheet ({error})", "表計算ソフトのエラー値（{error}）"),
     "merged_cells": (
-        (
-            "Cells {cells} of the sheet are merged over several rows, of which only the first has the value; "
-            "they must be split, each row with its own."
-        ),
-        "シートのセル{cells}が複数行にわたって結合されていて、値があるのは最初の行だけです。結合を解除して、各行に値を入れてください。",
+        "Cells {cells} of the sheet are merged over several rows; they must be split, each row with its own.",
+        "シートのセル{cells}が複数行にわたって結合されています。結合を解除して、各行に値を入れてください。",
     ),
     "total_row": (
         "{name} is {value}: the row is a total, and no piece.",
@@ -228,11 +190,23 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must be a plain number{unit}{hint}.",
         "{name}が{value}になっています。数値だけ{unit}にしてください{hint}。",
     ),
+    "comma": (
+        "{name} is {value}, whose mark may be of decimals or of thousands; it must be written without it.",
+        "{name}が{value}になっています。点またはコンマが小数点か桁区切りか分かりません。どちらもなしで書いてください。",
+    ),
+    "cell_without_unit": (
+        "{name} is {value}; it must have a unit, as the other cells of its column have.",
+        "{name}が{value}になっています。同じ列のほかのセルと同じように、単位をつけてください。",
+    ),
+    "decimal_comma": (
+        " (a comma is a decimal one where semicolons stand between the columns)",
+        "（小数点のコンマは、列をセミコロンで区切った表だけで使えます）",
+    ),
     "in_unit": (" in {unit}", "（単位は{unit}）"),
     "without_unit": (", without its unit", "（単位は書きません）"),
-    "too_many_numbers": (
-        "{name} has {count} numbers; it must have at most {most}.",
-        "{name}に数値が{count}個あります。{most}個以下にしてください。",
+    "too_many_parts": (
+        "{name} has {count} parts; it must have at most {most}.",
+        "{name}が{count}個に分かれています。{most}個以下にしてください。",
     ),
     "missing_number": (
         "{name} is {value}; between its semicolons there must be numbers.",
@@ -243,18 +217,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {id}, which is that of row {row}; every row must have its own.",
         "{name}の{id}は{row}行目と同じです。行ごとに異なるものにしてください。",
     ),
-    "lat_and_lon": (
-        "{name} is missing; lat and lon must be given together.",
-        "{name}がありません。緯度と経度は両方とも指定してください。",
-    ),
     "wall": ("wall", "wall"),
-    "wall_without_gap": (
-        "{name} is missing; a wall needs it where the scenario has no wall behind.",
-        "{name}がありません。シナリオに背後の壁がないとき、壁には必要です。",
+    "missing_beside": (
+        "{name} is missing; it must be given where {other} is.",
+        "{name}がありません。{other}を指定するときは必要です。",
     ),
-    "contents_missing": (
-        "contents is missing; {name} needs it where the scenario has none.",
-        "収納物の列がありません。シナリオに収納物がないとき、{name}には必要です。",
+    "missing_in_both": (
+        "{name} is missing; {other} needs it where the scenario has none.",
+        "{name}がありません。シナリオにないとき、{other}には必要です。",
     ),
     "place_missing": (
         "{name} is missing; it must be given where there are stations or a shake map.",
@@ -265,21 +235,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "対策の費用は{costs}個、対策は{measures}個です。同じ数にしてください。",
     ),
     "building_missing": (
-        (
-            "{name} is missing; it must be given where a storey is: in a column building, or for all rows as "
-            "building and storey under [shaking] of the scenario."
-        ),
-        (
-            "{name}がありません。階を指定するときは必要です。"
-            "列「建物」に書くか、すべての行に共通ならシナリオの[shaking]にbuildingとstoreyを書いてください。"
-        ),
-    ),
-    "storey_missing": (
-        "{name} is missing; it must be given where a building is.",
-        "{name}がありません。建物を指定するときは必要です。",
+        "{name} is missing; a storey needs it: in a column building, or under [shaking] of the scenario.",
+        "{name}がありません。階を指定するときは、列「建物」か、シナリオの[shaking]のbuildingとstoreyに書いてください。",
     ),
     "storey_range": (
-        "{name} is {storey}; it must be between 1 and {highest}, the roof, or a basement from B1 to B{deepest}.",
+        "{name} is {storey}; it must be 1 to {highest}, the roof, or a basement from B1 to B{deepest}.",
         "{name}が{storey}になっています。1～{highest}（屋上）か、B1～B{deepest}（地下）にしてください。",
     ),
     "storey": (
@@ -300,17 +260,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} has {value}; each must be one of {known}.",
         "{name}に{value}があります。次のいずれかにしてください：{known}。",
     ),
-    "too_many_sets": (
-        "{name} has {count} sets; it must have at most {most}.",
-        "{name}に対策の組み合わせが{count}個あります。{most}個以下にしてください。",
-    ),
     "measure_twice": (
         "{name} has {value} twice; each must be there once.",
         "{name}に{value}が2回あります。1回にしてください。",
     ),
     # scenarios
     "not_used": (
-        "{scenario}: {key} is not used; an inventory takes measures as well installed, and tells of earthquakes alone.",
+        "{scenario}: {key} is not used; here measures are well installed, and only earthquakes count.",
         "{scenario}: {key}は使われません。一覧の評価では、対策は正しく取り付けられたものとし、地震だけを扱います。",
     ),
     "other_building": (
@@ -345,14 +301,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "on_the_map": ("{name} on the shake map", "地震動マップ上の{name}"),
     "in_row_of_the_map": ("{name} in row {row} of the shake map", "地震動マップ{row}行目の{name}"),
     "map_place_twice": (
-        (
-            "Row {row} of the shake map is at {lat:g}°, {lon:g}°, as row {before} is; "
-            "each place must be there once."
-        ),
-        (
-            "地震動マップの{row}行目の位置（{lat:g}°、{lon:g}°）は{before}行目と同じです。"
-            "同じ位置は1回だけにしてください。"
-        ),
+        "Row {row} of the shake map is at {lat:g}°, {lon:g}°, as row {before} is; it must be there once.",
+        "地震動マップの{row}行目の位置（{lat:g}°、{lon:g}°）は{before}行目と同じです。1回だけにしてください。",
     ),
     "map_not_csv": (
         "The shake map is {path}; it must be CSV, a text in UTF-8.",
@@ -374,7 +324,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "（sigmaを加えられます。複数あるときは1つを選びます）。"
         ),
     ),
-    "of_an_empty_file": ("of an empty file", "なし（空のファイル）"),
     "map_cells": (
         "Row {row} of the shake map has {cells} cells; it must have {columns}.",
         "地震動マップの{row}行目のセルは{cells}個です。{columns}個にしてください。",
@@ -403,29 +352,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         "フォルダー{folder}に{name}がありますが、評価結果ではありません。空または新しいフォルダーにしてください。",
     ),
     "damaged_manifest": (
-        (
-            "The folder {folder} holds a {manifest} that is damaged or no assessment's; "
-            "give another folder, or move it elsewhere with the results beside it."
-        ),
-        (
-            "フォルダー{folder}の{manifest}が壊れているか、評価結果のものではありません。"
-            "別のフォルダーを指定するか、結果とともに別の場所へ移してください。"
-        ),
+        "The folder {folder} holds a {manifest} that is damaged or no assessment's; give another folder.",
+        "フォルダー{folder}の{manifest}が壊れているか、評価結果のものではありません。別のフォルダーを指定してください。",
     ),
     "at_work": (
         "Another command is at work in {folder}; wait until it ends.",
         "別のコマンドが{folder}で実行中です。終わるまでお待ちください。",
     ),
     "in_the_way": (
-        (
-            "The folder {folder} holds the {kind} {name}, which is not the assessment's and is in its "
-            "way; move it elsewhere."
-        ),
-        "フォルダー{folder}にある{kind}{name}は評価結果のものではなく、妨げになります。別の場所へ移してください。",
+        "The folder {folder} holds {name}, which is not the assessment's and in its way; move it elsewhere.",
+        "フォルダー{folder}にある{name}は評価結果のものではなく、妨げになります。別の場所へ移してください。",
     ),
-    "kind_file": ("file", "ファイル"),
-    "kind_folder": ("folder", "フォルダー"),
-    "kind_link": ("link", "リンク"),
     # executors
     "no_scheduler": (
         "The scheduler is {scheduler}; it could not be reached: {reason}.",

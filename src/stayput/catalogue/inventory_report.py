@@ -4,9 +4,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "title": ("Furniture at risk", "家具の転倒危険度"),
     # Numbers
     "share": ("{value} %", "{value}%"),
-    "unknown": ("unknown", "不明"),
     "given_up": ("all runs were given up", "すべての計算を打ち切り"),
-    "interval": ("{estimate} % ({low} to {high} %)", "{estimate}%（{low}～{high}%）"),
     # Sums
     "event_heading": ("Event: {event}", "地震：{event}"),
     "expected": (
@@ -18,10 +16,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "。対策の効果が偶然の差を超えて確認できた家具にその対策をとると{fallen}点：{share}です",
     ),
     "needs_none_counted": (
-        (
-            "No measure is needed for {pieces}: the 95 % intervals of overturning and of sliding too far end below "
-            "{safe} % without one."
-        ),
+        "No measure is needed for {pieces}: surely (95 %) less than {safe} % overturn or slide too far.",
         "{pieces}は、対策なしでも転倒と大きな移動の95%区間の上限がいずれも{safe}%未満で、対策不要です。",
     ),
     "helped_counted": (
@@ -29,7 +24,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{pieces}には、偶然の差を超えて効果のある対策があります（{against}）。",
     ),
     "may_be_chance_counted": (
-        "For {pieces} a measure does better in these runs ({against}), which may be chance: the runs are too few.",
+        "For {pieces} a measure does better ({against}), which may be chance: the runs are too few.",
         "{pieces}には今回の計算で成績のよい対策がありますが（{against}）、計算数が少なく、偶然の差かもしれません。",
     ),
     "against_overturned": ("against overturning", "転倒の防止"),
@@ -72,10 +67,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{pieces}はすべての計算を打ち切ったため、結果が分かりません。",
     ),
     "narrow": (
-        (
-            "Narrower than deep: {rows}. They may fall sideways; only shaking along the depth, from front to "
-            "back, is assessed."
-        ),
+        "Narrower than deep: {rows}. They may fall sideways; only shaking from front to back is assessed.",
         "幅が奥行より小さい家具：{rows}。横に倒れることもありますが、奥行方向（前後）の揺れだけを評価しています。",
     ),
     # Maps
@@ -161,18 +153,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "sheet {name}; not {others}",
         "シート{name}（ほかのシート{others}は読んでいません）",
     ),
-    "read_as": ("{how}", "{how}"),
     "and_empty": ("{how}; {count} of them empty", "{how}（空の{count}行を除く）"),
     "not_used": ("Columns that were not used: {columns}.", "使わなかった列：{columns}。"),
     "scenario": (
-        (
-            "Scenario {name}: {strength}{suite}, {motions}{synthetic}, at most {samples} of the uncertain "
-            "quantities for each motion, seed {seed}."
-        ),
-        (
-            "シナリオ「{name}」：{strength}{suite}、{motions}{synthetic}、"
-            "地震動ごとに不確かな量の標本が最大{samples}、乱数の種{seed}。"
-        ),
+        "Scenario {name}: {strength}{suite}, {motions}{synthetic}, at most {samples} for each, seed {seed}.",
+        "シナリオ「{name}」：{strength}{suite}、{motions}{synthetic}、それぞれ標本が最大{samples}、乱数の種{seed}。",
     ),
     "at_intensity": ("the ground at JMA intensity {value:.2f}; ", "地面の計測震度{value:.2f}、"),
     "one_motion": ("one motion", "地震動1つ"),
@@ -186,10 +171,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{limit} mを超えて移動したものを「移動しすぎ」とします。損失の見込みは転倒だけを数えます。",
     ),
     "contents_followed": (
-        (
-            "What is inside is followed in one run of each motion, {most} at most; the shares are means over "
-            "these runs."
-        ),
+        "What is inside is followed in one run of each motion, {most} at most; the shares are their means.",
         "収納物は、地震動ごとに1回、最大{most}回の計算で追跡します。割合はその平均です。",
     ),
     "intervals": (
@@ -229,10 +211,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "座標のない家具：{pieces}（地図には表示されません）。",
     ),
     "map_of_sa": (
-        (
-            "Sa at {period} s, {damping} % damping, geometric mean of the horizontal components, rounded by at "
-            "most 3 %"
-        ),
+        "Sa at {period} s, {damping} % damping, geometric mean of both components, rounded by at most 3 %",
         "周期{period}秒の加速度応答（減衰{damping}%、水平2成分の幾何平均、3%以内で丸め）",
     ),
     "version": ("stayput {version}.", "stayput {version}。"),
@@ -249,18 +228,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{choices}, {units} of them different; {runs}.",
         "組み合わせ{choices}（うち異なるもの{units}通り）、計算{runs}。",
     ),
-    "printed_expected": (
-        "{event}: expected to overturn: {fallen} of {pieces}, {share}{best}.",
-        "{event}：転倒の見込みは{pieces}のうち{fallen}点、{share}{best}。",
-    ),
-    "printed_best": (
-        "; {fallen} with the best measures where they clearly help",
-        "、効果を確認できた対策をとると{fallen}点",
-    ),
-    "printed_inside": (
-        "{event}: of what is inside {pieces}, {share} is expected to come out, {best} with the best measures.",
-        "{event}：{pieces}の収納物のうち{share}が飛び出す見込み、最も有効な対策をとると{best}。",
-    ),
+    "of_event": ("{event}: {expected}", "{event}：{expected}"),
     "dashboard": ("Dashboard of the cluster: {link}", "クラスターの状況：{link}"),
 }
 """Texts by their keys: English, Japanese."""

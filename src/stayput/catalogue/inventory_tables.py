@@ -2,7 +2,6 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # the mapping of columns
-    "the_mapping": ("mapping of columns", "列の対応"),
     "mapped_column": ("The column of a mapping", "列の対応の列名"),
     "mapping": (
         "The mapping of columns has {value}; it must be such as width=奥行[mm],count=台数,ignore=備考.",
@@ -16,21 +15,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The mapping says {name}={header}, and the table has no such column; it has {names}.",
         "列の対応に{name}={header}とありますが、表にその列がありません。表の列：{names}。",
     ),
-    "mapped_twice": (
-        "The mapping names {header} for two columns; each must be there once.",
-        "列の対応で{header}が2つの列に使われています。1回だけにしてください。",
-    ),
     "mapped_unclear": (
         "The mapping names {header}, and two columns are called so; it must have the whole name of one.",
         "列の対応の{header}に当たる列が2つあります。列名を全部書いてください。",
     ),
     "mapped_unit": (
-        "The mapping has {name} in {unit}; its unit must be one of {known}.",
-        "列の対応で{name}の単位が{unit}になっています。次のいずれかにしてください：{known}。",
-    ),
-    "mapped_other_unit": (
-        "The mapping has {name} in {unit}, and the column {header} states another unit; they must agree.",
-        "列の対応では{name}の単位が{unit}ですが、列{header}の単位と異なります。同じにしてください。",
+        "The mapping says {name}={header}; the unit must be one of {known}.",
+        "列の対応に{name}={header}とあります。単位は次のいずれかにしてください：{known}。",
     ),
     # headings
     "no_known_column": (
@@ -46,83 +37,54 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "headings_below": (
-        (
-            "The headings seem to stand in row {row} ({found}); they must be the first row: "
-            "remove the rows above them."
-        ),
+        "The headings seem to stand in row {row} ({found}); the rows above them must be removed.",
         "見出しが{row}行目（{found}など）にあるようです。その上の行を削除して、見出しを1行目にしてください。",
     ),
     "two_rows_of_headings": (
-        (
-            "Row {row} has headings too ({found}); the headings must be one row, each with its whole name, "
-            "such as Depth (mm)."
-        ),
-        (
-            "{row}行目にも見出し（{found}など）があります。見出しは1行にまとめ、"
-            "「奥行(mm)」のように列名を全部書いてください。"
-        ),
+        "Row {row} has headings too ({found}); they must be one row with whole names, such as Depth (mm).",
+        "{row}行目にも見出し（{found}など）があります。見出しは1行にまとめ、「奥行(mm)」のように列名を全部書いてください。",
     ),
     "merged_headings": (
-        (
-            "Cells {cells} of the sheet are merged over the first row and others; the headings must be one row, "
-            "the first, each with its whole name, such as Depth (mm)."
-        ),
-        (
-            "シートの1行目のセル{cells}が複数行にわたって結合されています。結合を解除し、見出しは1行目だけにまとめ、"
-            "「奥行(mm)」のように列名を全部書いてください。"
-        ),
+        "Cells {cells} of the sheet are merged; the headings must be one row, the first, with whole names.",
+        "シートの1行目のセル{cells}が結合されています。見出しは1行目だけにまとめ、列名を全部書いてください。",
     ),
     # what is unclear about columns
-    "doubt_language": (
-        "{headers} are not in English or Japanese (width is the depth, from front to back)",
-        "{headers}などの見出しが日本語でも英語でもありません（widthは奥行です）",
-    ),
+    "doubt_language": ("{header} is not in English or Japanese", "{header}は日本語でも英語でもありません"),
     "unclear": (
         (
             'Not all columns are certain; they look like --columns "{proposal}", which must be checked and '
-            "given{fill}: {doubts}."
+            "given{fill} (width is the depth, from front to back): {doubts}."
         ),
         (
-            '意味のはっきりしない列があります。おそらく --columns "{proposal}" です。'
+            '意味のはっきりしない列があります。おそらく --columns "{proposal}" です（widthは奥行）。'
             "確かめて{fill}指定してください：{doubts}。"
         ),
     ),
     "fill": (", with what belongs in the place of each ?", "?を埋めて"),
     "more_doubts": ("and {count} more", "ほか{count}件"),
-    "cell_without_unit": (
-        "{name} is {value}; it must have a unit, as the other cells of its column have.",
-        "{name}が{value}になっています。同じ列のほかのセルと同じように、単位をつけてください。",
-    ),
-    "doubt_no_unit": ("{header} has no unit", "{header}に単位がありません"),
-    "doubt_unit": ("{header} is in a unit that is unknown for it", "{header}の単位が分かりません"),
+    "doubt_unit": ("{header} has no unit that is known for it", "{header}の単位が分かりません"),
     "doubt_note": (
         "{header} may be something else, because of {note!r}",
         "{header}は「{note}」とあるので、別のものかもしれません",
     ),
     "doubt_width": (
-        "{depth} is there beside {width}: the shaking is front to back, so stayput's width is the depth",
-        "{width}のほかに{depth}があります（揺れは前後方向で、stayputのwidthは奥行です）",
+        "{header} is there beside {width}: the shaking is front to back, so stayput's width is the depth",
+        "{width}のほかに{header}があります（揺れは前後方向で、stayputのwidthは奥行です）",
     ),
     "doubt_no_depth": (
-        (
-            "{header} seems to be the size along the wall, and the one from front to back is missing, on which "
-            "falling depends (if it is that: width=…)"
-        ),
+        "{header} seems to be along the wall, and the depth is missing (if it is the depth: width=…)",
         "{header}は壁に沿った寸法のようです。転倒に関わる奥行の列がありません（奥行ならwidth=…）",
     ),
     "doubt_twice": (
-        "{a} and {b} are both the {name}",
-        "{a}と{b}の両方が{name}に当たります",
+        "{first} and {header} are both the {name}",
+        "{first}と{header}の両方が{name}に当たります",
     ),
     "doubt_count": (
         "{header} seems to say how many pieces there are",
         "{header}は家具の数のようです",
     ),
     "doubt_total": (
-        (
-            "{header} may be of all pieces of a row, where stayput takes the value of one "
-            "(if it is of one: value=…)"
-        ),
+        "{header} may be of all pieces of a row, and stayput takes that of one (if it is that: value=…)",
         "{header}は行全体の合計かもしれません（stayputは1点あたりの額を使います。1点の額ならvalue=…）",
     ),
     "doubt_sizes": (
@@ -146,32 +108,26 @@ TEXTS: dict[str, tuple[str, str]] = {
         "it has {nlon} by {nlat} places; they must be 2 by 2 at least, and {most:,} at most",
         "地点が{nlon}×{nlat}個あります。2×2個以上、合計{most:,}個以下にしてください",
     ),
-    "grid_twice": (
-        "it has more than one grid_specification; it must have one",
-        "grid_specificationが2つ以上あります。1つにしてください",
+    "grid_numbers": (
+        "its grid_data must hold numbers alone, a line for each place",
+        "grid_dataには、地点ごとに1行の数値だけを書いてください",
     ),
-    "grid_spacing": (
-        "its {name} is {value}; it must be a number of degrees above 0",
-        "{name}が{value}になっています。0より大きい角度（°）にしてください",
-    ),
-    "grid_fields": ("it has more than {most} fields", "項目（grid_field）が{most}個を超えています"),
-    "grid_line": ("it has a line that does not end", "終わりのない行があります"),
-    "grid_numbers": ("its grid_data holds more than numbers", "grid_dataに数値でないものがあります"),
-    "grid_more": ("it has more numbers than places", "数値が地点の数より多くあります"),
     "grid_whole": (
         "its {name} is {value}; it must be a whole number of at most 9 digits",
         "{name}が{value}になっています。9桁以下の整数にしてください",
     ),
     "grid_kind": (
-        "it must be a shakemap_grid with a grid_specification and the fields LON and LAT, each field once",
-        "grid_specificationと、LONとLATを含む重複しない項目のあるshakemap_gridにしてください",
+        "it must be a shakemap_grid with one grid_specification and the fields LON and LAT, each field once",
+        "grid_specificationを1つと、LONとLATを含む重複しない項目のあるshakemap_gridにしてください",
     ),
     "grid_count": (
         "it has {count} numbers; it must have {due}",
         "数値が{count}個あります。必要な数は{due}個です",
     ),
-    "grid_degrees": ("its places are no latitudes and longitudes", "地点が緯度と経度になっていません"),
-    "grid_irregular": ("its places are no regular grid", "地点が規則的な格子になっていません"),
+    "grid_places": (
+        "its places must be a regular grid of latitudes and longitudes",
+        "地点は、緯度と経度の規則的な格子にしてください",
+    ),
     "grid_doctype": (
         "it declares a document type, which may hold anything",
         "文書型宣言（DOCTYPE）があり、何が含まれるか分かりません",
@@ -202,20 +158,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The place is {lat:g}°, {lon:g}°, where the shake map has no value.",
         "位置（{lat:g}°、{lon:g}°）には地震動マップの値がありません。",
     ),
-    "no_deviation": (
-        "The uncertainty is {path}; it must have the field {name}.",
-        "不確かさのファイル{path}に{name}の項目がありません。",
-    ),
     "no_deviations": (
-        "The uncertainty is {path}; its field {name} must have a value somewhere.",
-        "不確かさのファイル{path}の{name}には、値が1つもありません。",
+        "The uncertainty is {path}; it must have the field {name}, with a value somewhere.",
+        "不確かさのファイル{path}には、値のある{name}の項目が必要です。",
     ),
     "deviation_unit": (
         "The unit of {name} of the uncertainty is {unit!r}; it must be {known}.",
         "不確かさの{name}の単位が「{unit}」になっています。{known}にしてください。",
     ),
     "other_event": (
-        "The map {path} is of {event} and the uncertainty {other} of {other_event}; they must be of one event and version.",
+        "The map {path} is of {event} and the uncertainty {other} of {other_event}; they must be of one.",
         "マップ{path}は{event}、不確かさ{other}は{other_event}のものです。同じ地震の同じ版でなければなりません。",
     ),
     "event_unstated": (
@@ -242,16 +194,5 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # cells
     "column": ("Column {header}", "列{header}"),
-    "decimal_comma": (
-        " (a comma is a decimal one where semicolons stand between the columns)",
-        "（小数点のコンマは、列をセミコロンで区切った表だけで使えます）",
-    ),
-    "comma": (
-        (
-            "{name} is {value}, of which the mark may be that of decimals or of thousands; "
-            "it must be written without it."
-        ),
-        "{name}が{value}になっています。点またはコンマが小数点か桁区切りか分かりません。どちらもなしで書いてください。",
-    ),
 }
 """Texts by their keys: English, Japanese."""

@@ -48,7 +48,7 @@ def assess(
 ) -> None:
     """Run ``stayput assess``."""
     from stayput.inventory import assess as run
-    from stayput.inventory.exports import formats_of
+    from stayput.inventory.summary import formats_of
 
     def under_flags(tables: Mapping[str, Any], file: Path | None = None) -> dict[str, Any]:
         return changed(tables, {"set": settings or []}, file)
@@ -115,23 +115,8 @@ def _scenario_of_input(under_flags: Callable[[Mapping[str, Any]], dict[str, Any]
 
 
 def _record(assessment: Assessment) -> dict[str, object]:
-    from stayput.inventory.results import Finding
-
     events = {
-        name: {
-            "pieces": total.pieces,
-            "expected_overturned": total.fallen,
-            **{
-                f"share_overturned{which}": total.share(which)
-                for which in ("", "_low", "_high", "_best", "_best_low", "_best_high")
-            },
-            "expected_overturned_best": total.fallen_best,
-            "expected_loss": total.loss,
-            "expected_loss_best": total.loss_best,
-            **{f"pieces_{finding}": total.found[finding] for finding in Finding},
-            "contents_out_share": total.share_out,
-            "contents_out_share_best": total.share_out_best,
-        }
+        name: {key: number for key, number in total.numbers.items() if key != "rows"}
         for name, total in assessment.summary.events.items()
     }
     return {
@@ -149,39 +134,37 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
         empty_told,
         impossible_told,
         narrow_told,
+        pieces_counted,
         printed,
         read_as,
         reason_told,
+        rows_counted,
         rows_told,
+        tell,
     )
 
-    def line(key: str, **values: object) -> None:
-        typer.echo(say(f"inventory_report.{key}", lang, **values))
-
     facts = assessment.facts
-    rows = counted_phrase(facts["rows"], "row", "行")
-    line("printed_read", rows=rows, how=read_as(facts), pieces=f"{facts['pieces']:,}")
-    if facts["columns renamed"]:
-        line("renamed", columns=", ".join(facts["columns renamed"]))
-    if facts["columns not used"]:
-        line("not_used", columns=", ".join(facts["columns not used"]))
+    rows, pieces = rows_counted(facts["rows"]), f"{facts['pieces']:,}"
+    lines = [tell("printed_read", lang, rows=rows, how=read_as(facts), pieces=pieces)]
+    for key, name in (("renamed", "columns renamed"), ("not_used", "columns not used")):
+        if facts[name]:
+            lines.append(tell(key, lang, columns=", ".join(facts[name])))
     if facts["rejects"]:
-        line("printed_rejects", rows=counted_phrase(facts["rejects"], "row", "行"))
-        for found in facts["rejects alike"]:
-            line("reason_of_rows", rows=rows_told(found, lang), reason=reason_told(found, lang))
-    if empty := empty_told(facts, lang):
-        typer.echo(empty)
+        lines.append(tell("printed_rejects", lang, rows=rows_counted(facts["rejects"])))
+    for found in facts["rejects alike"]:
+        rows, reason = rows_told(found, lang), reason_told(found, lang)
+        lines.append(tell("reason_of_rows", lang, rows=rows, reason=reason))
+    lines.append(empty_told(facts, lang))
     without = facts["pieces"] - facts["with coordinates"]
     if 0 < without < facts["pieces"]:
-        line("without_coordinates", pieces=counted_phrase(without, "piece", "点"))
+        lines.append(tell("without_coordinates", lang, pieces=pieces_counted(without)))
     choices = counted_phrase(facts["choices"], "combination", "通り")
     runs = counted_phrase(assessment.runs, "run", "回")
-    line("printed_runs", choices=choices, units=f"{facts['units']:,}", runs=runs)
+    lines.append(tell("printed_runs", lang, choices=choices, units=f"{facts['units']:,}", runs=runs))
     for name, total in assessment.summary.events.items():
-        for sentence in printed(total, name, lang):
-            typer.echo(sentence)
-    for sentence in (narrow_told(facts, lang), *impossible_told(facts, lang)):
-        if sentence:
-            typer.echo(sentence)
+        lines += printed(total, name, lang)
+    lines += [narrow_told(facts, lang), *impossible_told(facts, lang)]
+    for line in filter(None, lines):
+        typer.echo(line)
     files = (assessment.folder / f"pieces.{name}" for name in exported)
     tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)

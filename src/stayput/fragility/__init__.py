@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from stayput.fragility.capacity import Capacity
-from stayput.fragility.curve import CurveState, FragilityCurve, fragility_curve
+from stayput.fragility.curve import Capacity, CurveState, FragilityCurve, fragility_curve
+from stayput.fragility.exports import write_nrml, write_pelicun
 from stayput.fragility.intensity_measures import (
     INTENSITY_MEASURES,
     JMA_INTENSITY,
@@ -16,13 +16,9 @@ from stayput.fragility.intensity_measures import (
     intensity_measure,
     spectral_acceleration,
 )
-from stayput.fragility.isotonic import Isotonic
-from stayput.fragility.lognormal import LognormalFit
-from stayput.fragility.nrml import write_nrml
 from stayput.fragility.paired import Difference, difference
-from stayput.fragility.pelicun import write_pelicun
-from stayput.fragility.probabilities import Plan, Probability, probability, samples_needed, wilson
-from stayput.fragility.trials import Level, Trials
+from stayput.fragility.probabilities import Probability, probability, samples_needed, wilson
+from stayput.fragility.trials import Trials
 
 __all__ = [
     "INTENSITY_MEASURES",
@@ -37,10 +33,6 @@ __all__ = [
     "Difference",
     "FragilityCurve",
     "IntensityMeasure",
-    "Isotonic",
-    "Level",
-    "LognormalFit",
-    "Plan",
     "Probability",
     "Trials",
     "difference",

@@ -1,4 +1,4 @@
-"""Fragility curves by isotonic regression: the probability of falling over an intensity."""
+"""Fragility curves by isotonic regression: the probability of falling over an intensity, and capacities."""
 
 from __future__ import annotations
 
@@ -11,10 +11,8 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import instance_of, within
-from stayput.fragility.capacity import Capacity, capacity_of, unknown_capacity
-from stayput.fragility.isotonic import Isotonic
 from stayput.fragility.lognormal import LognormalFit, lognormal
-from stayput.fragility.trials import Level, Trials, observed_levels
+from stayput.fragility.trials import Isotonic, Level, Trials, observed_levels
 from stayput.saved import InJson
 from stayput.wording import check_language, counted
 
@@ -45,9 +43,81 @@ class CurveState(StrEnum):
         return phrase(f"fragility.state_{self.value.replace(' ', '_')}")
 
 
+@dataclass(frozen=True, slots=True)
+class Capacity:
+    """The intensity at which a given share falls; outside the intensities that were run it is no number.
+
+    Parameters
+    ----------
+    measure : IntensityMeasure
+        What the values are.
+    share : float
+        The share that falls.
+    estimate : float
+        The intensity [SI]; NaN where the runs only say that it lies above, below or between others.
+    above, below : float
+        The intensities that were run and that it lies between, as far as seen: −∞ (0 for a peak) or ∞
+        where none.
+    low, high : float
+        Ends of the 95 % interval [SI]; −∞ (0) or ∞ where it is open within what was run.
+    one_motion : bool
+        Whether all runs were of one motion, which says nothing of others: the interval is open.
+    """
+
+    measure: IntensityMeasure
+    share: float
+    estimate: float
+    above: float
+    below: float
+    low: float
+    high: float
+    one_motion: bool = False
+
+    @property
+    def sure(self) -> bool:
+        """Whether the bounds of a capacity without an estimate hold with 95 % confidence."""
+        return self.low >= self.above and self.high <= self.below
+
+    @property
+    def ends(self) -> Phrase:
+        """The interval in both languages: "5.95 to 6.33"; "at most 6.33" where its low end was not run."""
+        low = None if self.low <= self.measure.least else self.measure.text(self.low, unit=False)
+        high = None if math.isinf(self.high) else self.measure.text(self.high, unit=False)
+        if low is None and high is None:
+            return phrase("fragility.ends_not_run")
+        if low is None:
+            return phrase("fragility.at_most", high=high)
+        return phrase("fragility.more_than" if high is None else "fragility.ends", low=low, high=high)
+
+    @property
+    def texts(self) -> Phrase:
+        """The capacity in both languages: "6.12 (5.95 to 6.33)", "> 6.90", "between 5.50 and 5.75"."""
+        show, least = self.measure.text, self.measure.least
+        if not math.isnan(self.estimate):
+            if self.one_motion:
+                return phrase("fragility.capacity_one_motion", value=show(self.estimate))
+            return phrase("fragility.capacity", value=show(self.estimate), ends=self.ends)
+        bounds = (self.above > least, math.isfinite(self.below))
+        if not any(bounds):
+            return phrase("common.unknown")
+        key = "between" if all(bounds) else "above" if bounds[0] else "below"
+        doubt = "one_motion" if self.one_motion else "unsure"
+        return phrase(
+            f"fragility.capacity_{key}",
+            above=show(self.above, unit=key != "between"),
+            below=show(self.below),
+            doubt="" if self.sure and not self.one_motion else phrase(f"fragility.doubt_{doubt}"),
+        )
+
+    @property
+    def text(self) -> str:
+        """The capacity in English words; see `texts`."""
+        return self.texts[0]
+
+
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class FragilityCurve(InJson):
-    """The probability of falling over an intensity, by isotonic regression; see `stayput.fragility.isotonic`.
+    """The probability of falling over an intensity, by isotonic regression; see `stayput.fragility.trials`.
 
     Parameters
     ----------
@@ -162,10 +232,22 @@ class FragilityCurve(InJson):
         InputError
             A share that is not between 0.001 and 0.999.
         """
-        share = within("fragility.share", share, 1e-3, 1.0 - 1e-3)
-        if self.state is CurveState.NO_TREND:
-            return unknown_capacity(self.measure, share, self.one_motion)
-        return capacity_of(self.measure, self.rising, share, self.one_motion)
+        share, rising = within("fragility.share", share, 1e-3, 1.0 - 1e-3), self.rising
+        u, above, below, low, high = math.nan, -math.inf, math.inf, -math.inf, math.inf
+        if self.state is not CurveState.NO_TREND:
+            u = rising.crossing(share)
+            above = float(max(rising.u[rising.share < share], default=-math.inf))
+            below = float(min(rising.u[rising.share >= share], default=math.inf))
+            if not self.one_motion:
+                low, high = rising.interval(share)
+        estimate = math.nan
+        if math.isfinite(u):
+            # straight lines of the share and of its band's Φ⁻¹ part by a little; the estimate stays inside
+            estimate, low, high = u, min(low, u), max(high, u)
+        estimate, above, below, low, high = (
+            float(self.measure.value(end)) for end in (estimate, above, below, low, high)
+        )
+        return Capacity(self.measure, share, estimate, above, below, low, high, self.one_motion)
 
     @property
     def texts(self) -> Phrase:

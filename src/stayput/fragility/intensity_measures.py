@@ -13,8 +13,6 @@ from stayput.errors import InputError, near_miss, numbers, within
 from stayput.model.gravity import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
-
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
@@ -146,12 +144,6 @@ def spectral_acceleration(period: float) -> IntensityMeasure:
     return IntensityMeasure(f"SA({period:g})", names, "g", 1.0 / STANDARD_GRAVITY, period=period)
 
 
-def _unknown_measure(name: str, text: str, known: Collection[str]) -> InputError:
-    hint = "" if text.upper().startswith("SA") else near_miss(text, known)
-    listed = ", ".join(map(repr, known))
-    return InputError("fragility.unknown_measure", name, name=name, value=repr(text), hint=hint, known=listed)
-
-
 INTENSITY_MEASURES = {measure.key: measure for measure in (JMA_INTENSITY, PGA, PGV, PFA, PFV)}
 """The measures that fragility curves are always drawn against, by key."""
 
@@ -185,5 +177,7 @@ def intensity_measure(text: str, name: str = "im") -> IntensityMeasure:
     except ValueError:
         period = None
     if period is None:
-        raise _unknown_measure(name, text, known)
+        hint = "" if text.upper().startswith("SA") else near_miss(text, known)
+        said = {"name": name, "value": repr(text), "hint": hint, "known": ", ".join(map(repr, known))}
+        raise InputError("fragility.unknown_measure", name, **said)
     return spectral_acceleration(within(name, period, *PERIODS, "s", name))

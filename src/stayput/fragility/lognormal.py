@@ -1,10 +1,12 @@
 """Lognormal fragility curve for loss tools, and a test of its goodness of fit.
 
-The curve is p = Φ(a + b u), fitted by maximum likelihood (see `stayput.fragility.probit`). It is tested
-against p = Φ(a + b u + c u² + d u³), which bends where a lognormal cannot: a lower tail that is too heavy, a
-plateau between two kinds of motions. The test is Rao's score test with the motions as the units: their
-scores of (c, d), less what a change of (a, b) would explain, are compared with their own scatter (Liang and
-Zeger 1986; Rotnitzky and Jewell 1990) by Hotelling's T², whose F distribution knows that the motions are few.
+The curve is p = Φ(a + b u), fitted by maximum likelihood (Shinozuka, Feng, Lee and Naganuma 2000; Baker
+2015, equations 10 to 12): the log-likelihood is concave, so that Newton's method with halved steps finds the
+one maximum. It is tested against p = Φ(a + b u + c u² + d u³), which bends where a lognormal cannot: a lower
+tail that is too heavy, a plateau between two kinds of motions. The test is Rao's score test with the motions
+as the units: their scores of (c, d), less what a change of (a, b) would explain, are compared with their own
+scatter (Liang and Zeger 1986; Rotnitzky and Jewell 1990) by Hotelling's T², whose F distribution knows that
+the motions are few.
 """
 
 from __future__ import annotations
@@ -14,11 +16,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.special import chdtrc, fdtrc, ndtr
+from scipy.special import chdtrc, fdtrc, log_ndtr, ndtr, ndtri
 
 from stayput.catalogue import phrase
 from stayput.fragility.probabilities import percent
-from stayput.fragility.probit import derivatives, fit, information, separated, solved
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -38,6 +39,11 @@ _BENDS = 2
 
 _SINGULAR = 1e-12
 """Share of the product of its diagonal below which a covariance's determinant counts as none."""
+
+_STEPS = 40
+_TOLERANCE = 1e-10
+_HALVINGS = 12
+_LOG_ROOT_2PI = 0.5 * math.log(2.0 * math.pi)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,17 +119,17 @@ def lognormal(trials: Trials, levels: tuple[Level, ...]) -> LognormalFit | None:
         What was observed, to compare the curve with.
     """
     u = trials.measure.coordinate(trials.im)
-    fell, stood = trials.fell[np.newaxis], (trials.runs - trials.fell)[np.newaxis]
-    (first_fall,), (last_fall,), (first_stand,), (last_stand,) = separated(u, fell, stood)
-    if last_stand <= first_fall or last_fall <= first_stand:
+    fell, stood = trials.fell, trials.runs - trials.fell
+    falls, stands = u[fell > 0.0], u[stood > 0.0]
+    if stands.max() <= falls.min() or falls.max() <= stands.min():  # Albert and Anderson (1984)
         return None
     middle, spread = float(u.mean()), float(u.std())
     v = (u - middle) / spread
-    ab = fit(v, fell, stood)
-    a, b = float(ab[0, 0]), float(ab[0, 1])
+    ab = _fit(v, fell, stood)
+    a, b = float(ab[0]), float(ab[1])
     if not b > 0.0:
         return None
-    (slope,), (curvature,) = derivatives(v, fell, stood, ab)
+    slope, curvature = _derivatives(v, fell, stood, ab)
     median = float(trials.measure.value(middle - a / b * spread))
     p = ndtr(a + b * (trials.measure.coordinate([level.im for level in levels]) - middle) / spread)
     misfit = float(np.abs(p - [level.probability.estimate for level in levels]).max())
@@ -144,7 +150,7 @@ def _p_value(
         return math.nan
     # what of each power the line a + b v does not explain, so that an error of a and b does not count
     line = np.stack((np.ones_like(v), v), axis=1)
-    of_line = information(v, curvature[np.newaxis])
+    of_line = _information(v, curvature)
     bent = np.stack([_unexplained(v**power, line, of_line, curvature) for power in range(2, 2 + bends)])
     score = (slope * bent).sum(axis=1)
     if motion is None:
@@ -167,17 +173,77 @@ def _unexplained(
     curvature: NDArray[np.float64],
 ) -> NDArray[np.float64]:
     shared = (curvature[:, np.newaxis] * line * power[:, np.newaxis]).sum(axis=0)
-    return power - (line * solved(of_line, shared[np.newaxis])).sum(axis=1)
+    return power - (line * _solved(of_line, shared)).sum(axis=1)
 
 
 def _squared(score: NDArray[np.float64], variance: NDArray[np.float64]) -> float:
     """Return s V⁻¹ s of one or two numbers s."""
     if len(score) == 1:
         return float(score[0] ** 2 / variance[0, 0])
-    return float((score * solved(variance[np.newaxis], score[np.newaxis])[0]).sum())
+    return float((score * _solved(variance, score)).sum())
 
 
 def _singular(variance: NDArray[np.float64]) -> bool:
     diagonal = float(np.prod(np.diag(variance)))
     determinant = diagonal if len(variance) == 1 else diagonal - float(variance[0, 1] * variance[1, 0])
     return not determinant > _SINGULAR * diagonal
+
+
+def _fit(
+    v: NDArray[np.float64], fell: NDArray[np.float64], stood: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return (a, b) of the largest likelihood; the coordinates v have the mean 0 and the spread 1."""
+    share = np.clip(fell.sum() / (fell + stood).sum(), 1e-3, 1.0 - 1e-3)
+    ab = np.array([ndtri(share), 0.0])
+    height = _log_likelihood(v, fell, stood, ab)
+    for _ in range(_STEPS):
+        slope, curvature = _derivatives(v, fell, stood, ab)
+        gradient = np.array([slope.sum(), (slope * v).sum()])
+        step = _solved(_information(v, curvature), gradient)
+        gain = 0.5 * (gradient * step).sum()
+        reached = _log_likelihood(v, fell, stood, ab + step)
+        for _ in range(_HALVINGS):
+            if not reached < height - 1e-12 * abs(height):
+                break
+            step *= 0.5
+            reached = _log_likelihood(v, fell, stood, ab + step)
+        ab, height = ab + step, reached
+        if not gain > _TOLERANCE:
+            break
+    return ab
+
+
+def _log_likelihood(
+    v: NDArray[np.float64], fell: NDArray[np.float64], stood: NDArray[np.float64], ab: NDArray[np.float64]
+) -> float:
+    """Return Σ k ln Φ(η) + (n − k) ln Φ(−η), η = a + b v."""
+    eta = ab[0] + ab[1] * v
+    return float((fell * log_ndtr(eta) + stood * log_ndtr(-eta)).sum())
+
+
+def _derivatives(
+    v: NDArray[np.float64], fell: NDArray[np.float64], stood: NDArray[np.float64], ab: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return each cell's slope and curvature of the log-likelihood in η.
+
+    With λ(η) = φ(η)/Φ(η): slope k λ(η) − (n − k) λ(−η); curvature, its sign turned,
+    k λ(η)(λ(η) + η) + (n − k) λ(−η)(λ(−η) − η).
+    """
+    eta = ab[0] + ab[1] * v
+    log_density = -0.5 * eta * eta - _LOG_ROOT_2PI
+    up = np.exp(log_density - log_ndtr(eta))
+    down = np.exp(log_density - log_ndtr(-eta))
+    return fell * up - stood * down, fell * up * (up + eta) + stood * down * (down - eta)
+
+
+def _information(v: NDArray[np.float64], curvature: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the observed information of (a, b) from each cell's curvature, shape (2, 2)."""
+    aa, ab, bb = curvature.sum(), (curvature * v).sum(), (curvature * v * v).sum()
+    return np.array([[aa, ab], [ab, bb]])
+
+
+def _solved(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the solution of a 2 × 2 system."""
+    (p, q), (_, r) = matrix
+    x, y = right
+    return np.array([r * x - q * y, p * y - q * x]) / (p * r - q * q)

@@ -133,7 +133,7 @@ def difference(
     a, given_up = checked_runs(first, missing)
     b, _ = checked_runs(second, missing)
     if a.shape != b.shape:
-        raise InputError("fragility.pair_shapes", first=str(a.shape), second=str(b.shape))
+        raise InputError("fragility.shape", name="second", shape=str(b.shape), allowed=str(a.shape))
     more, fewer = a & ~b & ~given_up, b & ~a & ~given_up
     d, n = (more.astype(np.float64) - fewer).sum(axis=1), (~given_up).sum(axis=1).astype(np.float64)
     d, n = d[n > 0.0], n[n > 0.0]

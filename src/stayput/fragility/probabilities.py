@@ -157,12 +157,12 @@ def checked_runs(
     if fell.dtype != np.bool_:
         raise InputError("fragility.not_bool", "fallen", dtype=str(fell.dtype))
     if fell.ndim != dimensions or fell.size == 0:
-        raise InputError("fragility.wrong_axes", "fallen", shape=str(fell.shape), dimensions=dimensions)
+        axes = phrase("fragility.axes", dimensions=dimensions)
+        raise InputError("fragility.shape", "fallen", name="fallen", shape=str(fell.shape), allowed=axes)
     given_up = np.zeros(fell.shape, np.bool_) if missing is None else np.asarray(missing, np.bool_)
     if given_up.shape != fell.shape:
-        raise InputError(
-            "fragility.missing_shape", "missing", shape=str(given_up.shape), expected=str(fell.shape)
-        )
+        shape, allowed = str(given_up.shape), str(fell.shape)
+        raise InputError("fragility.shape", "missing", name="missing", shape=shape, allowed=allowed)
     return fell, given_up
 
 
@@ -246,29 +246,8 @@ def wilson(k: float, n: float, quantile: float | None = None) -> tuple[float, fl
     return low, high
 
 
-@dataclass(frozen=True, slots=True)
-class Plan:
-    """Sample size for a target half-width of the interval.
-
-    Parameters
-    ----------
-    samples : int
-        Samples a motion, in all, that reach it with these motions; 0 where none do.
-    motions : int
-        Motions, in all, that reach it with the samples a motion that there are.
-    """
-
-    samples: int
-    motions: int
-
-    @property
-    def reachable(self) -> bool:
-        """Whether more samples of the same motions can reach it."""
-        return self.samples > 0
-
-
-def samples_needed(current: Probability, half_width: float) -> Plan:
-    """Return the sample size for a target half-width of the interval.
+def samples_needed(current: Probability, half_width: float) -> int:
+    """Return the samples a motion, in all, for a target half-width of the interval; 0 where none reach it.
 
     With correlation ρ = (deff − 1) / (m − 1) between the runs of a motion, m samples of M motions tell as
     much as M m / (1 + (m − 1) ρ) independent runs (Kish 1965): never more than M / ρ, however many samples.
@@ -290,16 +269,12 @@ def samples_needed(current: Probability, half_width: float) -> Plan:
         raise InputError("fragility.plan_without_runs")
     motions = current.motions
     m = current.runs / motions
-    if motions == 1:
-        needed = math.ceil(independent_runs(current.estimate, target, quantile(1, current.runs)))
-        return Plan(needed, 1)
-    rho = min((current.design_effect - 1.0) / (m - 1.0), 1.0) if m > 1.0 else 0.0
     runs = independent_runs(current.estimate, target, quantile(motions, current.runs))
-    more_motions = math.ceil(runs * (1.0 + (m - 1.0) * rho) / m)
+    if motions == 1:
+        return math.ceil(runs)
+    rho = min((current.design_effect - 1.0) / (m - 1.0), 1.0) if m > 1.0 else 0.0
     left = motions - runs * rho
-    if left <= 0.0:
-        return Plan(0, more_motions)
-    return Plan(max(math.ceil(runs * (1.0 - rho) / left), 1), more_motions)
+    return 0 if left <= 0.0 else max(math.ceil(runs * (1.0 - rho) / left), 1)
 
 
 def independent_runs(p: float, half_width: float, quantile: float) -> float:

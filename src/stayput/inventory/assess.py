@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import time
@@ -16,24 +17,20 @@ import stayput
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, reason_of, within
 from stayput.execution import Pool
+from stayput.extras import arrow
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
-from stayput.inventory.arrow import arrow, dataset, parquet
-from stayput.inventory.exports import export_results, formats_of, refuse_nowhere
-from stayput.inventory.folder import MANIFEST, WORK, check_parts, claimed, digest_of
+from stayput.inventory.folder import MANIFEST, check_parts, claimed, digest_of, inputs_of
 from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.report import report_html
-from stayput.inventory.results import PIECES, Finding, Writer, part_names
+from stayput.inventory.results import PIECES, Writer, part_names
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
-from stayput.inventory.shakemap_grid import check_file
-from stayput.inventory.shakemaps import read_shakemap
+from stayput.inventory.shakemap_files import check_file, read_shakemap
 from stayput.inventory.store import Store
-from stayput.inventory.summary import COLUMNS, summarise
+from stayput.inventory.summary import export_results, formats_of, refuse_nowhere, summarise
 from stayput.inventory.work import Work
-from stayput.inventory.workspace import read_json
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar
-from stayput.spreadsheets import CSV_ENCODING, csv_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Mapping, Sequence
@@ -42,7 +39,6 @@ if TYPE_CHECKING:
     from stayput.catalogue import Language, Phrase
     from stayput.inventory.scenarios import Changed, Scenarios
     from stayput.inventory.summary import Summary
-    from stayput.inventory.workspace import Workspace
 
 MEMORY = 2 * 2**30
 """Memory that an assessment keeps below [bytes]."""
@@ -51,8 +47,6 @@ _UNITS = {"": 1, "k": 2**10, "m": 2**20, "g": 2**30, "t": 2**40}
 
 REPORTS: dict[Language, str] = {"en": "report.html", "ja": "report.ja.html"}
 """The reports in each language: their names do not depend on the language of who runs the command."""
-
-SUMMARY = ("summary.parquet", "summary.csv")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,7 +80,7 @@ class Assessment:
     @property
     def pieces(self) -> Any:
         """The results as a dataset of PyArrow: one row a piece and event."""
-        return dataset().dataset(self.folder / PIECES, format="parquet")
+        return arrow("dataset").dataset(self.folder / PIECES, format="parquet")
 
     def report(self, language: Language) -> Path:
         """Return the report in a language."""
@@ -95,7 +89,7 @@ class Assessment:
     @property
     def rejects(self) -> Any:
         """The rows that were not assessed, as a table of PyArrow: row, id, name, reason, and reason_ja."""
-        return parquet().read_table(self.folder / REJECTS[0])
+        return arrow("parquet").read_table(self.folder / REJECTS[0])
 
 
 def assess(
@@ -202,7 +196,6 @@ def assess(
                 raise InputError("inventory.changed", file=_called(name), path=repr(str(path)))
 
     with _full_disk(folder), claimed(folder, inputs) as space:
-        plan = digest_of_inputs(inputs)
         with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
             facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged, mapping)
         if not facts["pieces"]:
@@ -216,16 +209,29 @@ def assess(
             ) as work,
         ):
             started = time.perf_counter()
-            _simulate(work, threads, executor, progress)
+            if work.left:
+                units = bar(work.left, "progress.simulating", progress, "progress.units")
+                with units as advance, Pool(threads, executor) as pool:
+                    work.run(pool, advance)
             simulating = time.perf_counter() - started
-            manifest = _manifest(scenarios, limit, work)
-            _write(folder, space, plan, facts, manifest, work, progress)
-        summary = _sum_up(folder, space, facts, manifest)
-        export_results(folder, space, facts["parts"], formats)
-        claim = read_json(folder / MANIFEST) or {}
-        space.write_json(
-            folder / MANIFEST, {"inputs": claim["inputs"], "plan": facts, "assessment": manifest}
-        )
+            strengths = _strengths(work)
+            manifest = _manifest(scenarios, limit, work, strengths)
+            digest = digest_of_inputs(inputs)
+            about = {"stayput": json.dumps({"inputs": digest, **manifest}, sort_keys=True)}
+            rows = facts["pieces"] * len(scenarios.events)
+            with bar(rows, "progress.writing", progress, "progress.rows") as advance:
+                Writer(folder, space, work.outcomes, about, strengths).write(facts["parts"], advance)
+        for name in REJECTS:
+            with space.durable(folder / name) as file, (space.folder / "plan" / name).open("rb") as source:
+                shutil.copyfileobj(source, file)
+        summary = summarise(folder / PIECES)
+        summary.write(folder, space)
+        for language, name in REPORTS.items():
+            with space.durable(folder / name) as file:
+                file.write(report_html(summary, facts, manifest, language).encode())
+        export_results(folder, space, formats)
+        made = {"inputs": inputs_of(folder), "plan": facts, "assessment": manifest}
+        space.write_json(folder / MANIFEST, made)
     return Assessment(folder, facts, summary, work.runs, time.perf_counter() - began, simulating)
 
 
@@ -248,7 +254,6 @@ def memory_of(value: float | str) -> int:
 def digest_of_inputs(inputs: dict[str, Any]) -> str:
     """Return the digest that identifies a plan."""
     import hashlib
-    import json
 
     return hashlib.sha256(json.dumps([inputs, stayput.__version__]).encode()).hexdigest()
 
@@ -269,7 +274,7 @@ def _digest(name: str, path: Path) -> str:
 
 def _called(name: str) -> Phrase:
     """Return the name of an input in sentences: the inventory or the shake map."""
-    return phrase(f"inventory.the_{name.replace(' ', '_')}")
+    return phrase(f"inventory.input_{name.replace(' ', '_')}")
 
 
 @contextmanager
@@ -291,11 +296,9 @@ def _full_disk(folder: Path) -> Generator[None]:
 def _rows_about(table: Path) -> int:
     """Return about how many rows a table has, for the bar."""
     if table.suffix.lower() == ".parquet":
-        pa, pq = arrow(), parquet()
-
         try:
-            return int(pq.read_metadata(table).num_rows)
-        except (OSError, pa.ArrowInvalid):
+            return int(arrow("parquet").read_metadata(table).num_rows)
+        except (OSError, arrow().ArrowInvalid):
             return 1
     with table.open("rb") as file:
         start = file.read(2**18)
@@ -303,18 +306,12 @@ def _rows_about(table: Path) -> int:
     return max(1, round(lines * table.stat().st_size / max(len(start), 1)))
 
 
-def _simulate(work: Work, threads: int | None, executor: Executor | None, progress: bool | None) -> None:
-    if not work.left:
-        return
-    with (
-        bar(work.left, "progress.simulating", progress, "progress.units") as advance,
-        Pool(threads, executor) as pool,
-    ):
-        work.run(pool, advance, time.monotonic)
-
-
-def _manifest(scenarios: Scenarios, limit: float, work: Work) -> dict[str, Any]:
-    strengths = _strengths(work)
+def _manifest(
+    scenarios: Scenarios,
+    limit: float,
+    work: Work,
+    strengths: Callable[[str, float | None], tuple[float | None, ...]],
+) -> dict[str, Any]:
     return {
         "version": stayput.__version__,
         "slide limit": limit,
@@ -334,27 +331,6 @@ def _manifest(scenarios: Scenarios, limit: float, work: Work) -> dict[str, Any]:
             for file, settings in zip(scenarios.all, work.settings, strict=True)
         ],
     }
-
-
-def _write(
-    folder: Path,
-    space: Workspace,
-    plan: str,
-    facts: dict[str, Any],
-    manifest: dict[str, Any],
-    work: Work,
-    progress: bool | None,
-) -> None:
-    import json
-
-    about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
-    with bar(
-        facts["pieces"] * len(work.scenarios.events), "progress.writing", progress, "progress.rows"
-    ) as advance:
-        Writer(folder, space, work.outcomes, about, _strengths(work)).write(facts["parts"], advance)
-    for name in REJECTS:
-        with space.durable(folder / name) as file, (space.folder / "plan" / name).open("rb") as source:
-            shutil.copyfileobj(source, file)
 
 
 def _strengths(work: Work) -> Callable[[str, float | None], tuple[float | None, ...]]:
@@ -383,35 +359,3 @@ def _strengths(work: Work) -> Callable[[str, float | None], tuple[float | None, 
         )
 
     return strengths
-
-
-def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dict[str, Any]) -> Summary:
-    pa, pq = arrow(), parquet()
-
-    summary = summarise(folder / PIECES)
-    rows = summary.rows()
-    integer, real = pa.int64(), pa.float64()
-    kinds: list[Any] = [
-        pa.string(),
-        pa.string(),
-        pa.int32(),
-        integer,
-        integer,
-        *[real] * 10,
-        *[integer] * len(Finding),
-        real,
-        real,
-    ]
-    schema = pa.schema(list(zip(COLUMNS, kinds, strict=True)))
-    columns: list[Any] = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in COLUMNS]
-    with space.durable(folder / SUMMARY[0]) as file:
-        pq.write_table(pa.table(dict(zip(COLUMNS, columns, strict=True)), schema=schema), file)
-    with space.durable(folder / SUMMARY[1]) as file:
-        file.write(csv_text(list(COLUMNS), rows).encode(CSV_ENCODING))
-    for language, name in REPORTS.items():
-        with space.durable(folder / name) as file:
-            file.write(report_html(summary, facts, manifest, language).encode())
-    return summary
-
-
-__all__ = ["MANIFEST", "WORK", "Assessment", "assess", "memory_of"]

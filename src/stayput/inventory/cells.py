@@ -7,11 +7,13 @@ import re
 import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, has_control, within
 from stayput.inventory.columns import UNITS
+from stayput.vocabulary import LONGEST_WORD, WORDS, plain_word
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -70,6 +72,11 @@ CellReader: TypeAlias = Callable[[Cell], Cell]
 """Makes a column's own text or number of a cell in another unit or spelling."""
 
 
+def refusal(key: str, name: str, **values: Any) -> InputError:
+    """Return the refusal of what a column holds, or lacks."""
+    return InputError(f"inventory.{key}", name, name=name, **values)
+
+
 def is_empty(cell: Cell) -> bool:
     """Return whether a cell holds nothing, or only blanks."""
     return cell is None or (isinstance(cell, str) and not cell.strip())
@@ -84,20 +91,20 @@ def plain(name: str, cell: Cell) -> str | float | int | None:
         A formula or the like, or a text that is too long or goes over several lines.
     """
     if isinstance(cell, Unusable):
-        raise InputError("inventory.unusable", name, name=name, what=cell.what)
+        raise refusal("unusable", name, what=cell.what)
     if not isinstance(cell, str):
         return cell
     if not cell:
         return None
     if len(cell) > LONGEST:
-        raise InputError("inventory.too_long", name, name=name, count=len(cell), most=LONGEST)
+        raise refusal("too_long", name, count=len(cell), most=LONGEST)
     text = cell.strip()
     if "\n" in text or "\r" in text:
-        raise InputError("inventory.several_lines", name, name=name)
+        raise refusal("several_lines", name)
     if has_control(text):
-        raise InputError("inventory.control_character", name, name=name)
+        raise refusal("control_character", name)
     if text.startswith("="):
-        raise InputError("inventory.unusable", name, name=name, what=phrase("inventory.cell_formula"))
+        raise refusal("unusable", name, what=phrase("inventory.cell_formula"))
     return text or None
 
 
@@ -120,7 +127,7 @@ def text_of(name: str, cell: Cell, longest: int = 200) -> str | None:
         value = int(value)
     text = None if value is None else str(value)
     if text is not None and len(text) > longest:
-        raise InputError("inventory.too_long", name, name=name, count=len(text), most=longest)
+        raise refusal("too_long", name, count=len(text), most=longest)
     return text
 
 
@@ -136,29 +143,23 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
     if value is None:
         return None
     if isinstance(value, str):
-        text = half_width(value)
-        if _may_be_thousands(name, text, unit):
-            raise InputError("inventory_tables.comma", name, name=name, value=shown(value))
-        number = _in_unit(text, unit)
-        if number is None:
+        number, written = _parted(value) or ("", "")
+        points = "," not in number and _THOUSANDS.fullmatch(number) is not None
+        if points and (name in WHOLE or (written or unit) in _WHOLE_UNITS):  # it may be one of thousands
+            raise refusal("comma", name, value=shown(value))
+        factor = _factor(written, unit) if written else (1.0, 1.0)
+        number = without_thousands(number, written or unit)
+        if factor is None or _NUMBER.fullmatch(number) is None:
             hint: Phrase | str = ""
-            if _DECIMAL_COMMA.fullmatch(text):
-                hint = phrase("inventory_tables.decimal_comma")
+            if _DECIMAL_COMMA.fullmatch(half_width(value)):
+                hint = phrase("inventory.decimal_comma")
             elif unit and re.match(r"[+-]?[\d.,]+\s*[^\d.,]+$", value):
                 hint = phrase("inventory.without_unit")
             raise _not_a_plain_number(name, shown(value), unit, hint)
-        value = number
+        value = float(number) * factor[0] / factor[1]
     if not math.isfinite(value):
         raise _not_a_plain_number(name, str(value), unit)
     return float(value)
-
-
-def _may_be_thousands(name: str, text: str, unit: str) -> bool:
-    """Return whether a number has a point that would leave thousandths of what nobody divides so finely."""
-    parted = _WITH_REST.fullmatch(text)
-    if parted is None or "," in parted[1] or _THOUSANDS.fullmatch(parted[1]) is None:
-        return False
-    return name in WHOLE or (_unit_behind(parted) or unit) in _WHOLE_UNITS
 
 
 def half_width(text: str) -> str:
@@ -166,22 +167,12 @@ def half_width(text: str) -> str:
     return text if text.isascii() else text.translate(_FULL_WIDTH)
 
 
-def _in_unit(text: str, unit: str) -> float | None:
-    """Return the number of a text in a unit, converted from the one behind it; None where it is none."""
-    parted = _WITH_REST.fullmatch(text)
-    if parted is None:
+def _parted(text: str) -> tuple[str, str] | None:
+    """Return the number of a text and the unit behind it, "" without one; None where it is no number."""
+    matched = _WITH_REST.fullmatch(half_width(text.strip()))
+    if matched is None:
         return None
-    number, written = parted[1], _unit_behind(parted)
-    factor = _factor(written, unit) if written else (1.0, 1.0)
-    number = without_thousands(number, written or unit)
-    if factor is None or _NUMBER.fullmatch(number) is None:
-        return None
-    times, over = factor
-    return float(number) * times / over
-
-
-def _unit_behind(parted: re.Match[str]) -> str:
-    return unicodedata.normalize("NFKC", parted[2] or "").strip().lower()
+    return matched[1], unicodedata.normalize("NFKC", matched[2] or "").strip().lower()
 
 
 def _factor(written: str, unit: str) -> tuple[float, float] | None:
@@ -204,14 +195,8 @@ def without_thousands(number: str, unit: str, marks: str = ",") -> str:
 
 
 def _not_a_plain_number(name: str, value: str, unit: str, hint: Phrase | str = "") -> InputError:
-    return InputError(
-        "inventory.not_plain_number",
-        name,
-        name=name,
-        value=value,
-        unit=phrase("inventory.in_unit", unit=unit) if unit else "",
-        hint=hint,
-    )
+    said = phrase("inventory.in_unit", unit=unit) if unit else ""
+    return refusal("not_plain_number", name, value=value, unit=said, hint=hint)
 
 
 def whole_of(name: str, cell: Cell, low: int, high: int) -> int | None:
@@ -243,10 +228,10 @@ def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:
         return ()
     parts = value.split(";") if isinstance(value, str) else [value]
     if len(parts) > MOST_NUMBERS:
-        raise InputError("inventory.too_many_numbers", name, name=name, count=len(parts), most=MOST_NUMBERS)
+        raise refusal("too_many_parts", name, count=len(parts), most=MOST_NUMBERS)
     numbers = [number_of(name, part, unit) for part in parts]
     if any(value is None for value in numbers):
-        raise InputError("inventory.missing_number", name, name=name, value=shown(value))
+        raise refusal("missing_number", name, value=shown(value))
     return tuple(value for value in numbers if value is not None)
 
 
@@ -261,8 +246,8 @@ def number_or_none(cell: Cell) -> float | None:
 
 def in_own_unit(cell: Cell, kind: str) -> bool:
     """Return whether a cell is a number with a unit behind it, of the kind of a column's unit."""
-    parted = _WITH_REST.fullmatch(half_width(cell.strip())) if isinstance(cell, str) else None
-    return parted is not None and _unit_behind(parted) in UNITS[kind]
+    parted = _parted(cell) if isinstance(cell, str) else None
+    return parted is not None and parted[1] in UNITS[kind]
 
 
 def refuse_without_unit(name: str, cell: Cell) -> Cell:
@@ -274,7 +259,7 @@ def refuse_without_unit(name: str, cell: Cell) -> Cell:
         A number without a unit.
     """
     if number_or_none(cell) is not None:
-        raise InputError("inventory_tables.cell_without_unit", name, name=name, value=shown(cell))
+        raise refusal("cell_without_unit", name, value=shown(cell))
     return cell
 
 
@@ -288,13 +273,15 @@ def with_point(name: str, text: str, kind: str, money: bool = False) -> str:
     InputError
         The comma or the point may be one of thousands.
     """
-    parted = _WITH_REST.fullmatch(_SIGN_OF_MONEY.sub("", text.strip(), 1) if money else text.strip())
+    plain = _SIGN_OF_MONEY.sub("", text.strip(), 1) if money else text.strip()
+    parted = _parted(plain)
     if parted is None:
         return text
-    number, rest = without_thousands(parted[1], parted[2] or kind, ".,"), parted[2] or ""
-    if _THOUSANDS.fullmatch(number) and (rest or kind) not in ("m", "°"):  # a piece of 1800 m is none
-        raise InputError("inventory_tables.comma", name, name=name, value=shown(text))
-    return (number.replace(",", ".") if _DECIMAL_COMMA.fullmatch(number) else number) + rest
+    number, unit = without_thousands(parted[0], parted[1] or kind, ".,"), parted[1]
+    if _THOUSANDS.fullmatch(number) and (unit or kind) not in ("m", "°"):  # a piece of 1800 m is none
+        raise refusal("comma", name, value=shown(text))
+    pointed = number.replace(",", ".") if _DECIMAL_COMMA.fullmatch(number) else number
+    return plain.replace(parted[0], pointed, 1)
 
 
 def amount_of(text: str) -> str:
@@ -343,3 +330,54 @@ def converting_reader(
         return ";".join("" if part is None else str(part) for part in map(number, cell.split(";")))
 
     return read
+
+
+ROOF = "roof"
+"""The storey of a piece on the roof, whose number depends on the building."""
+
+_STOREY = re.compile(
+    r"(?:m|中)?(?P<above>[1-9]\d{0,2})(?:\.0)? ?(?:f|fl|floor|階|층)?"
+    r"|(?P<upper>[1-9]\d?)\. ?og"
+    r"|(?:b|地下|지하|basement) ?(?P<below>[1-9]) ?(?:f|階|층)?|(?P<under>[1-9])\. ?ug"
+    r"|(?P<roof>屋上階?|r[f階]?|roof(?: ?top)?|옥상)",
+    re.ASCII,
+)
+"""3F, 3階, and M3F or 中3階, the mezzanine below it, which is taken to move as it does; 2. OG; B1, 1. UG."""
+
+_NAMED = {
+    "地下": -1,
+    "地階": -1,
+    "basement": -1,
+    "ug": -1,
+    "eg": 1,
+    "rdc": 1,
+    "ground floor": 1,
+    "mezzanine": 2,
+}
+_DIGITS = str.maketrans("一二三四五六七八九", "123456789")
+
+
+def preset_called(name: Cell) -> str | None:
+    """Return the preset that a piece is called, or None where its name is no preset's."""
+    if not isinstance(name, str) or len(name) > LONGEST_WORD:
+        return None
+    return WORDS["preset"].get(plain_word(name))
+
+
+@lru_cache(maxsize=1000)
+def storey_called(text: str) -> int | str | None:
+    """Return the number of a storey, below 0 in a basement, or `ROOF`; None where a text is no storey."""
+    word = plain_word(text).translate(_DIGITS) if len(text) <= 20 else ""
+    matched = _STOREY.fullmatch(word)
+    if matched is None:
+        return _NAMED.get(word)
+    kind, number = matched.lastgroup, matched[matched.lastgroup or 0]
+    if kind == "roof":
+        return ROOF
+    return -int(number) if kind in ("below", "under") else int(number) + (kind == "upper")
+
+
+def storey_meant(cell: Cell) -> Cell:
+    """Return the storey of a cell as `storey_called` does; any cell that is none as it is."""
+    storey = storey_called(cell) if isinstance(cell, str) else None
+    return cell if storey is None else storey

@@ -1,33 +1,108 @@
-"""The folder of an assessment: which inputs it belongs to, its lock, and foreign files in it."""
+"""The folder of an assessment: which inputs it belongs to, its lock, atomic writes, files of others.
+
+Every file or folder is made as a draft and takes its name when it is complete, but the data base of what is
+done, which SQLite keeps whole.
+"""
 
 from __future__ import annotations
 
 import hashlib
+import itertools
+import json
+import os
+import re
+import shutil
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, cast
+from typing import IO, TYPE_CHECKING, Any, cast
 
 import stayput
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.inventory.workspace import (
-    BEGUN,
-    OUTCOMES,
-    OWN,
-    Workspace,
-    entries,
-    in_the_way,
-    read_json,
-)
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping
+    from collections.abc import Generator, Iterator, Mapping
     from pathlib import Path
 
 FORMAT = 8
 """Changes with the files' layout or meaning."""
 
-MANIFEST, CLAIM = "manifest.json", "claim.json"
-WORK, LOCK = "work", ".lock"
+MANIFEST, WORK, LOCK = "manifest.json", "work", ".lock"
+DRAFTS, OUTCOMES = "drafts", "outcomes.sqlite"
+
+BEGUN = re.compile(r"\.lock|work/(drafts/(draft-\d+)?)?")
+"""What an assessment leaves that was killed before its manifest was written."""
+
+OWN = re.compile(
+    BEGUN.pattern
+    + r"|manifest\.json|report(\.ja)?\.html|(summary|rejects)\.(parquet|csv)"
+    + r"|pieces\.(csv|geojson)|pieces/(part-\d{6}\.parquet)?|work/outcomes\.sqlite(-journal)?"
+    + r"|work/(plan|drafts/draft-\d+)/"
+    + r"(plan\.sqlite(-journal)?|rejects\.(parquet|csv)|rows/(part-\d{6}\.parquet)?)?"
+)
+"""All that an assessment writes, by its path in the folder of the results; folders end in a slash."""
+
+READ = re.compile(r"(pieces|work/(plan|drafts/draft-\d+))/(.*/)?[^.][^/]*/?")
+"""What would be read as ours, or be removed with what is ours."""
+
+
+class Workspace:
+    """Makes files by way of drafts; drafts of killed processes are removed.
+
+    Parameters
+    ----------
+    folder : Path
+        The work folder; it must be there.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        (folder / DRAFTS).mkdir(exist_ok=True)
+        for leftover in sorted((folder / DRAFTS).iterdir()):
+            if re.fullmatch(r"draft-\d+", leftover.name):
+                remove(leftover)
+        self._numbers = itertools.count()
+
+    def draft(self) -> Path:
+        """Return the path of a new draft, which does not exist yet."""
+        return self.folder / DRAFTS / f"draft-{next(self._numbers)}"
+
+    @contextmanager
+    def durable(self, path: Path) -> Generator[IO[bytes]]:
+        """Yield a file to write; once complete and on disk it takes its name, else it is removed."""
+        draft = self.draft()
+        try:
+            with draft.open("xb") as file:
+                yield file
+            self.publish(draft, path)
+        finally:
+            draft.unlink(missing_ok=True)
+
+    def publish(self, draft: Path, path: Path) -> None:
+        """Bring a draft, a file or a folder of files, to the disk, and give it its name."""
+        for each in (draft, *draft.rglob("*")):
+            if each.is_file():
+                with each.open("rb+") as file:
+                    os.fsync(file.fileno())
+        draft.replace(path)
+        if os.name == "posix":  # the folder's names too
+            descriptor = os.open(path.parent, os.O_RDONLY)
+            try:
+                os.fsync(descriptor)
+            finally:
+                os.close(descriptor)
+
+    def write_json(self, path: Path, content: Mapping[str, Any]) -> None:
+        """Write a mapping as JSON, atomically."""
+        with self.durable(path) as file:
+            file.write((json.dumps(content, indent=2, sort_keys=True) + "\n").encode())
+
+
+def remove(path: Path) -> None:
+    """Remove a draft or a plan: a file, or a folder with all that is in it."""
+    if path.is_dir():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
 
 
 def digest_of(path: Path) -> str:
@@ -40,8 +115,7 @@ def digest_of(path: Path) -> str:
 def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
     """Create the folder with its parents, or open it again, and lock it against other processes.
 
-    What the assessment is of stands in the manifest and, once more, in the work folder: where one of the
-    two is damaged or gone the other holds.
+    What the assessment is of stands in the manifest.
 
     Parameters
     ----------
@@ -61,23 +135,19 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
                 "inventory.folder_is_file", "out", folder=repr(str(folder)), path=repr(str(path))
             )
     folder.mkdir(parents=True, exist_ok=True)
-    _refuse_strangers(folder)  # before the lock, which would be a file in somebody else's folder
-    _inputs_before(folder)
+    _refuse_others(folder)  # before the lock, which would be a file in somebody else's folder
+    inputs_of(folder)
     with _locked(folder):
-        _refuse_strangers(folder)
-        _refuse_what_is_in_the_way(folder)
         wanted = {"format": FORMAT, "version of stayput": stayput.__version__, **inputs}
-        before = _inputs_before(folder)
+        before = inputs_of(folder)
         if before is not None and before != wanted and _holds_results(folder):
             other = next((name for name in wanted if before.get(name) != wanted[name]), "list of inputs")
             other = phrase(f"inventory.input_{other.replace(' ', '_')}")
             raise InputError("inventory.other_assessment", "out", folder=repr(str(folder)), other=other)
         (folder / WORK).mkdir(exist_ok=True)
         space = Workspace(folder / WORK)
-        for path in (folder / WORK / CLAIM, folder / MANIFEST):
-            claim = read_json(path)
-            if claim is None or claim.get("inputs") != wanted:
-                space.write_json(path, {"inputs": wanted})
+        if before != wanted:
+            space.write_json(folder / MANIFEST, {"inputs": wanted})
         yield space
 
 
@@ -86,45 +156,65 @@ def check_parts(folder: Path, names: set[str]) -> None:
     if folder.is_dir():
         for path in sorted(folder.glob("*.parquet")):
             if path.name not in names:
-                raise in_the_way(folder, path.name)
+                raise _in_the_way(folder, path.name)
 
 
-def _refuse_strangers(folder: Path) -> None:
-    """Refuse a folder that holds foreign files and no assessment; remains of a killed one are accepted."""
-    if (folder / MANIFEST).exists() or (folder / WORK / CLAIM).exists():
-        return
-    present = list(entries(folder, OWN))
-    for entry in present:
-        if not BEGUN.fullmatch(entry) or (entry == LOCK and (folder / LOCK).stat().st_size):
-            name = entry.rstrip("/@")
-            raise InputError("inventory.strangers", "out", folder=repr(str(folder)), name=repr(name))
-
-
-def _refuse_what_is_in_the_way(folder: Path) -> None:
-    """Refuse entries that have the name of one of our files but another kind, or would be read as ours.
-
-    Files that somebody put beside the results are left alone.
-    """
-    for entry in entries(folder, OWN):
-        name = entry.rstrip("/@")
-        read = entry.startswith((f"{WORK}/plan/", "pieces/")) and not name.rpartition("/")[2].startswith(".")
-        if not OWN.fullmatch(entry) and (read or OWN.fullmatch(name) or OWN.fullmatch(f"{name}/")):
-            raise in_the_way(folder, entry)
-
-
-def _inputs_before(folder: Path) -> dict[str, Any] | None:
+def inputs_of(folder: Path) -> dict[str, Any] | None:
     """Return the inputs of the assessment in the folder, or None where the folder is new."""
-    for claim in (read_json(folder / MANIFEST), read_json(folder / WORK / CLAIM)):
-        if claim is not None and isinstance(inputs := claim.get("inputs"), dict):
-            return cast("dict[str, Any]", inputs)
-    if (folder / MANIFEST).exists():
-        raise InputError("inventory.damaged_manifest", "out", folder=repr(str(folder)), manifest=MANIFEST)
-    return None
+    try:
+        content: Any = json.loads((folder / MANIFEST).read_bytes())
+    except FileNotFoundError:
+        return None
+    except (ValueError, RecursionError):
+        content = None
+    inputs = cast("dict[str, Any]", content).get("inputs") if isinstance(content, dict) else None
+    if isinstance(inputs, dict):
+        return cast("dict[str, Any]", inputs)
+    raise InputError("inventory.damaged_manifest", "out", folder=repr(str(folder)), manifest=MANIFEST)
+
+
+def entries(folder: Path, below: str = "") -> Iterator[str]:
+    """Give the paths of all that lies in a folder, from it: folders end in a slash, links in "@".
+
+    Only folders of the assessment are looked into; a folder comes before what lies in it.
+    """
+    for entry in sorted(os.scandir(folder / below), key=lambda entry: entry.name):
+        path = below + entry.name
+        if entry.is_symlink():
+            yield f"{path}@"
+        elif entry.is_dir():
+            yield f"{path}/"
+            if OWN.fullmatch(f"{path}/"):
+                yield from entries(folder, f"{path}/")
+        else:
+            yield path
+
+
+def _refuse_others(folder: Path) -> None:
+    """Refuse a folder of others, and what has the name of one of our files or would be read as one.
+
+    A folder without a manifest may hold what a killed assessment leaves; files that somebody put beside the
+    results are left alone.
+    """
+    new = not (folder / MANIFEST).exists()
+    for entry in entries(folder):
+        name = entry.rstrip("/@")
+        if new and (not BEGUN.fullmatch(entry) or (entry == LOCK and (folder / LOCK).stat().st_size)):
+            raise InputError("inventory.strangers", "out", folder=repr(str(folder)), name=repr(name))
+        ours = OWN.fullmatch(name) or OWN.fullmatch(f"{name}/") or READ.fullmatch(entry)
+        if ours and not OWN.fullmatch(entry):
+            raise _in_the_way(folder, entry)
+
+
+def _in_the_way(folder: Path, entry: str) -> InputError:
+    """Return the refusal of something that lies where the assessment writes or reads."""
+    name = repr(entry.rstrip("@"))
+    return InputError("inventory.in_the_way", "out", folder=repr(str(folder)), name=name)
 
 
 def _holds_results(folder: Path) -> bool:
     """Return whether there are results of the inputs: there are none where the table was refused."""
-    return not (folder / WORK / CLAIM).exists() or any(
+    return any(
         (folder / name).exists() for name in (f"{WORK}/plan", f"{WORK}/{OUTCOMES}", "pieces", "report.html")
     )
 
@@ -137,8 +227,6 @@ def _locked(folder: Path) -> Generator[None]:
     except ImportError:  # pragma: no cover - not on this system
         yield
         return
-    if (folder / LOCK).is_symlink():
-        raise in_the_way(folder, f"{LOCK}@")
     with (folder / LOCK).open("ab") as file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from difflib import get_close_matches
-from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from functools import partial, reduce
+from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
@@ -15,8 +15,11 @@ from stayput.inventory.cells import (
     is_empty,
     number_of,
     number_or_none,
+    preset_called,
     refuse_without_unit,
     shown,
+    storey_called,
+    storey_meant,
 )
 from stayput.inventory.columns import (
     ALONG_THE_WALL,
@@ -29,11 +32,10 @@ from stayput.inventory.columns import (
     UNITS,
     WIDTHS,
     header_name,
+    is_heading,
     plain_name,
 )
-from stayput.inventory.headings import refuse_headings_elsewhere
 from stayput.inventory.mapping import IGNORE, ColumnMapping
-from stayput.inventory.vocabulary import preset_called, storey_called, storey_meant
 from stayput.vocabulary import WORDS, meant
 
 if TYPE_CHECKING:
@@ -41,7 +43,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell, CellReader
-    from stayput.inventory.columns import HeaderName, NumberUnit
+    from stayput.inventory.columns import NumberUnit
 
 MOST = 200
 """Most columns of a table."""
@@ -52,15 +54,11 @@ LIKENESS = 0.8
 UNKNOWN_SHOWN = 12
 """Most columns that a proposal has with a "?" for what they are."""
 
-DOUBTS_SHOWN = 3
-"""Most doubts that a sentence tells."""
+SHOWN = 3
+"""Most doubts or headings that a sentence tells."""
 
-
-class AlongTheWall(NamedTuple):
-    """A column of sizes along the wall, and how its cells are read."""
-
-    place: int
-    read: CellReader
+ROWS_OF_A_TITLE = 20
+"""Most rows above the headings that are taken for a title."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,18 +81,18 @@ class Header:
         What was taken for what, as "width = 奥行 [mm]".
     called : mapping of str to str
         What the table calls the columns that it calls otherwise.
-    along_the_wall : AlongTheWall, optional
-        The size along the wall, which tells a piece that is narrower than deep.
+    along_the_wall : (int, callable), optional
+        Place and reader of the size along the wall, which tells a piece that is narrower than deep.
     """
 
     places: Mapping[str, int]
     width: int
     unnamed: tuple[int, ...] = ()
     unused: tuple[str, ...] = ()
-    readers: Mapping[str, CellReader] | None = None
+    readers: Mapping[str, CellReader] = field(default_factory=dict[str, "CellReader"])
     renamed: tuple[str, ...] = ()
     called: Mapping[str, str] = field(default_factory=dict[str, str])
-    along_the_wall: AlongTheWall | None = None
+    along_the_wall: tuple[int, CellReader] | None = None
 
     def width_of(self, row: Sequence[Cell]) -> float | None:
         """Return the size of a row's piece along the wall [m], or None where the row does not say it."""
@@ -120,18 +118,11 @@ class Header:
             if not is_empty(row[place]):
                 raise InputError("inventory.cell_without_name", cell=place + 1, value=shown(row[place]))
         cells = {name: row[place] for name, place in self.places.items()}
-        for name, read in (self.readers or {}).items():
+        for name, read in self.readers.items():
             cells[name] = read(cells[name])
         if "name" in cells and is_empty(cells.get("preset")):
             cells["preset"] = preset_called(cells["name"])
         return cells
-
-
-class _Doubt(NamedTuple):
-    """What is unclear about a column, and the part of ``--columns`` that would settle it."""
-
-    about: Phrase
-    settled: str
 
 
 class _Reading:
@@ -155,34 +146,34 @@ class _Reading:
         mapped, self.ignored = mapping.places(names)
         self.places = {name: place for name, (place, _) in mapped.items()}
         self.units: dict[str, NumberUnit | None] = {name: unit for name, (_, unit) in mapped.items()}
+        self.mapped = frozenset(self.places.values())
         self.in_own_units: set[str] = set()
-        self.stated = {name for name, (_, unit) in mapped.items() if unit is not None}
-        self.doubts: list[_Doubt] = []
+        self.doubts: list[tuple[Phrase, str]] = []  # each with the part of --columns that would settle it
         self.proposed: set[str] = set()
         self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
-        self.mapped = frozenset(self.places.values())
         taken = {*self.mapped, *self.ignored}
         self.free = [place for place, name in enumerate(names) if name and place not in taken]
 
-    def doubt(self, key: str, settled: str, **values: object) -> None:
-        """Note that something is unclear."""
-        self.doubts.append(_Doubt(phrase(f"inventory_tables.{key}", **values), settled))
+    def doubt(self, key: str, place: int, settled: str | None = None, **values: object) -> None:
+        """Note what is unclear about a column, and what settles it: by default that it is ignored."""
+        about = phrase(f"inventory_tables.doubt_{key}", header=shown(self.names[place]), **values)
+        self.doubts.append((about, settled or f"{IGNORE}={self.names[place]}"))
 
-    def numbers(self, place: int) -> list[float]:
-        """Return the numbers of a column in the sample."""
-        values = (number_or_none(row[place]) for row in self.sample if place < len(row))
-        return [value for value in values if value is not None]
+    def column(self, place: int) -> list[Cell]:
+        """Return the cells of a column in the sample."""
+        return [row[place] for row in self.sample if place < len(row)]
 
-    def take_canonical(self) -> None:
-        """Take the columns that are called as stayput calls them."""
+    def has_numbers(self, place: int) -> bool:
+        """Return whether a column has numbers in the sample."""
+        return any(number_or_none(cell) is not None for cell in self.column(place))
+
+    def take_known(self) -> None:
+        """Take columns by stayput's names, then by usual ones; doubt those that other languages call so."""
         for place in list(self.free):
             name = self.names[place].lower()
             if name in COLUMNS and name not in self.places:
                 self.places[name], self.units[name] = place, None
                 self.free.remove(place)
-
-    def take_aliases(self) -> None:
-        """Take the columns that are called as inventories usually call them."""
         for place in list(self.free):
             part, name = self.parts[place], self.parts[place].column
             if part.base in ALONG_THE_WALL or name is None:
@@ -191,94 +182,89 @@ class _Reading:
             if name in self.places:
                 self._second(name, place)
             elif part.note:
-                self.doubt(
-                    "doubt_note", self._proposed(name, place), header=self._shown(place), note=part.note
-                )
+                self.doubt("note", place, self._proposed(name, place), note=part.note)
             else:
-                self.places[name] = place
-                self._take_unit(name, place, part)
-
-    def propose_foreign(self) -> None:
-        """Doubt the columns that are called so in other languages."""
-        found: dict[str, int] = {}
-        for place in self.free:
+                self._take(name, place)
+        for place in list(self.free):
             name = self.parts[place].in_another_language
-            if self.parts[place].base == "nombre" and self.numbers(place):
+            if self.parts[place].base == "nombre" and self.has_numbers(place):
                 name = "count"  # in French; in Spanish it is what a piece is called
-            if name is not None and name not in self.places:
-                found.setdefault(name, place)
-        if found:
-            settled = ",".join(self._proposed(name, place) for name, place in found.items())
-            headers = [self._shown(place) for place in found.values()]
-            self.doubt("doubt_language", settled, headers=", ".join(headers[:DOUBTS_SHOWN]))
-        self.proposed.update(found)
-        self.free = [place for place in self.free if place not in found.values()]
+            if name is not None and name not in self.known:
+                self.free.remove(place)
+                self.proposed.add(name)
+                self.doubt("language", place, self._proposed(name, place))
 
     def _second(self, name: str, place: int) -> None:
         """Take in another column of a name that is taken: a total beside a price is left out."""
         first = self.places[name]
-        if name == "width" and self.names[first].lower() == "width" and name not in self.stated:
-            proposal = f"{self._proposed('width', place)},{IGNORE}={self.names[first]}"
-            self.doubt("doubt_width", proposal, depth=self._shown(place), width=self._shown(first))
-        elif name == "value" and self.parts[place].base in TOTALS and self.parts[first].base not in TOTALS:
-            self.unused.append(self.names[place][:200])
-        elif name == "value" and self.parts[first].base in TOTALS:
-            del self.places[name]
+        total, first_total = (self.parts[each].base in TOTALS for each in (place, first))
+        if name == "width" and self.names[first].lower() == name and self.units[name] is None:
+            settled = f"{self._proposed('width', place)},{IGNORE}={self.names[first]}"
+            self.doubt("width", place, settled, width=shown(self.names[first]))
+        elif name == "value" and first_total:
             self.unused.append(self.names[first][:200])
-            self.places[name] = place
-            self._take_unit(name, place, self.parts[place])
-        elif name in ("name", "id"):
+            self._take(name, place)
+        elif name in ("name", "id") or (name == "value" and total):
             self.unused.append(self.names[place][:200])
         else:
-            proposal = f"{IGNORE}={self.names[place]}"
-            self.doubt("doubt_twice", proposal, a=self._shown(first), b=self._shown(place), name=name)
+            self.doubt("twice", place, first=shown(self.names[first]), name=name)
 
-    def _take_unit(self, name: str, place: int, part: HeaderName) -> None:
-        known = UNITS.get(COLUMNS[name].unit, {})
-        self.units[name] = known.get(part.unit)
-        if part.unit and self.units[name] is None:
-            self.doubt("doubt_unit", self._proposed(name, place), header=self._shown(place))
-        elif COLUMNS[name].unit in ("m", "kg") and not part.unit:
-            cells = [row[place] for row in self.sample if place < len(row)]
-            if not self.numbers(place) and any(in_own_unit(cell, COLUMNS[name].unit) for cell in cells):
-                self.in_own_units.add(name)
-                return
-            self.doubt("doubt_no_unit", self._proposed(name, place), header=self._shown(place))
+    def _take(self, name: str, place: int) -> None:
+        kind, written = COLUMNS[name].unit, self.parts[place].unit
+        self.places[name], self.units[name] = place, UNITS.get(kind, {}).get(written)
+        if self.units[name] is not None or not (written or kind in ("m", "kg")):
+            return
+        bare = not written and not self.has_numbers(place)
+        if bare and any(in_own_unit(cell, kind) for cell in self.column(place)):
+            self.in_own_units.add(name)
+        else:
+            self.doubt("unit", place, self._proposed(name, place))
 
     def take_rest(self) -> None:
         """Look at what is left: doubtful where it would change a result, else not used."""
-        known = self.proposed.union(self.places)
+        sized = {"width", "height"} <= self.known
         for place in self.free:
-            part, header = self.parts[place], self._shown(place)
-            if part.base in ALONG_THE_WALL:
-                if "width" not in known:
-                    settled = f"width=?,{IGNORE}={self.names[place]}"
-                    self.doubt("doubt_no_depth", settled, header=header)
+            base, unit, header = self.parts[place].base, self.parts[place].unit, self.names[place]
+            if base in ALONG_THE_WALL:
+                if "width" not in self.known:
+                    self.doubt("no_depth", place, f"width=?,{IGNORE}={header}")
                     continue
-            elif LOOKS_LIKE_COUNT.fullmatch(part.base) and "count" not in known:
-                self.doubt("doubt_count", f"count={self.names[place]}", header=header)
+            elif LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.known:
+                self.doubt("count", place, f"count={header}")
                 continue
-            elif SIZES_TOGETHER.fullmatch(part.base) and not {"width", "height"} <= known:
-                self.doubt("doubt_sizes", f"{IGNORE}={self.names[place]}", header=header)
+            elif SIZES_TOGETHER.fullmatch(base) and not sized:
+                self.doubt("sizes", place)
                 continue
-            elif _is_size(part) and not {"width", "height"} <= known:
-                self.doubt("doubt_size", f"?={self.names[place]}", header=header)
+            elif (LOOKS_LIKE_SIZE.fullmatch(base) or unit in UNITS["m"]) and not sized:
+                self.doubt("size", place, f"?={header}")
                 continue
-            else:
-                _refuse_misspelt(self.names[place], part)
-            self.unused.append(self.names[place][:200])
+            elif near := get_close_matches(base.replace(" ", "_"), COLUMNS, 1, LIKENESS):
+                raise InputError(
+                    "inventory.unknown_column",
+                    header,
+                    name=shown(header),
+                    near=repr(near[0]),
+                    holds=phrase(f"inventory.column_{near[0]}"),
+                    columns=", ".join(COLUMNS),
+                )
+            self.unused.append(header[:200])
 
     def look_at_cells(self) -> None:
         """Doubt what the cells speak against: storeys for a surface, totals for the value of one piece."""
-        floor = self.places.get("floor")
+        floor, value = self.places.get("floor"), self.places.get("value")
         if floor is not None and "storey" not in self.places:
-            cells = [str(row[floor]) for row in self.sample if floor < len(row) and row[floor]]
+            cells = [str(cell) for cell in self.column(floor) if cell]
             if cells and all(storey_called(cell) is not None for cell in cells):
-                self.doubt("doubt_floor", f"storey={self.names[floor]}", header=self._shown(floor))
-        value = self.places.get("value")
-        by_alias = value is not None and value not in self.mapped and self.parts[value].base in TOTALS
-        if value is not None and by_alias and "count" in self.places:
-            self.doubt("doubt_total", f"{IGNORE}={self.names[value]}", header=self._shown(value))
+                self.doubt("floor", floor, f"storey={self.names[floor]}")
+        if value is None or value in self.mapped or "count" not in self.places:
+            return
+        if self.parts[value].base in TOTALS:
+            self.doubt("total", value)
+
+    @property
+    def known(self) -> set[str]:
+        """The columns that there are, or seem to be."""
+        return {*self.places, *self.proposed}
 
     def unknown(self) -> list[str]:
         """Return the part of a mapping for each column of which nothing is known."""
@@ -286,33 +272,66 @@ class _Reading:
 
     def proposal(self, others: Sequence[str] = ()) -> str:
         """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
-        settled = ",".join(dict.fromkeys((*(doubt.settled for doubt in self.doubts), *others)))
+        settled = ",".join(dict.fromkeys((*(part for _, part in self.doubts), *others)))
         kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
         ignored = [f"{IGNORE}={header}" for header in self.mapping.ignored]
         return ",".join([*kept, *ignored, settled])
 
-    def along_the_wall(self) -> tuple[int, NumberUnit | None] | None:
-        """Return the place and the unit of the size along the wall; one without a unit has the depth's."""
-        depth = self.places.get("width")
+    def refuse_what_is_unclear(self) -> None:
+        """Refuse a header of which something is doubted, or nothing says what the pieces are."""
+        sized = {"width", "height"} <= self.known
+        if not {"name", "preset"} & self.known and not sized:
+            if not any(self.names):
+                raise InputError("inventory.no_names", "inventory")
+            if unknown := self.unknown():
+                proposal, columns = self.proposal(unknown), ", ".join(COLUMNS)
+                raise InputError(
+                    "inventory_tables.no_known_column", "columns", proposal=proposal, columns=columns
+                )
+        self.look_at_cells()
+        if not self.doubts:
+            return
+        told = [about for about, _ in self.doubts[:SHOWN]]
+        if more := len(self.doubts) - len(told):
+            told.append(phrase("inventory_tables.more_doubts", count=more))
+        proposal = self.proposal(self.unknown() if self.proposed and not sized else ())
+        raise InputError(
+            "inventory_tables.unclear",
+            "columns",
+            doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
+            proposal=proposal,
+            fill=phrase("inventory_tables.fill") if "?" in proposal else "",
+        )
+
+    def reader(self, name: str, decimal_comma: bool) -> CellReader | None:
+        """Return how a column's cells are read, or None where they are taken as they are."""
+        if name == "storey":
+            return storey_meant
+        kind, unit = COLUMNS[name].unit, self.units[name]
+        readers: list[CellReader] = []
+        if name in self.in_own_units:
+            readers.append(partial(refuse_without_unit, name))
+        if name in WORDS:
+            readers.append(partial(meant, name))
+        converted = unit is not None and unit.times != unit.over
+        numeric = bool(kind) or name in (*LISTS, "count")
+        if converted or kind == "currency" or (decimal_comma and numeric):
+            readers.append(converting_reader(name, unit, kind, name in LISTS, decimal_comma))
+        return (lambda cell: reduce(lambda read, one: one(read), readers, cell)) if readers else None
+
+    def along_the_wall(self, decimal_comma: bool) -> tuple[int, CellReader] | None:
+        """Return the place of the size along the wall and its reader; one without a unit has the depth's."""
         for place, part in enumerate(self.parts):
             if place not in self.places.values() and part.base in WIDTHS:
-                unit = UNITS["m"].get(part.unit)
-                return place, unit or (None if depth is None else self.units["width"])
+                unit = UNITS["m"].get(part.unit) or self.units.get("width")
+                return place, converting_reader("width", unit, "m", False, decimal_comma)
         return None
-
-    def _shown(self, place: int) -> str:
-        return shown(self.names[place])
 
     def _proposed(self, name: str, place: int) -> str:
         """Return the part of a mapping that is likely meant, with "?" for a unit that is not written."""
         kind = COLUMNS[name].unit
         known = kind not in ("m", "kg") or self.parts[place].unit in UNITS[kind]
         return f"{name}={self.names[place]}" if known else f"{name}={self.names[place]}[?]"
-
-
-def _is_size(part: HeaderName) -> bool:
-    """Return whether a column seems to be a size: by its name, or by its unit."""
-    return LOOKS_LIKE_SIZE.fullmatch(part.base) is not None or part.unit in UNITS["m"]
 
 
 def header_of(
@@ -348,115 +367,52 @@ def header_of(
     names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
     if len(names) == 1 and "|" in names[0]:
         raise InputError("inventory.commas", row=shown(names[0]))
-    refuse_headings_elsewhere(names, sample)
+    _refuse_headings_elsewhere(names, sample)
     reading = _Reading(names, sample, mapping or ColumnMapping())
-    _refuse_twice(names)
-    reading.take_canonical()
-    reading.take_aliases()
-    reading.propose_foreign()
+    plain = [plain_name(name) for name in names]
+    for name in plain:
+        if name and plain.count(name) > 1:
+            raise InputError("inventory.column_twice", name, name=shown(name))
+    reading.take_known()
     reading.take_rest()
-    known = reading.proposed.union(reading.places)
-    if not {"name", "preset"} & known and not {"width", "height"} <= known:
-        _refuse_unknown(names, reading)
-    reading.look_at_cells()
-    if reading.doubts:
-        _refuse_doubts(reading)
+    reading.refuse_what_is_unclear()
     places = {name: reading.places[name] for name in COLUMNS if name in reading.places}
-    readers = {
-        name: reader
-        for name in places
-        if (reader := _reader(name, reading.units[name], decimal_comma)) is not None
-    }
-    for name in reading.in_own_units:
-        readers[name] = _each_in_own_unit(name, readers.get(name))
-    across = reading.along_the_wall()
+    readers = {name: reading.reader(name, decimal_comma) for name in places}
+    called = {name: names[place] for name, place in places.items() if names[place].lower() != name}
+    renamed: list[str] = []
+    for name, place in places.items():
+        unit, written = reading.units[name], reading.parts[place].unit
+        if name in called or unit is not None:
+            stated = "" if unit is None or written else f" [{unit.name}]"
+            renamed.append(f"{name} = {names[place][:60]}{stated}")
     return Header(
         places,
         len(names),
         tuple(place for place, name in enumerate(names) if not name),
         tuple(reading.unused),
-        readers,
-        tuple(
-            _understood(name, names[place][:60], reading.units[name], bool(reading.parts[place].unit))
-            for name, place in places.items()
-            if names[place].lower() != name or reading.units[name] is not None
-        ),
-        {name: names[place] for name, place in places.items() if names[place].lower() != name},
-        None
-        if across is None
-        else AlongTheWall(across[0], converting_reader("width", across[1], "m", False, decimal_comma)),
+        {name: read for name, read in readers.items() if read is not None},
+        tuple(renamed),
+        called,
+        reading.along_the_wall(decimal_comma),
     )
 
 
-def _understood(name: str, header: str, unit: NumberUnit | None, written: bool) -> str:
-    return f"{name} = {header}" if unit is None or written else f"{name} = {header} [{unit.name}]"
+def _headings_in(row: Sequence[Cell]) -> list[str]:
+    """Return the headings in a row, of which there are two at least, and half of what it holds; else none."""
+    filled = [cell for cell in row if not is_empty(cell)]
+    found = [cell for cell in filled if isinstance(cell, str) and is_heading(cell)]
+    return found if len(found) > 1 and 2 * len(found) >= len(filled) else []
 
 
-def _reader(name: str, unit: NumberUnit | None, decimal_comma: bool) -> CellReader | None:
-    """Return how a column's cells are read, or None where they are taken as they are."""
-    kind, converted = COLUMNS[name].unit, unit is not None and unit.times != unit.over
-    if name == "storey":
-        return storey_meant
-    words = partial(meant, name) if name in WORDS else None
-    numeric = bool(kind) or name in (*LISTS, "count")
-    if not converted and kind != "currency" and not (decimal_comma and numeric):
-        return words
-    numbers = converting_reader(name, unit, kind, name in LISTS, decimal_comma)
-    return numbers if words is None else lambda cell: numbers(words(cell))
-
-
-def _each_in_own_unit(name: str, read: CellReader | None) -> CellReader:
-    """Return the reader of a column whose numbers have units of their own, each."""
-    refuse = partial(refuse_without_unit, name)
-    return refuse if read is None else lambda cell: read(refuse(cell))
-
-
-def _refuse_twice(names: Sequence[str]) -> None:
-    plain = [plain_name(name) for name in names]
-    for name in plain:
-        if name and plain.count(name) > 1:
-            raise InputError("inventory.column_twice", name, name=shown(name))
-
-
-def _refuse_unknown(names: Sequence[str], reading: _Reading) -> None:
-    """Refuse a header in which nothing says what the pieces are, but columns that are not known may."""
-    if not any(names):
-        raise InputError("inventory.no_names", "inventory")
-    if not (unknown := reading.unknown()):
-        return
-    raise InputError(
-        "inventory_tables.no_known_column",
-        "columns",
-        proposal=reading.proposal(unknown),
-        columns=", ".join(COLUMNS),
-    )
-
-
-def _refuse_misspelt(name: str, part: HeaderName) -> None:
-    """Refuse a column that looks like a known one."""
-    near = get_close_matches(part.base.replace(" ", "_"), COLUMNS, 1, LIKENESS)
-    if near:
-        raise InputError(
-            "inventory.unknown_column",
-            name,
-            name=shown(name),
-            near=repr(near[0]),
-            holds=phrase(f"inventory.column_{near[0]}"),
-            columns=", ".join(COLUMNS),
-        )
-
-
-def _refuse_doubts(reading: _Reading) -> None:
-    told = [doubt.about for doubt in reading.doubts[:DOUBTS_SHOWN]]
-    more = len(reading.doubts) - len(told)
-    if more:
-        told.append(phrase("inventory_tables.more_doubts", count=more))
-    sized = {"width", "height"} <= reading.proposed.union(reading.places)
-    proposal = reading.proposal(reading.unknown() if reading.proposed and not sized else ())
-    raise InputError(
-        "inventory_tables.unclear",
-        "columns",
-        doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
-        proposal=proposal,
-        fill=phrase("inventory_tables.fill") if "?" in proposal else "",
-    )
+def _refuse_headings_elsewhere(names: Sequence[str], sample: Sequence[Sequence[Cell]]) -> None:
+    """Refuse headings that stand below a title, or go over two rows."""
+    known, below_a_title = sum(map(is_heading, names)), not _headings_in(names)
+    for row, cells in enumerate(sample[: ROWS_OF_A_TITLE if below_a_title else 1], 2):
+        found = _headings_in(cells)
+        if len(found) > (known if below_a_title else 0):
+            raise InputError(
+                f"inventory_tables.{'headings_below' if below_a_title else 'two_rows_of_headings'}",
+                "inventory",
+                row=row,
+                found=", ".join(map(shown, found[:SHOWN])),
+            )

@@ -2,31 +2,33 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from cachetools import LRUCache
 from pydantic import ValidationError
 
 from stayput.catalogue import phrase
+from stayput.contents import Contents
+from stayput.contents.weight import emptied
 from stayput.errors import InputError, unknown, visible, within
 from stayput.inventory.cells import (
+    ROOF,
     Unusable,
     number_of,
     number_or_none,
     numbers_of,
     plain,
+    refusal,
     shown,
     text_of,
     whole_of,
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
-from stayput.inventory.contents import OF_THE_CONTENTS, contents_of
 from stayput.inventory.scenarios import stated_building
 from stayput.inventory.store import ground_spec, measures_spec, piece_spec
-from stayput.inventory.vocabulary import ROOF
 from stayput.measures import MEASURES, hold
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import WALLS, Floor, Wall
@@ -39,7 +41,6 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell
-    from stayput.inventory.places import GroundLevel
     from stayput.inventory.scenarios import Scenarios
     from stayput.measures import Measure
     from stayput.model.body import Body
@@ -60,25 +61,13 @@ OF_THE_ROOM = ("floor", "gap", "wall", "measures")
 SIZES = {"width": (0.01, 10.0, "m"), "height": (0.01, 10.0, "m"), "mass": (0.1, 50_000.0, "kg")}
 """What a piece of an inventory may have; beyond, its numbers are in another unit than is stated."""
 
-NO_MEASURE = "none"
+OF_THE_CONTENTS = ("contents", "doors", "drawers", "lip", "load")
+
+NO_MEASURE = NOTHING = "none"
+"""What a row says of a piece without a measure, or with nothing inside where the scenario has contents."""
 
 LONGEST_NAME = 100
 """Letters of what a piece is called that are kept."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class MeasureSet:
-    """A set of measures that a row compares; without a measure it is the piece as it stands."""
-
-    name: str
-    measures: tuple[Measure, ...]
-    spec: str
-
-    @classmethod
-    def of(cls, name: str, measures: tuple[Measure, ...] = ()) -> MeasureSet:
-        """Make an option of measures in any order."""
-        ordered = tuple(sorted(measures, key=lambda measure: measure.kind))
-        return cls(name, ordered, measures_spec(ordered))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -87,73 +76,46 @@ class Exposure:
 
     Parameters
     ----------
-    event : str
-        The event.
-    station : int
-        Place of the scenario among all.
-    level : GroundLevel, optional
-        Level of the ground from a map.
+    row : dict
+        What the plan's row says of it.
     ground : str
         Spec of the shaking of its building.
     storey : int
-        The storey, 1 on the ground, below 0 in a basement.
-    building : str, optional
-        What the building is called; none on the ground.
+        The storey that it moves with: 1 on the ground.
     piece : str
         Spec of the piece with its contents in its room.
-    options : tuple of MeasureSet
-        Without a measure first.
-    impossible : tuple of (str, Phrase)
-        Names of the sets of measures that cannot be put in place, and why not.
-    costs : tuple of float
-        Costs of the options but the first, where they are given.
+    options : list of str
+        Specs of the sets of measures, that without a measure first.
     """
 
-    event: str
-    station: int
-    level: GroundLevel | None
+    row: dict[str, Any]
     ground: str
     storey: int
-    building: str | None
     piece: str
-    options: tuple[MeasureSet, ...]
-    impossible: tuple[tuple[str, Phrase], ...]
-    costs: tuple[float, ...]
+    options: list[str]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Item:
-    """A checked row of an inventory."""
+    """A checked row of an inventory: what the plan's rows say of it in any event, and its depth [m]."""
 
-    row: int
     id: str
-    name: str | None
-    count: int
-    value: float | None
-    lat: float | None
-    lon: float | None
+    row: dict[str, Any]
     depth: float
     exposures: tuple[Exposure, ...]
 
 
-class ResultCache:
-    """Cache of results, refusals among them, of which the oldest are dropped."""
+class ResultCache(LRUCache["Hashable", Any]):
+    """Cache of results, refusals among them."""
 
-    def __init__(self, most: int = MOST_CACHED) -> None:
-        self.most = most
-        self.results: OrderedDict[Hashable, Any] = OrderedDict()
-
-    def get(self, key: Hashable, make: Callable[[], Any]) -> Any:
+    def result(self, key: Hashable, make: Callable[[], Any]) -> Any:
         """Return the result for a key, or raise the refusal: a copy, since each raise adds to a traceback."""
-        if key not in self.results:
+        if key not in self:
             try:
-                self.results[key] = make()
+                self[key] = make()
             except InputError as error:
-                self.results[key] = error.with_traceback(None)
-            if len(self.results) > self.most:
-                self.results.popitem(last=False)
-        value = self.results[key]
-        if isinstance(value, InputError):
+                self[key] = error.with_traceback(None)
+        if isinstance(value := self[key], InputError):
             raise copy(value)
         return value
 
@@ -174,7 +136,7 @@ class RowReader:
 
     def __init__(self, scenarios: Scenarios) -> None:
         self.scenarios = scenarios
-        self.bodies, self.rooms, self.buildings, self.grounds = (ResultCache() for _ in range(4))
+        self.bodies, self.rooms, self.buildings, self.grounds = (ResultCache(MOST_CACHED) for _ in range(4))
         self.roofs: dict[str, int] = {}
 
     def item(self, row: int, cells: Mapping[str, Cell]) -> Item:
@@ -189,72 +151,76 @@ class RowReader:
         for name in ("id", "name"):
             called = cells.get(name)
             if isinstance(called, str) and TOTAL_ROW.fullmatch(plain_name(called)):
-                raise InputError("inventory.total_row", name, name=name, value=shown(called))
+                raise refusal("total_row", name, value=shown(called))
         count = whole_of("count", cells.get("count"), 1, 1_000_000)
         value = number_of("value", cells.get("value"))
         if value is not None:
             within("value", value, 0.0, 1e15, field="value")
         lat, lon = number_of("lat", cells.get("lat"), "°"), number_of("lon", cells.get("lon"), "°")
         if (lat is None) != (lon is None):
-            name = "lat" if lat is None else "lon"
-            raise InputError("inventory.lat_and_lon", name, name=name)
+            name, other = ("lat", "lon") if lat is None else ("lon", "lat")
+            raise refusal("missing_beside", name, other=other)
         if lat is not None and lon is not None:
             within("lat", lat, -90.0, 90.0, "°", "lat")
             within("lon", lon, -180.0, 360.0, "°", "lon")
-        body = self.bodies.get(_values(cells, OF_THE_BODY), partial(body_of, cells))
+        body = self.bodies.result(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
             label, building, storey = self._building(cells, station)
-            piece_text, options, not_possible = self._room(cells, body, station)
+            spec, options, not_possible = self._room(cells, body, station)
             if costs and len(costs) != len(options) - 1:
                 raise InputError(
                     "inventory.costs_count", "costs", costs=len(costs), measures=len(options) - 1
                 )
+            possible = [n for n, name in enumerate(options) if name not in not_possible]
+            names, specs = list(options), list(options.values())
+            about = {
+                "event": event.name,
+                "station": self.scenarios.all[station].name,
+                "level": None if level is None else level.level,
+                "shaking_scatter": None if level is None else level.scatter,
+                "building": label,
+                "storey": None if label is None else storey,
+                "options": [names[n] for n in possible],
+                "costs": [costs[n - 1] for n in possible[1:]] if costs and possible[1:] else None,
+                "not_possible": [
+                    {"name": name, "reason": english, "reason_ja": japanese}
+                    for name, (english, japanese) in not_possible.items()
+                ],
+            }
             place = station, level, None if building is None else label
-            ground = self.grounds.get(place, partial(ground_spec, station, level, building))
-            possible = [n for n, option in enumerate(options) if option.name not in not_possible]
-            exposures.append(
-                Exposure(
-                    event.name,
-                    station,
-                    level,
-                    ground,
-                    storey,
-                    label,
-                    piece_text,
-                    tuple(options[n] for n in possible),
-                    tuple(not_possible.items()),
-                    tuple(costs[n - 1] for n in possible[1:]) if costs else (),
-                )
-            )
+            ground = self.grounds.result(place, partial(ground_spec, station, level, building))
+            moves_with = max(storey, 1)  # a basement moves as the ground does
+            exposures.append(Exposure(about, ground, moves_with, spec, [specs[n] for n in possible]))
         for cost in costs:
             within("costs", cost, 0.0, 1e15, field="costs")
-        return Item(
-            row, piece, name_of(cells.get("name")), count or 1, value, lat, lon, body.width, tuple(exposures)
-        )
+        about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count or 1}
+        about |= {"value": value, "lat": lat, "lon": lon}
+        return Item(piece, about, body.width, tuple(exposures))
 
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int
-    ) -> tuple[str, tuple[MeasureSet, ...], dict[str, Phrase]]:
-        """Return the piece's spec in its room, the options, and reasons against those not possible."""
+    ) -> tuple[str, dict[str, str], dict[str, Phrase]]:
+        """Return the piece's spec in its room, those of the options, and reasons against the impossible."""
         scenario = self.scenarios.all[station].scenario
 
-        def make() -> tuple[str, tuple[MeasureSet, ...], dict[str, Phrase]]:
+        def make() -> tuple[str, dict[str, str], dict[str, Phrase]]:
             room = room_of(cells, scenario)
             refuse_bad_start(body, room, State())
             options = options_of(cells, scenario)
             not_possible: dict[str, Phrase] = {}
-            for option in options:
-                refuse_conflicts(option.measures)
+            for name, measures in options.items():
+                refuse_conflicts(measures)
                 try:
-                    hold(body, room, option.measures)
+                    hold(body, room, measures)
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
-                    not_possible[option.name] = error.told("en"), error.told("ja")
+                    not_possible[name] = error.told("en"), error.told("ja")
             contents = contents_of(cells, body, scenario)
-            return piece_spec(body, room, contents), options, not_possible
+            specs = {name: measures_spec(measures) for name, measures in options.items()}
+            return piece_spec(body, room, contents), specs, not_possible
 
-        return self.rooms.get((station, body, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))), make)
+        return self.rooms.result((station, body, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))), make)
 
     def _building(
         self, cells: Mapping[str, Cell], station: int
@@ -264,15 +230,15 @@ class RowReader:
         shaking, cell = self.scenarios.all[station].scenario.shaking, cells.get("storey")
         building = shaking.building
         if stated is not None:
-            building = self.buildings.get(stated, lambda: self._named(stated))
+            building = self.buildings.result(stated, lambda: self._named(stated))
         if building is None:
             if plain("storey", cell) is not None:
-                raise InputError("inventory.building_missing", "building", name="building")
+                raise refusal("building_missing", "building")
             return None, None, 1
         highest, name = building.highest(), stated or building.building().name
         storey = storey_of(cell, highest) or (shaking.storey if stated is None else None)
         if storey is None:
-            raise InputError("inventory.storey_missing", "storey", name="storey")
+            raise refusal("missing_beside", "storey", other="building")
         if storey == highest:
             self.roofs[name] = storey
         return name, building if storey > 0 else None, storey
@@ -284,9 +250,7 @@ class RowReader:
             known = phrase("inventory.one_that_is_named")
             if named:
                 known = phrase("inventory.one_of_the_scenario", names=", ".join(named))
-            raise InputError(
-                "inventory.unknown_building", "building", name="building", value=shown(name), known=known
-            )
+            raise refusal("unknown_building", "building", value=shown(name), known=known)
         return building
 
 
@@ -361,7 +325,7 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
         if wall not in WALLS:
             raise unknown("inventory.wall", wall, WALLS, field="wall")
         if room.left_wall is None:
-            raise InputError("inventory.wall_without_gap", "wall", name="gap")
+            raise InputError("inventory.missing_in_both", "wall", name="gap", other="wall")
         room = replace(room, left_wall=replace(room.left_wall, construction=wall))
     return room
 
@@ -372,7 +336,7 @@ def _floor(value: str | float, default: Floor) -> Floor:
         return Floor.of(value, **losses)
     pair = numbers_of("floor", value)
     if len(pair) != 2:
-        raise InputError("inventory.floor", "floor", name="floor", value=shown(value))
+        raise refusal("floor", "floor", value=shown(value))
     return Floor(*pair, **losses)
 
 
@@ -387,17 +351,15 @@ def storey_of(cell: Cell, highest: int) -> int | None:
     if cell == ROOF:
         return highest
     if isinstance(cell, str) and cell.strip() and number_or_none(cell) is None:
-        raise InputError("inventory.storey", "storey", name="storey", value=shown(cell))
+        raise refusal("storey", "storey", value=shown(cell))
     storey = whole_of("storey", cell, -1_000_000, 1_000_000)
     if storey is not None and not (1 <= storey <= highest or -DEEPEST <= storey <= -1):
-        raise InputError(
-            "inventory.storey_range", "storey", name="storey", storey=storey, highest=highest, deepest=DEEPEST
-        )
+        raise refusal("storey_range", "storey", storey=storey, highest=highest, deepest=DEEPEST)
     return storey
 
 
-def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSet, ...]:
-    """Return the options of a row, that without a measure first; the scenario's where it says nothing.
+def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple[Measure, ...]]:
+    """Return the options of a row by name, that without a measure first; the scenario's by default.
 
     Raises
     ------
@@ -407,25 +369,76 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSe
     named = {measure_set.name: measure_set.measures for measure_set in scenario.measures}
     text = text_of("measures", cells.get("measures"), 1000)
     if text is None:
-        return (MeasureSet.of(NO_MEASURE), *(MeasureSet.of(*each) for each in named.items()))
-    sets = [MeasureSet.of(NO_MEASURE)]
-    for part in text.split(";"):
+        return {NO_MEASURE: (), **{name: _ordered(measures) for name, measures in named.items()}}
+    options: dict[str, tuple[Measure, ...]] = {NO_MEASURE: ()}
+    parts = text.split(";")
+    twice: str | None = None
+    for part in parts:
         names = [name.strip() for name in part.split("+")]
         measures: tuple[Measure, ...] = ()
         for name in names:
             if name not in named and name not in MEASURES:
                 known = ", ".join(dict.fromkeys((*named, *MEASURES)))
-                raise InputError(
-                    "inventory.unknown_measure", "measures", name="measures", value=shown(name), known=known
-                )
+                raise refusal("unknown_measure", "measures", value=shown(name), known=known)
             measures += named[name] if name in named else (MEASURES[name](),)
-        sets.append(MeasureSet.of("+".join(names), measures))
-    if len(sets) > MOST_OPTIONS + 1:
-        raise InputError(
-            "inventory.too_many_sets", "measures", name="measures", count=len(sets) - 1, most=MOST_OPTIONS
-        )
-    names = [option.name for option in sets]
-    if len(set(names)) < len(names):
-        twice = next(name for name in names if names.count(name) > 1)
-        raise InputError("inventory.measure_twice", "measures", name="measures", value=shown(twice))
-    return tuple(sets)
+        together = "+".join(names)
+        twice = twice or (together if together in options else None)
+        options[together] = _ordered(measures)
+    if len(parts) > MOST_OPTIONS:
+        raise refusal("too_many_parts", "measures", count=len(parts), most=MOST_OPTIONS)
+    if twice is not None:
+        raise refusal("measure_twice", "measures", value=shown(twice))
+    return options
+
+
+def _ordered(measures: tuple[Measure, ...]) -> tuple[Measure, ...]:
+    return tuple(sorted(measures, key=lambda measure: measure.kind))
+
+
+def contents_of(cells: Mapping[str, Cell], body: Body, scenario: Scenario) -> Contents | None:
+    """Return what is in a row's piece: the scenario's contents, with what the row says; None for nothing.
+
+    A load shelf by shelf is that of the contents; one that is spread evenly is their share of the mass.
+
+    Parameters
+    ----------
+    cells : mapping
+        The row.
+    body : Body
+        The piece with its load.
+    scenario : Scenario
+        Where the piece stands.
+
+    Raises
+    ------
+    InputError
+        No such contents, doors or drawers; doors, drawers or a lip without contents; contents that are too
+        heavy for the piece.
+    """
+    kind = text_of("contents", cells.get("contents"))
+    words = {name: text_of(name, cells.get(name)) for name in ("doors", "drawers")}
+    stated: dict[str, Any] = {**words, "lip": number_of("lip", cells.get("lip"), "m")}
+    stated = {name: value for name, value in stated.items() if value is not None}
+    table = scenario.contents_table
+    if kind == NOTHING or (kind is None and table is None and not stated):
+        return None
+    if kind is None and table is None:
+        name = next(iter(stated))
+        raise refusal("missing_in_both", "contents", other=name)
+    given: dict[str, Any] = {} if table is None else table.model_dump(exclude_unset=True)
+    given |= stated if kind is None else {"kind": kind, **stated}
+    loads = numbers_of("load", cells.get("load"), "kg")
+    if len(loads) == 1:
+        given |= {"loads": None, "mass_share": loads[0] / body.mass}
+    elif loads:  # they say how many shelves there are, and what is on all of them
+        given = {name: value for name, value in given.items() if name not in ("shelves", "mass_share")}
+        given["loads"] = loads
+    elif given.get("loads"):
+        given["loads"] = tuple(given["loads"])
+    try:
+        contents = Contents(**given)
+    except InputError as error:
+        columns = {"kind": "contents", "loads": "load"}
+        raise error.about(columns.get(error.field or "", error.field)) from None
+    emptied(body, contents)  # refuses what is too heavy
+    return contents

@@ -61,38 +61,28 @@ class ColumnMapping:
         found: dict[str, tuple[int, NumberUnit | None]] = {}
         for name, header in self.pairs:
             place, unit = _find(name, header, names)
-            if any(place == other for other, _ in found.values()):
-                raise InputError("inventory_tables.mapped_twice", "columns", header=shown(header))
+            if place in {other for other, _ in found.values()}:
+                raise InputError("inventory.column_twice", "columns", name=shown(header))
             found[name] = place, unit
-        ignored = {_find(IGNORE, header, names)[0] for header in self.ignored}
-        return found, ignored
+        return found, {_find(IGNORE, header, names)[0] for header in self.ignored}
 
 
 def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit | None]:
+    """Return the place of the column of a header, which may have its unit behind it in brackets."""
+    units = UNITS.get(COLUMNS[name].unit, {}) if name in COLUMNS else {}
     place = _place(header, names)
     if place is not None:
-        return place, _unit(name, header_name(header).unit)
+        return place, units.get(header_name(header).unit)
     matched = _UNIT.fullmatch(header.strip())
     place = None if matched is None else _place(matched[1], names)
+    said: dict[str, Any] = {"name": name, "header": shown(header)}
     if matched is None or place is None:
         listed = ", ".join(shown(each) for each in names if each)[:300] or phrase("inventory.nothing")
-        raise InputError(
-            "inventory_tables.mapped_missing", "columns", name=name, header=shown(header), names=listed
-        )
-    stated, written = _unit(name, plain_name(matched[2])), header_name(names[place]).unit
-    if stated is None:
-        known = ", ".join(dict.fromkeys(unit.name for unit in _units(name).values())) or "-"
-        raise InputError(
-            "inventory_tables.mapped_unit", "columns", name=name, unit=shown(matched[2]), known=known
-        )
-    if written and _unit(name, written) not in (None, stated):
-        raise InputError(
-            "inventory_tables.mapped_other_unit",
-            "columns",
-            name=name,
-            unit=stated.name,
-            header=shown(names[place]),
-        )
+        raise InputError("inventory_tables.mapped_missing", "columns", **said, names=listed)
+    stated, written = units.get(plain_name(matched[2])), units.get(header_name(names[place]).unit)
+    if stated is None or written not in (None, stated):
+        known = dict.fromkeys(unit.name for unit in ([written] if written else units.values()))
+        raise InputError("inventory_tables.mapped_unit", "columns", **said, known=", ".join(known) or "-")
     return place, stated
 
 
@@ -106,14 +96,6 @@ def _place(header: str, names: Sequence[str]) -> int | None:
     if len(same) > 1:
         raise InputError("inventory_tables.mapped_unclear", "columns", header=shown(header))
     return same[0] if same else None
-
-
-def _units(name: str) -> Mapping[str, NumberUnit]:
-    return UNITS.get(COLUMNS[name].unit, {}) if name in COLUMNS else {}
-
-
-def _unit(name: str, written: str) -> NumberUnit | None:
-    return _units(name).get(written)
 
 
 def read_columns(columns: str | Path | Mapping[str, Any] | None) -> ColumnMapping:
@@ -140,7 +122,7 @@ def _file(path: Path) -> dict[str, Any]:
         with path.open("rb") as file:
             content: Any = json.loads(file.read(LARGEST_FILE).decode("utf-8-sig"))
     except OSError as error:
-        reason, called = reason_of(error), phrase("inventory_tables.the_mapping")
+        reason, called = reason_of(error), phrase("inventory.input_columns")
         raise InputError("inventory.unreadable", file=called, path=repr(str(path)), reason=reason) from None
     except (ValueError, RecursionError):
         content = None

@@ -3,35 +3,34 @@
 from __future__ import annotations
 
 import csv
-import os
 import sqlite3
 from collections import Counter
-from contextlib import closing
+from contextlib import ExitStack, closing
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, Self
 
 from stayput.catalogue import is_phrase, phrase
 from stayput.errors import InputError, excerpt, quoted
-from stayput.inventory.arrow import arrow, parquet
+from stayput.extras import arrow
 from stayput.inventory.cells import Unusable, is_empty
 from stayput.inventory.columns import COLUMNS, JAPANESE
+from stayput.inventory.folder import remove
 from stayput.inventory.header import header_of
 from stayput.inventory.items import SIZES, RowReader, name_of, numbered
 from stayput.inventory.store import Store
 from stayput.inventory.tables import open_table
-from stayput.inventory.workspace import remove, sync_folder
-from stayput.spreadsheets import harmless
+from stayput.spreadsheets import CSV_ENCODING, harmless
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Sequence
     from pathlib import Path
 
     from stayput.inventory.cells import Cell
+    from stayput.inventory.folder import Workspace
     from stayput.inventory.header import Header
     from stayput.inventory.items import Item
     from stayput.inventory.mapping import ColumnMapping
     from stayput.inventory.scenarios import Scenarios
-    from stayput.inventory.workspace import Workspace
 
 ROWS_PER_PART = 20_000
 """Rows of the inventory in a part of the results."""
@@ -51,6 +50,9 @@ FIRST_ALIKE = 5
 MAY_BE_EMPTY = ("id", *SIZES, "count")
 """Columns of which it is told how many cells are empty in rows that are assessed."""
 
+COUNTED = ("rows", "empty rows", "pieces", "choices", "parts", "with coordinates", "narrower than deep")
+"""What is counted in a plan, as its facts name it."""
+
 ROWS_PER_UPDATE = 2000
 """Rows between updates of the progress bar."""
 
@@ -58,34 +60,17 @@ ROWS_PER_UPDATE = 2000
 def schema() -> Any:
     """Return the schema of the checked rows: one for each piece and event."""
     pa = arrow()
-
-    return pa.schema(
-        [
-            ("row", pa.int64()),
-            ("id", pa.string()),
-            ("name", pa.string()),
-            ("count", pa.int32()),
-            ("value", pa.float64()),
-            ("lat", pa.float64()),
-            ("lon", pa.float64()),
-            ("event", pa.string()),
-            ("station", pa.string()),
-            ("level", pa.float64()),
-            ("shaking_scatter", pa.float64()),
-            ("building", pa.string()),
-            ("storey", pa.int32()),
-            ("options", pa.list_(pa.string())),
-            ("costs", pa.list_(pa.float64())),
-            ("units", pa.list_(pa.int64())),
-            ("not_possible", not_possible()),
-        ]
-    )
+    text, real, texts = pa.string(), pa.float64(), pa.list_(pa.string())
+    kinds = {"row": pa.int64(), "id": text, "name": text, "count": pa.int32()}
+    kinds |= dict.fromkeys(("value", "lat", "lon"), real) | dict.fromkeys(("event", "station"), text)
+    kinds |= {"level": real, "shaking_scatter": real, "building": text, "storey": pa.int32()}
+    kinds |= {"options": texts, "costs": pa.list_(real), "units": pa.list_(pa.int64())}
+    return pa.schema([*kinds.items(), ("not_possible", not_possible())])
 
 
 def not_possible() -> Any:
     """Return the type of the sets of measures that cannot be put in place: their names, and why not."""
     pa = arrow()
-
     return pa.list_(pa.struct([("name", pa.string()), ("reason", pa.string()), ("reason_ja", pa.string())]))
 
 
@@ -116,26 +101,24 @@ class Rejects:
     """Writes the rows that are not assessed, with their reasons."""
 
     def __init__(self, folder: Path) -> None:
-        pa, pq = arrow(), parquet()
-
+        pa = arrow()
         kinds = [pa.int64(), *[pa.string()] * (len(REJECTED) - 1)]
         self.schema = pa.schema(list(zip(REJECTED, kinds, strict=True)))
-        self.file = (folder / REJECTS[0]).open("wb")
-        self.parquet: Any = pq.ParquetWriter(self.file, self.schema, compression="zstd")
-        self.text = (folder / REJECTS[1]).open("w", encoding="utf-8-sig", newline="")
-        self.lines = csv.writer(self.text)
-        self.lines.writerow(self.schema.names)
+        self.files = ExitStack()
+        file = self.files.enter_context((folder / REJECTS[0]).open("wb"))
+        writer = arrow("parquet").ParquetWriter(file, self.schema, compression="zstd")
+        self.parquet: Any = self.files.enter_context(writer)
+        text = (folder / REJECTS[1]).open("w", encoding=CSV_ENCODING, newline="")
+        self.lines = csv.writer(self.files.enter_context(text))
+        self.lines.writerow(REJECTED)
         self.buffered: list[tuple[int, str, str | None, str, str]] = []
-        self.findings = Findings()
         self.count = 0
+        self.findings = Findings()
 
     def add(self, row: int, piece: Cell, called: Cell, error: InputError) -> None:
         """Add a row that is refused, with its id and what its piece is called."""
-        identifier = (
-            ""
-            if isinstance(piece, Unusable)
-            else str(numbered(called, row) if is_empty(piece) else piece)[:200]
-        )
+        identifier = numbered(called, row) if is_empty(piece) else piece
+        identifier = "" if isinstance(identifier, Unusable) else str(identifier)[:200]
         line = row, identifier, name_of(called), error.told("en"), error.told("ja")
         self.buffered.append(line)
         self.count += 1
@@ -145,12 +128,10 @@ class Rejects:
 
     def flush(self) -> None:
         """Write the rows that are buffered."""
-        pa = arrow()
-
         if not self.buffered:
             return
-        columns = dict(zip(self.schema.names, map(list, zip(*self.buffered, strict=True)), strict=True))
-        self.parquet.write_table(pa.table(columns, schema=self.schema))
+        named = [dict(zip(REJECTED, line, strict=True)) for line in self.buffered]
+        self.parquet.write_table(arrow().Table.from_pylist(named, schema=self.schema))
         self.lines.writerows(
             (row, harmless(" ".join(piece.split())), *map(harmless, texts))
             for row, piece, *texts in self.buffered
@@ -162,13 +143,9 @@ class Rejects:
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         """Write the rest, unless it is given up; close the files in any case."""
-        try:
+        with self.files:
             if kind is None:
                 self.flush()
-            self.parquet.close()
-        finally:
-            self.file.close()
-            self.text.close()
 
 
 def make_plan(
@@ -213,17 +190,11 @@ def make_plan(
         if place.exists():
             remove(place)
         draft = space.draft()
-        draft.mkdir()
         try:
-            (draft / ROWS).mkdir()
+            (draft / ROWS).mkdir(parents=True)
             _fill(draft, inventory, scenarios, cache, advance, columns)
             check_unchanged()
-            for path in draft.rglob("*"):
-                if path.is_file():
-                    with path.open("rb+") as file:
-                        os.fsync(file.fileno())
-            draft.replace(place)
-            sync_folder(space.folder)
+            space.publish(draft, place)
         finally:
             if draft.exists():
                 remove(draft)
@@ -258,17 +229,17 @@ def _fill(
     advance: Callable[[int], None],
     columns: ColumnMapping | None,
 ) -> None:
-    reader = RowReader(scenarios)
-    seen = empty = parts = pieces = choices = located = narrow = 0
-    left_empty: Counter[str] = Counter()
-    impossible = Findings()
-    buffered: list[tuple[Item, list[list[int]]]] = []
+    reader, impossible = RowReader(scenarios), Findings()
+    counts = Counter[str]()
+    left_empty = Counter[str]()
+    buffered: list[dict[str, Any]] = []
 
     def flush() -> None:
-        nonlocal parts
         if buffered:
-            _write_rows(folder / ROWS / f"part-{parts:06d}.parquet", buffered, scenarios)
-            parts += 1
+            table = arrow().Table.from_pylist(buffered, schema=schema())
+            path = folder / ROWS / f"part-{counts['parts']:06d}.parquet"
+            arrow("parquet").write_table(table, path, compression="zstd")
+            counts["parts"] += 1
             buffered.clear()
 
     with closing(Store(folder / STORE, cache)) as store:
@@ -277,67 +248,55 @@ def _fill(
             first = list(islice(table.rows, ROWS_LOOKED_AT))
             sample = [[] if isinstance(cells, InputError) else cells for _, cells in first]
             header = header_of(table.header, sample, columns, table.decimal_comma)
-            may_be_empty = [(name, header.places[name]) for name in MAY_BE_EMPTY if name in header.places]
             for number, cells in chain(first, table.rows):
-                seen += 1
-                if seen % ROWS_PER_UPDATE == 0:
+                counts["rows"] += 1
+                if counts["rows"] % ROWS_PER_UPDATE == 0:
                     advance(ROWS_PER_UPDATE)
                 if not isinstance(cells, InputError) and all(map(is_empty, cells)):
-                    empty += 1
+                    counts["empty rows"] += 1
                     continue
                 item = _checked(number, cells, header, reader, store, rejects)
-                if item is not None:
-                    units = [
-                        store.units_of(
-                            exposure.ground,
-                            max(exposure.storey, 1),  # a basement moves as the ground does
-                            exposure.piece,
-                            [option.spec for option in exposure.options],
-                        )
-                        for exposure in item.exposures
-                    ]
-                    choices += sum(map(len, units))
-                    not_put = chain.from_iterable(exposure.impossible for exposure in item.exposures)
-                    for name, reasons in dict(not_put).items():
-                        impossible.add((item.row, item.id, item.name, *reasons), name)
-                    pieces += 1
-                    located += item.lat is not None
-                    if not isinstance(cells, InputError):
-                        narrow += _is_narrow(item, header, cells)
-                        left_empty.update(name for name, place in may_be_empty if is_empty(cells[place]))
-                    buffered.append((item, units))
-                    if len(buffered) >= ROWS_PER_PART:
-                        flush()
+                if item is None or isinstance(cells, InputError):
+                    continue
+                units = [
+                    store.units_of(each.ground, each.storey, each.piece, each.options)
+                    for each in item.exposures
+                ]
+                not_put = chain.from_iterable(each.row["not_possible"] for each in item.exposures)
+                for named in {each["name"]: each for each in not_put}.values():
+                    told = (item.row["row"], item.id, item.row["name"], named["reason"], named["reason_ja"])
+                    impossible.add(told, named["name"])
+                width = header.width_of(cells)
+                counts["choices"] += sum(map(len, units))
+                counts["pieces"] += 1
+                counts["with coordinates"] += item.row["lat"] is not None
+                counts["narrower than deep"] += width is not None and 0.0 < width < item.depth
+                places = ((name, header.places.get(name)) for name in MAY_BE_EMPTY)
+                left_empty.update(n for n, place in places if place is not None and is_empty(cells[place]))
+                buffered += [
+                    {**item.row, **each.row, "units": numbers}
+                    for each, numbers in zip(item.exposures, units, strict=True)
+                ]
+                if counts["pieces"] % ROWS_PER_PART == 0:
+                    flush()
             flush()
-        if seen == empty:
+        if counts["rows"] == counts["empty rows"]:
             raise InputError("inventory.no_rows", "inventory", path=repr(str(inventory)))
         store.finish(
             {
+                **{name: counts[name] for name in COUNTED},
                 "sizes": _sizes(folder),
-                "rows": seen,
-                "empty rows": empty,
-                "pieces": pieces,
-                "with coordinates": located,
-                "narrower than deep": narrow,
                 "empty cells": {header.called.get(name, name): left_empty[name] for name in left_empty},
                 "rejects": rejects.count,
                 "rejects alike": rejects.findings.told(),
                 "measures not possible": impossible.told(),
-                "parts": parts,
                 "units": store.next_unit,
-                "choices": choices,
                 "read as": table.read_as,
                 "columns not used": list(header.unused),
                 "columns renamed": list(header.renamed),
                 "roofs": reader.roofs,
             }
         )
-
-
-def _is_narrow(item: Item, header: Header, cells: list[Cell]) -> bool:
-    """Return whether a piece is narrower along the wall than it is deep."""
-    width = header.width_of(cells)
-    return width is not None and 0.0 < width < item.depth
 
 
 def _checked(
@@ -348,12 +307,14 @@ def _checked(
     store: Store,
     rejects: Rejects,
 ) -> Item | None:
+    """Return the item of a row, or None where it is refused: it is then among the rejects."""
     name: Cell = None
     called: Cell = None
     try:
         if isinstance(cells, InputError):
             raise cells
-        name, called = (_cell_at(header.places.get(column), cells) for column in ("id", "name"))
+        known = dict(enumerate(cells))
+        name, called = (known.get(header.places.get(column, -1)) for column in ("id", "name"))
         piece = reader.item(number, header.cells(cells))
         first = store.row_of(piece.id, number)
         if first != number:
@@ -375,46 +336,8 @@ def _in_words_of_the_table(error: InputError, header: Header) -> InputError:
             return value
         return name, JAPANESE.get(name, header.called.get(name, name))
 
-    values = {key: named(value) for key, value in error.values.items()}
-    written, context = header.called.get(error.field or ""), error.context
-    if written is not None:
+    context = error.context
+    if (written := header.called.get(error.field or "")) is not None:
         context = phrase("inventory_tables.column", header=excerpt(written)), *context
+    values = {key: named(value) for key, value in error.values.items()}
     return InputError(error.code, error.field, context=context, **values)
-
-
-def _cell_at(place: int | None, cells: list[Cell]) -> Cell:
-    return None if place is None or place >= len(cells) else cells[place]
-
-
-def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], scenarios: Scenarios) -> None:
-    pa, pq = arrow(), parquet()
-
-    lines: Iterator[tuple[Any, ...]] = (
-        (
-            piece.row,
-            piece.id,
-            piece.name,
-            piece.count,
-            piece.value,
-            piece.lat,
-            piece.lon,
-            exposure.event,
-            scenarios.all[exposure.station].name,
-            None if exposure.level is None else exposure.level.level,
-            None if exposure.level is None else exposure.level.scatter,
-            exposure.building,
-            None if exposure.building is None else exposure.storey,
-            [option.name for option in exposure.options],
-            list(exposure.costs) or None,
-            numbers,
-            [
-                {"name": name, "reason": english, "reason_ja": japanese}
-                for name, (english, japanese) in exposure.impossible
-            ],
-        )
-        for piece, units in rows
-        for exposure, numbers in zip(piece.exposures, units, strict=True)
-    )
-    columns = [list(column) for column in zip(*lines, strict=True)]
-    table = pa.table(dict(zip(schema().names, columns, strict=True)), schema=schema())
-    pq.write_table(table, path, compression="zstd")

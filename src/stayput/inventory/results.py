@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.extras import arrow
 from stayput.fragility import difference
 from stayput.fragility.paired import score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
-from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.plan import ROWS, not_possible
-from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90
+from stayput.inventory.store import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90
 from stayput.montecarlo.counting import EVENTS, OVERTURNED, SLID
 from stayput.verification.ranking import RANKING_ORDER, severity
 from stayput.verification.words import SAFE, SMALL
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility import Difference
-    from stayput.inventory.records import OutcomeStore
-    from stayput.inventory.workspace import Workspace
+    from stayput.inventory.folder import Workspace
+    from stayput.inventory.store import OutcomeStore
 
 PIECES = "pieces"
 GROUND = ("intensity", "sa", "pga", "pgv")
@@ -77,16 +77,16 @@ def schema(metadata: Mapping[str, str]) -> Any:
             for end, about in _ENDS
         ]
 
+    def interval(name: str, about: str) -> list[Any]:
+        ends = {"": about, "_low": "95 % interval from", "_high": "95 % interval to"}
+        return [number(f"{name}{end}", told) for end, told in ends.items()]
+
     slides = [
         number("slide_median", "median of the peak slide [m], infinite where so many overturn"),
         number("slide_p90", "90 % quantile of the peak slide [m], infinite where so many overturn"),
         number("slide_mean", "expected peak slide of those that stay upright [m]"),
     ]
-    inside = [
-        number(OUT, "expected share of the contents that come out; null where nothing is said of them"),
-        number(f"{OUT}_low", "95 % interval from"),
-        number(f"{OUT}_high", "95 % interval to"),
-    ]
+    inside = interval(OUT, "expected share of the contents that come out; null where nothing is said of them")
     option = pa.struct(
         [
             pa.field("name", pa.string()),
@@ -128,9 +128,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
             "device that fails, of hitting the wall; 'none' where none does",
             pa.string(),
         ),
-        number("best_overturned", "probability of overturning with it"),
-        number("best_overturned_low", "95 % interval from"),
-        number("best_overturned_high", "95 % interval to"),
+        *interval("best_overturned", "probability of overturning with it"),
         number(
             "best_lessens",
             "the event that ranks the best first; beside overturning, or that it overturns",
@@ -196,7 +194,7 @@ def choose(
 
     Parameters
     ----------
-    records : ndarray of `stayput.inventory.records.record_type`
+    records : ndarray of `stayput.inventory.store.record_type`
         Outcomes of the options.
     sizes : list of int
         Number of measures of each.
@@ -291,7 +289,6 @@ class Writer:
         self.schema = schema(metadata)
         self.strengths = strengths
         self.folder.mkdir(exist_ok=True)
-        self.options = [field.name for field in self.schema.field("options").type.value_type]
 
     def write(self, parts: int, advance: Callable[[int], None]) -> None:
         """Write all parts that are not complete yet."""
@@ -304,14 +301,16 @@ class Writer:
         if target.exists() and digest_of(target) == digest:
             return rows
         table = self._table(self.space.folder / "plan" / ROWS / name)
-        content = _parquet(table)
+        buffer = io.BytesIO()
+        arrow("parquet").write_table(table, buffer, compression="zstd", row_group_size=20_000)
+        content = buffer.getvalue()
         with self.space.durable(target) as file:
             file.write(content)
         self.outcomes.complete(name, table.num_rows, hashlib.sha256(content).hexdigest())
         return table.num_rows
 
     def _table(self, path: Path) -> Any:
-        rows: list[dict[str, Any]] = parquet().read_table(path).to_pylist()
+        rows: list[dict[str, Any]] = arrow("parquet").read_table(path).to_pylist()
         wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
         records = self.outcomes.of(wanted)
         chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
@@ -324,8 +323,7 @@ class Writer:
                 choice = choose(option_records, sizes, row["costs"], row["value"])
                 chosen[key] = choice, [numbers_of(record) for record in option_records]
             lines.append(self._line(row, *chosen[key]))
-        columns = {field.name: [line.get(field.name) for line in lines] for field in self.schema}
-        return arrow().table(columns, schema=self.schema)
+        return arrow().Table.from_pylist(lines, schema=self.schema)
 
     def _line(self, row: dict[str, Any], choice: Choice, numbers: list[dict[str, Any]]) -> dict[str, Any]:
         count, value, costs = row["count"], row["value"], row["costs"]
@@ -372,9 +370,3 @@ def numbers_of(record: np.void) -> dict[str, Any]:
     numbers |= {"slide_median": slide[MEDIAN], "slide_p90": slide[P90], "slide_mean": slide[MEAN]}
     out = [None] * 3 if np.isnan(record["out"][ESTIMATE]) else record["out"].tolist()
     return numbers | {OUT: out[ESTIMATE], f"{OUT}_low": out[LOW], f"{OUT}_high": out[HIGH]}
-
-
-def _parquet(table: Any) -> bytes:
-    buffer = io.BytesIO()
-    parquet().write_table(table, buffer, compression="zstd", row_group_size=20_000)
-    return buffer.getvalue()

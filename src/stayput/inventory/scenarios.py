@@ -16,7 +16,7 @@ from pydantic import ValidationError
 from stayput.building import STRUCTURES
 from stayput.errors import InputError, InputWarning, warn
 from stayput.fragility import JMA_INTENSITY
-from stayput.inventory.places import distances
+from stayput.inventory.shakemap import distances
 from stayput.motion.floors import of_the_ground
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from stayput.fragility import IntensityMeasure
-    from stayput.inventory.places import GroundLevel, ShakeMap
+    from stayput.inventory.shakemap import GroundLevel, ShakeMap
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
 
@@ -194,38 +194,32 @@ def read_scenarios(
     paths = sorted(place.glob("*.toml")) if place.is_dir() else [place]
     if not paths:
         raise InputError("inventory.no_scenarios", "scenario", path=repr(str(place)))
-    return _joined(tuple(read_scenario_file(path, changed) for path in paths), place.stem, shakemap)
+    return _joined([read_scenario_file(path, changed) for path in paths], place.stem, shakemap)
 
 
-def _joined(scenarios: tuple[ScenarioFile, ...], folder: str, shakemap: ShakeMap | None) -> Scenarios:
+def _joined(scenarios: Sequence[ScenarioFile], folder: str, shakemap: ShakeMap | None) -> Scenarios:
     located = [file for file in scenarios if file.station is not None]
     if located and len(located) < len(scenarios):
         other = next(file.name for file in scenarios if file.station is None)
         raise InputError("inventory.station_missing", "station", name=other)
-    if shakemap is not None:
-        _check_map(scenarios)
-    return Scenarios(scenarios, _events(scenarios, folder), shakemap)
-
-
-def _check_map(scenarios: Sequence[ScenarioFile]) -> None:
-    if len(scenarios) > 1 or scenarios[0].station is not None:
+    if shakemap is not None and (located or len(scenarios) > 1):
         raise InputError("inventory.map_beside_stations", "shakemap")
-    if scenarios[0].scenario.shaking.scale is not None:
+    if shakemap is not None and scenarios[0].scenario.shaking.scale is not None:
         raise InputError("inventory.scale_beside_map", "shaking.scale")
+    return Scenarios(tuple(scenarios), _events(scenarios, folder), shakemap)
 
 
 def _events(scenarios: Sequence[ScenarioFile], folder: str) -> tuple[Earthquake, ...]:
-    if scenarios[0].station is None:
-        return tuple(Earthquake(file.name, (place,)) for place, file in enumerate(scenarios))
-    groups: dict[str, list[int]] = {}
-    for place, file in enumerate(scenarios):
-        assert file.station is not None
-        groups.setdefault(file.station.event or folder, []).append(place)
     events: list[Earthquake] = []
-    for name, places in groups.items():
-        tables = [table for place in places if (table := scenarios[place].station) is not None]
-        lats, lons = tuple(table.lat for table in tables), tuple(table.lon for table in tables)
-        events.append(Earthquake(name, tuple(places), lats, lons))
+    stations: dict[str, list[tuple[int, StationTable]]] = {}
+    for place, file in enumerate(scenarios):
+        if file.station is None:
+            events.append(Earthquake(file.name, (place,)))
+        else:
+            stations.setdefault(file.station.event or folder, []).append((place, file.station))
+    for name, located in stations.items():
+        places = ((place, table.lat, table.lon) for place, table in located)
+        events.append(Earthquake(name, *zip(*places, strict=True)))
     return tuple(events)
 
 
@@ -258,9 +252,12 @@ def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
         scenario = Scenario.parse(data, file.parent)
         if scenario.dimensions == 3:
             raise InputError("inventory.in_space", "dimensions")
-        for key, stated in _only_in_a_verification(scenario):
-            if stated:
-                warn(InputWarning("inventory.not_used", scenario=file.name, key=key))
+        unused = {
+            "[uncertainty] installation": "installation" in scenario.uncertainty.model_fields_set,
+            "[everyday]": "everyday" in scenario.model_fields_set,
+        }
+        for key in filter(unused.get, unused):
+            warn(InputWarning("inventory.not_used", scenario=file.name, key=key))
         if not isinstance(buildings, dict):
             raise InputError("inventory.buildings_not_a_table", "buildings")
         tables = cast("dict[str, object]", buildings)
@@ -268,14 +265,6 @@ def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
         return ScenarioFile(file.stem, scenario, named, None if station is None else _station(station))
     except InputError as error:
         raise error.at(file.name) from None
-
-
-def _only_in_a_verification(scenario: Scenario) -> tuple[tuple[str, bool], ...]:
-    """Return keys that an assessment has no use for, and whether a scenario states them."""
-    return (
-        ("[uncertainty] installation", "installation" in scenario.uncertainty.model_fields_set),
-        ("[everyday]", "everyday" in scenario.model_fields_set),
-    )
 
 
 def _station(table: object) -> StationTable:

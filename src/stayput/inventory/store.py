@@ -1,7 +1,8 @@
-"""SQLite store of deduplicated simulation units.
+"""What an assessment keeps in SQLite: the simulation units of its plan, each once, and their outcomes.
 
 A unit is a body with its contents in a room, with a set of measures, at a site (a storey under a shaking of
-the ground). Each of these is identified by a spec: a text that keeps every bit of its numbers.
+the ground). Each of these is identified by a spec: a text that keeps every bit of its numbers. The outcomes
+of units are records of fixed size; what was saved stays when the process is killed.
 """
 
 from __future__ import annotations
@@ -9,28 +10,33 @@ from __future__ import annotations
 import hashlib
 import json
 import sqlite3
-from collections import OrderedDict
 from contextlib import closing
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from cachetools import FIFOCache
+
 from stayput.contents import Contents
-from stayput.inventory.places import GroundLevel
+from stayput.inventory.shakemap import GroundLevel
 from stayput.measures import MEASURES, parameters
 from stayput.model.state import State
+from stayput.montecarlo.counting import EVENTS
 from stayput.scenario.building import BuildingTable
 from stayput.simulation.flat_fields import flat_fields, from_flat_fields
 
 if TYPE_CHECKING:
-    from collections.abc import Hashable, Iterable, Iterator
+    from collections.abc import Hashable, Iterable, Iterator, Mapping
     from pathlib import Path
+
+    from numpy.typing import NDArray
 
     from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
 
-MOST_CACHED = 400_000
-"""Numbers of pieces and of units that are kept in memory."""
+MOST_CACHED = 800_000
+"""Numbers of pieces, units and the like that are kept in memory."""
 
 _TABLES = """
 CREATE TABLE things (id INTEGER PRIMARY KEY, digest BLOB UNIQUE NOT NULL, spec TEXT NOT NULL);
@@ -44,23 +50,13 @@ CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 """
 
 
-class NumberCache:
-    """Cache of row numbers by key, of which the oldest are dropped."""
-
-    def __init__(self, most: int = MOST_CACHED) -> None:
-        self.most = most
-        self.numbers: OrderedDict[Hashable, int] = OrderedDict()
-
-    def put(self, key: Hashable, number: int) -> int:
-        """Keep a number."""
-        self.numbers[key] = number
-        if len(self.numbers) > self.most:
-            self.numbers.popitem(last=False)
-        return number
+ESTIMATE, LOW, HIGH = range(3)
+MEDIAN, P90, MEAN = range(3)
+"""Places of the numbers in a record."""
 
 
 class Store:
-    """The plan on disk, in SQLite.
+    """The plan on disk.
 
     Parameters
     ----------
@@ -74,7 +70,7 @@ class Store:
         self.base = sqlite3.connect(path, isolation_level=None)
         self.base.execute(f"PRAGMA cache_size = -{max(cache // 1024, 1024)}")
         self.base.execute("PRAGMA temp_store = FILE")
-        self.pieces, self.options, self.sites, self.units = (NumberCache() for _ in range(4))
+        self.numbers: FIFOCache[Hashable, int] = FIFOCache(MOST_CACHED)
         self.next_unit = 0
 
     def begin(self) -> None:
@@ -102,11 +98,8 @@ class Store:
 
     def row_of(self, name: str, row: int) -> int:
         """Return the row that first had an id: this one, where it is new."""
-        try:
-            self.base.execute("INSERT INTO ids VALUES (?, ?)", (name, row))
-        except sqlite3.IntegrityError:
-            return int(self.base.execute("SELECT row FROM ids WHERE id = ?", (name,)).fetchone()[0])
-        return row
+        self.base.execute("INSERT OR IGNORE INTO ids VALUES (?, ?)", (name, row))
+        return int(self.base.execute("SELECT row FROM ids WHERE id = ?", (name,)).fetchone()[0])
 
     def units_of(self, ground: str, storey: int, piece: str, options: Iterable[str]) -> list[int]:
         """Return the numbers of the units of a piece at a site, one for each option; new ones are added.
@@ -122,55 +115,29 @@ class Store:
         options : iterable of str
             Specs of the sets of measures.
         """
-        site = self._number(self.sites, (ground, storey), "sites", ("ground", "storey"))
-        number = self._piece(piece)
-        return [
-            self._unit(site, self._number(self.options, (spec,), "options", ("spec",)), number)
-            for spec in options
-        ]
+        site = self._number("sites", {"ground": ground, "storey": storey})
+        digest = hashlib.blake2b(piece.encode(), digest_size=16).digest()
+        thing = self._number("things", {"digest": digest}, spec=piece)
+        units: list[int] = []
+        for spec in options:
+            key = {"site": site, "option": self._number("options", {"spec": spec}), "thing": thing}
+            units.append(self._number("units", key, id=self.next_unit))
+            self.next_unit += units[-1] == self.next_unit
+        return units
 
-    def _number(
-        self,
-        cache: NumberCache,
-        key: tuple[str | int | bytes, ...],
-        table: str,
-        columns: tuple[str, ...],
-        **others: str,
-    ) -> int:
+    def _number(self, table: str, key: Mapping[str, str | int | bytes], **others: str | int) -> int:
         """Return the number of a row by its key, which is added with its other columns where it is new."""
-        if key in cache.numbers:
-            return cache.numbers[key]
-        where = " AND ".join(f"{column} = ?" for column in columns)
-        row = self.base.execute(f"SELECT id FROM {table} WHERE {where}", key).fetchone()
-        if row is not None:
-            return cache.put(key, int(row[0]))
-        names, values = (*columns, *others), (*key, *others.values())
-        marks = ", ".join("?" for _ in names)
-        added = self.base.execute(f"INSERT INTO {table} ({', '.join(names)}) VALUES ({marks})", values)
-        assert added.lastrowid is not None
-        return cache.put(key, added.lastrowid)
-
-    def _piece(self, spec: str) -> int:
-        digest = hashlib.blake2b(spec.encode(), digest_size=16).digest()
-        return self._number(self.pieces, (digest,), "things", ("digest",), spec=spec)
-
-    def _unit(self, site: int, option: int, piece: int) -> int:
-        key = (site, option, piece)
-        if key in self.units.numbers:
-            return self.units.numbers[key]
-        row = self.base.execute(
-            "SELECT id FROM units WHERE site = ? AND option = ? AND thing = ?", key
-        ).fetchone()
-        if row is not None:
-            return self.units.put(key, int(row[0]))
-        number = self.next_unit
-        self.base.execute("INSERT INTO units VALUES (?, ?, ?, ?)", (*key, number))
-        self.next_unit += 1
-        return self.units.put(key, number)
-
-    def count(self, table: str) -> int:
-        """Return the number of rows of a table."""
-        return int(self.base.execute(f"SELECT COUNT(*) FROM {table}").fetchone()[0])
+        cached = table, *key.values()
+        if cached not in self.numbers:
+            columns, values = (*key, *others), (*key.values(), *others.values())
+            marks = ", ".join("?" * len(columns))
+            self.base.execute(
+                f"INSERT OR IGNORE INTO {table} ({', '.join(columns)}) VALUES ({marks})", values
+            )
+            where = " AND ".join(f"{column} = ?" for column in key)
+            row = self.base.execute(f"SELECT id FROM {table} WHERE {where}", tuple(key.values())).fetchone()
+            self.numbers[cached] = int(row[0])
+        return self.numbers[cached]
 
     def grounds(self) -> list[tuple[str, list[tuple[int, int]]]]:
         """Return the shakings of the ground, each with its sites: their numbers and storeys."""
@@ -239,3 +206,89 @@ def measures_spec(measures: tuple[Measure, ...]) -> str:
 def measures_of(spec: str) -> tuple[Measure, ...]:
     """Return the measures of a spec; the inverse of `measures_spec`."""
     return tuple(MEASURES[table.pop("type")](**table) for table in json.loads(spec))
+
+
+def record_type(motions: int, samples: int) -> np.dtype[np.void]:
+    """Return the type of the outcome of a unit, of which so many runs are made at most."""
+    return np.dtype(
+        [
+            ("unit", "<i8"),
+            ("motions", "<i4"),
+            ("runs", "<i4"),  # without those given up
+            ("missing", "<i4"),
+            ("fell", "<i4"),
+            ("chances", "<f8", (len(EVENTS), 3)),  # estimate, low, high of each event
+            ("slide", "<f8", (3,)),  # median, 90 % quantile, mean of those that stay upright [m]
+            ("out", "<f8", (3,)),  # share of the contents that come out: estimate, low, high; nan without any
+            # a bit a sample: each event, and at last whether the run was given up or not made
+            ("each", "u1", (len(EVENTS) + 1, motions, -(-samples // 8))),
+        ]
+    )
+
+
+_OUTCOMES = """
+CREATE TABLE IF NOT EXISTS outcomes (unit INTEGER PRIMARY KEY, record BLOB NOT NULL);
+CREATE TABLE IF NOT EXISTS parts (name TEXT PRIMARY KEY, rows INTEGER NOT NULL, digest TEXT NOT NULL);
+"""
+
+
+class OutcomeStore:
+    """What is done of an assessment.
+
+    Parameters
+    ----------
+    path : Path
+        The file; made where it is not there, and anew where it is no data base.
+    kind : dtype
+        Type of the records.
+    units : int
+        How many units there are; ``done`` says which of them have an outcome.
+    """
+
+    def __init__(self, path: Path, kind: np.dtype[np.void], units: int) -> None:
+        self.kind = kind
+        self.done = np.zeros(units, np.bool_)
+        try:
+            self._open(path)
+        except sqlite3.OperationalError:  # of the disk
+            raise
+        except sqlite3.DatabaseError:
+            for damaged in (path, path.with_name(f"{path.name}-journal")):
+                damaged.unlink(missing_ok=True)
+            self._open(path)
+
+    def _open(self, path: Path) -> None:
+        self._base = sqlite3.connect(path)
+        self._base.executescript(_OUTCOMES)
+        units = self._base.execute("SELECT unit FROM outcomes")
+        self.done[np.fromiter((unit for (unit,) in units), np.int64)] = True
+
+    def close(self) -> None:
+        """Close the file."""
+        self._base.close()
+
+    def save(self, records: NDArray[np.void]) -> None:
+        """Save the outcomes of units that have none yet."""
+        with self._base:  # a transaction
+            rows = ((int(record["unit"]), record.tobytes()) for record in records)
+            self._base.executemany("INSERT INTO outcomes VALUES (?, ?)", rows)
+
+    def of(self, units: NDArray[np.int64]) -> NDArray[np.void]:
+        """Return the records of some units, in increasing order of their numbers."""
+        records: list[bytes] = []
+        for part in np.split(units, np.flatnonzero(np.diff(units) != 1) + 1):
+            rows = self._base.execute(
+                "SELECT record FROM outcomes WHERE unit BETWEEN ? AND ? ORDER BY unit",
+                (int(part[0]), int(part[-1])),
+            )
+            records += [record for (record,) in rows]
+        return np.frombuffer(b"".join(records), self.kind)
+
+    def part(self, name: str) -> tuple[int, str] | None:
+        """Return the rows and the digest of a part of the results that is complete."""
+        return self._base.execute("SELECT rows, digest FROM parts WHERE name = ?", (name,)).fetchone()
+
+    def complete(self, name: str, rows: int, digest: str) -> None:
+        """Note that a part of the results is complete."""
+        with self._base:
+            self._base.execute("INSERT OR REPLACE INTO parts VALUES (?, ?, ?)", (name, rows, digest))

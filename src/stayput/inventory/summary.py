@@ -1,71 +1,50 @@
-"""Sums over the results, by event, building and storey, and the pieces at greatest risk."""
+"""What is made of the results: sums, the pieces at greatest risk, and the files of other programs.
+
+CSV and GeoJSON have a row for each piece and event and all columns of the Parquet files but the sets of
+measures one by one. What is not a number, or infinite, is empty there.
+"""
 
 from __future__ import annotations
 
+import csv
 import heapq
+import io
+import json
+import math
 from collections import Counter
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any, cast
 
-from stayput.inventory.arrow import parquet
-from stayput.inventory.results import Finding
+from stayput.errors import InputError, unknown
+from stayput.extras import arrow
+from stayput.inventory.results import PIECES, Finding
+from stayput.spreadsheets import CSV_ENCODING, csv_text, harmless
 from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator, Sequence
     from pathlib import Path
+
+    from stayput.inventory.folder import Workspace
 
 WORST = 50
 """Pieces that the report lists."""
 
-COLUMNS = (
-    "event",
-    "building",
-    "storey",
-    "rows",
-    "pieces",
-    "expected_overturned",
-    "share_overturned",
-    "share_overturned_low",
-    "share_overturned_high",
-    "expected_overturned_best",
-    "share_overturned_best",
-    "share_overturned_best_low",
-    "share_overturned_best_high",
-    "expected_loss",
-    "expected_loss_best",
-    *(f"pieces_{finding}" for finding in Finding),
-    "contents_out_share",
-    "contents_out_share_best",
-)
-"""Columns of the summary: pieces counts every piece of a row; ``best`` is with the best measure of those rows
-that one clearly helps, without it in the others: their gain may be chance. The ends of the interval are means
-of the rows' own; `Finding` says what pieces are counted by. Shares of contents are means over pieces that
-have some."""
+FORMATS = ("csv", "geojson")
+"""Formats beside Parquet, by the endings of their files."""
+
+ENDS = ("", "_low", "_high")
+"""An estimate, and the ends of its interval."""
+
+_KINDS = {"event": "string", "building": "string", "storey": "int32", "rows": "int64", "pieces": "int64"}
+"""Types of the first columns of the summary; those that count pieces are whole too, all others are not."""
 
 READ = (
-    "row",
-    "id",
-    "name",
-    "event",
-    "building",
-    "storey",
-    "count",
-    "overturned",
-    "overturned_low",
-    "overturned_high",
-    "best",
-    "best_overturned",
-    "best_overturned_low",
-    "best_overturned_high",
-    "best_lessens",
-    "finding",
-    "best_by_cost",
-    "expected_loss",
-    "best_expected_loss",
-    "contents_out_share",
-    "best_contents_out_share",
+    *("row", "id", "name", "event", "building", "storey", "count", "best", "best_lessens", "finding"),
+    *(f"{which}overturned{end}" for which in ("", "best_") for end in ENDS),
+    *("best_by_cost", "expected_loss", "best_expected_loss", "contents_out_share", "best_contents_out_share"),
 )
+"""Columns of the results that are read to sum them up."""
 
 
 @dataclass(slots=True)
@@ -100,7 +79,7 @@ class Total:
         if row["best_lessens"] is not None:
             self.lessened[row["finding"], row["best_lessens"]] += row["count"]
         taken = "best_" if row["finding"] == Finding.HELPED else ""
-        for end in ("", "_low", "_high"):
+        for end in ENDS:
             for sums, column in ((f"fallen{end}", "overturned"), (f"fallen_best{end}", f"{taken}overturned")):
                 setattr(self, sums, getattr(self, sums) + row["count"] * row[f"{column}{end}"])
         if row["expected_loss"] is not None:
@@ -131,6 +110,28 @@ class Total:
         """The same with the best measures."""
         return self.out_best / self.filled if self.filled else None
 
+    @property
+    def numbers(self) -> dict[str, float | int | None]:
+        """The sums as the summary has them: pieces counts every piece of a row.
+
+        ``best`` is with the best measure of those rows that one clearly helps, without it in the others:
+        their gain may be chance. The ends of the interval are means of the rows' own; `Finding` says what
+        pieces are counted by. Shares of contents are means over pieces that have some.
+        """
+        return {
+            "rows": self.rows,
+            "pieces": self.pieces,
+            "expected_overturned": self.fallen,
+            **{f"share_overturned{end}": self.share(end) for end in ENDS},
+            "expected_overturned_best": self.fallen_best,
+            **{f"share_overturned_best{end}": self.share(f"_best{end}") for end in ENDS},
+            "expected_loss": self.loss,
+            "expected_loss_best": self.loss_best,
+            **{f"pieces_{finding}": self.found[finding] for finding in Finding},
+            "contents_out_share": self.share_out,
+            "contents_out_share_best": self.share_out_best,
+        }
+
 
 Place = tuple[str, str, int]
 """Event, building ("" on the ground) and storey (0 on the ground)."""
@@ -154,42 +155,27 @@ class Summary:
     events: dict[str, Total] = field(default_factory=dict[str, Total])
     worst: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
 
-    def rows(self) -> list[list[Any]]:
-        """Return the rows of the summary, in the order of `COLUMNS`."""
-        return [
-            [
-                event,
-                building or None,
-                storey or None,
-                total.rows,
-                total.pieces,
-                total.fallen,
-                *(total.share(end) for end in ("", "_low", "_high")),
-                total.fallen_best,
-                *(total.share(f"_best{end}") for end in ("", "_low", "_high")),
-                total.loss,
-                total.loss_best,
-                *(total.found[finding] for finding in Finding),
-                total.share_out,
-                total.share_out_best,
-            ]
+    def write(self, folder: Path, space: Workspace) -> None:
+        """Write the totals by event, building and storey as Parquet and CSV."""
+        rows: list[dict[str, Any]] = [
+            {"event": event, "building": building or None, "storey": storey or None, **total.numbers}
             for (event, building, storey), total in sorted(self.places.items())
         ]
-
-
-def _rows(folder: Path) -> Iterator[dict[str, Any]]:
-    for path in sorted(folder.glob("*.parquet")):
-        file: Any = parquet().ParquetFile(path)
-        with file:
-            for batch in file.iter_batches(8192, columns=list(READ)):
-                yield from batch.to_pylist()
+        pa = arrow()
+        named = ["event", "building", "storey", *Total().numbers]
+        kinds = {name: "int64" if name.startswith("pieces_") else "float64" for name in named} | _KINDS
+        schema = pa.schema([(name, getattr(pa, kind)()) for name, kind in kinds.items()])
+        with space.durable(folder / "summary.parquet") as file:
+            arrow("parquet").write_table(pa.Table.from_pylist(rows, schema=schema), file)
+        with space.durable(folder / "summary.csv") as file:
+            file.write(csv_text(named, (row.values() for row in rows)).encode(CSV_ENCODING))
 
 
 def summarise(folder: Path) -> Summary:
     """Return the summary of the parts of a folder, read a few rows at a time."""
     summary = Summary()
     heap: list[tuple[tuple[float, float, float, int], int, dict[str, Any]]] = []
-    for number, row in enumerate(_rows(folder)):
+    for number, row in enumerate(_rows(folder, READ)):
         place = row["event"], row["building"] or "", row["storey"] or 0
         for total in (
             summary.places.setdefault(place, Total()),
@@ -205,3 +191,78 @@ def summarise(folder: Path) -> Summary:
                 heapq.heappushpop(heap, entry)
     summary.worst = [row for _, _, row in sorted(heap, reverse=True)]
     return summary
+
+
+def formats_of(export: str | Sequence[str]) -> tuple[str, ...]:
+    """Return the formats of a text such as "csv,geojson", or of several, in the order of `FORMATS`.
+
+    Raises
+    ------
+    InputError
+        Another format.
+    """
+    stated = export.split(",") if isinstance(export, str) else list(export)
+    names = [name.strip().lower() for name in stated if name.strip()]
+    for name in names:
+        if name not in FORMATS:
+            raise unknown("inventory_tables.export", name, FORMATS, field="export")
+    return tuple(name for name in FORMATS if name in names)
+
+
+def refuse_nowhere(formats: Sequence[str], located: int) -> None:
+    """Refuse a map where no piece says where it stands."""
+    if "geojson" in formats and not located:
+        raise InputError("inventory_tables.nowhere", "export", formats="geojson")
+
+
+def export_results(folder: Path, space: Workspace, formats: Sequence[str]) -> None:
+    """Write the results in other formats beside their Parquet files, each atomically."""
+    for name in formats:
+        with space.durable(folder / f"pieces.{name}") as file:
+            text = io.TextIOWrapper(file, CSV_ENCODING if name == "csv" else "utf-8", newline="")
+            rows = ({name: _plain(value) for name, value in row.items()} for row in _rows(folder / PIECES))
+            (_write_csv if name == "csv" else _write_geojson)(text, rows)
+            text.detach()
+
+
+def _plain(value: Any) -> str | float | int | None:
+    match value:
+        case float():
+            return value if math.isfinite(value) else None
+        case list():  # the sets of measures that cannot be put in place
+            sets = cast("list[dict[str, str]]", value)
+            return "; ".join(f"{each['name']}: {each['reason']}" for each in sets) or None
+        case _:
+            return value
+
+
+def _write_csv(file: IO[str], rows: Iterable[dict[str, Any]]) -> None:
+    lines = csv.writer(file)
+    for number, row in enumerate(rows):
+        if number == 0:
+            lines.writerow(row)
+        lines.writerow(map(harmless, row.values()))
+
+
+def _write_geojson(file: IO[str], rows: Iterable[dict[str, Any]]) -> None:
+    """Write GeoJSON (RFC 7946): a feature a line; one without a place has no geometry."""
+    file.write('{"type": "FeatureCollection", "features": [')
+    mark = "\n"
+    for row in rows:
+        lat, lon = row["lat"], row["lon"]
+        geometry = None
+        if lat is not None and lon is not None:
+            geometry = {"type": "Point", "coordinates": [lon - 360.0 if lon > 180.0 else lon, lat]}
+        feature = {"type": "Feature", "geometry": geometry, "properties": row}
+        file.write(mark + json.dumps(feature, ensure_ascii=False, allow_nan=False))
+        mark = ",\n"
+    file.write("\n]}\n")
+
+
+def _rows(folder: Path, columns: Sequence[str] = ()) -> Iterator[dict[str, Any]]:
+    """Yield rows of the results, read some at a time: some columns, or all but the sets of measures."""
+    for path in sorted(folder.glob("*.parquet")):
+        with arrow("parquet").ParquetFile(path) as file:
+            wanted = columns or [each.name for each in file.schema_arrow if each.name != "options"]
+            for batch in file.iter_batches(8192, columns=list(wanted)):
+                yield from batch.to_pylist()

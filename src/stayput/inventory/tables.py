@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any, TextIO, cast
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, reason_of
-from stayput.extras import absent
-from stayput.inventory.arrow import arrow, parquet
+from stayput.extras import absent, arrow
 from stayput.inventory.cells import Unusable
 
 if TYPE_CHECKING:
@@ -92,19 +91,17 @@ def open_table(path: Path, memory: int = 2**29) -> Generator[OpenTable]:
         Another kind of file, one that cannot be read, or an empty one.
     """
     openers: dict[str, Callable[[Path], Any]] = {
-        ".csv": _csv,
-        ".tsv": _csv,
-        ".txt": _csv,
+        **dict.fromkeys((".csv", ".tsv", ".txt"), _csv),
         ".parquet": _parquet,
         ".xlsx": partial(_excel, memory=memory),
     }
-    if path.suffix.lower() not in openers:
-        raise InputError(
-            "inventory.file_ending", "inventory", path=repr(str(path)), endings=", ".join(openers)
-        )
+    opener = openers.get(path.suffix.lower())
+    if opener is None:
+        endings = ", ".join(openers)
+        raise InputError("inventory.file_ending", "inventory", path=repr(str(path)), endings=endings)
     with ExitStack() as stack:
         with _readable(path):
-            table = stack.enter_context(openers[path.suffix.lower()](path))
+            table = stack.enter_context(opener(path))
         yield replace(table, rows=_guarded(path, table.rows))
 
 
@@ -122,16 +119,11 @@ def _readable(path: Path) -> Generator[None]:
         raise
     except OSError as error:
         reason = reason_of(error)
-        file = phrase("inventory.the_inventory")
+        file = phrase("inventory.input_inventory")
         raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
     except Exception as error:  # of a broken file libraries say this or that
-        reason = _one_line(str(error))
+        reason = " ".join(str(error).split())[:200].rstrip(" .")
         raise InputError("inventory.broken", "inventory", path=repr(str(path)), reason=reason) from error
-
-
-def _one_line(text: str) -> str:
-    """Return a library's message on one line, shortened, without the stop at its end."""
-    return " ".join(text.split())[:200].rstrip(" .")
 
 
 def _encoding(path: Path) -> str:
@@ -229,12 +221,10 @@ def _csv_rows(reader: Any) -> Iterator[TableRow]:
 
 @contextmanager
 def _parquet(path: Path) -> Generator[OpenTable]:
-    pa, pq = arrow(), parquet()
-
     try:
-        file: Any = pq.ParquetFile(path)
-    except pa.ArrowInvalid:
-        raise InputError("inventory.not_parquet", "inventory", path=repr(str(path))) from None
+        file: Any = arrow("parquet").ParquetFile(path)
+    except arrow().ArrowInvalid:
+        raise InputError("inventory.other_kind", "inventory", path=repr(str(path)), kind="Parquet") from None
     with file:
         names = cast("list[Cell]", list(file.schema_arrow.names))
         yield OpenTable(names, _parquet_rows(file), "Parquet")
@@ -254,15 +244,15 @@ def _cell(value: Any) -> Cell:
         case None | str():
             return value
         case bool():
-            return Unusable(phrase("inventory.cell_bool"))
+            return _unusable("bool")
         case int() | float():
             return value
         case Decimal():
             return float(value)
         case date() | time():
-            return Unusable(phrase("inventory.cell_date"))
+            return _unusable("date")
         case _:
-            return Unusable(phrase("inventory.cell_other"))
+            return _unusable("other")
 
 
 @contextmanager
@@ -277,7 +267,8 @@ def _excel(path: Path, memory: int) -> Generator[OpenTable]:
         rows = _excel_rows(book.rows(title))
         first = next(rows, None)
         if first is None or isinstance(first[1], InputError):
-            raise InputError("inventory.empty_sheet", "inventory", path=repr(str(path)))
+            reason = phrase("inventory.is_empty")
+            raise InputError("inventory.first_row", "inventory", path=repr(str(path)), reason=reason)
         read_as = f"sheet {title!r}" + (f"; not {', '.join(map(repr, others))}" if others else "")
         yield OpenTable(first[1], rows, read_as)
 
@@ -295,21 +286,21 @@ def _excel_rows(rows: Iterator[tuple[int, dict[int, SheetCell]]]) -> Iterator[Ta
 
 def _excel_cell(cell: SheetCell) -> Cell:
     if cell.formula:
-        return Unusable(phrase("inventory.cell_formula"))
-    match cell.kind:
-        case "e":
-            return Unusable(phrase("inventory.cell_error", error=cell.value[:40]))
-        case "b":
-            return Unusable(phrase("inventory.cell_bool"))
-        case "n" | "d":
-            if cell.is_date:
-                return Unusable(phrase("inventory.cell_date"))
-            unit = _unit_shown(cell.number_format)
-            if unit is None:
-                return cell.number()
-            return Unusable(phrase("inventory.cell_unit", unit=unit))
-        case _:
-            return cell.value
+        return _unusable("formula")
+    if cell.kind == "e":
+        return _unusable("error", error=cell.value[:40])
+    if cell.kind == "b":
+        return _unusable("bool")
+    if cell.kind not in ("n", "d"):
+        return cell.value
+    if cell.is_date:
+        return _unusable("date")
+    unit = _unit_shown(cell.number_format)
+    return cell.number() if unit is None else _unusable("unit", unit=unit)
+
+
+def _unusable(kind: str, **values: str) -> Unusable:
+    return Unusable(phrase(f"inventory.cell_{kind}", **values))
 
 
 @lru_cache(maxsize=1000)

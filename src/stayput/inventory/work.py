@@ -1,39 +1,49 @@
-"""The simulation units of a plan, cut into tasks of about a second for an executor to run."""
+"""The simulation units of a plan, cut into tasks of about a second for an executor to run.
+
+A unit is a piece with a set of measures on a floor, under all motions and all draws.
+"""
 
 from __future__ import annotations
 
-from collections import deque
+import time
 from contextlib import closing
 from dataclasses import dataclass
-from functools import partial
-from typing import TYPE_CHECKING
+from functools import lru_cache, partial
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from stayput.errors import InputError
 from stayput.execution import Shared
-from stayput.inventory.records import OutcomeStore, record_type
-from stayput.inventory.store import ground_of
-from stayput.inventory.units import Unit, evaluate
-from stayput.inventory.workspace import OUTCOMES
+from stayput.inventory.folder import OUTCOMES
+from stayput.inventory.store import OutcomeStore, ground_of, measures_of, piece_of, record_type
+from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
 from stayput.montecarlo.hazard import Ground, PreparedFloor
-from stayput.montecarlo.sampling import Settings
+from stayput.montecarlo.runs import run_prepared
+from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
+from stayput.verification.contents import first_draws, share_out, spilt_under
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterator
+    from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
     from pathlib import Path
 
     from numpy.typing import NDArray
 
+    from stayput.contents import Contents
     from stayput.execution import Pool
     from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.store import Store
+    from stayput.measures import Measure
+    from stayput.model.body import Body
+    from stayput.model.room import Room
+    from stayput.montecarlo.sampling import DrawTable, Rows
     from stayput.scenario.building import BuildingTable
 
 SECONDS = 1.0
 """Wanted time of a task [s]: long beside the cost of handing it on, short beside the wait for the last."""
 
 FIRST_GUESS = {False: 3e-4, True: 6e-3}
-"""Time of a run before any was measured, without and with devices [s]."""
+"""Guessed time of a run, without and with devices [s]; what was measured of all runs corrects it."""
 
 SAVE_AFTER, SAVE_UNITS = 5.0, 50_000
 """Outcomes are saved after so many seconds or units: the most that is lost where the process is killed."""
@@ -41,94 +51,167 @@ SAVE_AFTER, SAVE_UNITS = 5.0, 50_000
 SAMPLE_BYTES = 40
 """Bytes of a floor's motion for each sample: two components, while they are made and as they are prepared."""
 
+Unit: TypeAlias = "tuple[int, str]"
+"""Number of a unit, and the spec of its piece."""
 
-@dataclass(frozen=True, slots=True, eq=False)
-class FloorRequest:
-    """A request for the floor motions of one building: computed once, for all tasks there.
+BLOCK = 32_768
+"""Most runs that are held in memory at a time: some 10 MB."""
+
+_draws, _first_draws = lru_cache(maxsize=64)(draws), lru_cache(maxsize=64)(first_draws)
+"""The draws: all units of a scenario have the same."""
+
+
+def evaluate(
+    units: Sequence[Unit],
+    measures: str,
+    floor: PreparedFloor,
+    settings: Settings,
+    kind: np.dtype[np.void],
+) -> tuple[NDArray[np.void], int, float]:
+    """Simulate units of one set of measures and one floor on this thread.
 
     Parameters
     ----------
-    station : int
-        The scenario.
-    building : BuildingTable, optional
-        The building; none on the ground.
-    storeys : tuple of int
-        The wanted storeys.
-    factors : ndarray
-        Factors on the ground's motions.
+    units : sequence
+        Numbers, and specs of the pieces.
+    measures : str
+        Spec of their measures.
+    floor : PreparedFloor
+        What shakes them.
+    settings : Settings
+        Monte Carlo settings.
+    kind : dtype
+        Type of their records; see `stayput.inventory.store.record_type`.
+
+    Returns
+    -------
+    tuple
+        Their records, the runs that were done, and the time they took [s].
     """
-
-    station: int
-    building: BuildingTable | None
-    storeys: tuple[int, ...]
-    factors: NDArray[np.float64]
-
-    def floors(self, shared: Shared[Ground]) -> dict[int, PreparedFloor]:
-        """Return the floor motions of each storey."""
-        ground = shared.value
-        floors, scales = ground.floors(self.building, self.storeys, self.factors, threads=1)
-        if self.building is None:  # the same motions for all
-            return dict.fromkeys(self.storeys, PreparedFloor.of(ground.acting, scales))
-        return {
-            storey: PreparedFloor.of(motions, scales)
-            for storey, motions in zip(self.storeys, floors, strict=True)
-        }
+    began = time.perf_counter()
+    option, runs = measures_of(measures), 0
+    records = np.zeros(len(units), kind)
+    records["unit"] = [number for number, _ in units]
+    records["out"] = np.nan
+    size = max(1, BLOCK // (settings.motions * settings.samples))
+    for first in range(0, len(units), size):
+        last = min(first + size, len(units))
+        runs += _block([spec for _, spec in units[first:last]], option, floor, settings, records[first:last])
+    return records, runs, time.perf_counter() - began
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class UnitTask:
-    """Units of one storey, grouped by their measures, as one task of an executor."""
+def _block(
+    specs: list[str],
+    option: tuple[Measure, ...],
+    floor: PreparedFloor,
+    settings: Settings,
+    out: NDArray[np.void],
+) -> int:
+    """Simulate a block of units, fill in their records and return the number of runs."""
+    runs = 0
+    pieces = [piece_of(spec) for spec in specs]
 
-    request: FloorRequest
-    storey: int
-    settings: Settings
-    groups: tuple[tuple[int, str, tuple[Unit, ...]], ...]
-    kind: np.dtype[np.void]
+    def run(places: list[int], samples: int, start: int) -> list[Outcomes]:
+        nonlocal runs
+        runs += len(places) * settings.motions * samples
+        drawn = _draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
+        rows = [_rows_or_none(*pieces[place][:2], option, drawn, settings.gravity) for place in places]
+        possible = [row for row in rows if row is not None]
+        outcomes = iter(run_prepared(possible, floor) if possible else ())
+        return [Outcomes.impossible(drawn.shape) if row is None else next(outcomes) for row in rows]
 
-    def run(self, floors: Shared[dict[int, PreparedFloor]]) -> TaskOutcome:
-        """Simulate the units on this thread."""
-        floor = floors.value[self.storey]
-        results = [
-            (option, *evaluate(units, measures, floor, self.settings, self.kind))
-            for option, measures, units in self.groups
-        ]
-        records = np.concatenate([result[1] for result in results])
-        return TaskOutcome(records, tuple((option, runs, seconds) for option, _, runs, seconds in results))
+    outcomes, _, _ = sample_until_precise(len(specs), settings, run, together=False)
+    for place, (outcome, (body, room, contents)) in enumerate(zip(outcomes, pieces, strict=True)):
+        fill_record(out[place : place + 1], outcome, settings.slide_limit)
+        if contents is not None:
+            out["out"][place] = _share_out(body, room, contents, option, floor, settings)
+    return runs
+
+
+def _share_out(
+    body: Body,
+    room: Room,
+    contents: Contents,
+    option: tuple[Measure, ...],
+    floor: PreparedFloor,
+    settings: Settings,
+) -> tuple[float, float, float]:
+    """Return the share of the contents that comes out, and its interval, as a verification follows them."""
+    drawn = _first_draws(settings.motions, settings.seed, settings.as_stated)
+    rows = _rows_or_none(body, room, option, drawn, settings.gravity)
+    if rows is None:
+        return np.nan, np.nan, np.nan
+    spilt = [spilt_under(rows, number, floor, body, contents, leaving=False) for number in range(len(drawn))]
+    share = share_out(spilt, contents)
+    return share.estimate, share.low, share.high
+
+
+def _rows_or_none(
+    body: Body, room: Room, option: tuple[Measure, ...], drawn: DrawTable, gravity: float
+) -> Rows | None:
+    try:
+        return rows_of(body, room, option, drawn, gravity)
+    except InputError:  # a draw in which the measure is not possible: all its runs count as given up
+        return None
+
+
+def fill_record(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -> None:
+    """Fill in the record of a unit, shape (1,)."""
+    chances = outcomes.probabilities(slide_limit)
+    fallen = chances[OVERTURNED]
+    for name in ("motions", "runs", "missing", "fell"):
+        out[name] = getattr(fallen, name)
+    out["chances"][0] = [(chance.estimate, chance.low, chance.high) for chance in chances.values()]
+    slide = Quantiles.of(outcomes.slide, outcomes.overturned)
+    upright = outcomes.slide[~outcomes.missing & ~outcomes.overturned]
+    mean = float(upright.sum() / len(upright)) if len(upright) else np.nan
+    out["slide"][0] = (slide.median, slide.p90, mean)
+    motions, samples = outcomes.missing.shape
+    planes, rows, columns = out["each"].shape[1:]
+    each = np.zeros((planes, rows, 8 * columns), np.bool_)
+    each[-1] = True
+    each[:, :motions, :samples] = (*outcomes.happened(slide_limit), outcomes.missing)
+    out["each"][0] = np.packbits(each, axis=-1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TaskOutcome:
-    """Outcomes of a task, and for each option the runs and the seconds."""
+    """Outcomes of a task, its runs, and the time that they took and that they were guessed to take [s]."""
 
     records: NDArray[np.void]
-    costs: tuple[tuple[int, int, float], ...]
+    runs: int
+    seconds: float
+    guessed: float
 
 
-class Costs:
-    """Measured time of a run for each option [s], from which the size of tasks follows."""
+def prepared_floors(
+    shared: Shared[Ground],
+    building: BuildingTable | None,
+    storeys: tuple[int, ...],
+    factors: NDArray[np.float64],
+) -> dict[int, PreparedFloor]:
+    """Return the motions of some storeys of a building, or of the ground, whose motions have factors."""
+    ground = shared.value
+    floors, scales = ground.floors(building, storeys, factors, threads=1)
+    if building is None:  # the same motions for all
+        return dict.fromkeys(storeys, PreparedFloor.of(ground.acting, scales))
+    prepared = (PreparedFloor.of(motions, scales) for motions in floors)
+    return dict(zip(storeys, prepared, strict=True))
 
-    def __init__(self, options: dict[int, str], left: dict[int, int], runs: int) -> None:
-        self.mean = {number: FIRST_GUESS["{" in spec] for number, spec in options.items()}
-        self.seen: dict[int, list[float]] = {}
-        self.left = dict(left)
-        self.runs = runs  # of a unit
 
-    def unit(self, option: int) -> float:
-        """Return the time of a unit [s]."""
-        return self.mean[option] * self.runs
-
-    def update(self, done: TaskOutcome) -> None:
-        """Update the times by those of a task."""
-        for option, runs, seconds in done.costs:
-            total = self.seen.setdefault(option, [0.0, 0.0])
-            total[0] += seconds
-            total[1] += runs
-            self.mean[option] = total[0] / max(total[1], 1.0)
-
-    def wanted(self, width: int) -> float:
-        """Return the time that the next task is to take [s]: shorter towards the end."""
-        rest = sum(count * self.unit(option) for option, count in self.left.items())
-        return min(SECONDS, max(rest / (4.0 * width), 0.02))
+def run_task(
+    floors: Shared[dict[int, PreparedFloor]],
+    storey: int,
+    settings: Settings,
+    groups: Mapping[str, Sequence[Unit]],
+    kind: np.dtype[np.void],
+) -> TaskOutcome:
+    """Simulate units of one storey, grouped by the specs of their measures, on this thread."""
+    floor = floors.value[storey]
+    results = [evaluate(units, measures, floor, settings, kind) for measures, units in groups.items()]
+    records, runs, seconds = zip(*results, strict=True)
+    guessed = sum(n * FIRST_GUESS["{" in measures] for n, measures in zip(runs, groups, strict=True))
+    return TaskOutcome(np.concatenate(records), sum(runs), sum(seconds), guessed)
 
 
 class Work:
@@ -165,9 +248,10 @@ class Work:
         self.done = self.outcomes.done
         self.grounds: dict[int, Ground] = {}
         self.options = store.option_specs()
-        runs = max(settings.motions * settings.samples for settings in self.settings)
-        self.costs = Costs(self.options, store.units_by_option(), runs)
-        self.runs, self.seconds = 0, 0.0
+        runs = motions * samples
+        self.guesses = {option: runs * FIRST_GUESS["{" in spec] for option, spec in self.options.items()}
+        self.guess_left = sum(self.guesses[option] * n for option, n in store.units_by_option().items())
+        self.runs, self.seconds, self.guessed = 0, 0.0, 0.0
 
     def close(self) -> None:
         """Close what outcomes are kept in."""
@@ -188,68 +272,51 @@ class Work:
             self.grounds[station] = ground
         return self.grounds[station]
 
-    def tasks(self, width: int) -> Generator[UnitTask]:
-        """Yield tasks, each for one storey, those of a building one after another."""
+    def tasks(self, width: int) -> Generator[Callable[[], TaskOutcome]]:
+        """Yield tasks, each for one storey, those of a building one after another.
+
+        The motions of the ground and of a building's floors are made once in each process.
+        """
+        grounds: dict[int, Shared[Ground]] = {}
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
             ground, shaking = self.ground(station), self.scenarios.all[station].scenario.shaking
+            seed = self.settings[station].seed
             if level is None:
-                factors = ground.stated(shaking.strength, shaking.scale, self.settings[station].seed)
+                factors = ground.stated(shaking.strength, shaking.scale, seed)
             else:
-                factors = ground.factors(level.level, level.scatter, self.settings[station].seed)
-            for batch in self._storeys_at_a_time(ground, sites):
+                factors = ground.factors(level.level, level.scatter, seed)
+            if station not in grounds:
+                grounds[station] = Shared(_itself, ground)
+            size = SAMPLE_BYTES * sum(len(motion.x) for motion in ground.motions)
+            at_a_time = max(1, self.floor_memory // size)
+            for start in range(0, len(sites), at_a_time):
+                batch = sites[start : start + at_a_time]
                 storeys = tuple(storey for _, storey in batch)
-                request = FloorRequest(station, building, storeys, factors)
+                floors = Shared(prepared_floors, grounds[station], building, storeys, factors)
                 for site, storey in batch:
-                    yield from self._tasks_at(site, storey, request, width)
+                    for groups in self._groups_at(site, width):
+                        yield partial(run_task, floors, storey, self.settings[station], groups, self.kind)
 
-    def _storeys_at_a_time(
-        self, ground: Ground, sites: list[tuple[int, int]]
-    ) -> Iterator[list[tuple[int, int]]]:
-        size = SAMPLE_BYTES * sum(len(motion.x) for motion in ground.motions)
-        batch_size = max(1, self.floor_memory // size)
-        for start in range(0, len(sites), batch_size):
-            yield sites[start : start + batch_size]
-
-    def _tasks_at(self, site: int, storey: int, request: FloorRequest, width: int) -> Iterator[UnitTask]:
-        groups: dict[int, list[Unit]] = {}
-        time = 0.0
-
-        def task() -> UnitTask:
-            return UnitTask(
-                request,
-                storey,
-                self.settings[request.station],
-                tuple((option, self.options[option], tuple(units)) for option, units in groups.items()),
-                self.kind,
-            )
-
+    def _groups_at(self, site: int, width: int) -> Iterator[dict[str, list[Unit]]]:
+        """Yield the units of a site that are not done, grouped by their measures, as much as a task takes."""
+        groups: dict[str, list[Unit]] = {}
+        seconds = 0.0
         for number, option, spec in self.store.units_at(site):
-            self.costs.left[option] -= 1
+            self.guess_left -= self.guesses[option]
             if self.done[number]:
                 continue
-            groups.setdefault(option, []).append((number, spec))
-            time += self.costs.unit(option)
-            if time >= self.costs.wanted(width):
-                yield task()
-                groups, time = {}, 0.0
+            groups.setdefault(self.options[option], []).append((number, spec))
+            pace = self.seconds / self.guessed if self.guessed else 1.0
+            seconds += self.guesses[option] * pace
+            shorter_at_the_end = max(self.guess_left * pace / (4.0 * width), 0.02)
+            if seconds >= min(SECONDS, shorter_at_the_end):
+                yield groups
+                groups, seconds = {}, 0.0
         if groups:
-            yield task()
+            yield groups
 
-    def _calls(self, width: int) -> Generator[Callable[[], TaskOutcome]]:
-        """Yield the tasks as calls; the motions of the ground and of a building's floors are made once."""
-        grounds: dict[int, Shared[Ground]] = {}
-        request: FloorRequest | None = None
-        floors: Shared[dict[int, PreparedFloor]] | None = None
-        for task in self.tasks(width):
-            if task.request is not request or floors is None:
-                request = task.request
-                if request.station not in grounds:
-                    grounds[request.station] = Shared(_itself, self.ground(request.station))
-                floors = Shared(request.floors, grounds[request.station])
-            yield partial(task.run, floors)
-
-    def run(self, pool: Pool, advance: Callable[[int], None], clock: Callable[[], float]) -> None:
+    def run(self, pool: Pool, advance: Callable[[int], None]) -> None:
         """Run all tasks, and save their outcomes as they are completed.
 
         Parameters
@@ -258,37 +325,36 @@ class Work:
             Runs them.
         advance : callable
             Called with the number of units that were just done.
-        clock : callable
-            The time [s].
         """
-        unsaved: deque[NDArray[np.void]] = deque()
-        saved_at = clock()
+        unsaved: list[NDArray[np.void]] = []
+        saved_at = time.monotonic()
 
         def save() -> None:
             nonlocal saved_at
             if unsaved:
                 self.outcomes.save(np.concatenate(unsaved))
                 unsaved.clear()
-            saved_at = clock()
+            saved_at = time.monotonic()
 
         try:
             with (
-                closing(self._calls(pool.width)) as calls,
+                closing(self.tasks(pool.width)) as calls,
                 closing(pool.as_completed(calls)) as outcomes,
             ):
                 for _, outcome in outcomes:
                     self._store_outcome(outcome, unsaved, advance)
-                    if clock() - saved_at > SAVE_AFTER or sum(map(len, unsaved)) >= SAVE_UNITS:
+                    late = time.monotonic() - saved_at > SAVE_AFTER
+                    if late or sum(map(len, unsaved)) >= SAVE_UNITS:
                         save()
         finally:
             save()
 
     def _store_outcome(
-        self, outcome: TaskOutcome, unsaved: deque[NDArray[np.void]], advance: Callable[[int], None]
+        self, outcome: TaskOutcome, unsaved: list[NDArray[np.void]], advance: Callable[[int], None]
     ) -> None:
-        self.costs.update(outcome)
-        self.runs += sum(runs for _, runs, _ in outcome.costs)
-        self.seconds += sum(seconds for _, _, seconds in outcome.costs)
+        self.runs += outcome.runs
+        self.seconds += outcome.seconds
+        self.guessed += outcome.guessed
         records = outcome.records
         fresh = records[~self.done[records["unit"]]]
         self.done[fresh["unit"]] = True

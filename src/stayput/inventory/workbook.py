@@ -11,17 +11,17 @@ import re
 import sys
 import zipfile
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
-from xml.parsers import expat
+from typing import TYPE_CHECKING, NamedTuple
+from xml.parsers.expat import ExpatError
 
 from openpyxl.styles.numbers import BUILTIN_FORMATS, is_date_format
 
 from stayput.errors import InputError
+from stayput.inventory.xml_events import xml_events
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterator
+    from collections.abc import Generator, Iterator
     from pathlib import Path
 
 ROWS, COLUMNS = 2**20, 2**14
@@ -33,14 +33,15 @@ LONGEST_TEXT = 2**24
 LARGEST_WORKBOOK = 2**33
 """Largest size of an unpacked workbook [bytes]."""
 
-_CHUNK, _TAG, _DEPTH, _MANY = 2**16, 2**20, 50, 100_000  # bytes, bytes, levels, formats or sheets
+MOST_PARTS = 100_000
+"""Most formats or sheets."""
+
 _JAPANESE_DATES = {*range(27, 37), *range(50, 59)}  # built-in formats that are dates in Japan
 _REFERENCE = re.compile(r"([A-Z]{1,3})([0-9]{1,7})", re.ASCII)
 _WHOLE = re.compile(r"[+-]?\d{1,15}", re.ASCII)
 
 
-@dataclass(frozen=True, slots=True)
-class SheetCell:
+class SheetCell(NamedTuple):
     """A cell: its type as the file says, its text, whether a formula is in it, and the format of a number."""
 
     kind: str
@@ -68,6 +69,11 @@ class Workbook:
     memory : int
         Bytes that the texts of its cells may take.
 
+    Attributes
+    ----------
+    names : dict
+        The parts of the sheets of cells by their names, in their order.
+
     Raises
     ------
     ValueError
@@ -79,84 +85,83 @@ class Workbook:
     def __init__(self, packed: zipfile.ZipFile, memory: int) -> None:
         self._packed, self._memory = packed, memory
         (book,) = self._related("", "officeDocument").values()
-        self._sheets = self._related(book, "worksheet")
-        self.names = self._names(book)
+        sheets = self._related(book, "worksheet")
         self._styles = next(iter(self._related(book, "styles").values()), None)
         self._shared = next(iter(self._related(book, "sharedStrings").values()), None)
+        self.names: dict[str, str] = {}
+        for kind, tag, given in self._events(book):
+            part = sheets.get(next((given[key] for key in given if key.endswith(":id")), ""))
+            if (kind, tag) == ("start", "sheet") and part is not None:
+                self.names[given["name"]] = part
 
-    def _related(self, part: str, kind: str) -> dict[str, str]:
+    def _events(self, part: str) -> Iterator[tuple[str, str, dict[str, str]]]:
+        """Yield the events of a part; the text of a cell or a shared text comes with its end.
+
+        The readings that Japanese workbooks add are left out.
+        """
+        try:
+            file = self._packed.open(part)
+        except KeyError:
+            raise ValueError(f"it has no part {part[:80]!r}") from None
+        text: list[str] = []
+        length, inside, reading = 0, False, False
+        with file:
+            for kind, tag, given in xml_events(file):
+                if kind == "text":
+                    if inside and not reading:
+                        text.append(tag)
+                        length += len(tag)
+                        if length > LONGEST_TEXT:
+                            raise ValueError(f"a cell goes beyond {LONGEST_TEXT:,} characters")
+                    continue
+                inside = kind == "start" and tag in ("t", "v")
+                if tag == "rPh":
+                    reading = kind == "start"
+                elif tag in ("c", "si"):
+                    yield kind, tag, given if kind == "start" else {"text": "".join(text)}
+                    text, length = [], 0
+                    continue
+                yield kind, tag, given
+
+    def _related(self, part: str, wanted: str) -> dict[str, str]:
         """Return the parts of a kind that a part names, by their ids."""
         folder, name = posixpath.split(part)
         parts: dict[str, str] = {}
-
-        def start(tag: str, attributes: dict[str, str]) -> None:
-            if (
-                tag == "Relationship"
-                and attributes.get("Type", "").endswith(f"/{kind}")
-                and len(parts) < _MANY
-            ):
-                path = posixpath.join("/", folder, attributes["Target"])
-                parts[attributes["Id"]] = posixpath.normpath(path).lstrip("/")
-
-        for _ in self._parsed(posixpath.join(folder, "_rels", f"{name}.rels"), start):
-            pass
+        for kind, tag, given in self._events(posixpath.join(folder, "_rels", f"{name}.rels")):
+            named = (kind, tag) == ("start", "Relationship") and given.get("Type", "").endswith(f"/{wanted}")
+            if named and len(parts) < MOST_PARTS:
+                path = posixpath.join("/", folder, given["Target"])
+                parts[given["Id"]] = posixpath.normpath(path).lstrip("/")
         return parts
-
-    def _names(self, book: str) -> dict[str, str]:
-        """Return the parts of the sheets of cells by their names, in their order."""
-        names: dict[str, str] = {}
-
-        def start(tag: str, attributes: dict[str, str]) -> None:
-            part = self._sheets.get(next((attributes[key] for key in attributes if key.endswith(":id")), ""))
-            if tag == "sheet" and part is not None:
-                names[attributes["name"]] = part
-
-        for _ in self._parsed(book, start):
-            pass
-        return names
 
     @cached_property
     def _formats(self) -> list[str]:
         """The number format of each style of a cell."""
-        if self._styles is None:
-            return []
-        own: dict[int, str] = {}
+        formats = BUILTIN_FORMATS | dict.fromkeys(_JAPANESE_DATES, "yyyy/m/d")
         used: list[int] = []
-        inside: list[str] = []
-
-        def start(tag: str, attributes: dict[str, str]) -> None:
-            inside.append(tag)
-            if tag == "numFmt":
-                own[int(attributes["numFmtId"])] = attributes["formatCode"]
-            elif tag == "xf" and inside[-2:-1] == ["cellXfs"]:
-                used.append(int(attributes.get("numFmtId", 0)))
-            if len(own) + len(used) > _MANY:
-                raise ValueError(f"it has more than {_MANY} formats")
-
-        for _ in self._parsed(self._styles, start, lambda tag: inside.pop()):
-            pass
-        dates = dict.fromkeys(_JAPANESE_DATES, "yyyy/m/d")
-        return [own.get(number) or dates.get(number) or BUILTIN_FORMATS.get(number, "") for number in used]
+        of_cells = False
+        for kind, tag, given in self._events(self._styles) if self._styles is not None else ():
+            if tag == "cellXfs":
+                of_cells = kind == "start"
+            elif kind == "start" and tag == "numFmt":
+                formats[int(given["numFmtId"])] = given["formatCode"]
+            elif kind == "start" and tag == "xf" and of_cells:
+                used.append(int(given.get("numFmtId", 0)))
+            if len(formats) + len(used) > MOST_PARTS:
+                raise ValueError(f"it has more than {MOST_PARTS} formats")
+        return [formats.get(number, "") for number in used]
 
     @cached_property
     def _texts(self) -> list[str]:
         """The texts that cells share."""
-        if self._shared is None:
-            return []
         texts: list[str] = []
-        text = _Text()
-        used = 0
-
-        def end(tag: str) -> None:
-            nonlocal used
-            if text.ends(tag):
-                texts.append(text.take().replace("x005F_", ""))  # Excel escapes underscores so
-                used += sys.getsizeof(texts[-1]) + 8
-                if used > self._memory:
+        size = 0
+        for kind, tag, given in self._events(self._shared) if self._shared is not None else ():
+            if (kind, tag) == ("end", "si"):
+                texts.append(given["text"].replace("x005F_", ""))  # Excel escapes underscores so
+                size += sys.getsizeof(texts[-1]) + 8
+                if size > self._memory:
                     raise InputError("inventory.workbook_texts", size=self._memory / 2**20)
-
-        for _ in self._parsed(self._shared, text.start, end, text.add):
-            pass
         return texts
 
     def rows(self, name: str) -> Iterator[tuple[int, dict[int, SheetCell]]]:
@@ -167,178 +172,58 @@ class Workbook:
         InputError
             After the last row, which is where a file says so: cells of several rows are merged.
         """
-        reader = _Rows(self._formats)
-        part = self.names[name]
-        for _ in self._parsed(part, reader.start, reader.end, reader.text.add):
-            for number, cells in reader.done:
-                yield number, {column: self._resolved(cell) for column, cell in cells.items()}
-            reader.done.clear()
-        if reader.merged is not None:
-            top = _place(reader.merged.partition(":")[0])[0]
+        row = column = width = filled = 0
+        merged: str | None = None
+        inside = formula = False
+        cell: dict[str, str] = {}
+        cells: dict[int, SheetCell] = {}
+        for kind, tag, given in self._events(self.names[name]):
+            match kind, tag:
+                case _, "sheetData":
+                    inside = kind == "start"
+                case "start", "mergeCell":
+                    first, _, last = (area := given.get("ref", "")).partition(":")
+                    (top, left), (bottom, _) = _place(first), _place(last or first)
+                    # only the first row has the value
+                    if merged is None and top < bottom and top <= filled and left <= width:
+                        merged = area
+                case "start", "row" if inside:
+                    number = int(given.get("r", row + 1))
+                    if not row < number <= ROWS:
+                        raise ValueError(f"row {number} does not follow row {row}, or is beyond {ROWS}")
+                    row, column, cells = number, 0, {}
+                case "start", "c" if inside:
+                    number = _place(given["r"])[1] if "r" in given else column + 1
+                    if not column < number <= COLUMNS:
+                        raise ValueError(
+                            f"column {number} does not follow column {column}, or is beyond {COLUMNS}"
+                        )
+                    column, cell, formula = number, given, False
+                case "start", "f" if inside:
+                    formula = True
+                case "end", "c" if inside:
+                    if given["text"] or formula:
+                        cells[column] = self._cell(cell, given["text"], formula)
+                case "end", "row" if inside:
+                    if cells:
+                        filled, width = row, width or max(cells)
+                    yield row, cells
+                    cells = {}
+                case _:
+                    pass
+        if merged is not None:
+            top = _place(merged.partition(":")[0])[0]
             code = "inventory_tables.merged_headings" if top == 1 else "inventory.merged_cells"
-            raise InputError(code, "inventory", cells=reader.merged)
+            raise InputError(code, "inventory", cells=merged)
 
-    def _resolved(self, cell: SheetCell) -> SheetCell:
-        if cell.kind != "s":
-            return cell
-        number = int(cell.value)
-        if not 0 <= number < len(self._texts):
-            raise ValueError(f"it has no text {number}")
-        return SheetCell("str", self._texts[number], cell.formula, "")
-
-    def _parsed(
-        self,
-        part: str,
-        start: Callable[[str, dict[str, str]], None],
-        end: Callable[[str], object] = lambda tag: None,
-        text: Callable[[str], None] | None = None,
-    ) -> Iterator[None]:
-        """Parse a part, and pause after each chunk of it."""
-        depth = 0
-
-        def started(tag: str, attributes: dict[str, str]) -> None:
-            nonlocal depth
-            depth += 1
-            if depth > _DEPTH:
-                raise ValueError(f"it nests more than {_DEPTH} elements")
-            start(tag.rpartition(":")[2], attributes)
-
-        def ended(tag: str) -> None:
-            nonlocal depth
-            depth -= 1
-            end(tag.rpartition(":")[2])
-
-        def refused(*_: object) -> None:
-            raise ValueError("it declares a document type")
-
-        parser: Any = expat.ParserCreate()
-        parser.StartElementHandler, parser.EndElementHandler = started, ended
-        parser.StartDoctypeDeclHandler = refused
-        parser.buffer_text = True
-        if text is not None:
-            parser.CharacterDataHandler = text
-        try:
-            file = self._packed.open(part)
-        except KeyError:
-            raise ValueError(f"it has no part {part[:80]!r}") from None
-        fed = 0
-        with file:
-            while chunk := file.read(_CHUNK):
-                parser.Parse(chunk, False)
-                fed += len(chunk)
-                if fed - parser.CurrentByteIndex > _TAG:
-                    raise ValueError(f"it has a tag of more than {_TAG} bytes")
-                yield
-            parser.Parse(b"", True)
-            yield
-
-
-class _Text:
-    """Text of an element, without the readings that Japanese workbooks add."""
-
-    def __init__(self) -> None:
-        self._parts: list[str] = []
-        self._length, self._open, self._reading = 0, False, False
-
-    def start(self, tag: str, _given: dict[str, str]) -> None:
-        """Take in that an element starts."""
-        if tag == "si":
-            self.take()
-        self._reading = self._reading or tag == "rPh"
-        self._open = tag in ("t", "v") and not self._reading
-
-    def add(self, text: str) -> None:
-        """Take in characters."""
-        if self._open:
-            self._parts.append(text)
-            self._length += len(text)
-            if self._length > LONGEST_TEXT:
-                raise ValueError(f"a cell goes beyond {LONGEST_TEXT:,} characters")
-
-    def ends(self, tag: str) -> bool:
-        """Take in that an element ends, and return whether the text is complete."""
-        self._open = False
-        if tag == "rPh":
-            self._reading = False
-        return tag == "si"
-
-    def take(self) -> str:
-        """Return the text, and begin another."""
-        text = "".join(self._parts)
-        self._parts.clear()
-        self._length = 0
-        return text
-
-
-@dataclass(slots=True)
-class _Rows:
-    """Makes rows of the elements of a sheet."""
-
-    formats: list[str]
-    done: list[tuple[int, dict[int, SheetCell]]] = field(default_factory=list[Any])
-    text: _Text = field(default_factory=_Text)
-    row: int = 0
-    column: int = 0
-    width: int = 0
-    filled: int = 0
-    merged: str | None = None
-    inside: bool = False
-    formula: bool = False
-    attributes: dict[str, str] = field(default_factory=dict[str, str])
-    cells: dict[int, SheetCell] = field(default_factory=dict[int, SheetCell])
-
-    def start(self, tag: str, attributes: dict[str, str]) -> None:
-        """Take in that an element starts."""
-        if tag == "sheetData":
-            self.inside = True
-        elif tag == "mergeCell":
-            self._merge(attributes.get("ref", ""))
-        if not self.inside:
-            return
-        if tag == "row":
-            number = int(attributes.get("r", self.row + 1))
-            if not self.row < number <= ROWS:
-                raise ValueError(f"row {number} does not follow row {self.row}, or is beyond {ROWS}")
-            self.row, self.column, self.cells = number, 0, {}
-        elif tag == "c":
-            self.column = self._column(attributes.get("r"))
-            self.attributes, self.formula = attributes, False
-            self.text.take()
-        elif tag == "f":
-            self.formula = True
-        self.text.start(tag, attributes)
-
-    def end(self, tag: str) -> None:
-        """Take in that an element ends."""
-        if not self.inside:
-            return
-        self.text.ends(tag)
-        if tag == "c":
-            value = self.text.take()
-            kind, style = self.attributes.get("t", "n"), int(self.attributes.get("s", 0))
-            if value or self.formula:
-                shown = self.formats[style] if 0 <= style < len(self.formats) else ""
-                self.cells[self.column] = SheetCell(kind, value, self.formula, shown)
-        elif tag == "row":
-            if self.cells:
-                self.filled, self.width = self.row, self.width or max(self.cells)
-            self.done.append((self.row, self.cells))
-            self.cells = {}
-        elif tag == "sheetData":
-            self.inside = False
-
-    def _merge(self, area: str) -> None:
-        """Keep the first merged cells that go over rows of the table: only the first row has the value."""
-        first, _, last = area.partition(":")
-        (top, left), (bottom, _) = _place(first), _place(last or first)
-        if self.merged is None and top < bottom and top <= self.filled and left <= self.width:
-            self.merged = area
-
-    def _column(self, reference: str | None) -> int:
-        column = self.column + 1 if reference is None else _place(reference)[1]
-        if not self.column < column <= COLUMNS:
-            raise ValueError(f"column {column} does not follow column {self.column}, or is beyond {COLUMNS}")
-        return column
+    def _cell(self, given: dict[str, str], text: str, formula: bool) -> SheetCell:
+        kind, style = given.get("t", "n"), int(given.get("s", 0))
+        if kind != "s":
+            shown = self._formats[style] if 0 <= style < len(self._formats) else ""
+            return SheetCell(kind, text, formula, shown)
+        if not 0 <= int(text) < len(self._texts):
+            raise ValueError(f"it has no text {int(text)}")
+        return SheetCell("str", self._texts[int(text)], formula, "")
 
 
 def _place(reference: str) -> tuple[int, int]:
@@ -361,7 +246,7 @@ def open_workbook(path: Path, memory: int) -> Generator[Workbook]:
     InputError
         It is none, or too large.
     """
-    wrong = InputError("inventory.not_a_workbook", "inventory", path=repr(str(path)))
+    wrong = InputError("inventory.other_kind", "inventory", path=repr(str(path)), kind="Excel")
     try:
         packed = zipfile.ZipFile(path)
     except zipfile.BadZipFile:
@@ -371,7 +256,7 @@ def open_workbook(path: Path, memory: int) -> Generator[Workbook]:
             raise InputError("inventory.workbook_too_large", "inventory", path=repr(str(path)))
         try:
             book = Workbook(packed, memory)
-        except (ValueError, KeyError, expat.ExpatError):
+        except (ValueError, KeyError, ExpatError):
             raise wrong from None
         if not book.names:
             raise wrong

@@ -415,7 +415,7 @@ def sample_until_precise(
         more = [place for place in active if _needs_more(chances[place], precision, done)]
         if done >= most or not more:
             precise = not more and all(
-                chance.runs > 0 and samples_needed(chance, precision).reachable for chance in chances.values()
+                chance.runs > 0 and samples_needed(chance, precision) > 0 for chance in chances.values()
             )
             break
         active = active if together else more
@@ -426,5 +426,4 @@ def _needs_more(chance: Probability, precision: float, done: int) -> bool:
     """Return whether more samples of the same motions would reach the precision, and are needed for it."""
     if not chance.runs:
         return False
-    plan = samples_needed(chance, precision)
-    return plan.reachable and plan.samples > done
+    return samples_needed(chance, precision) > done

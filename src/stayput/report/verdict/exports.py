@@ -12,9 +12,7 @@ from stayput.catalogue import phrase, say
 from stayput.files import folder_draft
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
-from stayput.fragility.labels import identifiers
-from stayput.fragility.nrml import in_openquake, nrml_xml
-from stayput.fragility.pelicun import pelicun_csv
+from stayput.fragility.exports import identifiers, in_openquake, nrml_xml, pelicun_csv
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
 from stayput.report.verdict.assumptions import motions_assumption

@@ -1,0 +1,386 @@
+"""Reading shake maps: CSV, and the grids of USGS ShakeMap (grid.xml and uncertainty.xml).
+
+Files are read as a stream with bounds on their size.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+from xml.parsers.expat import ExpatError
+
+import numpy as np
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError, InputWarning, quoted, reason_of, warn, within
+from stayput.inventory.columns import header_name
+from stayput.inventory.shakemap import ShakeMap, field_of, field_of_grid, unwrapped
+from stayput.inventory.xml_events import DoctypeError, xml_events
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from stayput.inventory.shakemap import MapField
+
+PLACE = ("lat", "lon")
+LIMITS = ((-90.0, 90.0, "°"), (-180.0, 360.0, "°"))
+
+SIGMA = "sigma"
+"""Column of the standard deviation: of an intensity itself, else of the natural logarithm."""
+
+LARGEST_SIGMA = 3.0
+"""Largest standard deviation."""
+
+PREFERRED = ("pgv", "pga", "mmi")
+"""Fields of a grid in the order in which one is taken: JMA's intensity follows the velocity most closely."""
+
+LARGEST_FILE = 2**30
+"""Most bytes of a map."""
+
+MOST_POINTS = 10_000_000
+"""Most places of a grid."""
+
+MOST_FIELDS = 60
+"""Most fields of a grid."""
+
+COMPRESSED = (b"\x1f\x8b", b"PK\x03\x04", b"BZh", b"\xfd7zXZ\x00")
+"""How files of gzip, ZIP, bzip2 and xz begin."""
+
+_LONGEST_LINE = 2**20
+"""Characters without the end of a line after which a grid is given up."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MapGrid:
+    """A grid of places.
+
+    Parameters
+    ----------
+    lats, lons : ndarray
+        Its latitudes and longitudes, both increasing [°].
+    values : dict
+        Each field, shape (lats, lons).
+    units : dict
+        The unit of each field, as it is stated.
+    event : str
+        The earthquake and the version of its map, as they are stated; "" where they are not.
+    """
+
+    lats: NDArray[np.float64]
+    lons: NDArray[np.float64]
+    values: dict[str, NDArray[np.float64]]
+    units: dict[str, str]
+    event: str = ""
+
+
+def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None = None) -> ShakeMap:
+    """Read a shake map: a grid of USGS ShakeMap, or CSV on a regular grid or at any places.
+
+    A CSV has lat, lon, a column as `stayput.inventory.shakemap.field_of` reads it, and may have sigma.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    field : str, optional
+        Which of its columns or fields counts, where there are several; of a grid by default PGV, else PGA,
+        else MMI.
+    uncertainty : Path, optional
+        The grid's uncertainty (XML).
+
+    Raises
+    ------
+    InputError
+        A file that cannot be read, other columns, a value out of range, a place twice, or no place.
+    """
+    try:
+        for file in filter(None, (path, uncertainty)):
+            check_file(file)
+        if is_xml(path):
+            return _of_grid(path, field, uncertainty)
+        if uncertainty is not None:
+            raise InputError("inventory_tables.uncertainty_of_csv", "uncertainty")
+        return _of_csv(path, field)
+    except OSError as error:
+        reason = reason_of(error)
+        file = phrase("inventory.input_shake_map")
+        shown = repr(str(error.filename or path))
+        raise InputError("inventory.unreadable", file=file, path=shown, reason=reason) from None
+
+
+def _of_grid(path: Path, wanted: str | None, uncertainty: Path | None) -> ShakeMap:
+    grid = read_grid(path)
+    fields = [field for name, unit in grid.units.items() if (field := field_of_grid(name, unit)) is not None]
+    preferred = next((name for name in PREFERRED if name in _names(fields)), None)
+    field = _chosen(fields, wanted or preferred, path)
+    # a value below what can be is taken for the lowest
+    least = min(field.low, 0.0)
+    values = _in_range(grid.values[field.name], field.name, least, field.high, field.unit, "shakemap")
+    deviations = None
+    if uncertainty is not None:
+        other = read_grid(uncertainty)
+        _check_event(grid, path, other, uncertainty)
+        deviations = _deviations(other, grid, field, uncertainty)
+    levels, scatters = field.levels(values), field.scatters(values, deviations)
+    return ShakeMap(field.measure, grid.lats, grid.lons, levels, scatters)
+
+
+def _names(fields: Sequence[MapField]) -> dict[str, MapField]:
+    return {field.name.lower(): field for field in fields}
+
+
+def _chosen(fields: Sequence[MapField], wanted: str | None, path: Path) -> MapField:
+    known = _names(fields)
+    if wanted is None or wanted.strip().lower() not in known:
+        raise InputError(
+            "inventory_tables.map_field",
+            "field",
+            path=repr(str(path)),
+            known=", ".join(field.name for field in fields) or phrase("inventory.nothing"),
+        )
+    return known[wanted.strip().lower()]
+
+
+def _in_range(
+    values: NDArray[np.float64], name: str, low: float, high: float, unit: str, field: str
+) -> NDArray[np.float64]:
+    """Return values of a grid, of which none that is known is out of a range."""
+    finite = values[~np.isnan(values)]
+    if finite.size and not (finite.min() >= low and finite.max() <= high):
+        wrong = float(finite.max() if finite.max() > high else finite.min())
+        within(phrase("inventory_tables.in_the_map", name=name), wrong, low, high, unit, field)
+    return values
+
+
+def _check_event(grid: MapGrid, path: Path, other: MapGrid, uncertainty: Path) -> None:
+    """Refuse the uncertainty of another earthquake or version; warn where one of the two does not say it."""
+    named: dict[str, Any] = {"path": repr(str(path)), "other": repr(str(uncertainty))}
+    if not (grid.event and other.event):
+        warn(InputWarning("inventory_tables.event_unstated", "uncertainty", **named))
+    elif grid.event != other.event:
+        events: dict[str, Any] = {"event": quoted(grid.event), "other_event": quoted(other.event)}
+        raise InputError("inventory_tables.other_event", "uncertainty", **named, **events)
+
+
+def _deviations(other: MapGrid, grid: MapGrid, field: MapField, path: Path) -> NDArray[np.float64]:
+    name = next((each for each in other.values if each.lower() == f"std{field.name}".lower()), None)
+    if name is None or np.isnan(other.values[name]).all():
+        raise InputError(
+            "inventory_tables.no_deviations", "uncertainty", path=repr(str(path)), name=f"STD{field.name}"
+        )
+    same = all(np.array_equal(a, b) for a, b in ((other.lats, grid.lats), (other.lons, grid.lons)))
+    if not same:
+        raise InputError("inventory_tables.other_grid", "uncertainty", path=repr(str(path)))
+    unit = other.units[name]
+    if re.fullmatch(r"intensity|mmi|" if field.mercalli else r"ln( *\(.*\))?", unit.strip().lower()) is None:
+        known = "intensity" if field.mercalli else f"ln({field.unit})"
+        raise InputError("inventory_tables.deviation_unit", "uncertainty", name=name, unit=unit, known=known)
+    return _in_range(other.values[name], name, 0.0, LARGEST_SIGMA, "", "uncertainty")
+
+
+def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
+    rows: dict[tuple[float, float], tuple[int, float, float]] = {}
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            reader: Any = csv.reader(file)
+            nothing: list[str] = []
+            first: list[str] = next(reader, nothing)
+            header = [_column(name) for name in first]
+            field, has_sigma = _field(header, wanted, path)
+            names = (*PLACE, field.name, *([SIGMA] if has_sigma else []))
+            columns = [header.index(name) for name in names]
+            limits = (*LIMITS, (field.low, field.high, field.unit), (0.0, LARGEST_SIGMA, ""))
+            for number, row in enumerate(reader, 2):
+                if any(cell.strip() for cell in row):
+                    if len(row) != len(header):
+                        raise InputError(
+                            "inventory.map_cells", row=number, cells=len(row), columns=len(header)
+                        )
+                    lat, lon, value, *sigma = (
+                        _checked(number, name, row[n], limit)
+                        for name, n, limit in zip(names, columns, limits, strict=False)
+                    )
+                    before = rows.setdefault((lat, lon), (number, value, sigma[0] if sigma else 0.0))[0]
+                    if before != number:
+                        raise InputError(
+                            "inventory.map_place_twice", row=number, lat=lat, lon=lon, before=before
+                        )
+    except (UnicodeDecodeError, csv.Error):
+        raise InputError("inventory.map_not_csv", "shakemap", path=repr(str(path))) from None
+    if not rows:
+        raise InputError("inventory.map_empty", "shakemap", path=repr(str(path)))
+    _, values, sigmas = np.array(list(rows.values())).T
+    levels, scatters = field.levels(values), field.scatters(values, sigmas if has_sigma else None)
+    lat, lon = np.array(list(rows)).T
+    lon = unwrapped(lon)
+    lats, lons = np.unique(lat), np.unique(lon)
+    if min(len(lats), len(lons)) < 2 or len(lats) * len(lons) != len(rows):
+        return ShakeMap(field.measure, lat, lon, levels, scatters)
+
+    def on_grid(values: NDArray[np.float64] | None) -> NDArray[np.float64] | None:
+        if values is None:
+            return None
+        grid = np.empty((len(lats), len(lons)))
+        grid[np.searchsorted(lats, lat), np.searchsorted(lons, lon)] = values
+        return grid
+
+    gridded = on_grid(levels)
+    assert gridded is not None
+    return ShakeMap(field.measure, lats, lons, gridded, on_grid(scatters))
+
+
+def _column(name: str) -> str:
+    """Return the name of a map's column: lat and lon by any of their names."""
+    meant = header_name(name).column
+    return meant if meant in PLACE else name.strip().lower()
+
+
+def _field(header: list[str], wanted: str | None, path: Path) -> tuple[MapField, bool]:
+    fields = [field for name in header if (field := field_of(name)) is not None]
+    expected = sorted((*PLACE, *(field.name for field in fields)))
+    given = sorted(name for name in header if name != SIGMA)
+    if not fields or (wanted is None and len(fields) > 1) or given != expected or header.count(SIGMA) > 1:
+        columns = ", ".join(header) or phrase("inventory.nothing")
+        raise InputError("inventory.map_columns", "shakemap", columns=columns)
+    return (fields[0] if wanted is None else _chosen(fields, wanted, path)), SIGMA in header
+
+
+def _checked(number: int, name: str, cell: str, limit: tuple[float, float, str]) -> float:
+    """Return the number in a cell within its limits; a text that is none is refused by them too."""
+    value: Any = cell
+    with suppress(ValueError):
+        value = cell if "_" in cell else float(cell)  # Python takes 5_0 for 50
+    return within(phrase("inventory.in_row_of_the_map", name=name, row=number), value, *limit)
+
+
+def is_xml(path: Path) -> bool:
+    """Return whether a file begins as XML does, in UTF-8 or, after a byte order mark, UTF-16."""
+    with path.open("rb") as file:
+        start = file.read(64)
+    encoding = "utf-16" if start.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8-sig"
+    return start.decode(encoding, "ignore").lstrip().startswith("<")
+
+
+def check_file(path: Path) -> None:
+    """Refuse a file that is too large, or compressed, such as grid.xml.gz."""
+    if (size := path.stat().st_size) > LARGEST_FILE:
+        raise InputError(
+            "inventory_tables.large_map", "shakemap", path=repr(str(path)), size=size, most=LARGEST_FILE
+        )
+    with path.open("rb") as file:
+        start = file.read(8)
+    if start.startswith(COMPRESSED):
+        raise InputError("inventory_tables.compressed", "shakemap", path=repr(str(path)))
+
+
+def read_grid(path: Path) -> MapGrid:
+    """Read a grid of ShakeMap.
+
+    Raises
+    ------
+    InputError
+        No such grid, a broken one, or one with a document type.
+    """
+    try:
+        return _grid(path)
+    except DoctypeError:
+        raise _refused(path, "doctype") from None
+    except ExpatError as error:
+        raise _refused(path, "broken", said=str(error)[:200]) from None
+    except InputError:
+        raise
+    except (ValueError, LookupError):
+        raise _refused(path, "encoding") from None
+
+
+def _refused(path: Path, key: str, **values: object) -> InputError:
+    reason = phrase(f"inventory_tables.grid_{key}", **values)
+    return InputError("inventory_tables.grid", "shakemap", path=repr(str(path)), reason=reason)
+
+
+def _grid(path: Path) -> MapGrid:
+    size: dict[str, int] = {}
+    fields: dict[int, tuple[str, str]] = {}
+    parts: list[NDArray[np.float64]] = []
+    count = due = 0
+    text, event = "", ""
+    in_data = is_grid = False
+
+    def whole(given: dict[str, str], name: str) -> int:
+        value = given.get(name, "")
+        if re.fullmatch(r"-?\d{1,9}", value, re.ASCII) is None:
+            raise _refused(path, "whole", name=name, value=quoted(value))
+        return int(value)
+
+    def take(numbers: str) -> None:
+        nonlocal count
+        try:
+            parts.append(
+                np.array(list(map(float, numbers.replace("_", "?").split())))
+            )  # for Python 5_0 is 50
+        except ValueError:
+            raise _refused(path, "numbers") from None
+        count += len(parts[-1])
+        if count > due:
+            raise _refused(path, "count" if size else "kind", count=count, due=due)
+
+    with path.open("rb") as file:
+        for kind, tag, given in xml_events(file):
+            match kind, tag:
+                case "start", "shakemap_grid":
+                    is_grid = True
+                    named = (given.get(name, "").strip() for name in ("event_id", "shakemap_version"))
+                    event = ", version ".join(part for part in named if part)
+                case "start", "grid_specification":
+                    if size:
+                        raise _refused(path, "kind")
+                    size = {name: whole(given, name) for name in ("nlon", "nlat")}
+                    if min(size.values()) < 2 or size["nlon"] * size["nlat"] > MOST_POINTS:
+                        raise _refused(path, "size", **size, most=MOST_POINTS)
+                case "start", "grid_field":
+                    fields[whole(given, "index")] = (
+                        given.get("name", "").strip().upper(),
+                        given.get("units", ""),
+                    )
+                    if len(fields) > MOST_FIELDS:
+                        raise _refused(path, "kind")
+                case _, "grid_data":
+                    in_data, due = kind == "start", len(fields) * size.get("nlon", 0) * size.get("nlat", 0)
+                    take(text)
+                    text = ""
+                case "text", _ if in_data:
+                    text += tag
+                    if len(text) > _LONGEST_LINE:
+                        lines, blank, text = text.rpartition("\n")
+                        if not blank:
+                            raise _refused(path, "numbers")
+                        take(lines)
+                case _:
+                    pass
+    names = [name for _, (name, _) in sorted(fields.items())]
+    if not (is_grid and size and {"LAT", "LON"} <= set(names) and len(set(names)) == len(names)):
+        raise _refused(path, "kind")
+    due = size["nlon"] * size["nlat"] * len(names)
+    if count != due:
+        raise _refused(path, "count", count=count, due=due)
+    table = np.concatenate(parts).reshape(size["nlat"], size["nlon"], len(names))
+    values = {name: table[:, :, n] for n, name in enumerate(names)}
+    lat, lon = values.pop("LAT"), values.pop("LON")
+    lats, lons = lat[:, 0], lon[0]
+    known = np.abs(lats).max() <= 90.0 and np.abs(lons).max() <= 360.0
+    if not (known and np.all(lat == lats[:, None]) and np.all(lon == lons)):
+        raise _refused(path, "places")
+    lons = unwrapped(lons)
+    down, left = (-1 if axis[-1] < axis[0] else 1 for axis in (lats, lons))
+    lats, lons = lats[::down], lons[::left]
+    if not (np.all(np.diff(lats) > 0.0) and np.all(np.diff(lons) > 0.0)):
+        raise _refused(path, "places")
+    turned = {name: np.ascontiguousarray(field[::down, ::left]) for name, field in values.items()}
+    return MapGrid(lats, lons, turned, dict(fields.values()), event)
