@@ -8,9 +8,8 @@ import numpy as np
 
 from stayput.catalogue import say
 from stayput.errors import word_of
-from stayput.motion.frequency import fourier_amplitude, konno_ohmachi
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
-from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
+from stayput.motion.spectrum import DAMPING, PERIODS, fourier_amplitude, konno_ohmachi, response_spectrum
 from stayput.report.figures import FONT, LINE, colour_beside, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
