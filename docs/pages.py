@@ -22,7 +22,8 @@ import validation_run
 import stayput as sp
 from stayput.model.furniture import FURNITURE, Preset
 from stayput.model.parameters import parameters
-from stayput.motion.readers import READERS, seismogram
+from stayput.motion import seismogram
+from stayput.motion.readers import READERS
 from stayput.scenario.messages import kinds
 from stayput.simulation.results import QUANTITIES
 from stayput.vocabulary import also_called
@@ -33,13 +34,13 @@ MECHANICS = ROOT / "src" / "stayput" / "mechanics"
 
 
 def formats() -> str:
-    """Return the table of formats; the text is the first paragraph of each reader's docstring."""
+    """Return the table of formats; each text is a paragraph of its module's docstring."""
+    readers = [(reader.name, reader.read.__module__) for reader in READERS]
     rows = []
-    for reader in (*READERS, seismogram):
-        about = (inspect.getdoc(importlib.import_module(reader.__name__)) or "").split("\n\n")[0]  # type: ignore[attr-defined]
-        rows.append(
-            [f"**{reader.FORMAT}**", " ".join(about.split()).partition(": ")[2] or " ".join(about.split())]
-        )
+    for name, module in (*readers, (seismogram.FORMAT, seismogram.__name__)):
+        paragraphs = (inspect.getdoc(importlib.import_module(module)) or "").split("\n\n")
+        about = next((text for text in paragraphs if text.startswith(f"{name}: ")), paragraphs[0])
+        rows.append([f"**{name}**", " ".join(about.removeprefix(f"{name}: ").split())])
     return validation_run.markdown(["format", "what a file holds"], rows, "ll")
 
 

@@ -9,8 +9,8 @@ import numpy as np
 import validation_run
 
 from stayput.catalogue.names import FAMILIES as NAMES
-from stayput.motion.frequency import mean_period
 from stayput.motion.intensity import long_period_response
+from stayput.motion.spectrum import mean_period
 from stayput.motion.suites import FAMILIES, MIX, Suite, japanese_design, synthetic_suite
 from stayput.motion.suites.families import KINDS
 from stayput.motion.suites.synthesis import synthetic_motion

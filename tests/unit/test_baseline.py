@@ -255,7 +255,7 @@ def test_the_mean_and_the_unit_of_several_files(tmp_path):
     )
     motion = scene.motion()
     np.testing.assert_allclose(motion.x, -motion.y, atol=1e-12)
-    with pytest.raises(sp.InputError, match="must be the one in the heading"):
+    with pytest.raises(sp.InputError, match="must be the one that the file states"):
         sp.read_motion(stated, unit="m/s²")
     with pytest.raises(sp.InputError, match="must be one of"):
         sp.read_suite([bare, stated], unit="furlong")
@@ -266,10 +266,10 @@ def test_the_mean_and_the_unit_of_several_files(tmp_path):
     [
         (
             {"x": WAVE, "y": WAVE + 6.9, "z": WAVE + 6.9},
-            "x, y, z are together",
-            "x, y, z成分の加速度の平均を合わせると",
+            "x, y, z together is",
+            "x, y, zを合わせた成分の加速度の平均が",
         ),
-        ({"x": WAVE + 5.66, "y": WAVE, "z": WAVE - 8.0}, "x, y, z are together", "傾いた計器"),
+        ({"x": WAVE + 5.66, "y": WAVE, "z": WAVE - 8.0}, "x, y, z together is", "を合わせた成分"),
         ({"x": WAVE + 2.0}, "of its peak, which would leave the floor moving", "最後に床が"),
     ],
 )

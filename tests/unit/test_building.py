@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.building import STRUCTURES, Building, Isolation, ShearModel
-from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
+from stayput.building.modes import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
 from stayput.cli import app
 from stayput.motion.integrals import peak_velocity
 
@@ -176,9 +176,9 @@ def test_dataset_has_units():
         (lambda: ShearModel([1.0], [1.0], 0.05, isolated=True), "must have 2 to"),
         (lambda: TWO.floor_motion(GROUND, 4), "from 1 to 2, or 3 for the roof"),
         (lambda: TWO.floor_motions([GROUND], [0]), "The storey is 0"),
-        (lambda: TWO.respond(GROUND).peak_drift("z"), "has x, y"),
+        (lambda: TWO.respond(GROUND).peak_drift("z"), "one of 'x', 'y'"),
         (lambda: TWO.floor_peaks([GROUND], threads=0), "Threads"),
-        (lambda: TWO.floor_peaks([GROUND.component("x")], component="y"), "has x"),
+        (lambda: TWO.floor_peaks([GROUND.component("x")], component="y"), "one of 'x'"),
     ],
 )
 def test_refused(make, words):

@@ -128,7 +128,7 @@ def test_a_record_on_standard_input(command: tuple[str, ...]) -> None:
 def test_a_refusal_of_a_record_on_standard_input_names_no_temporary_file() -> None:
     done = cli("motion", "info", "-", given="")
     assert done.exit_code == 2
-    assert done.stderr == "The motion file 'standard input' is empty; it must hold a record.\n"
+    assert done.stderr.startswith("The motion file 'standard input' is empty; it must be a text of a record")
     done = cli("motion", "info", "-", given=sp.near_fault().component("x").text(".at2")[:2000])
     assert done.stderr.startswith("standard input (PEER AT2): ")
 

@@ -7,7 +7,6 @@ import pytest
 
 from stayput import InputError
 from stayput.motion import Motion, near_fault, sine
-from stayput.motion.frequency import fourier_amplitude, konno_ohmachi, mean_period
 from stayput.motion.intensity import (
     CLASSES,
     intensity_class,
@@ -18,6 +17,7 @@ from stayput.motion.intensity import (
     published_intensity,
 )
 from stayput.motion.measures import Intensities, SpectralMeasures
+from stayput.motion.spectrum import fourier_amplitude, konno_ohmachi, mean_period
 from stayput.scenario.shaking import ShakingTable
 
 

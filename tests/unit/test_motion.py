@@ -140,7 +140,7 @@ def test_peaks_list_every_component_with_its_own_numbers():
     assert list(peaks) == ["x", "z"]
     assert peaks["z"].pgv == pytest.approx(2.0 * motion.pgv)
     assert motion.component("z").arias == pytest.approx(4.0 * motion.arias)
-    with pytest.raises(InputError, match="'y'; this motion has x, z"):
+    with pytest.raises(InputError, match="'y'; it must be one of 'x', 'z'"):
         motion.component("y")
 
 

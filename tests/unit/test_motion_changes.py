@@ -134,7 +134,7 @@ def test_combine_takes_the_x_of_each():
 
 def test_combine_refuses_what_does_not_belong_together():
     ns = Motion(0.02, NOISE)
-    with pytest.raises(InputError, match=r"dt is 0\.01 s"):
+    with pytest.raises(InputError, match=r"dt of y is 0\.01 s"):
         Motion.combine(ns, Motion(0.01, -NOISE))
     with pytest.raises(InputError, match="within 1 %"):
         Motion.combine(ns, Motion(0.02, -NOISE[:50]))
@@ -178,9 +178,9 @@ def test_traces_become_components_with_the_unit_given_and_no_calibration():
     ("traces", "message"),
     [
         ([], "no traces"),
-        ([_Trace(NOISE, "HNE"), _Trace(NOISE, "HNE")], "more than one trace"),
+        ([_Trace(NOISE, "HNE"), _Trace(NOISE, "HNE")], "in several parts"),
         ([_Trace(NOISE, "HNE"), _Trace(NOISE, "HNN", start=1.0)], "starts 1 s after"),
-        ([_Trace(NOISE, "HNE"), _Trace(NOISE, "HNN", delta=0.02)], "must be the same"),
+        ([_Trace(NOISE, "HNE"), _Trace(NOISE, "HNN", delta=0.02)], "must be that of x"),
         ([_Trace(np.ma.masked_array(NOISE, NOISE > 1), "HNE")], "gaps"),
     ],
 )

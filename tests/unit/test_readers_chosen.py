@@ -7,7 +7,7 @@ import pytest
 import stayput as sp
 from stayput.motion import read_motion
 from stayput.motion.readers import read_vertical
-from stayput.motion.readers.chosen import chosen_columns
+from stayput.motion.readers.columns import chosen_columns
 
 PHONE = (
     ("timestamp", "Time (ms)", "Acc X (gal)", "Acc Y (gal)", "Acc Z (gal)", "Absolute acceleration"),
@@ -117,7 +117,7 @@ def test_columns_that_are_refused(read, columns, english, japanese):
 
 
 def test_a_velocity_that_is_chosen_is_refused(read):
-    with pytest.raises(sp.InputError, match="says velocity"):
+    with pytest.raises(sp.InputError, match="is of velocity"):
         read("t;NS [cm/s];EW [gal]\n0;1;2\n0.01;3;4\n", columns="t=1,x=2")
 
 

@@ -201,9 +201,9 @@ def test_a_multiple_of_g_in_an_at2_file_is_not_g(read, units):
     [
         ("# unit: counts\n", "'counts', that of raw counts", "「counts」は収録器の生のカウント値や電圧"),
         ("# UNITS: cm/s\n", "'cm/s', that of velocity", "「cm/s」は速度の単位です"),
-        ("time,acc [counts]\n", "says raw counts", "収録器の生のカウント値や電圧を表しています"),
-        ("t,Gyroscope x (rad/s)\n", "says velocity", "速度を表しています"),
-        ("t,vel\ns,in/s\n", "says velocity", "速度を表しています"),
+        ("time,acc [counts]\n", "is of raw counts", "収録器の生のカウント値や電圧のファイルです"),
+        ("t,Gyroscope x (rad/s)\n", "is of velocity", "速度のファイルです"),
+        ("t,vel\ns,in/s\n", "is of velocity", "速度のファイルです"),
     ],
 )
 def test_what_is_no_acceleration_is_refused_whatever_the_user_states(read, header, english, japanese):
@@ -368,7 +368,7 @@ def test_raw_counts_of_cosmos_are_called_so(read):
         error = refusal(read, text, unit=unit)
         assert "the unit 'counts', that of raw counts or volts of a recorder" in str(error)
         assert "収録器の生のカウント値" in error.told("ja")
-    assert refusal(read, cosmos(kind="temperature", end=END)).code == "motion.cosmos_no_layout"
+    assert refusal(read, cosmos(kind="temperature", end=END)).code == "motion.header_line"
 
 
 @pytest.mark.parametrize(
@@ -410,7 +410,7 @@ def test_the_number_of_samples_and_the_step_above_one_column(read, line):
     assert read(f"{line}\n{column}", unit="gal")[0] == {"x": 0.1}
     error = refusal(read, f"{line}\n{column}", unit="gal", dt=0.01)
     assert error.code == "motion.another_time_step"
-    assert refusal(read, f"{line.replace('41', '42')}\n{column}", unit="gal").code == "motion.sample_count"
+    assert refusal(read, f"{line.replace('41', '42')}\n{column}", unit="gal").code == "motion.not_as_stated"
 
 
 def archive(*names) -> bytes:
@@ -430,11 +430,11 @@ RENADIC = (
 @pytest.mark.parametrize(
     ("content", "english", "japanese"),
     [
-        (archive("a.txt"), "compressed archive; it must be unpacked", "圧縮ファイルです。展開して"),
-        (b"\x1f\x8b\x08\x00\x00", "compressed archive; it must be unpacked", "圧縮ファイルです"),
-        (archive("[Content_Types].xml", "xl/workbook.xml"), "save its sheet as CSV", "CSV形式で保存した"),
-        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\x00", "save its sheet as CSV", "表計算ソフトのファイルです"),
-        (b"\x00\x01\x02", "binary; it must be text", "テキスト、「SAC」、「miniSEED」のいずれでもありません"),
+        (archive("a.txt"), "compressed archive, which is to be unpacked", "圧縮ファイル（展開して"),
+        (b"\x1f\x8b\x08\x00\x00", "compressed archive, which is to be unpacked", "圧縮ファイル（展開して"),
+        (archive("[Content_Types].xml", "xl/workbook.xml"), "sheet can be saved as CSV", "CSV形式で保存"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\x00", "sheet can be saved as CSV", "表計算ソフトのファイル"),
+        (b"\x00\x01\x02", "binary (other formats", "テキストでないファイル"),
         (SMC, "in the format USGS SMC, which is not read", "「USGS SMC」形式のファイルで"),
         (RENADIC + "1 2 3\n" * 9, "in the format RENADIC", "「RENADIC」形式のファイルで"),
         ("UNCORRECTED ACCELEROGRAM DATA\nX\n" + "1 2 3\n" * 9, "in the format CSMIP V1", "「CSMIP V1」"),

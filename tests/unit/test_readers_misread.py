@@ -235,11 +235,11 @@ def test_millionths_are_no_unit_that_is_known(tmp_path, above, unit):
             for first in ("distance (km)", "Frame", "周期(秒)", "周波数(Hz)")
         ),
         *(
-            (f"T (s),{value}", "motion.column_quantity")
+            (f"T (s),{value}", "motion.not_acceleration")
             for value in ("Sa (g)", "PSA [gal]", "SA(gal)", "PGA (gal)")
         ),
         *(
-            (f"time,{value}", "motion.column_quantity")
+            (f"time,{value}", "motion.not_acceleration")
             for value in (
                 "Fourier amplitude (gal)",
                 "Max acc (gal)",
@@ -253,8 +253,8 @@ def test_millionths_are_no_unit_that_is_known(tmp_path, above, unit):
 def test_spectra_and_other_tables_are_no_motions(tmp_path, headings, code):
     error = refused(table(tmp_path, headings))
     assert error.code == code
-    if code == "motion.column_quantity":
-        assert "says a peak or a spectrum" in str(error)
+    if code == "motion.not_acceleration":
+        assert "is of a peak or a spectrum" in str(error)
         assert "最大値やスペクトル" in error.told("ja")
 
 
@@ -396,7 +396,7 @@ def test_any_other_step_is_asked_for(tmp_path, line):
 
 def test_units_that_contradict_each_other_are_refused(tmp_path):
     error = refused(table(tmp_path, "# unit: gal", "# unit: g", columns=2))
-    assert "state the units 'gal' and 'g'; they must agree" in str(error)
+    assert "states the units 'gal' and 'g'; they must agree" in str(error)
     assert "異なる単位" in error.told("ja")
     assert sp.read_motion(table(tmp_path, "# unit: gal", "# unit: cm/s2", columns=2)).pga == pytest.approx(
         0.1
@@ -408,7 +408,7 @@ def test_units_that_contradict_each_other_are_refused(tmp_path):
 )
 def test_an_at2_of_another_quantity_is_refused_whatever_its_unit(tmp_path, kind):
     error = refused(at2(tmp_path, "Kobe, KJMA, 090", f"{kind} IN UNITS OF G"))
-    assert error.code == "motion.peer_no_acceleration"
+    assert error.code == "motion.not_acceleration"
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ ARRAY = "".join(csmip_channel(i, f"{90 * i} DEG", WAVE) for i in (1, 2, 3))
     ("text", "given", "field", "japanese"),
     [
         ("hello\n", {}, None, "対応している形式のファイルではありません"),
-        ("\x00\x01", {}, None, "テキスト、「SAC」、「miniSEED」のいずれでもありません"),
+        ("\x00\x01", {}, None, "テキストでないファイル"),
         (TIMES, {}, "unit", "加速度の単位がファイルに書かれていません。次から選んでください：m/s²、cm/s²"),
         (
             "# acc_gal\n" + TIMES,
@@ -28,7 +28,7 @@ ARRAY = "".join(csmip_channel(i, f"{90 * i} DEG", WAVE) for i in (1, 2, 3))
         (TIMES, {"unit": "furlong"}, "unit", "加速度の単位が「furlong」になっています"),
         ("1\n-1\n0\n", {}, "unit", "加速度の単位と時間刻みがファイルに書かれていません"),
         ("1\n-1\n0\n", {"unit": "g"}, "dt", "時間刻みがファイルに書かれていません"),
-        (TIMES, {"unit": "gal", "dt": 0.5}, "dt", "時刻の列から求めた時間刻みは0.01秒です"),
+        (TIMES, {"unit": "gal", "dt": 0.5}, "dt", "ファイルの時間刻みは0.01秒です"),
         (TIMES, {"unit": "gal", "dt": 1e6}, "dt", "時間刻みが1e+06 sになっています"),
         ("0.0,1\n0.01,1e30\n", {"unit": "gal"}, "unit", "x成分のデータ番号1が1e+28 m/s²"),
         ("0.0,1\n0.01,x\n", {"unit": "gal"}, None, "数値の4番目の値が「x」になっていて"),

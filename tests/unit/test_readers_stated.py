@@ -52,8 +52,8 @@ def test_a_time_step_that_is_stated_is_used_or_contradicted(tmp_path, line, mark
     error = refused(file, dt=0.02)
     assert "0.02 s; it must be the one that the file states, 0.005 s" in str(error)
     error = refused(file_of(tmp_path / "two.csv", [f"{mark}{line}"], TIME, WAVE))
-    assert "state a time step of 0.005 s and the time column has 0.02 s" in str(error)
-    assert "時間刻みは0.005秒ですが" in error.told("ja")
+    assert "states the time step 0.005 s and the file has 0.02 s" in str(error)
+    assert "時間刻みは0.005 sですが" in error.told("ja")
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_the_number_of_samples_and_the_step_may_stand_above_rows_of_any_length(t
     assert (len(motion), motion.dt) == (60, 0.02)
     assert motion.x == pytest.approx(0.01 * WAVE, abs=1e-5)
     file.write_text("\n".join(["61 0.02", *rows]) + "\n", encoding="utf-8")
-    assert refused(file).code == "motion.sample_count"
+    assert refused(file).code == "motion.not_as_stated"
 
 
 @pytest.mark.parametrize("heading", ["no,L,V,T", "no,NS,EW,UD", "NS,EW,UD", "L,V,T", "X,Y"])

@@ -103,7 +103,7 @@ def test_the_unit_must_be_given_and_the_step_agree(written, form):
 def test_sac_of_another_quantity_is_refused(written, idep, quantity):
     one = trace()
     one.stats.sac = {"idep": idep}
-    with pytest.raises(sp.InputError, match=f"The file is a {quantity} history"):
+    with pytest.raises(sp.InputError, match=f"is of {quantity}"):
         sp.read_motion(written(obspy.Stream([one]), "SAC"), unit="gal")
 
 

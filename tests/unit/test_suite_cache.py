@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
 
-from stayput.motion.suites.synthetic import CACHE_SIZE, with_cache
+from stayput.motion.suites.synthesis import CACHE_SIZE, with_cache
 
 
 def test_a_motion_is_made_once() -> None:

@@ -8,12 +8,11 @@ import math
 import numpy as np
 import pytest
 
-from stayput.motion.frequency import mean_period
 from stayput.motion.integrals import displacement, velocity
 from stayput.motion.processing import QUANTUM, ending_at_rest
+from stayput.motion.spectrum import mean_period
 from stayput.motion.suites import FAMILIES, synthetic_suite
-from stayput.motion.suites.envelopes import ETA, saragoni_hart
-from stayput.motion.suites.point_source import PointSource, SoilLayer
+from stayput.motion.suites.ground_motion import ETA, PointSource, SoilLayer, saragoni_hart
 
 COUNT = 24
 

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion.frequency import mean_period
 from stayput.motion.integrals import displacement, velocity
+from stayput.motion.spectrum import mean_period
 from stayput.motion.suites import (
     Suite,
     TargetSpectrum,

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, TypeVar
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warnings_to
 from stayput.motion.readers import read_shaking
-from stayput.motion.readers.chosen import OPTIONS
+from stayput.motion.readers.columns import OPTIONS
 
 if TYPE_CHECKING:
     from stayput.app.limits import Limits

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from stayput.building.building import STRUCTURES, Building
-from stayput.building.isolation import Isolation
+from stayput.building.building import STRUCTURES, Building, Isolation
 from stayput.building.model import ShearModel
 
 __all__ = ["STRUCTURES", "Building", "Isolation", "ShearModel"]

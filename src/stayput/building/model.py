@@ -11,7 +11,7 @@ import numpy as np
 
 from stayput.building.modes import ModalModel, Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
-from stayput.errors import InputError, instance_of, list_of, whole_within
+from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
 from stayput.execution import Pool
 from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.floors import of_the_ground
@@ -286,11 +286,7 @@ class ShearModel:
 
         def peaks_of(motion: Motion) -> NDArray[np.float64]:
             rows = _horizontal(motion)
-            if component not in rows:
-                named = repr(component)
-                raise InputError(
-                    "building.no_component_of_motion", "component", component=named, known=", ".join(rows)
-                )
+            word_of("motion.the_component", component, rows, "component")
             return self._histories(rows[component], motion.dt, storeys).peaks()
 
         found = list(self._in_order((partial(peaks_of, self._ground(motion)) for motion in motions), threads))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.errors import word_of
 from stayput.motion.integrals import peak_velocity
 from stayput.wording import check_language
 
@@ -170,11 +170,7 @@ class FloorResponse:
             yield f"peak_drift_{name}", layers, self.peak_drift(name), "m", f"peak drift, {name}"
 
     def _of(self, table: dict[str, NDArray[np.float64]], component: str) -> NDArray[np.float64]:
-        if component not in table:
-            raise InputError(
-                "building.no_component", "component", component=repr(component), known=", ".join(table)
-            )
-        return table[component]
+        return table[word_of("motion.the_component", component, table, "component")]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

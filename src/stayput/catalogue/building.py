@@ -48,14 +48,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "建物の最も短い固有周期が{period:g}秒になっています。降伏を考える場合は{least:.2g}秒以上にしてください。",
     ),
-    "no_component": (
-        "The component is {component}; this response has {known}.",
-        "成分が{component}になっています。この応答にある成分から選んでください：{known}",
-    ),
-    "no_component_of_motion": (
-        "The component is {component}; the motion has {known}.",
-        "成分が{component}になっています。この地震動にある成分から選んでください：{known}",
-    ),
     # Doubts
 }
 """Texts by their keys: English, Japanese."""

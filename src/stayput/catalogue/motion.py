@@ -1,11 +1,9 @@
-"""Motions and suites; the sentences about their files stand in `motion_files` and `motion_formats`."""
+"""Motions and suites; the sentences about their files stand in `motion_files`."""
 
 from stayput.catalogue.motion_files import TEXTS as FILE_TEXTS
-from stayput.catalogue.motion_formats import TEXTS as FORMAT_TEXTS
 
 TEXTS: dict[str, tuple[str, str]] = {
     **FILE_TEXTS,
-    **FORMAT_TEXTS,
     # What numbers and names are called, for the refusals of `stayput.catalogue.common`.
     "name_motion_dt": ("Motion dt", "地震動の時間刻み"),
     "name_motion_scale": ("Motion scale", "地震動の倍率"),
@@ -38,30 +36,21 @@ TEXTS: dict[str, tuple[str, str]] = {
     "name_tl": ("TL", "TL"),
     "name_ts": ("TS = SD1/SDS", "TS（SD1/SDS）"),
     "name_count": ("Number of motions", "地震動の数"),
-    "name_n": ("Number of selected motions", "選ぶ地震動の数"),
     "name_number": ("Number", "地震動の番号"),
     "name_seed": ("Seed", "乱数のシード"),
-    "not_whole": (
-        "{name} is {value!r}; it must be a whole number from {low} to {high}.",
-        "{name}が{value!r}になっています。{low}～{high}の整数を指定してください。",
-    ),
+    "baseline_order": ("Baseline order", "基線補正の次数"),
+    "family": ("The family", "地震の種類"),
+    "pulse_kind": ("The pulse kind", "パルスの種類"),
+    "the_component": ("The component", "成分"),
     # The samples of a motion.
-    "samples_masked": (
-        "Motion {component} has gaps (masked samples); it must be complete.",
-        "地震動の{component}成分に欠測（マスクされたデータ）があります。欠測のないデータが必要です。",
+    "samples_not_a_row": (
+        "Motion {component} {kind}; it must be one row of real numbers without gaps [m/s²].",
+        "地震動の{component}成分{kind}。欠測のない実数（m/s²）を1列に並べて指定してください。",
     ),
-    "samples_no_array": (
-        "Motion {component} is not an array; it must be one row of numbers [m/s²].",
-        "地震動の{component}成分が配列ではありません。数値（m/s²）を1列に並べて指定してください。",
-    ),
-    "samples_not_real": (
-        "Motion {component} holds {kind} values; it must be real numbers [m/s²].",
-        "地震動の{component}成分が{kind}型の値です。実数（m/s²）を指定してください。",
-    ),
-    "samples_shape": (
-        "Motion {component} has shape {shape}; it must be one row of samples.",
-        "地震動の{component}成分の形状が{shape}です。データを1列に並べて指定してください。",
-    ),
+    "masked": ("has gaps (masked samples)", "に欠測（マスクされたデータ）があります"),
+    "no_array": ("is not an array", "が配列ではありません"),
+    "of_kind": ("holds {kind} values", "が{kind}型の値です"),
+    "of_shape": ("has shape {shape}", "の形状が{shape}です"),
     "samples_count": (
         "Motion {component} has {count} samples; it must have 2 to {most}.",
         "地震動の{component}成分のデータが{count}個です。2～{most}個にしてください。",
@@ -85,10 +74,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地震動の{component}成分のデータは{count}個、x成分は{x_count}個です。同じ数にしてください。",
     ),
     # What is done with a motion.
-    "no_such_component": (
-        "The component is {component!r}; this motion has {known}.",
-        "成分に「{component}」が指定されましたが、この地震動にあるのは{known}です。",
-    ),
     "rotation_without_y": (
         "The motion has no y component; rotated needs x and y (flipped does not).",
         "地震動にy成分がありません。回転（rotated）にはx成分とy成分が必要です（反転（flipped）には不要です）。",
@@ -109,10 +94,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The record has {count} samples; a step {ratio} times as long needs at least {least}.",
         "記録のデータは{count}個です。時間刻みを{ratio}倍にするには{least}個以上が必要です。",
     ),
-    "baseline_order": (
-        "The baseline order is {order!r}; it must be a whole number from 0 to 5.",
-        "基線補正の次数が{order!r}になっています。0～5の整数を指定してください。",
-    ),
     "at2_one_component": (
         "The motion has {components} and an AT2 file holds one component; it must be picked first.",
         "地震動には成分が{components}とありますが、AT2ファイルに書けるのは1成分です。先に成分を選んでください。",
@@ -127,8 +108,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "震度が「{intensity}」になっています。数値か、次のいずれかを指定してください：{known}",
     ),
     "still_component": (
-        "The {component} component of {motion} is still; it cannot have an Sa.",
-        "{motion}の{component}成分は揺れていません。加速度応答スペクトルSaを求められません。",
+        "The {component} component of {motion} is still; it has no Sa, and cannot meet a target.",
+        "{motion}の{component}成分は揺れていません。加速度応答スペクトルSaがなく、目標スペクトルにも合わせられません。",
     ),
     "still_floor": (
         "The motion is a still floor; it cannot be scaled to an intensity.",
@@ -155,57 +136,30 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Sine dt is {step:g} s; at most {most:g} s, period/{fewest}, is allowed.",
         "正弦波の時間刻みが{step:g}秒になっています。周期の{fewest}分の1（{most:g}秒）以下にしてください。",
     ),
-    "pulse_kind": (
-        "The pulse kind is {kind!r}; it must be one of {known}.",
-        "パルスの種類が「{kind}」になっています。次のいずれかにしてください：{known}",
-    ),
-    "pulse_needs_duration": (
+    "pulse_needs": (
         (
             "A {kind} pulse is given duration {duration} and frequency {frequency}; "
-            "it must be given its duration only."
+            "it must be given its {wanted} only."
         ),
         (
             "「{kind}」のパルスに継続時間{duration}、振動数{frequency}が指定されました。"
-            "継続時間だけを指定してください。"
+            "{wanted}だけを指定してください。"
         ),
     ),
-    "pulse_needs_frequency": (
-        (
-            "A {kind} pulse is given duration {duration} and frequency {frequency}; "
-            "it must be given its frequency only."
-        ),
-        (
-            "「{kind}」のパルスに継続時間{duration}、振動数{frequency}が指定されました。"
-            "振動数だけを指定してください。"
-        ),
-    ),
+    "only_duration": ("duration", "継続時間"),
+    "only_frequency": ("frequency", "振動数"),
     "pulse_step": (
         "Pulse dt is {step:g} s; it must be at most a {fewest}th of {period:g} s.",
         "パルスの時間刻みが{step:g}秒になっています。{period:g}秒の{fewest}分の1以下にしてください。",
     ),
     # From the channels of a file to the components of a motion.
-    "peak_differs": (
-        (
-            "The header's peak acceleration is {stated:g} m/s² and the samples' is {peak:g} m/s²; "
-            "they must agree within 1 %, so the file is damaged."
-        ),
-        (
-            "ヘッダーの最大加速度（{stated:g} m/s²）とデータの最大加速度（{peak:g} m/s²）が"
-            "1%以内で合いません。"
-            "ファイルが壊れています。"
-        ),
-    ),
     "lengths_differ": (
         "The components have {listing} samples; their lengths must agree within 1 %.",
         "成分のデータの数が合いません（{listing}）。長さの違いは1%以内でなければなりません。",
     ),
-    "channel_dt_differs": (
-        "The channels' dt are {dt:g} s and {other:g} s; they must be the same.",
-        "チャンネルの時間刻みが{dt:g}秒と{other:g}秒です。同じでなければなりません。",
-    ),
     "motion_dt_differs": (
-        "The {component} motion's dt is {dt:g} s; it must be the x motion's, {x_dt:g} s.",
-        "{component}方向の地震動の時間刻みが{dt:g}秒です。x方向と同じ{x_dt:g}秒でなければなりません。",
+        "The dt of {component} is {dt:g} s; it must be that of x, {x_dt:g} s.",
+        "{component}成分の時間刻みが{dt:g}秒です。x成分と同じ{x_dt:g}秒でなければなりません。",
     ),
     "no_such_channel": (
         "The component {component!r} is no channel of the file; it must be one of {channels}.",
@@ -388,13 +342,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The stream has no traces; it must have one a channel.",
         "ObsPyのストリームにトレースがありません。チャンネルごとに1つ必要です。",
     ),
-    "trace_repeated": (
-        "The stream has more than one trace of {channel!r}; merge it: it must have no gaps.",
-        "ストリームに「{channel}」のトレースが複数あります。欠測のない1つのトレースに結合してください。",
-    ),
     "trace_gaps": (
-        "The trace of {channel!r} has gaps; it must be complete.",
-        "「{channel}」のトレースに欠測があります。欠測のないデータが必要です。",
+        "The trace of {channel!r} has gaps or is in several parts; merge it to one that is complete.",
+        "「{channel}」のトレースに欠測があるか、複数に分かれています。欠測のない1つのトレースに結合してください。",
     ),
     "trace_start": (
         "The trace of {channel!r} starts {late:g} s after the first; all must start together.",
@@ -424,14 +374,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The suite has 1 motion; a standard deviation needs at least 2.",
         "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",
     ),
-    "suite_still": (
-        "The {component} component of {motion!r} is still; its ln Sa is none.",
-        "「{motion}」の{component}成分に揺れがないので、ln Saを求められません。",
-    ),
-    "match_still": (
-        "The {component} component of {motion!r} is still; it cannot meet a target.",
-        "「{motion}」の{component}成分に揺れがないので、目標スペクトルに合わせられません。",
-    ),
     "suite_no_folder": (
         "The suite {path!r} is no folder; it must be a folder or a list of files.",
         "「{path}」はフォルダではありません。地震記録のフォルダかファイルの一覧を指定してください。",
@@ -454,10 +396,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "in_borehole": ("{files}{more} (borehole)", "{files}{more}（地中の記録）"),
     "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
     "and_more": (" and {count} more", "など（ほか{count}件）"),
-    "unknown_family": (
-        "The family is {family!r}; it must be one of {known}.",
-        "地震の種類が「{family}」になっています。次のいずれかにしてください：{known}",
-    ),
     "target_lengths": (
         (
             "The target has {periods} periods and {values} values of Sa; it must have "

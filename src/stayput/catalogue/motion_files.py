@@ -1,22 +1,26 @@
-"""Files of motions and their readers; the ids are those of `stayput.catalogue.motion`."""
+"""Files of motions and their readers, of all formats and of single ones; the ids are those of `stayput.catalogue.motion`."""
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Files that are no text.
-    "file_is_folder": (
-        "The motion file {path!r} is a directory; it must be a file.",
-        "「{path}」はフォルダです。地震記録のファイルを指定してください。",
+    "file_is": (
+        "The motion file {path!r} is {what}; it must be a text of a record, SAC or miniSEED.",
+        "「{path}」は{what}です。地震記録のファイル（テキスト、SAC、miniSEED）を指定してください。",
     ),
-    "file_is_device": (
-        "The motion file {path!r} is a device or a pipe; it must be a file.",
-        "「{path}」はデバイスまたはパイプです。地震記録のファイルを指定してください。",
+    "a_folder": ("a directory", "フォルダ"),
+    "a_device": ("a device or a pipe", "デバイスまたはパイプ"),
+    "empty": ("empty", "空のファイル"),
+    "a_spreadsheet": (
+        "a workbook of a spreadsheet, whose sheet can be saved as CSV",
+        "表計算ソフトのファイル（シートはCSV形式で保存できます）",
+    ),
+    "an_archive": ("a compressed archive, which is to be unpacked", "圧縮ファイル（展開してください）"),
+    "binary": (
+        "binary (other formats can be read with ObsPy for Motion.from_obspy)",
+        "テキストでないファイル（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡せます）",
     ),
     "file_too_large": (
         "The motion file {path!r} has {size} bytes; at most {most} are read.",
         "「{path}」のサイズが大きすぎます（{size}バイト）。{most}バイトまで読めます。",
-    ),
-    "file_missing": (
-        "The motion file {path!r} does not exist; it must be a readable file.",
-        "「{path}」というファイルがありません。読み込めるファイルを指定してください。",
     ),
     "file_unreadable": (
         "The motion file {path!r} cannot be read ({reason}); it must be readable.",
@@ -25,28 +29,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "file_no_path": (
         "The motion file is {path!r}; it must be the path of a file.",
         "地震記録のファイルとして{path!r}が指定されました。ファイルのパスを指定してください。",
-    ),
-    "file_empty": (
-        "The motion file {path!r} is empty; it must hold a record.",
-        "「{path}」は空のファイルです。地震記録のファイルを指定してください。",
-    ),
-    "file_binary": (
-        (
-            "The motion file {path!r} is binary; it must be text, SAC or miniSEED "
-            "(read other formats with ObsPy and use Motion.from_obspy)."
-        ),
-        (
-            "「{path}」はテキスト、「SAC」、「miniSEED」のいずれでもありません。地震記録のファイルを選んでください"
-            "（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡してください）。"
-        ),
-    ),
-    "file_spreadsheet": (
-        "The motion file {path!r} is a workbook of a spreadsheet; it must be text: save its sheet as CSV.",
-        "「{path}」は表計算ソフトのファイルです。シートをCSV形式で保存したファイルを指定してください。",
-    ),
-    "file_archive": (
-        "The motion file {path!r} is a compressed archive; it must be unpacked, and one of its files given.",
-        "「{path}」は圧縮ファイルです。展開してから、中の記録のファイルを指定してください。",
     ),
     "file_long_line": (
         "The motion file {path!r} has a line of {length} characters; {most} are allowed.",
@@ -115,17 +97,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "another_time_step": (
         "The dt is given as {given:g} s; it must be the one that the file states, {stated:g} s.",
-        (
-            "時間刻みに{given:g}秒が指定されましたが、ファイルに書かれている時間刻みは{stated:g}秒です。"
-            "それを入力してください。"
-        ),
-    ),
-    "time_column_step": (
-        "The dt is given as {given:g} s; it must be the one of the time column, {step:g} s.",
-        (
-            "時間刻みに{given:g}秒が指定されましたが、ファイルの時刻の列から求めた時間刻みは{step:g}秒です。"
-            "それを入力してください。"
-        ),
+        "時間刻みに{given:g}秒が指定されましたが、ファイルの時間刻みは{stated:g}秒です。それを入力してください。",
     ),
     "time_counts": (
         (
@@ -149,16 +121,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         (
             "{component}成分の加速度の平均が{mean:.4g} m/s²で、重力加速度が含まれています。"
             "重力を除いた加速度が必要です。平均を除いてください（{option}）。"
-        ),
-    ),
-    "gravity_tilted": (
-        (
-            "The mean accelerations of {components} are together {mean:.4g} m/s², which is gravity on a tilted "
-            "instrument; a motion is without it: the means must be taken off ({option})."
-        ),
-        (
-            "{components}成分の加速度の平均を合わせると{mean:.4g} m/s²で、傾いた計器にかかる重力加速度が"
-            "含まれています。重力を除いた加速度が必要です。平均を除いてください（{option}）。"
         ),
     ),
     "offset_refused": (
@@ -201,46 +163,69 @@ TEXTS: dict[str, tuple[str, str]] = {
         "時刻が{time:g}秒付近で等間隔になっていません。等間隔の記録が必要です。",
     ),
     # The numbers in a file, and what the sentences about them call them.
-    "the_numbers": ("the numbers", "数値"),
-    "the_samples": ("the samples", "データ"),
-    "the_counts": ("the counts", "カウント値"),
-    "the_offsets": ("the offsets", "オフセット"),
-    "the_peak": ("the peak", "最大加速度"),
-    "the_integer_header": ("the integer header", "整数ヘッダー"),
-    "the_real_header": ("the real header", "実数ヘッダー"),
-    "the_line_before_the_samples": ("the line before the samples", "データの前の行"),
-    "the_esm_size": ("NDATA and SAMPLING_INTERVAL_S", "「NDATA」と「SAMPLING_INTERVAL_S」"),
-    "the_esm_duration": ("DURATION_S", "「DURATION_S」"),
-    "the_esm_peak": ("PGA_CM/S^2", "「PGA_CM/S^2」"),
-    "sampling_rate": ("sampling rate", "サンプリングレート"),
+    "the_numbers": ("numbers", "数値"),
+    "the_samples": ("samples", "データ"),
+    "the_counts": ("counts", "カウント値"),
+    "the_offsets": ("offsets", "オフセット"),
+    "the_peak": ("peak acceleration", "最大加速度"),
+    "the_time_step": ("time step", "時間刻み"),
+    "number_of_samples": ("number of samples", "データの数"),
+    "the_integer_header": ("integer header", "整数ヘッダー"),
+    "the_real_header": ("real header", "実数ヘッダー"),
+    "the_line_before_the_samples": ("line before the samples", "データの前の行"),
+    "the_esm_size": ("entries NDATA and SAMPLING_INTERVAL_S", "「NDATA」と「SAMPLING_INTERVAL_S」"),
     "sampling_frequency": ("sampling frequency", "サンプリング周波数"),
     "direction": ("direction", "方向"),
     "duration": ("duration", "継続時間"),
-    "scale_factor": ("scale factor in gal", "スケールファクター（gal）"),
+    "scale_factor": (
+        "scale factor in gal such as 2000(gal)/8388608",
+        "スケールファクター（2000(gal)/8388608のような値）",
+    ),
     "npts": ("NPTS", "「NPTS」"),
     "dt": ("DT", "「DT」"),
+    "velocity_or_displacement": ("velocity or displacement", "速度または変位"),
+    "names_of_blocks": ("the names of its blocks", "ブロックの名前"),
+    "so_many_numbers": ("as many numbers as there are components, {count}", "成分と同じ{count}個の数値"),
+    "date_and_time": ("date and time first", "はじめに日時"),
+    "npts_and_dt": ("NPTS= a number, DT= a number", "「NPTS= 数値, DT= 数値」"),
+    "a_layout": (
+        "how many samples follow, at least 1, and in which fields",
+        "続くデータの数（1以上）と欄の書式",
+    ),
+    "the_format": ("the format", "形式"),
+    "knet_offset": ("line #Offset", "「#Offset」の行"),
+    "knet_memo": ("line Memo. as its 17th", "17行目の「Memo.」の行"),
+    "line_of_names": ("line of component names such as NS,EW,UD", "「NS,EW,UD」のような成分名の行"),
     "not_a_decimal": (
-        "Value {index} of {what} is {value}; it must be a finite decimal number.",
+        "Value {index} of the {what} is {value}; it must be a finite decimal number.",
         "{what}の{index}番目の値が{value}になっていて、数値ではありません。有限の10進数が必要です。",
     ),
     "not_one_number": (
-        "The {what} is {value}; it must be one number.",
-        "ヘッダーの{what}が{value}になっています。数値を1つだけ書いてください。",
+        "The {what} is {value}; it must be one number larger than 0{unit}.",
+        "ヘッダーの{what}が{value}になっています。0より大きい数値を1つだけ書いてください{unit}。",
     ),
-    "not_one_number_with_unit": (
-        "The {what} is {value}; it must be one number [{unit}].",
-        "ヘッダーの{what}が{value}になっています。数値を1つだけ書いてください（単位は「{unit}」）。",
+    "not_as_stated": (
+        "The header states the {what} {stated:.9g}{unit} and the file has {found:.9g}{unit}; they must agree.",
+        "ヘッダーの{what}は{stated:.9g}{unit}ですが、データでは{found:.9g}{unit}です。一致しなければなりません。",
     ),
-    "sample_count": (
-        "The header states {stated:.0f} samples and the file has {count}; they must be as many.",
-        "ヘッダーに書かれた数（{stated:.0f}個）とデータの数（{count}個）が合いません。",
+    "header_line": (
+        "The line {line} is not as the format has it; it must state {wanted}.",
+        "{line}の行が形式に合いません。ここには{wanted}を書く必要があります。",
+    ),
+    "no_end": (
+        "The last block has no line {line} after it; the file must be complete.",
+        "最後のブロックの後に「{line}」の行がありません。ファイルが途中で切れています。",
+    ),
+    "not_acceleration": (
+        "The file is of {quantity}, by {where}; its numbers must be accelerations.",
+        "{where}によると{quantity}のファイルです。加速度の記録が必要です。",
     ),
     "row_width": (
         "Row {row} is {value}; it must have {columns} values.",
         "{row}行目が{value}になっています。1行に{columns}個の値が必要です。",
     ),
     "few_rows": (
-        "The file has {rows} rows of samples; it must have at least 2.",
+        "The number of rows of numbers is {rows}; it must be at least 2.",
         "ファイルのデータが{rows}行しかありません。2行以上必要です。",
     ),
     "no_header_entry": (
@@ -249,7 +234,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "decimal_comma": (
         (
-            "Value {index} of {what} is {value}; it must be a finite decimal number with a point, unless "
+            "Value {index} of the {what} is {value}; it must be a finite decimal number with a point, unless "
             "{option} says that it has a comma."
         ),
         (
@@ -325,10 +310,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "どれがそれらの列かを「{option}」で指定してください（例：「{example}」）。"
         ),
     ),
-    "column_row": (
-        "Row {row} has {count} values; it must have {columns} like the first.",
-        "行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。",
-    ),
     "column_first_row": (
         "Row {row} has {count} values; it must have {columns} like the first, unless {option} passes that over.",
         (
@@ -346,46 +327,13 @@ TEXTS: dict[str, tuple[str, str]] = {
             "読み飛ばしてください。"
         ),
     ),
-    "column_step": (
-        (
-            "The lines above the numbers state a time step of {stated:g} s and the time column has {step:g} s; "
-            "they must agree."
-        ),
-        "数値の上の行に書かれた時間刻みは{stated:g}秒ですが、時刻の列の時間刻みは{step:g}秒です。一致しなければなりません。",
-    ),
-    "column_no_rows": (
-        "The file has no rows of numbers; it must have at least 2.",
-        "ファイルに数値の行がありません。2行以上必要です。",
-    ),
-    "column_one_row": (
-        "The file has one row of numbers; it must have at least 2.",
-        "ファイルに数値の行が1行しかありません。2行以上必要です。",
-    ),
     "column_count_first": (
         "The first number, {number:g}, looks like a count; only samples may stand there, unless {option} passes it over.",
         "最初の数値（{number:g}）はデータの個数のようです。データだけを書くか、「{option}」で読み飛ばしてください。",
     ),
-    "column_another_unit": (
-        "The unit is given as {given!r}; it must be the one in the heading {column}, or be left out.",
-        (
-            "「{given}」という単位が選ばれましたが、列の見出し{column}には別の単位が書かれています。"
-            "見出しの単位を選ぶか、単位の指定をやめてください。"
-        ),
-    ),
-    "column_header_unit": (
-        "The header states the unit {stated}, and the heading {column} another one; they must agree.",
-        "ヘッダーに書かれている単位は{stated}ですが、列の見出し{column}には別の単位が書かれています。一致しなければなりません。",
-    ),
     "column_no_unit": (
         "The heading {column} states no unit, and the other columns have different ones; it must state its own.",
         "列の見出し{column}に単位がなく、ほかの列の単位は互いに異なります。見出しに単位を書いてください。",
-    ),
-    "column_unknown_unit": (
-        "The heading {column} states the unit {unit}, which is not known; {option} must be given as one of {known}.",
-        (
-            "列の見出し{column}に書かれている単位{unit}には対応していません。"
-            "加速度の単位を次から選んでください：{known}"
-        ),
     ),
     "column_order": (
         (
@@ -425,12 +373,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "spectral": ("a peak or a spectrum", "最大値やスペクトル"),
     "two_units": (
-        "The lines above the numbers state the units {first} and {second}; they must agree.",
-        "数値の上の行に{first}と{second}という異なる単位が書かれています。一致しなければなりません。",
-    ),
-    "column_quantity": (
-        "The heading {column} says {quantity}; every column but the time must be an acceleration.",
-        "列の見出し{column}は{quantity}を表しています。時刻以外の列はすべて加速度でなければなりません。",
+        "The file states the units {first} and {second}; they must agree.",
+        "ファイルに{first}と{second}という異なる単位が書かれています。一致しなければなりません。",
     ),
     "column_no_time": (
         (
@@ -450,5 +394,45 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The time is headed {column}; it must be in s or ms.",
         "時刻の見出しが{column}になっています。単位は秒またはミリ秒でなければなりません。",
     ),
+    # What single formats lack.
+    "cosmos_header_count": (
+        "The {kind} header has {count} values; it must have {wanted}.",
+        "「{kind}-header」の値が{count}個です。{wanted}個必要です。",
+    ),
+    "jma_names": (
+        "The component names are {names}; they must be among NS, EW, UD, each once.",
+        "成分名が「{names}」になっています。「NS」「EW」「UD」のいずれかを1回ずつ使ってください。",
+    ),
+    "cosmos_another_end": (
+        "A block of {begun} ends as one of {ended}; it must be the same.",
+        "「{begun}」のブロックが「{ended}」として終わっています。同じでなければなりません。",
+    ),
+    "csmip_two_numbers": (
+        "Channel {channel} of the file is numbered {numbers}; it must have one number.",
+        "ファイルの{channel}番目のチャンネルに複数の番号があります（{numbers}）。番号は1つでなければなりません。",
+    ),
+    "csmip_directions": (
+        "The header of channel {channel} gives the directions {directions}; {taken} is taken.",
+        "チャンネル{channel}のヘッダーの成分の方向が一致しません（{directions}）。{taken}として使います。",
+    ),
+    "csmip_acceleration_lines": (
+        "Channel {channel} of the file has {count} lines that announce acceleration data; it must have one.",
+        "{channel}番目のチャンネルに加速度データの始まりを示す行が{count}行あります。1行でなければなりません。",
+    ),
+    "csmip_lengths": (
+        "The acceleration of channel {channel} lasts {lasts:g} s and its {kind} {other:g} s; they must last as long.",
+        "チャンネル{channel}の加速度の長さは{lasts:g}秒、「{kind}」は{other:g}秒です。同じ長さでなければなりません。",
+    ),
+    "csmip_channels_missing": (
+        "The header counts {stated} channels and the file has {count}; it may have been cut.",
+        "ヘッダーによるとチャンネルは{stated}個ですが、ファイルには{count}個しかなく、途中で切れているかもしれません。",
+    ),
+    "knet_direction": (
+        "The header's direction is {direction}; it must be N-S, E-W, U-D or 1 to 6.",
+        "ヘッダーの方向が{direction}になっています。N-S、E-W、U-D、または1～6のいずれかでなければなりません。",
+    ),
+    "velocity": ("velocity", "速度"),
+    "displacement": ("displacement", "変位"),
+    "counts": ("raw counts or volts of a recorder", "収録器の生のカウント値や電圧"),
 }
 """Texts by their keys: English, Japanese."""

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from stayput.motion.builtin import near_fault
 from stayput.motion.integrals import Peaks
 from stayput.motion.readers import read_motion
 from stayput.motion.record import Motion
-from stayput.motion.synthetic import pulse, sine
+from stayput.motion.synthetic import near_fault, pulse, sine
 
 __all__ = ["Motion", "Peaks", "near_fault", "pulse", "read_motion", "sine"]

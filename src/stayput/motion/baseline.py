@@ -107,9 +107,8 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
     total = math.hypot(*means.values())
     alone = any(_is_gravity(mean) for mean in means.values())
     if recorded and not alone and _is_gravity(total):  # of a tilted instrument
-        raise InputError(
-            "motion.gravity_tilted", option, components=", ".join(means), mean=total, option=option
-        )
+        together = f"{', '.join(means)} together", f"{', '.join(means)}を合わせた"
+        raise InputError("motion.gravity", option, component=together, mean=total, option=option)
     for name, a in motion.components.items():
         mean = means[name]
         if recorded and _is_gravity(mean):

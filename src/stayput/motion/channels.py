@@ -331,7 +331,8 @@ def _check_header_peak(channel: Channel) -> None:
         return
     peak, stated = float(np.abs(channel.acceleration).max()), abs(channel.peak)
     if abs(peak - stated) > _PEAK_TOLERANCE * stated + _PEAK_ROUNDING:
-        raise InputError("motion.peak_differs", stated=stated, peak=peak)
+        about: dict[str, Any] = {"stated": stated, "found": peak, "unit": " m/s²"}
+        raise InputError("motion.not_as_stated", what=phrase("motion.the_peak"), **about)
 
 
 def _check_sizes(components: Mapping[str, Channel]) -> None:
@@ -399,7 +400,7 @@ def motion_fields(
     listing = _listing(channels, components)
     for key, channel in components.items():
         if not math.isclose(channel.dt, x.dt, rel_tol=1e-6):  # steps are written with six digits or more
-            raise InputError("motion.channel_dt_differs", dt=x.dt, other=channel.dt)
+            raise InputError("motion.motion_dt_differs", component=key, dt=channel.dt, x_dt=x.dt)
         if is_down(channel.label):
             note = f"{channel.note}, sign changed to up"
             components[key] = replace(channel, acceleration=-channel.acceleration, note=note)

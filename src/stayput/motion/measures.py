@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.motion.frequency import mean_period
 from stayput.motion.intensity import (
     intensity_class,
     jma_from_pgv,
@@ -19,6 +18,7 @@ from stayput.motion.intensity import (
     published_intensity,
 )
 from stayput.motion.response import PERIODS
+from stayput.motion.spectrum import mean_period
 
 if TYPE_CHECKING:
     from stayput.motion.record import Motion

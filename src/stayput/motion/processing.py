@@ -68,16 +68,21 @@ def checked_samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
     InputError
         Not one row of 2 or more finite, sane, real numbers without gaps.
     """
+
+    def refused(why: str, **values: object) -> InputError:
+        told = phrase(f"motion.{why}", **values)
+        return InputError("motion.samples_not_a_row", name, component=name, kind=told)
+
     if np.ma.is_masked(values):
-        raise InputError("motion.samples_masked", name, component=name)
+        raise refused("masked")
     try:
         given = np.asarray(values)
     except (TypeError, ValueError):
-        raise InputError("motion.samples_no_array", name, component=name) from None
+        raise refused("no_array") from None
     if given.dtype.kind not in "iuf":
-        raise InputError("motion.samples_not_real", name, component=name, kind=given.dtype)
+        raise refused("of_kind", kind=given.dtype)
     if given.ndim != 1:
-        raise InputError("motion.samples_shape", name, component=name, shape=str(given.shape))
+        raise refused("of_shape", shape=str(given.shape))
     if not 2 <= given.size <= MOST_SAMPLES:
         raise InputError("motion.samples_count", name, component=name, count=given.size, most=MOST_SAMPLES)
     array = np.array(given, dtype=np.float64, order="C")
@@ -206,25 +211,3 @@ def _add_couples(whole: NDArray[np.int64], moment: int) -> None:
         middle = (len(whole) - rest) // 2
         whole[middle] -= sign
         whole[middle + rest] += sign
-
-
-def whole(name: str, value: int, low: int, high: int) -> int:
-    """Return a whole number, or raise `InputError` when it is none or not from low to high.
-
-    Parameters
-    ----------
-    name : str
-        The argument; `stayput.catalogue.motion` has its name as ``name_<argument>``.
-    value : int
-        The number.
-    low, high : int
-        Smallest and largest that is allowed.
-    """
-    try:
-        number = int(value)
-    except (TypeError, ValueError, OverflowError):
-        number = low - 1
-    if number != value or not low <= number <= high:
-        called = phrase(f"motion.name_{name}")
-        raise InputError("motion.not_whole", name, name=called, value=value, low=low, high=high)
-    return number

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from stayput.errors import InputError, finite, instance_of, shown, visible, within, word_of
+from stayput.errors import InputError, finite, instance_of, shown, visible, whole_within, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.baseline import check_baseline, checked_record
@@ -28,7 +28,7 @@ from stayput.motion.processing import (
     without_baseline,
 )
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, spectrum_of_samples
-from stayput.motion.traces import channels_of_traces
+from stayput.motion.seismogram import channels_of_traces
 from stayput.motion.writers import FORMATS
 from stayput.wording import check_language
 
@@ -317,9 +317,7 @@ class Motion:
 
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""
-        if name not in tuple(self.components):  # which takes what cannot be hashed
-            known = ", ".join(self.components)
-            raise InputError("motion.no_such_component", "component", component=name, known=known)
+        word_of("motion.the_component", name, self.components, "component")
         own = self.listing and self.listing.of(x=name)
         return replace(self, x=self.components[name], y=None, z=None, listing=own)
 
@@ -420,8 +418,7 @@ class Motion:
 
         The order is that of what is taken from the acceleration: 0 a constant, 1 a line, up to 5.
         """
-        if order not in range(6):
-            raise InputError("motion.baseline_order", "order", order=order)
+        whole_within("motion.baseline_order", order, 0, 5, field="order")
         source = f"baseline of order {order} removed"
         return self._each(lambda a: without_baseline(a, self.dt, order), source=self._note(source))
 

@@ -1,15 +1,24 @@
-"""Units of acceleration, by the names that records and their users write."""
+"""Units of acceleration and time steps: as a file's header states them, else as the caller gives them."""
 
 from __future__ import annotations
 
+import math
 import re
 import unicodedata
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from stayput.errors import InputError, excerpt
+import numpy as np
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError, InputWarning, excerpt, warn, within
 from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.motion.processing import STEP_RANGE
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from numpy.typing import NDArray
+
     from stayput.catalogue import Phrase
 
 ACCELERATION_UNITS = {
@@ -72,3 +81,202 @@ def known_unit(unit: str) -> str | None:
         same = first and second and ACCELERATION_UNITS[first] == ACCELERATION_UNITS[second]
         return first if same else None
     return next((name for spelling, name in _NAMED.items() if spelling.fullmatch(plain)), None)
+
+
+UNIT_OF_TIME = re.compile(r"m?s(?:ec(?:ond)?s?)?", re.IGNORECASE)
+_STATED = re.compile(
+    r"(?:(?<!time)(?<!time[ _-])units?(?:(?: of (?!time)[a-z]{1,20})? ?[:=] ?| of (?!time)|( in | ?[(\[] ?))"
+    r"|単位 ?[:=：（(]? ?)"
+    r"((?:[0-9.]{1,12} )?[^\s,;)\]、。）]{1,40}(?: ?\(? ?[*×x/] ?[0-9][0-9.e+\-]{0,9}\)?)?)",
+    re.IGNORECASE,
+)
+_STEP_TOLERANCE = 1e-4
+"""Relative difference up to which two time steps are the same one, rounded to five digits or more."""
+
+_ROUNDING_OF_TIMES = 0.2
+"""Error of a printed time, in time steps, that is taken for rounding; a missing sample is one of 1."""
+
+_SQUARED_SECONDS = r"/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)"
+MENTIONED = re.compile(
+    rf"(?<![a-zµμ])(gals?|(?:[cm]?m|in|ft){_SQUARED_SECONDS}|%g)(?![a-z0-9/^²*])"
+    r"|[(\[_] ?(m?g|%g|[cm]?m_?p?s_?2|m_s_2)(?:[)\]]|(?![a-z0-9/^²*]))",
+    re.IGNORECASE,
+)
+_VELOCITY = re.compile(
+    r"(?<![a-z])(?:vel(?:ocity)?(?![a-z])|(?:(?:[cm]?m|in|ft|rad|deg)/s(?:ec)?|kines?)(?![a-z0-9/^²*]))",
+    re.IGNORECASE,
+)
+_DISPLACEMENT = re.compile(
+    r"(?<![a-z])disp(?:lacement)?(?![a-z])|[(\[] ?[cm]?m ?[)\]]|_[cm]m$|^[cm]?m$", re.IGNORECASE
+)
+_NUMBER = r"[0-9]*\.?[0-9]+(?:[eE][+\-]?[0-9]+)?"
+_SHORT_NUMBER = r"[0-9]{0,9}\.?[0-9]{1,20}(?:[eE][+\-]?[0-9]{1,2})?"
+_VALUE = (
+    r"[^0-9a-z.\n-]{0,4}(?:(?P<bracketed_of>[a-zµμ]+)[)\]])?[ :=：＝]*"
+    rf"(?P<of>{_SHORT_NUMBER})(?:/(?P<per_of>{_SHORT_NUMBER}))?(?!,?[0-9]|/) ?(?P<unit_of>[a-zµμ]*)"
+)
+_STEP = re.compile(
+    r"(?:(?<![a-z])(?:dt|delta[ _]?t|(?:time|sampl(?:e|ing))[ _-]?(?:step|interval|period))"
+    r"|^(?:delta|interval)(?=[ :=]*0?\.)|時間(?:刻み|間隔)|サンプリング(?:間隔|周期))"
+    rf"{_VALUE.replace('of>', 'step>')}"
+    r"|(?:(?<![a-z])(?:sampl(?:e|ing)[ _-]?(?:rate|freq(?:uency)?)|fs|sps)|サンプリング(?:周波数|レート))"
+    rf"{_VALUE.replace('of>', 'rate>')}"
+    rf"|(?<![a-z0-9.,/])(?P<sps>{_SHORT_NUMBER}) ?(?:sps|samples?(?: per |/)s(?:ec(?:ond)?)?)(?![a-z])",
+    re.IGNORECASE | re.MULTILINE,
+)
+_OTHER_UNIT = re.compile(
+    r"[uµμn]s(?:ec)?|micro.*|m(?:in(?:ute)?s?)?|h(?:ours?|rs?)?|d(?:ays?)?|[km]hz|k", re.IGNORECASE
+)
+_FACTOR = re.compile(
+    r"(?:(?<![a-z])(?:scal(?:e|ing)|(?:scal(?:e|ing)|conversion|calibration|multiplication)[ _-]?factor"
+    r"|multipl(?:y|ied)[a-z ]{0,20} by)|^(?:factor|multiplier)|倍率|スケール(?:ファクター)?)"
+    rf"[ :=：＝]{{0,4}}({_NUMBER})(?![\w.])",
+    re.IGNORECASE,
+)
+_COUNTS = re.compile(r"(?:digital )?(?:counts?|cts|lsb|m?volts?)(?![a-z])", re.IGNORECASE)
+
+
+def stated_unit(header: str) -> str | None:
+    """Return the unit that a header states in so many words: "unit: gal", "UNITS OF G"."""
+    for match in _STATED.finditer(" ".join(header.split())):
+        unit = match[2].rstrip(".")
+        # "Recorder unit (S/N 3)" states none.
+        if not UNIT_OF_TIME.fullmatch(unit) and (not match[1] or known_unit(unit) or quantity_of(unit)):
+            return unit
+    return None
+
+
+def stated_step(header: str) -> float | None:
+    """Return the one time step that a header states: "dt = 0.005", "Sampling rate: 100 Hz"; in s.
+
+    None where it is in another unit, or not a plain number or fraction: the step must then be given.
+    """
+    steps = {_step(match) for match in _STEP.finditer(header)}
+    return steps.pop() if len(steps) == 1 else None
+
+
+def _step(match: re.Match[str]) -> float | None:
+    kind = next(name for name in ("step", "rate", "sps") if match[name])
+    below, unit = 1.0, ""
+    if kind != "sps":
+        below = float(match[f"per_{kind}"] or 1.0)
+        unit = (match[f"bracketed_{kind}"] or match[f"unit_{kind}"]).lower()
+    in_time = UNIT_OF_TIME.fullmatch(unit) or unit.startswith("milli")
+    value = float(match[kind]) / below if below > 0.0 else 0.0
+    if value <= 0.0 or _OTHER_UNIT.fullmatch(unit) or (kind == "rate" and in_time):
+        return None
+    if kind != "step":
+        return 1.0 / value
+    return value * (1e-3 if in_time and unit.startswith("m") else 1.0)
+
+
+def stated_factor(lines: Iterable[str]) -> str | None:
+    """Return a line that states a factor of the numbers other than 1: "scale factor: 0.1"."""
+    return next((line for line in lines if (m := _FACTOR.search(line)) and float(m[1]) != 1.0), None)
+
+
+def mentioned_unit(header: str) -> str | None:
+    """Return the one unit of acceleration that a header mentions: "acc_gal", "PGA [cm/s²]"."""
+    names = {(m[1] or m[2]).lower() for m in MENTIONED.finditer(header)}
+    return names.pop() if len({unit_factor(name) for name in names}) == 1 else None
+
+
+def quantity_of(text: str) -> str | None:
+    """Return the name of what a heading or a unit is of, where that is not an acceleration."""
+    if _VELOCITY.search(text):
+        return "velocity"
+    if _COUNTS.fullmatch(text.strip()):
+        return "counts"
+    return "displacement" if _DISPLACEMENT.search(text) else None
+
+
+def acceleration_unit(
+    stated: str | None, given: str | None, header: str = "", *, step_missing: bool = False
+) -> float:
+    """Return the size of the unit of a file's numbers [m/s²].
+
+    Parameters
+    ----------
+    stated : str, optional
+        Unit that the file states.
+    given : str, optional
+        Unit that the caller states.
+    header : str
+        What the file says besides; a unit that it mentions is not taken, but compared.
+    step_missing : bool
+        Whether the time step must be given too, so that the refusal asks for both at once.
+
+    Raises
+    ------
+    InputError
+        Neither does, they contradict each other, the name is unknown, or no unit of acceleration.
+
+    Warns
+    -----
+    InputWarning
+        The file mentions another unit than the caller's, or states one that is not known.
+    """
+    if stated is not None and (quantity := quantity_of(stated)):
+        name = phrase(f"motion.{quantity}")
+        raise InputError("motion.stated_quantity", unit=excerpt(stated), quantity=name)
+    known, mentioned = stated and known_unit(stated), stated or mentioned_unit(header)
+    if known and given is not None and unit_factor(known) != unit_factor(given):
+        raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(stated or ""))
+    if not known and given is None:
+        if stated is not None:
+            raise unknown_unit(stated)
+        if mentioned is not None:
+            raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES)
+        if step_missing:
+            raise InputError("motion.no_unit_nor_step", "unit", known=UNIT_NAMES)
+        raise InputError("motion.no_unit", "unit", known=UNIT_NAMES)
+    factor = unit_factor(known or given or "")
+    if not known and mentioned and ACCELERATION_UNITS.get(known_unit(mentioned) or "") != factor:
+        warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=mentioned))
+    return factor
+
+
+def unknown_unit(unit: str) -> InputError:
+    """Return the refusal of a unit that a file states and that is not known."""
+    about: dict[str, Any] = {"unit": excerpt(unit), "known": UNIT_NAMES, "option": "unit"}
+    return InputError("motion.unknown_stated_unit", "unit", **about)
+
+
+def time_step(stated: float | None, given: float | None) -> float:
+    """Return the time step of a file's samples [s]; arguments and errors as for `acceleration_unit`."""
+    if stated is None and given is None:
+        raise InputError("motion.no_time_step", "dt")
+    if stated is not None and given is not None and not math.isclose(stated, given, rel_tol=_STEP_TOLERANCE):
+        raise InputError("motion.another_time_step", "dt", given=given, stated=stated)
+    step = stated if stated is not None else given or 0.0
+    return within("motion.name_time_step", step, *STEP_RANGE, "s", "dt")
+
+
+def regular_step(time: NDArray[np.float64]) -> float:
+    """Return the step of equally spaced times [s]; they may be rounded to a fifth of it.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        Times [s], n ≥ 2.
+
+    Raises
+    ------
+    InputError
+        The times do not grow, or not by equal steps.
+    """
+    n = len(time)
+    step = float(time[-1] - time[0]) / (n - 1)
+    if not step > 0.0:
+        raise InputError("motion.time_not_growing", start=float(time[0]), end=float(time[-1]))
+    error = np.abs(time - (time[0] + step * np.arange(n)))
+    if error.max() > _ROUNDING_OF_TIMES * step:
+        worst = int(error.argmax())
+        raise InputError("motion.irregular_sampling", time=float(time[worst]))
+    # Printed times are rounded, and so is the step that they give: 0.0099999 s of 0.01 s. The shortest
+    # decimal that keeps the last sample within a thousandth of a step is what was meant.
+    for digits in range(1, 12):
+        nominal = round(step, digits)
+        if nominal > 0.0 and abs(nominal - step) * (n - 1) <= 1e-3 * step + 1e-9:
+            return nominal
+    return step

@@ -24,7 +24,7 @@ from stayput.motion.ground_shaking import (
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
-from stayput.motion.readers.chosen import MOST_SKIPPED, OPTIONS, chosen_columns
+from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, chosen_columns
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import (
@@ -45,7 +45,7 @@ from stayput.scenario.fields import (
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from stayput.motion.readers.chosen import ReadingOptions
+    from stayput.motion.readers.columns import ReadingOptions
 
 
 class SineTable(Table):

@@ -13,11 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from stayput.errors import instance_of, within, word_of
+from stayput.errors import instance_of, whole_within, within, word_of
 from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.motion.processing import whole
 from stayput.motion.record import Motion
-from stayput.motion.suites.families import Draws
+from stayput.motion.suites.families import NUMBER_RANGE, SEED_RANGE, Draws
 from stayput.motion.suites.matching import matched
 from stayput.motion.suites.target import TargetSpectrum
 
@@ -191,7 +190,11 @@ def ac156_motion(
         "Hz",
         "lowest",
     )
-    key = whole("seed", seed, 0, 2**32 - 1), _KEY, whole("number", number, 1, 1_000_000)
+    key = (
+        whole_within("motion.name_seed", seed, *SEED_RANGE, field="seed"),
+        _KEY,
+        whole_within("motion.name_number", number, *NUMBER_RANGE, field="number"),
+    )
     t = DT * np.arange(round((BUILD + HOLD + DECAY) / DT) + 1, dtype=np.float64)
     envelope = np.minimum(np.minimum(t / BUILD, 1.0), (t[-1] - t) / DECAY)
     band = 1.0 / RIGID_FROM, 1.0 / cut

@@ -1,7 +1,7 @@
-"""Readers of strong-motion files, one format a file; a file is recognised by its content.
+"""Readers of strong-motion files, the formats of one origin a module; a file is known by its content.
 
-A reader is a module with ``FORMAT`` (its name), ``recognise(text)`` and ``read(text, unit, dt)``, which
-returns the file's channels in m/s². To add a format, write such a module and list it in `READERS`.
+To add a format, write a `stayput.motion.readers.text.Reader` of it, which returns a file's channels in m/s²,
+and list it in `READERS`.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Unpack
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 from stayput.catalogue import phrase
 from stayput.errors import (
@@ -23,6 +23,7 @@ from stayput.errors import (
     whole_within,
     within,
 )
+from stayput.motion import seismogram
 from stayput.motion.baseline import checked_record
 from stayput.motion.channels import (
     is_vertical,
@@ -33,11 +34,9 @@ from stayput.motion.channels import (
 )
 from stayput.motion.floors import BOREHOLE, upper_floor_warning
 from stayput.motion.processing import STEP_RANGE
-from stayput.motion.readers import columns as of_columns
-from stayput.motion.readers import cosmos, csmip, esm, jma, knet, knet_csv, peer, seismogram
-from stayput.motion.readers.chosen import MOST_SKIPPED, ReadingOptions, chosen_columns
-from stayput.motion.readers.others import other_format
-from stayput.motion.readers.text import check_end, file_text
+from stayput.motion.readers import california, databases, japan
+from stayput.motion.readers.columns import COLUMNS, MOST_SKIPPED, ReadingOptions, chosen_columns, read_columns
+from stayput.motion.readers.text import check_end, file_text, other_format
 from stayput.motion.record import Motion
 from stayput.motion.units import unit_factor
 
@@ -48,35 +47,16 @@ if TYPE_CHECKING:
     from stayput.motion.channels import Channel
 
 
-class Reader(Protocol):
-    """What a reader's module has."""
-
-    @property
-    def FORMAT(self) -> str:  # noqa: N802
-        """Name of the format."""
-        ...
-
-    def recognise(self, text: str) -> bool:
-        """Return whether the text is of this format."""
-        ...
-
-    def read(self, text: str, unit: str | None, dt: float | None) -> list[Channel]:
-        """Return the channels; ``unit`` and ``dt`` are the caller's, for files that do not state theirs."""
-        ...
-
-
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
 _STATED_OTHERWISE = (
     "motion.another_unit",
-    "motion.column_another_unit",
     "motion.another_time_step",
-    "motion.time_column_step",
 )
 """Refusals of a unit or a time step that is not the one that the file states."""
 
-READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, of_columns)
+READERS = (databases.PEER, *japan.READERS, databases.ESM, *california.READERS, COLUMNS)
 """The readers, in the order in which they are asked whether a file is theirs.
 
 Any file may have lines of bare numbers, so columns come last; the others' first lines exclude one another.
@@ -266,9 +246,7 @@ class ReadFile(NamedTuple):
     @contextmanager
     def naming(self) -> Generator[None]:
         """Refuse with the file's name, and keep the warnings until a motion is made of it."""
-        form = (
-            phrase("motion.columns_of_numbers") if self.form == of_columns.FORMAT else (self.form, self.form)
-        )
+        form = phrase("motion.columns_of_numbers") if self.form == COLUMNS.name else self.form
         title = phrase("motion.file_and_form", file=self.path.name, form=form)
         try:
             with warnings_to(lambda warning: self.warnings.append(warning.at(title))):
@@ -310,13 +288,12 @@ def read_file(
     else:
         text = _without_lines(text, skipped)
         text = text.replace(",", ".") if comma else text
-        reader = of_columns if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
-        other = other_format(text) if reader in (None, of_columns) and not chosen else None
+        reader = COLUMNS if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
+        other = other_format(text) if reader in (None, COLUMNS) and not chosen else None
         if reader is None:
             raise _not_read(path, other)
-        form, unused = reader.FORMAT, {"location": location}
-        read = partial(of_columns.read, chosen=chosen) if chosen else reader.read
-        read = partial(read, text)
+        form, unused = reader.name, {"location": location}
+        read = partial(read_columns, text, chosen=chosen) if chosen else partial(reader.read, text)
     file = ReadFile(Path(path), form, [], [], synthetic, remove_mean)
     try:
         with file.naming():
@@ -349,8 +326,8 @@ def _channels(
 
 def _not_read(path: str | os.PathLike[str], other: str | None) -> InputError:
     """Return the refusal of a file in a format that is known but not read, or in none that is known."""
-    read = (reader for reader in (*READERS, seismogram) if not (other and reader is of_columns))
-    formats = ", ".join(reader.FORMAT for reader in read)
+    names = [reader.name for reader in READERS if not (other and reader is COLUMNS)]
+    formats = ", ".join((*names, seismogram.FORMAT))
     if other:
         return InputError("motion.other_format", path=str(path), format=other, formats=formats)
     return InputError("motion.unknown_format", path=str(path), formats=formats)

@@ -14,16 +14,15 @@ Above the samples of one channel, one or several a row, their number and the tim
 from __future__ import annotations
 
 import re
+import unicodedata
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
 
-from stayput.errors import InputError, InputWarning, excerpt, warn, without_control
+from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, warn, without_control
 from stayput.motion.channels import Channel, in_borehole, is_direction, labels_phrase
-from stayput.motion.readers.chosen import places_of
-from stayput.motion.readers.fields import Numbers, check_count, numbers
-from stayput.motion.readers.header import regular_step, stated_factor, stated_step, stated_unit, time_step
 from stayput.motion.readers.headings import (
     Headings,
     is_time,
@@ -33,15 +32,22 @@ from stayput.motion.readers.headings import (
     units_in,
 )
 from stayput.motion.readers.quantities import axes_of, column_factors, other_quantities, without_unit
-from stayput.motion.readers.text import chunks
-from stayput.motion.units import known_unit, unit_factor
+from stayput.motion.readers.text import Numbers, Reader, check_count, chunks, not_as_stated, numbers
+from stayput.motion.units import (
+    known_unit,
+    regular_step,
+    stated_factor,
+    stated_step,
+    stated_unit,
+    time_step,
+    unit_factor,
+)
+from stayput.spreadsheets import named_columns
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
-
-FORMAT = "columns of numbers"
 
 _COMMENT = ("#", "%", "//", "!")
 _STARTS = re.compile(r"[\"']?[+\-]?\.?[0-9]")
@@ -90,7 +96,7 @@ def _head(text: str, *, chosen: bool = False) -> _Head:
     return head
 
 
-def recognise(text: str) -> bool:
+def _recognise(text: str) -> bool:
     """Return whether numbers follow the comments, the titles and the headings."""
     return any(_STARTS.match(line) for line in _head(text).rows)
 
@@ -123,18 +129,19 @@ def _table(
             row, count = row + 1, count or len(values)
             as_they_stand = counted or places == range(count)
             if len(values) != count and not counted:
-                about: dict[str, Any] = {"row": row, "count": len(values), "columns": count}
+                about: dict[str, Any] = {"row": row, "columns": count}
                 if row == 2:
-                    raise InputError("motion.column_first_row", "skip_lines", option="skip_lines", **about)
-                raise InputError("motion.column_row", **about)
+                    about |= {"count": len(values), "option": "skip_lines"}
+                    raise InputError("motion.column_first_row", "skip_lines", **about)
+                raise InputError("motion.row_width", value=excerpt(line), **about)
             tokens += values if as_they_stand else [values[place] for place in places]
         table.add(tokens)
     if not count:
-        raise InputError("motion.column_no_rows")
+        raise InputError("motion.few_rows", rows=0)
     return table.array().reshape(-1, len(places))
 
 
-def read(
+def read_columns(
     text: str, unit: str | None, dt: float | None, chosen: Mapping[str, str] | None = None
 ) -> list[Channel]:
     """Return the channels: one, or three; or those that are chosen.
@@ -154,7 +161,7 @@ def read(
     chosen = chosen or {}
     head = _head(text, chosen=bool(chosen))
     if not head.rows:
-        raise InputError("motion.column_no_rows")
+        raise InputError("motion.few_rows", rows=0)
     head.titles[:], skipped = [line for line in head.titles if any(map(str.isalnum, line))], len(head.titles)
     counted = not chosen and head.states_count()
     places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, counted)
@@ -179,7 +186,7 @@ def read(
         step_missing=timeless and dt is None and written is None and not counted,
     )[shift:]
     if len(table) < 2:
-        raise InputError("motion.column_one_row")
+        raise InputError("motion.few_rows", rows=1)
     time = None if timeless else headings.time or 0
     if time is not None:
         times = headings.time_factor * table[:, time]
@@ -191,9 +198,9 @@ def read(
         step = regular_step(times)
         # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
         if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
-            raise InputError("motion.time_column_step", "dt", given=dt, step=step)
+            raise InputError("motion.another_time_step", "dt", given=dt, stated=step)
         if written is not None and abs(written - step) > _STATED_STEP * step:
-            raise InputError("motion.column_step", stated=written, step=step)
+            raise not_as_stated("the_time_step", written, step, " s")
         step = time_step(step if dt is None else dt, None)
     elif counted:
         stated, size = sorted(numbers(split(head.rows[0]), "the_line_before_the_samples").tolist())
@@ -262,3 +269,101 @@ def _usual_columns(head: _Head, counted: bool) -> tuple[Sequence[int], Headings]
         example = ",".join(f"{role}={place + 1}" for role, place in axes_of(headings).items()) or "t=1,x=2"
         raise InputError("motion.column_count", columns=len(places), option="columns", example=example)
     return places, headings
+
+
+ROLES = ("t", "x", "y", "z")
+"""What a column may hold: the time, and the components of a motion."""
+
+MOST_SKIPPED = 10_000
+"""Most lines that are passed over at the beginning of a file."""
+
+
+class ReadingOptions(TypedDict, total=False):
+    """What a caller says of a record's file: arguments of `read_motion`."""
+
+    dt: float | None
+    columns: str | Mapping[str, str | int] | None
+    skip_lines: int
+    decimal_comma: bool
+    location: str | None
+    remove_mean: bool
+
+
+OPTIONS = set(ReadingOptions.__annotations__)
+"""Their names."""
+
+
+def chosen_columns(columns: object, name: str = "columns") -> dict[str, str]:
+    """Return the columns of "t=time,x=NS", or of a mapping, by what they hold, in the order of `ROLES`.
+
+    Parameters
+    ----------
+    columns : str, mapping of str to str or int, or None
+        Headings, or places from 1 on; None where nothing is said.
+    name : str
+        What refusals call it.
+
+    Raises
+    ------
+    InputError
+        Something else, no x, or one name or one column twice.
+    """
+    if columns is None:
+        return {}
+    if isinstance(columns, str):
+        pairs = named_columns(columns, "motion.columns_like", name)
+    else:
+        given = cast("Mapping[Any, Any]", columns if isinstance(columns, Mapping) else {})
+        pairs = [(role, str(column)) for role, column in given.items() if isinstance(column, str | int)]
+    for role, _ in pairs:
+        if role not in ROLES:
+            raise unknown(name, role, ROLES, name)
+    chosen = dict(pairs)
+    told = excerpt(columns) if isinstance(columns, str) else shown(cast("object", columns))
+    if "x" not in chosen or not len(pairs) == len(chosen) == len(set(chosen.values())):
+        raise InputError("motion.columns_like", name, name=name, value=told)
+    return {role: chosen[role] for role in ROLES if role in chosen}
+
+
+def places_of(chosen: Mapping[str, str], headings: Sequence[str], count: int) -> list[int]:
+    """Return the places of the columns that are chosen.
+
+    Parameters
+    ----------
+    chosen : mapping of str to str
+        As `chosen_columns` returns it.
+    headings : sequence of str
+        The file's, as it writes them; none where it has none.
+    count : int
+        How many columns it has.
+
+    Raises
+    ------
+    InputError
+        There is no such column, or more than one.
+    """
+    plain = [_plain(heading) for heading in headings]
+    bare = [_plain(re.split(r"[(\[]", heading)[0]) for heading in headings]
+    places: list[int] = []
+    for role, column in chosen.items():
+        if column.isascii() and column.isdecimal():
+            found = [int(column) - 1] if 1 <= int(column) <= count else []
+        else:
+            wanted = _plain(column)
+            found = [i for i, text in enumerate(plain) if text == wanted]
+            found = found or [i for i, text in enumerate(bare) if text == wanted]
+        if len(found) != 1 or found[0] in places:
+            english, japanese = zip(*map(excerpt, (*headings[:10], "")), strict=True)
+            listed = ", ".join((f"1–{count}", *english[:-1])), "、".join((f"1–{count}", *japanese[:-1]))
+            raise InputError(
+                "motion.no_such_column", "columns", role=role, column=excerpt(column), known=listed
+            )
+        places += found
+    return places
+
+
+def _plain(heading: str) -> str:
+    return " ".join(unicodedata.normalize("NFKC", heading).strip("\"' ").casefold().split())
+
+
+COLUMNS = Reader("columns of numbers", _recognise, read_columns)

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import is_direction, is_down, is_vertical
-from stayput.motion.readers.header import UNIT_OF_TIME, quantity_of
 from stayput.motion.readers.quantities import BRACKET, is_motion, time_factor
-from stayput.motion.units import known_unit
+from stayput.motion.units import UNIT_OF_TIME, known_unit, quantity_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

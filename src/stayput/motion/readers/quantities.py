@@ -8,8 +8,15 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn
 from stayput.motion.channels import is_direction, is_vertical
-from stayput.motion.readers.header import MENTIONED, acceleration_unit, mentioned_unit, quantity_of
-from stayput.motion.units import UNIT_NAMES, known_unit, unit_factor
+from stayput.motion.units import (
+    MENTIONED,
+    acceleration_unit,
+    known_unit,
+    mentioned_unit,
+    quantity_of,
+    unit_factor,
+    unknown_unit,
+)
 
 if TYPE_CHECKING:
     from stayput.motion.readers.headings import Headings
@@ -154,7 +161,7 @@ def column_factors(
 def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
     """Return the unit in a heading, which neither the comments nor the caller may contradict."""
     if _SPECTRAL.match(text):
-        raise InputError("motion.column_quantity", column=excerpt(text), quantity=phrase("motion.spectral"))
+        raise InputError("motion.not_acceleration", where=excerpt(text), quantity=phrase("motion.spectral"))
     unit = _unit_in(text)
     if unit is None:
         if factor := _unit_with_factor(text):
@@ -162,7 +169,7 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
             raise InputError("motion.column_unit_factor", "unit", column=column, factor=name)
         if quantity := next(filter(None, map(quantity_of, (text, *BRACKET.findall(text)))), None):
             name = phrase(f"motion.{quantity}")
-            raise InputError("motion.column_quantity", column=excerpt(text), quantity=name)
+            raise InputError("motion.not_acceleration", where=excerpt(text), quantity=name)
         unknown = next(
             (
                 u
@@ -174,18 +181,10 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
         if unknown is not None and given is not None:
             warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=unknown))
         elif unknown is not None and stated is None:
-            column, name = excerpt(text), excerpt(unknown)
-            raise InputError(
-                "motion.column_unknown_unit",
-                "unit",
-                column=column,
-                unit=name,
-                known=UNIT_NAMES,
-                option="unit",
-            )
+            raise unknown_unit(unknown)
         return None
     if stated is not None and unit_factor(stated) != unit_factor(unit):
-        raise InputError("motion.column_header_unit", column=excerpt(text), stated=excerpt(stated))
+        raise InputError("motion.two_units", first=excerpt(stated), second=excerpt(text))
     if given is not None and unit_factor(given) != unit_factor(unit):
-        raise InputError("motion.column_another_unit", "unit", given=given, column=excerpt(text))
+        raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(text))
     return unit

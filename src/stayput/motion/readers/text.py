@@ -1,20 +1,35 @@
-"""The text of a file: what every reader starts from."""
+"""The text of a file, its lines and the numbers in them; files of other kinds, which are not read.
+
+Numbers go to arrays chunk by chunk: a list of all words of a file would take some forty times its size.
+"""
 
 from __future__ import annotations
 
 import codecs
 import io
+import math
 import re
+from array import array
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from stayput.errors import InputError, reason_of
+import numpy as np
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError, excerpt, reason_of
 from stayput.files import LARGEST_RECORD
-from stayput.motion.readers.others import kind_of_binary
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.motion.channels import Channel
+
+_ARCHIVES = (b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"\xfd7zXZ", b"7z\xbc\xaf", b"Rar!")
+_OLD_SPREADSHEET = b"\xd0\xcf\x11\xe0"
+_IN_SPREADSHEETS = (b"xl/workbook", b"opendocument.spreadsheet")  # names of parts: Excel's, LibreOffice's
 
 LONGEST_LINE = 10_000
 """Longest line that is read; the formats' own end below 500 characters."""
@@ -36,18 +51,20 @@ def file_text(path: str | os.PathLike[str]) -> str:
     InputError
         The file is missing, unreadable, a directory, empty, too large or not text.
     """
+
+    def refused(kind: str) -> InputError:
+        return InputError("motion.file_is", path=str(path), what=phrase(f"motion.{kind}"))
+
     try:
         file = Path(path)
         if file.is_dir():
-            raise InputError("motion.file_is_folder", path=str(path))
+            raise refused("a_folder")
         size = file.stat().st_size
         if not file.is_file():
-            raise InputError("motion.file_is_device", path=str(path))
+            raise refused("a_device")
         if size > LARGEST_RECORD:
             raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_RECORD)
         data = file.read_bytes()
-    except FileNotFoundError:
-        raise InputError("motion.file_missing", path=str(path)) from None
     except OSError as error:
         reason = reason_of(error)
         raise InputError("motion.file_unreadable", path=str(path), reason=reason) from None
@@ -56,11 +73,13 @@ def file_text(path: str | os.PathLike[str]) -> str:
             raise
         raise InputError("motion.file_no_path", path=path) from None
     if not data.strip():
-        raise InputError("motion.file_empty", path=str(path))
+        raise refused("empty")
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         data = data.decode("utf-16", "replace").encode()
     if len(data.translate(None, _CONTROLS)) < len(data):
-        raise InputError(f"motion.file_{kind_of_binary(data)}", path=str(path))
+        spreadsheet = data.startswith(_OLD_SPREADSHEET) or any(part in data for part in _IN_SPREADSHEETS)
+        packed = "an_archive" if data.startswith(_ARCHIVES) else "binary"
+        raise refused("a_spreadsheet" if spreadsheet else packed)
     data = data.rstrip(b"\x1a")  # DOS's end of file
     if b"\r" in data:  # in none of the codings part of another character
         data = data.replace(b"\r\r\n", b"\n").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
@@ -122,3 +141,242 @@ def check_end(text: str) -> None:
     if len(others) >= 2 and len(set(others)) == 1 and last < others[0]:
         tail = text[-100:].rsplit("\n", 1)[-1].strip()[-40:]
         raise InputError("motion.file_cut", tail=tail)
+
+
+_DECIMAL = re.compile(r"[+\-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+\-]?[0-9]+)?")
+_COMMA = re.compile(r"[+\-]?[0-9]*,[0-9]+(?:[eE][+\-]?[0-9]+)?")
+_BUFFERED = 8192  # fields of which a list is made at a time
+_QUANTITY = re.compile(rf"({_DECIMAL.pattern}) ?([A-Za-z/²^]{{0,12}})\.?,?")
+
+
+class Reader(NamedTuple):
+    """A reader of one format.
+
+    Attributes
+    ----------
+    name : str
+        Name of the format; what a file of it holds is a paragraph of its module's docstring.
+    recognise : callable
+        Returns whether a text is of this format.
+    read : callable
+        Returns the channels of a text; ``unit`` and ``dt`` are the caller's, for files that do not state
+        theirs.
+    """
+
+    name: str
+    recognise: Callable[[str], bool]
+    read: Callable[[str, str | None, float | None], list[Channel]]
+
+
+class Numbers:
+    """An array of numbers that grows with what is read.
+
+    Parameters
+    ----------
+    what : str
+        What the numbers are: the key of their name in `stayput.catalogue.motion`.
+    """
+
+    def __init__(self, what: str) -> None:
+        self._what = what
+        self._values = array("d")
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def add(self, tokens: Sequence[str]) -> None:
+        """Read tokens as numbers.
+
+        Raises
+        ------
+        InputError
+            A token is not a finite decimal number.
+        """
+        plain = "".join(tokens)
+        # float() reads all tokens fast, but takes "nan", "1_000" and other scripts' digits too.
+        try:
+            values = np.array(list(map(float, tokens)), dtype=np.float64)
+        except ValueError:
+            values = None
+        if values is None or not np.isfinite(values).all() or "_" in plain or not plain.isascii():
+            position, token = next(
+                ((i, t) for i, t in enumerate(tokens) if not _is_finite_decimal(t)), (0, "")
+            )
+            comma = _COMMA.fullmatch(token.strip()) is not None
+            raise InputError(
+                "motion.decimal_comma" if comma else "motion.not_a_decimal",
+                option="decimal_comma",
+                index=len(self) + position + 1,
+                what=phrase(f"motion.{self._what}"),
+                value=excerpt(token.strip()),
+            )
+        self._values.frombytes(values.tobytes())
+
+    def array(self) -> NDArray[np.float64]:
+        """Return the numbers, shape (n,); none can be added afterwards."""
+        return np.frombuffer(self._values, dtype=np.float64)
+
+
+def numbers(tokens: Sequence[str], what: str) -> NDArray[np.float64]:
+    """Return the tokens as numbers, shape (n,).
+
+    Raises
+    ------
+    InputError
+        A token is not a finite decimal number.
+    """
+    values = Numbers(what)
+    values.add(tokens)
+    return values.array()
+
+
+def _is_finite_decimal(token: str) -> bool:
+    return _DECIMAL.fullmatch(token.strip()) is not None and bool(np.isfinite(float(token)))
+
+
+def free_numbers(text: str, start: int, what: str) -> NDArray[np.float64]:
+    """Return the blank-separated numbers of a text from a place on, shape (n,)."""
+    values = Numbers(what)
+    for chunk in chunks(text, start):
+        values.add(chunk.split())
+    return values.array()
+
+
+def rows_of(
+    text: str, start: int, columns: int, split: Callable[[str], list[str] | None], aside: int = 0
+) -> NDArray[np.float64]:
+    """Return the numbers in the lines of a text from a place on, shape (rows, columns).
+
+    Parameters
+    ----------
+    text, start
+        The text, and where its rows begin.
+    columns : int
+        How many numbers a row has.
+    split : callable
+        Returns the fields of a line, or None of one that is passed over.
+    aside : int
+        How many fields before the numbers are something else.
+
+    Raises
+    ------
+    InputError
+        A row has another number of values, or one that is not a finite decimal number.
+    """
+    samples, row = Numbers("the_samples"), 0
+    for chunk in chunks(text, start):
+        tokens: list[str] = []
+        for line in chunk.removesuffix("\n").split("\n"):
+            if (values := split(line)) is None:
+                continue
+            row += 1
+            if len(values) != aside + columns:
+                said = excerpt(line.rstrip(", \t"))
+                raise InputError("motion.row_width", row=row, value=said, columns=aside + columns)
+            tokens += values[aside:]
+        samples.add(tokens)
+    return samples.array().reshape(-1, columns)
+
+
+class FixedBlock:
+    """A block of numbers in fields of a fixed width, which may touch.
+
+    Parameters
+    ----------
+    what : str
+        What the numbers are: the key of their name in `stayput.catalogue.motion`.
+    width : int
+        Characters of a field.
+    """
+
+    def __init__(self, what: str, width: int = 10) -> None:
+        self.width = width
+        self._numbers = Numbers(what)
+        self._buffer: list[str] = []
+
+    def add(self, line: str) -> None:
+        """Read a line.
+
+        Raises
+        ------
+        InputError
+            A field is not a finite decimal number.
+        """
+        trimmed = line.rstrip()
+        # The last line of a block may hold one number that is not padded to the width.
+        if 0 < len(trimmed) <= self.width:
+            self._buffer.append(trimmed)
+        else:
+            self._buffer += [trimmed[i : i + self.width] for i in range(0, len(trimmed), self.width)]
+        if len(self._buffer) > _BUFFERED:
+            self._flush()
+
+    def _flush(self) -> None:
+        self._numbers.add(self._buffer)
+        self._buffer.clear()
+
+    def array(self) -> NDArray[np.float64]:
+        """Return the numbers, shape (n,); none can be added afterwards."""
+        self._flush()
+        return self._numbers.array()
+
+
+def quantity(text: str, units: Sequence[str], what: str) -> float:
+    """Return a header's value: one number and nothing else but a unit, or none.
+
+    Parameters
+    ----------
+    text : str
+        What the header says: "100Hz", ".0200 SEC,".
+    units : sequence of str
+        The units that may stand behind it, in capitals.
+    what : str
+        What it is: the key of its name in `stayput.catalogue.motion`.
+
+    Raises
+    ------
+    InputError
+        It is not one finite number, or has another unit.
+    """
+    match = _QUANTITY.fullmatch(" ".join(text.split()))
+    value = float(match[1]) if match and match[2].upper() in ("", *units) else math.nan
+    if not math.isfinite(value) or (units == ("HZ",) and value <= 0.0):
+        unit = f" [{units[0].capitalize()}]" if units else ""
+        said = excerpt(text.strip())
+        raise InputError("motion.not_one_number", what=phrase(f"motion.{what}"), value=said, unit=unit)
+    return value
+
+
+def lacks(what: str) -> InputError:
+    """Return the refusal of a header without an entry; ``what`` is the key of its name."""
+    return InputError("motion.no_header_entry", what=phrase(f"motion.{what}"))
+
+
+def not_as_stated(what: str, stated: float, found: float, unit: str = "") -> InputError:
+    """Return the refusal of a file whose header states another value than its samples have."""
+    return InputError(
+        "motion.not_as_stated", what=phrase(f"motion.{what}"), stated=stated, found=found, unit=unit
+    )
+
+
+def check_count(count: int, stated: float) -> None:
+    """Raise `InputError` when there are not as many samples as the header states."""
+    if count != stated:
+        raise not_as_stated("number_of_samples", stated, count)
+
+
+_FORMATS = {
+    "USGS SMC": r"\s*[0-6] (?:(?:UN)?CORRECTED ACCELEROGRAM|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER)",
+    "RENADIC": r"[^#%/][^#%]*\bRENADIC\b",
+    "GeoNet V1A/V2A": r"\s*(?:UN)?CORRECTED ACCELEROGRAM[^\n]* GNS\b",
+    "CSMIP V1": r"\s*UNCORRECTED ACCELEROGRAM\b",
+    "BRI .ac": r"\s*[0-9]{4}/[0-9]{2}/[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2} +[0-9]+ +[0-9]+ +[0-9]+ ",
+    "HTML": r"\s*<(?:!doctype|html|\?xml)\b",
+}
+_HEAD = 2000  # characters at the beginning in which the format is looked for
+
+
+def other_format(text: str) -> str | None:
+    """Return the name of the format of a text that is known but not read, or None."""
+    head = text[:_HEAD]
+    return next((name for name, begin in _FORMATS.items() if re.match(begin, head, re.IGNORECASE)), None)

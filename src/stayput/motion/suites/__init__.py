@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from stayput.motion.suites.families import FAMILIES, MIX
 from stayput.motion.suites.suite import Deviation, Suite, read_suite
-from stayput.motion.suites.synthesis import synthetic_motion
-from stayput.motion.suites.synthetic import MIXED, synthetic_suite
+from stayput.motion.suites.synthesis import MIXED, synthetic_motion, synthetic_suite
 from stayput.motion.suites.target import (
     DEFAULT_BAND,
     TargetSpectrum,

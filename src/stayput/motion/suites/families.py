@@ -12,12 +12,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError
-from stayput.motion.suites.point_source import PointSource, SoilLayer
+from stayput.motion.suites.ground_motion import PointSource, SoilLayer
 from stayput.randomness import random_bits, uniforms
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+SEED_RANGE = (0, 2**32 - 1)
+"""Smallest and largest seed that is accepted."""
+
+NUMBER_RANGE = (1, 1_000_000)
+"""Numbers of the motions of one family and seed."""
 
 _TRUNCATION = 2.0
 """Normal draws are cut at this many standard deviations, so that no motion is absurd."""
@@ -202,19 +207,6 @@ class Parameters:
         if self.waves is not None:
             parts.append(f"basin waves of {self.waves.period:.1f} s, {self.waves.strength:.1f} times")
         return "; ".join(parts)
-
-
-def family_named(family: str) -> Family:
-    """Return a family by its name.
-
-    Raises
-    ------
-    InputError
-        No such family.
-    """
-    if family not in KINDS:
-        raise InputError("motion.unknown_family", "family", family=family, known=", ".join(FAMILIES))
-    return KINDS[family]
 
 
 def draw_parameters(kind: Family, draw: Draws) -> Parameters:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.motion.channels import Channel
     from stayput.motion.readers import ReadFile
-    from stayput.motion.readers.chosen import ReadingOptions
+    from stayput.motion.readers.columns import ReadingOptions
     from stayput.motion.record import Motion
 
 _PASSED_OVER = (".md",)
@@ -31,16 +31,11 @@ _NO_RECORD = re.compile(
 )
 """Names of PEER's tables of what was found, of pictures and archives, and of texts about the records."""
 
-_LEFT_OUT = dict.fromkeys(
-    (
-        "motion.peer_no_acceleration",
-        "motion.esm_no_acceleration",
-        "motion.cosmos_no_acceleration",
-        "motion.column_quantity",
-        "motion.other_instrument",
-    ),
-    "no_acceleration",
-) | {"motion.unknown_format": "no_record"}
+_LEFT_OUT = {
+    "motion.not_acceleration": "no_acceleration",
+    "motion.other_instrument": "no_acceleration",
+    "motion.unknown_format": "no_record",
+}
 """Refusals of files that are left out, and as what."""
 
 _RECORD_NUMBER = re.compile(r"RSN([0-9]{1,7})_", re.IGNORECASE)

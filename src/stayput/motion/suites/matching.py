@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.errors import InputError, excerpt
 from stayput.execution import Pool
 from stayput.motion.processing import ending_at_rest, fft_length
 from stayput.motion.record import COMPONENTS, Motion
-from stayput.motion.suites.envelopes import cosine_taper
+from stayput.motion.suites.ground_motion import cosine_taper
 from stayput.motion.suites.target import band_periods
 from stayput.progress import bar
 
@@ -171,7 +171,7 @@ def matched(
     for motion in motions:
         for name, a in motion.components.items():
             if not np.any(a):
-                raise InputError("motion.match_still", component=name, motion=motion.name)
+                raise InputError("motion.still_component", component=name, motion=excerpt(motion.name))
     which = "one filter for the whole suite" if together else "a filter of its own"
     note = (
         f"Fourier amplitudes changed to {target.name}, {band[0]:g}-{band[1]:g} s, {which}; baseline at rest"

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast, overload
 
 import numpy as np
 
-from stayput.errors import InputError, list_of
-from stayput.motion.processing import whole
+from stayput.errors import InputError, excerpt, list_of, whole_within
 from stayput.motion.readers import read_shaking
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.motion.readers.chosen import ReadingOptions
+    from stayput.motion.readers.columns import ReadingOptions
     from stayput.motion.suites.target import TargetSpectrum
 
 
@@ -239,7 +238,7 @@ class Suite(Sequence[Motion]):
         InputError
             More motions asked for than there are, or a band outside the target.
         """
-        count = whole("n", n, 1, len(self))
+        count = whole_within("motion.name_count", n, 1, len(self), field="n")
         order = np.argsort(self._misfits(target, band).std(axis=1), kind="stable")
         return self._with([self.motions[i] for i in order[:count]])
 
@@ -308,7 +307,7 @@ class Suite(Sequence[Motion]):
         sa = self.spectra(periods, damping, component)
         for motion, row in zip(self.motions, sa, strict=True):
             if not np.all(row > 0.0):
-                raise InputError("motion.suite_still", component=component, motion=motion.name)
+                raise InputError("motion.still_component", component=component, motion=excerpt(motion.name))
         return np.log(sa)
 
     def _misfits(self, target: TargetSpectrum, band: tuple[float, float]) -> NDArray[np.float64]:

@@ -1,0 +1,363 @@
+"""Strong-motion files of California, with several channels each: CSMIP's V2 and COSMOS V1.20.
+
+CSMIP V2: for each channel a text, an integer and a real header, then three blocks of samples.
+
+COSMOS V1.20: for each channel 13 text lines, an integer and a real header, comments, and the samples.
+
+Sources: California Strong Motion Instrumentation Program, https://www.strongmotioncenter.org. The
+acceleration of V2 follows a line "3251 POINTS OF ACCEL DATA EQUALLY SPACED AT .020 SEC. (UNITS: ...)" in
+fields of fixed width, 8F10.3 unless the line says otherwise; fields can touch. A line "/& END OF DATA FOR
+CHANNEL" ends each channel. The fourth of the header's integers is the number of channels. COSMOS
+strong-motion data format 1.20 (2001), https://www.strongmotion.org: of the real header, value 62 is the
+interval [ms] and 64 the peak, in the samples' unit.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError, InputWarning, excerpt, warn
+from stayput.motion.channels import Channel, plain_label
+from stayput.motion.readers.text import (
+    FixedBlock,
+    Reader,
+    check_count,
+    lacks,
+    lines,
+    not_as_stated,
+    numbers,
+)
+from stayput.motion.units import acceleration_unit, time_step
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_ANNOUNCED = re.compile(
+    r"^ *[0-9]{1,9} +POINTS +OF +(?:ACCEL|VELOC|DISPL) +DATA +EQUALLY[ -]+SPACED +AT",
+    re.IGNORECASE | re.MULTILINE,
+)
+_BLOCK = re.compile(
+    r"([0-9]{1,9}) POINTS OF (ACCEL|VELOC|DISPL) DATA EQUALLY[ -]SPACED AT ([^ ]{1,20}) SEC\b(.*)",
+    re.IGNORECASE,
+)
+_UNIT = re.compile(r"(?:UNITS: ?|\bIN )([^ ),]{1,20})", re.IGNORECASE)
+_FIELDS = re.compile(r"\(([0-9]{1,3})[FEG]([0-9]{1,2})\.[0-9]{1,2}\)", re.IGNORECASE)
+_CHANNEL = re.compile(r"\bCHAN +([0-9]{1,3}):(.*)", re.IGNORECASE)
+_FROM = re.compile(r" {2}| FROM\b", re.IGNORECASE)
+_PEAK = re.compile(r"PEAK ACCELERATION ?= ?([^ ]{1,20}) ([^ ]{1,20})", re.IGNORECASE)
+_CSMIP_END = re.compile(r"END OF DATA FOR CHANNEL ([0-9]{1,3})\b", re.IGNORECASE)
+_HEAD = 20_000  # characters at the beginning in which the first block is looked for
+_HEADER_LINES = 100  # more than the header of any channel
+
+_FIRST = re.compile(r"[^\n(]{0,80}\(Format v0?1\.[0-9]{1,2} with ([0-9]{1,2}) text lines", re.IGNORECASE)
+_VALUES = re.compile(
+    r"([0-9]{1,4}) (Integer|Real)-header values follow on ([0-9]{1,3}) lines"
+    r".*Format ?= ?\( ?[0-9]{1,3}[FEGI]([0-9]{1,2})",
+    re.IGNORECASE,
+)
+_COMMENTS = re.compile(r"([0-9]{1,6}) Comment line\(?s?\)? follow", re.IGNORECASE)
+_KIND = (
+    r"(?:(?:raw|unc?orr?(?:ected)?\.?|corr?(?:ected)?\.?) )?(accel|veloc|displ)(?:\.|eration|ity|acement)?"
+)
+_COUNT = re.compile(rf"([0-9]{{1,9}}) {_KIND} (?:pts|points)\b", re.IGNORECASE)
+_UNITS = re.compile(r"units ?= ?([^,(]{1,20})", re.IGNORECASE)
+_FORMAT = re.compile(r"Format ?= ?\( ?([0-9]{0,3})[FEIG]([0-9]{1,2})", re.IGNORECASE)
+_KINDS = {"accel": "acceleration", "veloc": "velocity", "displ": "displacement"}
+_LASTS = re.compile(r"\bapprox ([0-9]{1,9}) secs?\b", re.IGNORECASE)
+_UNKNOWN = re.compile(r"unknown/unspecified: ?(-?[0-9]{1,9})\b", re.IGNORECASE)
+_LABEL = re.compile(
+    r"Chan[^:]{0,12}: ?([0-9]{1,3}(?= ?Deg)|Up|Down|Vert|[NEZVHU][A-Z0-9\-]{0,4}\b)", re.IGNORECASE
+)
+_COSMOS_END = re.compile(
+    rf"(?:/& ?-* ?)?End[- ]of[- ]data for chan(?:nel)? ?([^ ]{{1,8}})(?:$| -+| {_KIND}(?: |$))", re.IGNORECASE
+)
+
+
+def _plain(line: str) -> str:
+    return " ".join(line.split())
+
+
+class _Block(NamedTuple):
+    """The line that announces a block of V2."""
+
+    kind: str
+    points: int
+    step: float
+    rest: str
+
+
+@dataclass
+class _ChannelText:
+    """What a V2 file says of one channel.
+
+    Attributes
+    ----------
+    header : list of str
+        The lines above its blocks.
+    blocks : list of _Block
+        What announces its blocks.
+    samples : FixedBlock
+        The acceleration.
+    """
+
+    header: list[str] = field(default_factory=list[str])
+    blocks: list[_Block] = field(default_factory=list[_Block])
+    samples: FixedBlock = field(default_factory=lambda: FixedBlock("the_samples"))
+
+    def take(self, line: str) -> None:
+        """Read a line."""
+        block = _BLOCK.fullmatch(_plain(line))
+        if block is not None:
+            count, step = numbers([block[1], block[3]], "the_line_before_the_samples").tolist()
+            self.blocks.append(_Block(block[2].upper(), int(count), step, block[4]))
+            if block[2].upper() == "ACCEL":
+                fields = _FIELDS.search(block[4])
+                per_line, self.samples.width = (int(fields[1]), int(fields[2])) if fields else (8, 10)
+                _check_layout(line, int(count), per_line, self.samples.width)
+        elif not self.blocks:
+            if len(self.header) < _HEADER_LINES:
+                self.header.append(line)
+        elif self.blocks[-1].kind == "ACCEL":
+            self.samples.add(line)
+
+    def labels(self) -> list[tuple[int, str]]:
+        """Return the numbers and the directions that the header gives the channel."""
+        matches = filter(None, map(_CHANNEL.search, self.header))
+        return [(int(m[1]), _FROM.split(m[2].strip(), maxsplit=1)[0].strip()) for m in matches]
+
+    def channels_of_file(self) -> int:
+        """Return how many channels the header's integers state; 0 where they are not there."""
+        rows = (line.split() for line in self.header)
+        first = next((row for row in rows if len(row) == 16 and all(map(str.isdecimal, row))), None)
+        return int(first[3]) if first else 0
+
+    def name(self) -> str:
+        """Return station and event."""
+        titles = [line.strip() for line in self.header]
+        while titles and not titles[0].upper().startswith("CORRECTED"):
+            titles.pop(0)
+        return f"{titles[6]}, {titles[2]}" if len(titles) > 6 else ""
+
+    def peak(self) -> float | None:
+        """Return the peak acceleration that the header states [m/s²]."""
+        match = next((m for line in self.header if (m := _PEAK.search(_plain(line)))), None)
+        return match and float(numbers([match[1]], "the_peak")[0]) * acceleration_unit(match[2], None)
+
+
+def _check_layout(line: str, *sizes: int) -> None:
+    """Refuse a line before samples that announces none, or fields without width."""
+    if min(sizes) < 1:
+        raise InputError("motion.header_line", line=excerpt(line.strip()), wanted=phrase("motion.a_layout"))
+
+
+def _check_number(part: _ChannelText, last_line: str, position: int) -> str:
+    """Return the channel's direction; its numbers in the header and in the last line must agree."""
+    labels = part.labels()
+    end = _CSMIP_END.search(_plain(last_line))
+    given = {number for number, _ in labels} | ({int(end[1])} if end else set[int]())
+    if len(given) > 1:
+        listing = " and ".join(map(str, sorted(given)))
+        raise InputError("motion.csmip_two_numbers", channel=position, numbers=listing)
+    directions = [direction for _, direction in labels]
+    if len({plain_label(direction) for direction in directions}) > 1:
+        english, japanese = zip(*map(excerpt, directions), strict=True)
+        listing = ", ".join(english), "".join(japanese)
+        taken = excerpt(directions[0])
+        warn(InputWarning("motion.csmip_directions", channel=position, directions=listing, taken=taken))
+    return directions[0] if directions else ""
+
+
+def _csmip_channel(
+    part: _ChannelText, last_line: str, position: int, unit: str | None, dt: float | None
+) -> Channel:
+    accelerations = [block for block in part.blocks if block.kind == "ACCEL"]
+    if len(accelerations) != 1:
+        raise InputError("motion.csmip_acceleration_lines", channel=position, count=len(accelerations))
+    _, count, step, rest = accelerations[0]
+    # Velocity and displacement last as long as the acceleration, but may have their own, longer time step.
+    for other in part.blocks:
+        lasts, other_lasts = count * step, other.points * other.step
+        if other.step != step if other.points == count else abs(other_lasts - lasts) > max(step, other.step):
+            about: dict[str, Any] = {"lasts": lasts, "kind": other.kind, "other": other_lasts}
+            raise InputError("motion.csmip_lengths", channel=position, **about)
+    stated = _UNIT.search(rest)
+    factor = acceleration_unit(stated[1].rstrip(".") if stated else None, unit)
+    samples = part.samples.array()
+    check_count(len(samples), count)
+    label = _check_number(part, last_line, position)
+    place = " ".join(" ".join(part.header).split())
+    return Channel(label, factor * samples, time_step(step, dt), part.name(), part.peak(), location=place)
+
+
+def _read_csmip(text: str, unit: str | None, dt: float | None) -> list[Channel]:
+    """Return the channels of a V2 file.
+
+    Raises
+    ------
+    InputError
+        A channel has no acceleration or more than one, no unit, or not as many samples as stated.
+    """
+    channels: list[Channel] = []
+    part, stated = _ChannelText(), 0
+    for _, line in lines(text):
+        if not line.lstrip().startswith("/&"):
+            part.take(line)
+            continue
+        channels.append(_csmip_channel(part, line, len(channels) + 1, unit, dt))
+        stated = max(stated, part.channels_of_file())
+        part = _ChannelText()
+    if part.blocks or any(line.strip() for line in part.header):
+        raise InputError("motion.no_end", line="/&")
+    if stated > len(channels):
+        warn(InputWarning("motion.csmip_channels_missing", stated=stated, count=len(channels)))
+    return channels
+
+
+class _Lines:
+    """The file's lines one after the other, with a look at the next."""
+
+    def __init__(self, text: str) -> None:
+        self._rest: Iterator[str] = (line for _, line in lines(text))
+        self.line: str | None = next(self._rest, None)
+
+    @property
+    def plain(self) -> str:
+        """The next line with single blanks; "" at the end of the file."""
+        return _plain(self.line or "")
+
+    def take(self) -> str:
+        """Return the line and go on to the next; refuse a file that is at its end."""
+        line = self.line
+        if line is None:
+            raise InputError("motion.no_end", line="End-of-data")
+        self.line = next(self._rest, None)
+        return line
+
+    def until_end(self) -> Iterator[str]:
+        """Yield the lines up to one that ends a block of samples, or to the end of the file."""
+        line = self.line
+        while line is not None and not (
+            line.startswith(("E", "e", "/&")) and _COSMOS_END.match(_plain(line))
+        ):
+            yield line
+            line = next(self._rest, None)
+        self.line = line
+
+    def skip_blank(self) -> bool:
+        """Pass over blank lines; return whether a line is left."""
+        while self.line is not None and not self.line.strip():
+            self.take()
+        return self.line is not None
+
+
+def _cosmos_values(rest: _Lines, kind: str, least: int = 0) -> list[float]:
+    """Return the values of the integer or the real header."""
+    match = _VALUES.match(rest.plain)
+    if match is None or match[2].lower() != kind:
+        raise lacks(f"the_{kind}_header")
+    rest.take()
+    block = FixedBlock(f"the_{kind}_header", max(1, int(match[4])))
+    for _ in range(int(match[3])):
+        block.add(rest.take())
+    values = block.array().tolist()
+    if len(values) != int(match[1]) or len(values) < least:
+        wanted = match[1] if len(values) != int(match[1]) else f"≥ {least}"
+        raise InputError("motion.cosmos_header_count", kind=kind, count=len(values), wanted=wanted)
+    return values
+
+
+def _cosmos_header(rest: _Lines) -> tuple[list[str], list[float]]:
+    """Return the text lines of a channel with single blanks, and the real header; NaN where unknown."""
+    first = _FIRST.match(rest.plain)
+    if first is None:
+        line = excerpt((rest.line or "").strip())
+        raise InputError("motion.header_line", line=line, wanted=phrase("motion.the_format"))
+    titles = [_plain(rest.take()) for _ in range(max(1, int(first[1])))]
+    _cosmos_values(rest, "integer")
+    reals = _cosmos_values(rest, "real", 64)
+    unknown = next((m for title in titles if (m := _UNKNOWN.search(title))), None)
+    blank = float(unknown[1]) if unknown else -999.0
+    if comments := _COMMENTS.match(rest.plain):
+        for _ in range(1 + int(comments[1])):
+            rest.take()
+    return titles, [math.nan if value == blank else value for value in reals]
+
+
+def _cosmos_channel(
+    titles: list[str], reals: list[float], rest: _Lines, unit: str | None, dt: float | None
+) -> Channel | None:
+    """Return the channel of the block of samples that comes next; None where it is no acceleration."""
+    announced = rest.take().strip()
+    line = _plain(announced)
+    count, layout, units = _COUNT.match(line), _FORMAT.search(line), _UNITS.search(line)
+    if count is None or layout is None:
+        raise InputError("motion.header_line", line=excerpt(announced), wanted=phrase("motion.a_layout"))
+    kind, points, width = count[2].lower(), int(count[1]), int(layout[2])
+    _check_layout(announced, points, int(layout[1] or 1), width)
+    block = FixedBlock("the_samples", width)
+    for sample_line in rest.until_end():
+        if kind == "accel":
+            block.add(sample_line)
+    end = _COSMOS_END.match(_plain(rest.take()))
+    assert end is not None
+    if end[2] is not None and end[2].lower() != kind:
+        raise InputError("motion.cosmos_another_end", begun=_KINDS[kind], ended=_KINDS[end[2].lower()])
+    if kind != "accel":
+        return None
+    samples = block.array()
+    check_count(len(samples), points)
+    factor = acceleration_unit(units[1].strip() if units else None, unit)
+    interval, peak = reals[61], reals[63]
+    step = time_step(interval / 1000.0 if interval > 0.0 else None, dt)
+    lasts = _LASTS.search(line)
+    if lasts is not None and abs(points * step - int(lasts[1])) > 1.0 + 0.01 * int(lasts[1]):
+        raise not_as_stated("duration", int(lasts[1]), points * step, " s")
+    label = next((m[1] for title in titles if (m := _LABEL.search(title))), end[1])
+    event = titles[1].removeprefix("Record of ") if len(titles) > 1 else ""
+    stated_peak = None if math.isnan(peak) else peak * factor
+    origin = f"{event}, {next((title for title in titles if title.startswith('Statn No')), '')}"
+    place = " ".join(titles)
+    return Channel(label, factor * samples, step, event, stated_peak, location=place, origin=origin)
+
+
+def _read_cosmos(text: str, unit: str | None, dt: float | None) -> list[Channel]:
+    """Return the channels of a COSMOS file.
+
+    Raises
+    ------
+    InputError
+        There is no acceleration, a header block is damaged, or there are not as many samples as stated.
+    """
+    rest = _Lines(text)
+    channels: list[Channel] = []
+    header: tuple[list[str], list[float]] | None = None
+    while rest.skip_blank():
+        if header is None or _COUNT.match(rest.plain) is None:
+            header = _cosmos_header(rest)
+        channel = _cosmos_channel(*header, rest, unit, dt)
+        if channel is not None:
+            channels.append(channel)
+    if not channels:
+        where, other = phrase("motion.names_of_blocks"), phrase("motion.velocity_or_displacement")
+        raise InputError("motion.not_acceleration", where=where, quantity=other)
+    return channels
+
+
+def _is_csmip(text: str) -> bool:
+    """Return whether a line announces points of equally spaced data."""
+    return _ANNOUNCED.search(text, 0, _HEAD) is not None
+
+
+def _is_cosmos(text: str) -> bool:
+    """Return whether the first line states the format and its text lines."""
+    return _FIRST.match(_plain(text[:1000].partition("\n")[0])) is not None
+
+
+READERS = (
+    Reader("CSMIP V2", _is_csmip, _read_csmip),
+    Reader("COSMOS V1.20", _is_cosmos, _read_cosmos),
+)
