@@ -19,12 +19,13 @@ import stayput as sp
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.cli import app
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, TensionPole, WedgeStopper
-from stayput.measures.parameters import Grade
+from stayput.measures.measure import Grade
 from stayput.report.action_plan.elevation import size_on_paper
 from stayput.report.action_plan.html import plan_html
 from stayput.report.action_plan.paper import ELEVATION_SCALES, SIZES, elevation_scale, sizes_of
-from stayput.rooms.forces import MARGIN, QUANTILE, DeviceForces, Purchase, quantile_of, unbreakable
+from stayput.rooms.forces import MARGIN, QUANTILE, Purchase, quantile_of, unbreakable
 from stayput.rooms.planning import purchases_of
+from stayput.rooms.runs import DeviceForces
 from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings, with_ends
 from stayput.rooms.steps import COST_CLASSES, SETS, Home
 from stayput.rooms.verify import question_of

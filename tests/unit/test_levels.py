@@ -13,7 +13,7 @@ from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.state import State
 from stayput.montecarlo import levels as module
 from stayput.montecarlo.hazard import FloorMotions
-from stayput.montecarlo.levels import (
+from stayput.montecarlo.runs import (
     CALM_SLIDE,
     CALM_TILT,
     GROUP,

@@ -12,6 +12,7 @@ import verdict_cases
 from html_pages import Page
 
 import stayput as sp
+from stayput.montecarlo.counting import Member
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
@@ -22,7 +23,6 @@ from stayput.report.verdict.numbers import interval, share
 from stayput.report.verdict.pairs import RATE, pairs_of, replay
 from stayput.report.verdict.tables import ranking
 from stayput.report.verdict.words import word
-from stayput.verification.verdict import Member
 from stayput.verification.words import headline
 
 

@@ -9,7 +9,16 @@ import pytest
 import stayput as sp
 from stayput.fragility import JMA_INTENSITY, PGA
 from stayput.measures import MEASURES
-from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Quantiles
+from stayput.montecarlo.counting import (
+    DEVICE_FAILED,
+    EVENTS,
+    HIT_WALL,
+    OVERTURNED,
+    SLID,
+    Member,
+    Quantiles,
+    members,
+)
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
@@ -17,8 +26,6 @@ from stayput.report.verdict.pairs import replay
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, options_of, verify
 from stayput.verification.options import usual_options
-from stayput.verification.ranking import members
-from stayput.verification.verdict import Member
 from stayput.verification.words import headline, reason
 
 ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}

@@ -22,8 +22,8 @@ from stayput.report.several.pairs import replay_of_several
 from stayput.report.several.tables import settlement_assumptions
 from stayput.scenario import AssemblyScenario
 from stayput.simulation.placing import placed
-from stayput.verification.several_options import label, options_of_several
-from stayput.verification.several_words import headline_of_several
+from stayput.verification.options import label, options_of_several
+from stayput.verification.words import headline_of_several
 
 if TYPE_CHECKING:
     from pathlib import Path

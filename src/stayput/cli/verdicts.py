@@ -143,7 +143,7 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
     from stayput.report.verdict import numbers
     from stayput.report.verdict.words import word
     from stayput.verification import EVENTS
-    from stayput.verification.several_words import headline_of_several
+    from stayput.verification.words import headline_of_several
 
     text = partial(word, language=lang)
     console, paragraph = _titled(verdict.scenario.title, lang)

@@ -9,8 +9,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest
 from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, in_series
-from stayput.measures.measure import BadlyInstalled, Held, Measure
-from stayput.measures.parameters import choice
+from stayput.measures.measure import BadlyInstalled, Held, Measure, choice
 from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, Ceiling
 

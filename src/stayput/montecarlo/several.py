@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from stayput.execution import Pool
-from stayput.measures.bracket import REACH
-from stayput.measures.results import utilisation
+from stayput.measures.element import utilisation
+from stayput.measures.wall import REACH
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, HOLDS
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND

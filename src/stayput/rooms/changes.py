@@ -15,8 +15,7 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.measures import MEASURES
-from stayput.measures.bracket import REACH
-from stayput.measures.wall import WallDevice
+from stayput.measures.wall import REACH, WallDevice
 from stayput.model.floor_plan import FACING, rectangle
 from stayput.rooms.contact import inside_each_other
 from stayput.rooms.runs import RoomPart, part_with, with_measures

@@ -16,8 +16,8 @@ import numpy as np
 
 from stayput.errors import InputError, instance_of
 from stayput.measures import MEASURES
+from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
-from stayput.measures.wedge import WedgeStopper
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import bar
 from stayput.rooms.changes import can_be_held
@@ -31,13 +31,17 @@ from stayput.rooms.effects import (
     tracks_of_part,
 )
 from stayput.rooms.events import hits_of
-from stayput.rooms.purchases import in_number, purchases_of
+from stayput.rooms.forces import in_number, purchases_of
 from stayput.rooms.runs import part_with, with_measures, with_member
-from stayput.rooms.steps import SETS, ActionPlan, Fix, Home, PlanStep
-from stayput.rooms.trials import (
+from stayput.rooms.steps import (
     ALIKE,
+    SETS,
+    ActionPlan,
     ChosenStep,
+    Fix,
+    Home,
     OtherTracks,
+    PlanStep,
     Trial,
     chance_of_overturning,
     for_people,

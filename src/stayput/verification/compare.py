@@ -14,18 +14,17 @@ from stayput.errors import InputError, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.fragility.intensity_measures import FLOOR_JMA
 from stayput.measures import hold
-from stayput.measures.results import weakest
+from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Quantiles
+from stayput.montecarlo.counting import Quantiles, members, severity
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.levels import run_levels
-from stayput.montecarlo.runs import run_level
+from stayput.montecarlo.runs import run_level, run_levels
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
 from stayput.verification.contents import contents_verdicts
+from stayput.verification.notes import Estimates
 from stayput.verification.options import compared_options
-from stayput.verification.ranking import members, severity
-from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, OptionVerdict, Verdict
+from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, Verdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -36,8 +35,7 @@ if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.measures import Held
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.levels import Falls
-    from stayput.montecarlo.runs import Runs
+    from stayput.montecarlo.runs import Falls, Runs
     from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
     from stayput.verification.contents import ContentsVerdict

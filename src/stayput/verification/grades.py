@@ -1,6 +1,6 @@
 """Grades of options: how well founded are the inputs that decide the outcome, and which is the weakest.
 
-What each grade means stands in `stayput.measures.parameters`, and with the parameters whether they decide.
+What each grade means stands in `stayput.measures.measure`, and with the parameters whether they decide.
 The earthquakes are what is asked, so they have no grade.
 """
 
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase
 from stayput.measures import TensionPole, hold
 from stayput.measures.floor import OtherFriction
-from stayput.measures.parameters import GRADE_OF, Grade
+from stayput.measures.measure import GRADE_OF, Grade
 from stayput.measures.wall import WallDevice
 from stayput.model.furniture import FURNITURE
 from stayput.model.parameters import GIVEN, parameters

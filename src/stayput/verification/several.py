@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.fragility import difference, probability
-from stayput.measures.results import weakest
+from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Quantiles
+from stayput.montecarlo.counting import Quantiles, members, severity
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import Settings, sample_until_precise
 from stayput.montecarlo.several import draws_of_several, run_several
@@ -19,15 +19,14 @@ from stayput.progress import bar
 from stayput.simulation.placing import placed
 from stayput.simulation.space import warn_of_settlement
 from stayput.simulation.space_devices import JOINT
-from stayput.verification.ranking import members, severity
-from stayput.verification.several_options import options_of_several
-from stayput.verification.several_verdict import (
+from stayput.verification.options import options_of_several
+from stayput.verification.verdict import (
     AssemblyOptionVerdict,
     AssemblyVerdict,
     DeviceOfSeveral,
+    DeviceSummary,
     PieceVerdict,
 )
-from stayput.verification.verdict import DeviceSummary
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -9,7 +9,7 @@ from markupsafe import Markup
 
 import stayput
 from stayput.catalogue import phrase, say
-from stayput.measures.parameters import MEANINGS
+from stayput.measures.measure import MEANINGS
 from stayput.report.action_plan.elevation import elevation_svg
 from stayput.report.action_plan.paper import elevation_scale, is_dense, plan_scale, sizes_of
 from stayput.report.page import framed, rendered, write_page

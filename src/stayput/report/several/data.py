@@ -15,7 +15,7 @@ from stayput.report.several.tables import several_assumptions
 from stayput.report.summary import number
 from stayput.report.verdict.data import strength_data
 from stayput.spreadsheets import text_cell
-from stayput.verification.several_words import headline_of_several, reason_of_several, title_of_several
+from stayput.verification.words import headline_of_several, reason_of_several, title_of_several
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.montecarlo.counting import Quantiles
     from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict
-    from stayput.verification.several_verdict import DeviceOfSeveral
+    from stayput.verification.verdict import DeviceOfSeveral
 
 
 def several_json(verdict: AssemblyVerdict) -> str:

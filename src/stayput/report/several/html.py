@@ -21,8 +21,7 @@ from stayput.report.several.tables import (
 from stayput.report.verdict import numbers
 from stayput.report.verdict.tables import DEVICE_COLUMNS
 from stayput.report.verdict.words import word
-from stayput.verification.several_words import headline_of_several
-from stayput.verification.words import class_label
+from stayput.verification.words import class_label, headline_of_several
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -18,7 +18,7 @@ from stayput.report.verdict.markdown import plain, table
 from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval
 from stayput.report.verdict.tables import DEVICE_COLUMNS
 from stayput.report.verdict.words import word
-from stayput.verification.several_words import headline_of_several
+from stayput.verification.words import headline_of_several
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -15,12 +15,12 @@ from stayput.report.space.said import became
 from stayput.report.verdict.in_space import embedded, motion_in_space
 from stayput.report.verdict.words import word
 from stayput.report.window import cut_run, window_in_space
-from stayput.verification.several_words import title_of_several
+from stayput.verification.words import title_of_several
 
 if TYPE_CHECKING:
+    from stayput.montecarlo.counting import Member
     from stayput.simulation.space_run import SpaceRun
     from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict
-    from stayput.verification.verdict import Member
 
 
 def pairs_of_several(verdict: AssemblyVerdict, language: str) -> list[dict[str, Any]]:

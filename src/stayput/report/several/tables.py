@@ -20,8 +20,8 @@ from stayput.report.verdict.assumptions import (
 )
 from stayput.report.verdict.tables import device_cells
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
-from stayput.verification.several_options import brief_label
-from stayput.verification.several_words import is_own, reason_of_several, title_of_several
+from stayput.verification.options import brief_label
+from stayput.verification.words import is_own, reason_of_several, title_of_several
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
 
 MODEL = "model"
-"""Tag of a limit of the model, beside those of `stayput.measures.parameters.GRADE_OF`."""
+"""Tag of a limit of the model, beside those of `stayput.measures.measure.GRADE_OF`."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ import stayput
 from stayput.catalogue import LANGUAGES
 from stayput.fragility.curve import METHOD
 from stayput.measures import parameters
-from stayput.measures.parameters import MEANINGS
+from stayput.measures.measure import MEANINGS
 from stayput.motion.intensity import intensity_class
 from stayput.report.summary import number
 from stayput.report.verdict.assumptions import assumptions

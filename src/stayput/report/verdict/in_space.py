@@ -23,10 +23,10 @@ from stayput.verification.words import title
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from stayput.montecarlo.counting import Member
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.verification import Verdict
-    from stayput.verification.verdict import Member
 
 
 def space_pairs(verdict: Verdict, ground: Suite, language: str) -> list[dict[str, Any]]:

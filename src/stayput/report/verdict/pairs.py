@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.measures import element_rows, hold
-from stayput.measures.results import device_results
+from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.measures import Held
+    from stayput.montecarlo.counting import Member
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Option, Verdict
-    from stayput.verification.verdict import Member
 
 _HARDLY_TILT, _HARDLY_SLIDE = 0.01, 0.005
 """Peaks [rad, m] below which a run is said to hardly move."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
-from stayput.measures.parameters import MEANINGS
+from stayput.measures.measure import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED
 from stayput.report.names import place_named
 from stayput.report.summary import number
