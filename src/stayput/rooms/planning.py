@@ -19,7 +19,7 @@ from stayput.measures import MEASURES
 from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
-from stayput.progress import bar
+from stayput.progress import tally
 from stayput.rooms.changes import can_be_held
 from stayput.rooms.decisions import decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import (
@@ -133,13 +133,10 @@ def action_plan(
     began = time.perf_counter()
     asked = instance_of("verdict", verdict, RoomVerdict)
     home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
-    made = 0
-    with bar(None, "progress.planning", progress) as advance:
+    with tally(None, "progress.planning", progress) as made:
 
         def count(runs: int) -> None:
-            nonlocal made
-            made += runs
-            advance(runs)
+            made(runs)
             if on_progress is not None:
                 on_progress(runs)
 
@@ -148,7 +145,7 @@ def action_plan(
         planner = _Planner(question, state, home, decisions_of(question, decided))
         steps, unsolved = planner.steps()
     as_it_is = verdict_of(question, state, asked.slide_limit)
-    now = replace(as_it_is, complete=True, runs=made, seconds=time.perf_counter() - began)
+    now = replace(as_it_is, complete=True, runs=made.done, seconds=time.perf_counter() - began)
     return ActionPlan(now, home, steps, unsolved, planner.drilled)
 
 

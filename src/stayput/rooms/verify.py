@@ -14,7 +14,7 @@ from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
-from stayput.progress import bar
+from stayput.progress import tally
 from stayput.rooms.contact import inside_each_other
 from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_by, in_order, risk_of
 from stayput.rooms.events import EndOfRuns, shares_covered
@@ -102,18 +102,11 @@ def verify_room(
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     question = question_of(scenario, threads)
     each = len(question.drawn) * len(question.drawn[0])
-    total, made = len(groups_of(question.scenario)) * each, 0
-    with bar(total, "progress.verifying", progress) as advance:
-
-        def count(runs: int) -> None:
-            nonlocal made
-            made += runs
-            advance(runs)
-            if on_progress is not None:
-                on_progress(made, max(total, made))
+    total = len(groups_of(question.scenario)) * each
+    with tally(total, "progress.verifying", progress, on_progress) as count:
 
         def told(verdict: RoomVerdict) -> RoomVerdict:
-            so_far = replace(verdict, runs=made, seconds=time.perf_counter() - began)
+            so_far = replace(verdict, runs=count.done, seconds=time.perf_counter() - began)
             if on_verdict is not None:
                 on_verdict(so_far)
             return so_far

@@ -20,23 +20,26 @@ from stayput.montecarlo.counting import Quantiles, members, severity
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level, run_levels
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
-from stayput.progress import bar
+from stayput.progress import tally
 from stayput.verification.contents import contents_verdicts
 from stayput.verification.notes import Estimates
 from stayput.verification.options import compared_options
 from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, Verdict
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
+    from typing import Any
 
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure
-    from stayput.measures import Held
+    from stayput.measures import Element, Held
+    from stayput.montecarlo.counting import Outcomes
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.runs import Falls, Runs
     from stayput.montecarlo.sampling import Rows
+    from stayput.montecarlo.several import RunsOfSeveral
     from stayput.scenario import Scenario
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Option
@@ -87,16 +90,7 @@ def compare(
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
-    with bar(total, "progress.verifying", progress) as advance:
-        seen = 0
-
-        def count(runs: int) -> None:
-            nonlocal seen
-            seen += runs
-            advance(runs)
-            if on_progress is not None:
-                on_progress(seen, total)
-
+    with tally(total, "progress.verifying", progress, on_progress) as count:
         floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
         batches: list[list[Rows]] = []
 
@@ -242,38 +236,53 @@ def _verdicts(
     installed: Mapping[str, AsInstalled],
     inside: list[ContentsVerdict | None],
 ) -> tuple[OptionVerdict, ...]:
-    chances = [runs.probabilities(slide_limit) for runs in stated]
-    order = sorted(range(len(options)), key=lambda i: (*severity(chances[i], len(options[i].measures)), i))
     verdicts: list[OptionVerdict] = []
-    for rank, i in enumerate(order, start=1):
-        runs, option = stated[i], options[i]
+    for i, outcomes in ranked_outcomes(stated, [len(option.measures) for option in options], slide_limit):
+        option = options[i]
         curves = _curves(option.name, falls[i], measures) if measures else {}
-        typical, worst = members(runs)
         verdicts.append(
             OptionVerdict(
                 option=option,
-                rank=rank,
-                probabilities=chances[i],
-                change=difference(
-                    runs.overturned,
-                    stated[0].overturned,
-                    runs.missing | stated[0].missing,
-                    comparisons=len(options) - 1,
-                )
-                if option.measures
-                else None,
-                slide=Quantiles.of(runs.slide, runs.overturned),
-                tilt=Quantiles.of(runs.tilt, runs.overturned),
-                devices=device_summaries(held[i], runs),
+                **outcomes,
+                devices=device_summaries(held[i], stated[i]),
                 curves=curves,
                 capacities={p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {},
-                typical=typical,
-                worst=worst,
                 installed=installed.get(option.name),
                 contents=inside[i],
             )
         )
     return tuple(verdicts)
+
+
+def ranked_outcomes(
+    runs: Sequence[Outcomes], costs: Sequence[int], slide_limit: float
+) -> Iterator[tuple[int, dict[str, Any]]]:
+    """Yield the number of each option, the best first, and what its verdict tells of all its runs, by field.
+
+    Parameters
+    ----------
+    runs : sequence of Outcomes
+        Those of each option, that without anything first.
+    costs : sequence of int
+        How many things each option puts in place.
+    slide_limit : float
+        Slide that counts as too far [m].
+    """
+    chances, bare, others = [one.probabilities(slide_limit) for one in runs], runs[0], len(runs) - 1
+    order = sorted(range(len(runs)), key=lambda i: (*severity(chances[i], costs[i]), i))
+    for rank, i in enumerate(order, start=1):
+        own, missing = runs[i], runs[i].missing | bare.missing
+        typical, worst = members(own)
+        told: dict[str, Any] = {
+            "rank": rank,
+            "probabilities": chances[i],
+            "change": difference(own.overturned, bare.overturned, missing, comparisons=others) if i else None,
+            "slide": Quantiles.of(own.slide, own.overturned),
+            "tilt": Quantiles.of(own.tilt, own.overturned),
+            "typical": typical,
+            "worst": worst,
+        }
+        yield i, told
 
 
 def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
@@ -286,23 +295,45 @@ def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
     runs : Runs
         Its runs.
     """
-    nowhere = np.zeros_like(runs.overturned)
-    summaries: list[DeviceSummary] = []
-    for number, element in enumerate(held.elements):
-        device = runs.devices[:, :, number]
-        along = np.maximum(device["peak_pull"], device["peak_push"])
-        force = runs.masses * np.hypot(along, device["peak_shear"])
-        failed = device["failure"] != HOLDS
-        times = device["failure_time"][failed & ~runs.missing]
-        summaries.append(
-            DeviceSummary(
-                kind=element.kind,
-                name=f"{element.kind} {element.place}".strip(),
-                failed=probability(failed, runs.missing),
-                failure_time=float(np.median(times)) if times.size else np.nan,
-                peak=Quantiles.of(force, nowhere),
-                used=Quantiles.of(runs.used[:, :, number], nowhere),
-                weakest=weakest(element, device[~runs.missing]),
-            )
-        )
-    return tuple(summaries)
+    return tuple(
+        device_summary(element.kind, element, number, runs, runs.masses)
+        for number, element in enumerate(held.elements)
+    )
+
+
+def device_summary(
+    kind: str,
+    element: Element | None,
+    number: int,
+    runs: Runs | RunsOfSeveral,
+    mass: NDArray[np.float64] | float = 1.0,
+) -> DeviceSummary:
+    """Return a summary of the device of a number, or of a joint, which is no element of a measure.
+
+    Parameters
+    ----------
+    kind : str
+        The measure that it belongs to.
+    element : Element or None
+        The device.
+    number : int
+        Its place among all devices of the runs.
+    runs : Runs or RunsOfSeveral
+        The runs.
+    mass : ndarray or float
+        By what their forces are multiplied: the body's mass [kg] where they are per unit mass.
+    """
+    device, missing = runs.devices[:, :, number], runs.missing
+    nowhere = np.zeros_like(missing)
+    along = np.maximum(device["peak_pull"], device["peak_push"])
+    failed = device["failure"] != HOLDS
+    times = device["failure_time"][failed & ~missing]
+    return DeviceSummary(
+        kind=kind,
+        name=kind if element is None else f"{kind} {element.place}".strip(),
+        failed=probability(failed, missing),
+        failure_time=float(np.median(times)) if times.size else np.nan,
+        peak=Quantiles.of(mass * np.hypot(along, device["peak_shear"]), nowhere),
+        used=Quantiles.of(runs.used[:, :, number], nowhere),
+        weakest=None if element is None else weakest(element, device[~missing]),
+    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.room import Room
     from stayput.scenario import AssemblyScenario, Scenario
+
+OptionT = TypeVar("OptionT")
 
 USUAL = (
     "anti_slip_sheet",
@@ -82,18 +84,18 @@ class Option:
 
 
 @dataclass(frozen=True, slots=True)
-class Impossible:
+class Impossible(Generic[OptionT]):
     """An option that cannot be put in place: it has no numbers, not even 0.
 
     Parameters
     ----------
-    option : Option
+    option : Option or AssemblyOption
         The measures.
     error : InputError
         Why not.
     """
 
-    option: Option
+    option: OptionT
     error: InputError
 
     @property
@@ -108,10 +110,10 @@ class Impossible:
 
 def partition_options(
     options: Sequence[Option], body: Body, room: Room
-) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
+) -> tuple[tuple[Option, ...], tuple[Impossible[Option], ...]]:
     """Return those options that can be put in place, and those that cannot with the reason."""
     possible: list[Option] = []
-    impossible: list[Impossible] = []
+    impossible: list[Impossible[Option]] = []
     for option in options:
         try:
             hold(body, room, option.measures)
@@ -133,7 +135,7 @@ def usual_options(body: Body, room: Room) -> tuple[Option, ...]:
     return partition_options(usual(), body, room)[0]
 
 
-def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
+def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible[Option], ...]]:
     """Return the options that a verification compares, that without a measure first, and the impossible ones.
 
     Raises
@@ -188,26 +190,6 @@ ALONE = ("l_bracket",)
 """Those of them that are compared without the joints too."""
 
 
-@dataclass(frozen=True, slots=True)
-class RejectedOption:
-    """An option that cannot be put in place: it has no numbers.
-
-    Parameters
-    ----------
-    option : AssemblyOption
-        The option.
-    error : InputError
-        Why not.
-    """
-
-    option: AssemblyOption
-    error: InputError
-
-    def why(self, language: str) -> str:
-        """Return why not, in "en" or "ja"."""
-        return self.error.told("ja" if language == "ja" else "en")
-
-
 def label(option: AssemblyOption, scenario: AssemblyScenario) -> Phrase:
     """Return what an option consists of: "Joints + Screwed L-brackets on upper part"."""
     english, japanese = (_label(option, scenario.names, language) for language in ("en", "ja"))
@@ -237,7 +219,7 @@ def _label(option: AssemblyOption, names: tuple[str, ...], language: str) -> str
 
 def options_of_several(
     scenario: AssemblyScenario,
-) -> tuple[tuple[AssemblyOption, ...], tuple[RejectedOption, ...]]:
+) -> tuple[tuple[AssemblyOption, ...], tuple[Impossible[AssemblyOption], ...]]:
     """Return the options that a verification compares, that without anything first, and the impossible ones.
 
     Raises
@@ -249,12 +231,12 @@ def options_of_several(
     named = scenario.options
     wanted = named or _usual(scenario)
     possible: list[AssemblyOption] = []
-    rejected: list[RejectedOption] = []
+    rejected: list[Impossible[AssemblyOption]] = []
     for option in wanted:
         try:
             _put_in_place(scenario, option)
         except InputError as error:  # no wall behind, no ceiling known, mats under a piece on another
-            rejected.append(RejectedOption(option, scenario.by_names(error)))
+            rejected.append(Impossible(option, scenario.by_names(error)))
         else:
             possible.append(option)
     if named and not possible:

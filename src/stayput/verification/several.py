@@ -4,34 +4,28 @@ from __future__ import annotations
 
 import time
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from stayput.fragility import difference, probability
-from stayput.measures.element import weakest
-from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Quantiles, members, severity
+from stayput.montecarlo.counting import Quantiles
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import Settings, sample_until_precise
 from stayput.montecarlo.several import draws_of_several, run_several
-from stayput.progress import bar
+from stayput.progress import tally
 from stayput.simulation.placing import placed
 from stayput.simulation.space import warn_of_settlement
 from stayput.simulation.space_devices import JOINT
+from stayput.verification.compare import device_summary, ranked_outcomes
 from stayput.verification.options import options_of_several
 from stayput.verification.verdict import (
     AssemblyOptionVerdict,
     AssemblyVerdict,
     DeviceOfSeveral,
-    DeviceSummary,
     PieceVerdict,
 )
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from stayput.measures.element import Element
     from stayput.montecarlo.several import RunsOfSeveral
     from stayput.scenario import AssemblyScenario
     from stayput.scenario.assembly_options import AssemblyOption
@@ -69,16 +63,7 @@ def verify_several(
         seed=settings.seed,
         as_stated=settings.as_stated,
     )
-    with bar(total, "progress.verifying", progress) as advance:
-        done = 0
-
-        def count(runs: int) -> None:
-            nonlocal done
-            done += runs
-            advance(runs)
-            if on_progress is not None:
-                on_progress(done, total)
-
+    with tally(total, "progress.verifying", progress, on_progress) as count:
         floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
 
         def run(_: list[int], samples: int, start: int) -> list[RunsOfSeveral]:
@@ -116,31 +101,17 @@ def _verdicts(
     runs: list[RunsOfSeveral],
     slide_limit: float,
 ) -> tuple[AssemblyOptionVerdict, ...]:
-    chances = [one.probabilities(slide_limit) for one in runs]
-    order = sorted(range(len(options)), key=lambda i: (*severity(chances[i], options[i].count), i))
-    bare_runs, verdicts = runs[0], list[AssemblyOptionVerdict]()
-    for rank, i in enumerate(order, start=1):
-        own, missing = runs[i], runs[i].missing | bare_runs.missing
-        typical, worst = members(own)
-        verdicts.append(
-            AssemblyOptionVerdict(
-                option=options[i],
-                rank=rank,
-                probabilities=chances[i],
-                change=difference(own.overturned, bare_runs.overturned, missing, comparisons=len(options) - 1)
-                if i
-                else None,
-                slide=Quantiles.of(own.slide, own.overturned),
-                tilt=Quantiles.of(own.tilt, own.overturned),
-                pieces=tuple(
-                    _piece(name, own, body, slide_limit) for body, name in enumerate(scenario.names)
-                ),
-                devices=_devices(scenario, assemblies[i], own),
-                typical=typical,
-                worst=worst,
-            )
+    return tuple(
+        AssemblyOptionVerdict(
+            option=options[i],
+            **outcomes,
+            pieces=tuple(
+                _piece(name, runs[i], body, slide_limit) for body, name in enumerate(scenario.names)
+            ),
+            devices=_devices(scenario, assemblies[i], runs[i]),
         )
-    return tuple(verdicts)
+        for i, outcomes in ranked_outcomes(runs, [option.count for option in options], slide_limit)
+    )
 
 
 def _piece(name: str, runs: RunsOfSeveral, body: int, slide_limit: float) -> PieceVerdict:
@@ -153,43 +124,16 @@ def _piece(name: str, runs: RunsOfSeveral, body: int, slide_limit: float) -> Pie
     )
 
 
-class _Device(NamedTuple):
-    """A device of an assembly, or a joint: whose it is, and what is known of it."""
-
-    pieces: tuple[str, ...]
-    kind: str
-    place: str
-    element: Element | None
-
-
 def _devices(
     scenario: AssemblyScenario, assembly: Assembly, runs: RunsOfSeveral
 ) -> tuple[DeviceOfSeveral, ...]:
     """Return a summary of each device and joint, in the order of the runs'."""
-    room, names = scenario.surroundings(), scenario.names
-    bodies = placed(assembly.members, room)
-    devices = [
-        _Device((name,), element.kind, element.place, element)
-        for name, body in zip(names, bodies, strict=True)
-        if body.held is not None
-        for element in body.held.elements
-    ]
-    devices += [_Device((names[one.first], names[one.second]), JOINT, "", None) for one in assembly.joints]
-    nowhere = np.zeros_like(runs.overturned)
-    found: list[DeviceOfSeveral] = []
-    for number, one in enumerate(devices):
-        device = runs.devices[:, :, number]
-        along = np.maximum(device["peak_pull"], device["peak_push"])
-        failed = device["failure"] != HOLDS
-        times = device["failure_time"][failed & ~runs.missing]
-        summary = DeviceSummary(
-            kind=one.kind,
-            name=f"{one.kind} {one.place}".strip(),
-            failed=probability(failed, runs.missing),
-            failure_time=float(np.median(times)) if times.size else np.nan,
-            peak=Quantiles.of(np.hypot(along, device["peak_shear"]), nowhere),
-            used=Quantiles.of(runs.used[:, :, number], nowhere),
-            weakest=None if one.element is None else weakest(one.element, device[~runs.missing]),
-        )
-        found.append(DeviceOfSeveral(one.pieces, summary))
+    names, found = scenario.names, list[DeviceOfSeveral]()
+    for name, body in zip(names, placed(assembly.members, scenario.surroundings()), strict=True):
+        for element in () if body.held is None else body.held.elements:
+            summary = device_summary(element.kind, element, len(found), runs)
+            found.append(DeviceOfSeveral((name,), summary))
+    for joint in assembly.joints:
+        pieces = names[joint.first], names[joint.second]
+        found.append(DeviceOfSeveral(pieces, device_summary(JOINT, None, len(found), runs)))
     return tuple(found)

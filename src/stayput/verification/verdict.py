@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from stayput.scenario.assembly_options import AssemblyOption
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.notes import Estimates
-    from stayput.verification.options import Impossible, Option, RejectedOption
+    from stayput.verification.options import Impossible, Option
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,7 +195,7 @@ class Verdict(InJson):
     precise: bool
     seed: int
     seconds: float
-    impossible: tuple[Impossible, ...] = ()
+    impossible: tuple[Impossible[Option], ...] = ()
     complete: bool = True
     floor: str = ""
 
@@ -371,7 +371,7 @@ class AssemblyVerdict:
         Seed of the draws.
     seconds : float
         How long it took.
-    rejected : tuple of RejectedOption
+    rejected : tuple of Impossible
         Options that cannot be put in place here, with the reason.
     """
 
@@ -385,7 +385,7 @@ class AssemblyVerdict:
     precise: bool
     seed: int
     seconds: float
-    rejected: tuple[RejectedOption, ...] = ()
+    rejected: tuple[Impossible[AssemblyOption], ...] = ()
     floor: str = ""
 
     def __repr__(self) -> str:

@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification.options import Option, RejectedOption
+    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.verification.options import Impossible, Option
     from stayput.verification.verdict import AssemblyOptionVerdict, AssemblyVerdict, OptionVerdict, Verdict
 
     Ranked = Verdict | AssemblyVerdict
@@ -302,7 +303,7 @@ OFTEN = 0.05
 
 
 def title_of_several(
-    result: AssemblyOptionVerdict | RejectedOption, verdict: AssemblyVerdict, language: str
+    result: AssemblyOptionVerdict | Impossible[AssemblyOption], verdict: AssemblyVerdict, language: str
 ) -> str:
     """Return what an option consists of, after its name where that is the user's own."""
     content = label(result.option, verdict.scenario)
@@ -311,7 +312,7 @@ def title_of_several(
     return with_aside(result.option.name, inside(content[0]) if language == "en" else content[1], language)
 
 
-def is_own(result: AssemblyOptionVerdict | RejectedOption, verdict: AssemblyVerdict) -> bool:
+def is_own(result: AssemblyOptionVerdict | Impossible[AssemblyOption], verdict: AssemblyVerdict) -> bool:
     """Return whether an option has a name of the user's own."""
     return result.option in verdict.scenario.options
 
