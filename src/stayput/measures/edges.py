@@ -10,7 +10,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
 from stayput.measures.floor import SOFT, kinetic_of, static_of
-from stayput.measures.measure import UNDER_THE_BASE, BadlyInstalled, Held, Measure
+from stayput.measures.measure import BadlyInstalled, Held, UnderTheBase
 from stayput.model.parameters import parameter
 from stayput.uncertainty import Confidence
 
@@ -24,7 +24,7 @@ ON_DUST = 0.3
 
 
 @dataclass(frozen=True, slots=True)
-class GelMats(Measure):
+class GelMats(UnderTheBase):
     """Pads of soft adhesive gel, half of them along each edge of the base.
 
     Each edge is held by a spring that only pulls, and one that shears either way; both tear off for good
@@ -56,7 +56,6 @@ class GelMats(Measure):
             "ほこりや凹凸、劣化で弱くなる。"
         ),
     )
-    acts_on: ClassVar[str] = "the base"
 
     rating: float = parameter(
         1e4,
@@ -92,10 +91,6 @@ class GelMats(Measure):
     thickness: float = parameter(0.005, "m", 5e-4, 0.05, ("thickness", "厚さ"))
     modulus: float = parameter(300e3, "Pa", 1e3, 1e8, ("Young's modulus", "ヤング率"))
     damping: float = parameter(0.1, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
-
-    def where(self) -> Phrase | None:
-        """Return the place under the base."""
-        return UNDER_THE_BASE
 
     def badly_installed(self, room: Room) -> BadlyInstalled | None:
         """Return them on dust."""
@@ -156,7 +151,7 @@ class GelMats(Measure):
 
 
 @dataclass(frozen=True, slots=True)
-class WedgeStopper(Measure):
+class WedgeStopper(UnderTheBase):
     """A stopper of rubber pushed under the front edge: the piece leans back, and its front does not slide.
 
     The front corner of the base is lower by the thickness, so the body rests tilted back; that corner has the
@@ -188,17 +183,12 @@ class WedgeStopper(Measure):
             "る。"
         ),
     )
-    acts_on: ClassVar[str] = "the base"
 
     thickness: float = parameter(
         0.007, "m", 5e-4, 0.1, ("thickness at the front edge", "前端の厚さ"), decides=True
     )
     static_friction: float = static_of("rubber pad")
     kinetic_friction: float = kinetic_of("rubber pad")
-
-    def where(self) -> Phrase | None:
-        """Return the place under the base."""
-        return UNDER_THE_BASE
 
     def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
         """Return that it sinks in, and that the piece is too squat for it.

@@ -13,7 +13,6 @@ from stayput.mechanics.devices.columns import (
     AXIAL,
     DRAWN_OUT,
     DROPPED_OUT,
-    ELEMENT,
     F_NORMAL,
     F_TANGENT,
     HOLDS,
@@ -28,8 +27,6 @@ from stayput.mechanics.devices.columns import (
 from stayput.model.state import State, standing_corners
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
@@ -158,6 +155,48 @@ class Element:
             for place, name in zip(places, names, strict=True)
         )
 
+    def row(self, body: Body, factor: float) -> tuple[object, ...]:
+        """Return it as a row of ELEMENT: forces per unit mass of a body, places relative to G.
+
+        Parameters
+        ----------
+        body : Body
+            The body that it holds.
+        factor : float
+            Factor on its strengths; friction is not one.
+        """
+        (x_g, z_g), (right, up), m = body.centre_of_gravity, self.point, body.mass
+        lines = self.normal, self.tangent
+        x = z = math.nan
+        cos, sin, length = 1.0, 0.0, 0.0
+        if self.to_anchor is not None:
+            x, z = at_rest(body, self.point)
+            x, z = x + self.to_anchor[0], z + self.to_anchor[1]
+            length = math.hypot(*self.to_anchor)
+        elif self.facing is not None:
+            cos, sin = self.facing[1], -self.facing[0]
+        return (
+            AXIAL if self.to_anchor is not None else PLANAR,
+            right - x_g,
+            up - z_g,
+            self.across,
+            x,
+            z,
+            cos,
+            sin,
+            length,
+            [line.stiffness / m for line in lines],
+            [line.damping / m for line in lines],
+            [line.slack_plus for line in lines],
+            [line.slack_minus for line in lines],
+            [factor * line.limit_plus / m for line in lines],
+            [factor * line.limit_minus / m for line in lines],
+            [line.ultimate for line in lines],
+            self.friction,
+            int(self.interaction),
+            int(self.drops_out),
+        )
+
 
 def damper(ratio: float, stiffness: float, mass: float) -> float:
     """Return the damping that is a ratio of the critical one of the body's mass on a spring [N s/m]."""
@@ -178,61 +217,6 @@ def at_rest(body: Body, point: tuple[float, float]) -> tuple[float, float]:
     right, up = point[0] + body.width / 2, point[1] - body.base_heights[0]
     sin, cos = math.sin(body.resting_tilt), math.cos(body.resting_tilt)
     return x + right * cos + up * sin, z + up * cos - right * sin
-
-
-def rows_of(
-    body: Body, elements: Sequence[Element], strength: float | Sequence[float] = 1.0
-) -> NDArray[np.void]:
-    """Return rows of ELEMENT, shape [n]: forces per unit mass of the body, places relative to G.
-
-    Parameters
-    ----------
-    body : Body
-        The body that they hold.
-    elements : sequence of Element
-        The elements.
-    strength : float or sequence of float
-        Factor on all strengths, or one for each element. Friction is not a strength.
-    """
-    rows = np.zeros(len(elements), ELEMENT)
-    factors = [strength] * len(elements) if isinstance(strength, int | float) else strength
-    for n, (element, factor) in enumerate(zip(elements, factors, strict=True)):
-        rows[n] = _row(body, element, factor)
-    return rows
-
-
-def _row(body: Body, element: Element, factor: float) -> tuple[object, ...]:
-    (x_g, z_g), (right, up), m = body.centre_of_gravity, element.point, body.mass
-    lines = element.normal, element.tangent
-    x = z = math.nan
-    cos, sin, length = 1.0, 0.0, 0.0
-    if element.to_anchor is not None:
-        x, z = at_rest(body, element.point)
-        x, z = x + element.to_anchor[0], z + element.to_anchor[1]
-        length = math.hypot(*element.to_anchor)
-    elif element.facing is not None:
-        cos, sin = element.facing[1], -element.facing[0]
-    return (
-        AXIAL if element.to_anchor is not None else PLANAR,
-        right - x_g,
-        up - z_g,
-        element.across,
-        x,
-        z,
-        cos,
-        sin,
-        length,
-        [line.stiffness / m for line in lines],
-        [line.damping / m for line in lines],
-        [line.slack_plus for line in lines],
-        [line.slack_minus for line in lines],
-        [factor * line.limit_plus / m for line in lines],
-        [factor * line.limit_minus / m for line in lines],
-        [line.ultimate for line in lines],
-        element.friction,
-        int(element.interaction),
-        int(element.drops_out),
-    )
 
 
 CAUSES: dict[int, str | None] = {

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
-from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
+from stayput.measures.measure import Held, Measure, UnderTheBase
 from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, LOCKED_CASTER, SURFACES
 
@@ -17,13 +17,12 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.model.body import Body
-    from stayput.model.room import Floor, Room
+    from stayput.model.room import Room
 
 SOFT = frozenset(("carpet", "tatami, along the weave", "tatami, across the weave"))
 """Surfaces to which nothing sticks, and into which a thin thing sinks."""
 
-STATIC = ("static friction", "静止摩擦係数")
-KINETIC = ("kinetic friction", "動摩擦係数")
+STATIC, KINETIC = ("static friction", "静止摩擦係数"), ("kinetic friction", "動摩擦係数")
 
 
 def static_of(surface: str) -> Any:
@@ -41,30 +40,15 @@ def _usual(surface: str, value: float, label: Phrase) -> Any:
     return parameter(value, "", *FRICTION_RANGE, label, confidence=confidence, decides=True)
 
 
-def with_friction(floor: Floor, static: float, kinetic: float, surface: str = "") -> Floor:
-    """Return the floor with other coefficients of friction, on the base and on its edges alike."""
-    return replace(
-        floor,
-        static_friction=static,
-        kinetic_friction=kinetic,
-        edge_static_friction=None,
-        edge_kinetic_friction=None,
-        left_edge_static_friction=None,
-        left_edge_kinetic_friction=None,
-        right_edge_static_friction=None,
-        right_edge_kinetic_friction=None,
-        surface=surface,
-    )
-
-
 @dataclass(frozen=True, slots=True)
-class OtherFriction(Measure):
+class OtherFriction(UnderTheBase):
     """Something under the whole base: its friction takes the place of the floor's."""
-
-    acts_on: ClassVar[str] = "the base"
 
     surface: ClassVar[str] = ""
     """What the base stands on then, where how its friction is drawn depends on it."""
+
+    on_soft_floor: ClassVar[str] = ""
+    """The id of a caution for a soft floor."""
 
     static_friction: float
     kinetic_friction: float
@@ -80,13 +64,17 @@ class OtherFriction(Measure):
                 static=self.static_friction,
             )
 
-    def where(self) -> Phrase | None:
-        """Return the place under the base."""
-        return UNDER_THE_BASE
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return what a soft floor does to its friction."""
+        if not self.on_soft_floor or room.floor.surface not in SOFT:
+            return ()
+        return (phrase(self.on_soft_floor, measure=self.label),)
 
     def apply(self, body: Body, room: Room) -> Held:
-        """Return the body on a floor with this friction."""
-        floor = with_friction(room.floor, self.static_friction, self.kinetic_friction, self.surface)
+        """Return the body on a floor with this friction, on the base and on its edges alike."""
+        edges = {field.name: None for field in fields(room.floor) if "edge_" in field.name}
+        own = {"static_friction": self.static_friction, "kinetic_friction": self.kinetic_friction}
+        floor = replace(room.floor, **edges, **own, surface=self.surface)
         return Held(body, replace(room, floor=floor), (), (self,))
 
 
@@ -115,25 +103,13 @@ class AntiSlipSheet(OtherFriction):
         "底面のゴムで滑りを防ぐが、転倒は防げず、背の高い家具では滑れないぶん早く倒れることがある。",
     )
 
+    on_soft_floor: ClassVar[str] = "measures.rubber_slips"
     static_friction: float = static_of("rubber pad")
     kinetic_friction: float = kinetic_of("rubber pad")
 
-    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
-        """Return that rubber grips hard floors."""
-        return (phrase("measures.rubber_slips", measure=self.label),) if room.floor.surface in SOFT else ()
-
 
 @dataclass(frozen=True, slots=True)
-class Glides(OtherFriction):
-    """Something hard and smooth under the base, which slides on hard floors."""
-
-    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
-        """Return that it does not slide so easily on a soft floor."""
-        return (phrase("measures.glides_stick", measure=self.label),) if room.floor.surface in SOFT else ()
-
-
-@dataclass(frozen=True, slots=True)
-class FeltGlides(Glides):
+class FeltGlides(OtherFriction):
     """Felt glides under the base.
 
     Examples
@@ -157,12 +133,13 @@ class FeltGlides(Glides):
         "底面のフェルトで滑りやすくして転倒を避けるが、家具が移動し、周囲の物にぶつかることがある。",
     )
 
+    on_soft_floor: ClassVar[str] = "measures.glides_stick"
     static_friction: float = static_of("felt on wood")
     kinetic_friction: float = kinetic_of("felt on wood")
 
 
 @dataclass(frozen=True, slots=True)
-class SlidingGlides(Glides):
+class SlidingGlides(OtherFriction):
     """Glides of PTFE under the base.
 
     Examples
@@ -188,6 +165,7 @@ class SlidingGlides(Glides):
         ),
     )
 
+    on_soft_floor: ClassVar[str] = "measures.glides_stick"
     static_friction: float = static_of("PTFE glide")
     kinetic_friction: float = kinetic_of("PTFE glide")
 
@@ -265,7 +243,7 @@ class LockedCasters(OtherFriction):
 
 
 @dataclass(frozen=True, slots=True)
-class BaseIsolator(Measure):
+class BaseIsolator(OtherFriction):
     """A tray with little friction, and stops at the ends of its stroke to both sides.
 
     Examples
@@ -292,28 +270,11 @@ class BaseIsolator(Measure):
             "ることがある。"
         ),
     )
-    acts_on: ClassVar[str] = "the base"
-
     static_friction: float = parameter(0.05, "", *FRICTION_RANGE, STATIC, decides=True)
     kinetic_friction: float = parameter(0.04, "", *FRICTION_RANGE, KINETIC, decides=True)
     stroke: float = parameter(0.1, "m", 1e-3, 5.0, ("stroke to either side", "片側の可動範囲"), decides=True)
     stop_stiffness: float = parameter(200e3, "N/m", 1e3, 1e8, ("stiffness of the stops", "ストッパーの剛性"))
     damping: float = parameter(0.2, "", 0.0, 2.0, ("damping ratio of the stops", "ストッパーの減衰定数"))
-
-    def __post_init__(self) -> None:
-        Measure.__post_init__(self)
-        if self.kinetic_friction > self.static_friction:
-            raise InputError(
-                "measures.kinetic_above_static",
-                "kinetic_friction",
-                measure=self.label,
-                kinetic=self.kinetic_friction,
-                static=self.static_friction,
-            )
-
-    def where(self) -> Phrase | None:
-        """Return the place under the base."""
-        return UNDER_THE_BASE
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body on a floor with little friction, with an element for the stops."""
@@ -321,5 +282,4 @@ class BaseIsolator(Measure):
         stops = Line(k, damper(self.damping, k, body.mass), self.stroke, self.stroke)
         middle = (0.0, 0.5 * sum(body.base_heights))
         element = Element(self.kind, middle, stops, facing=(1.0, 0.0))
-        floor = with_friction(room.floor, self.static_friction, self.kinetic_friction)
-        return Held(body, replace(room, floor=floor), (element,), (self,))
+        return replace(OtherFriction.apply(self, body, room), elements=(element,))

@@ -11,9 +11,11 @@ from enum import StrEnum
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
+import numpy as np
+
 from stayput.catalogue import LANGUAGES, is_phrase, phrase, say
 from stayput.errors import InputError, instance_of, list_of
-from stayput.measures.element import Element, rows_of
+from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
 from stayput.model.parameters import GIVEN, parameter, parameters
 from stayput.model.room import Room
@@ -22,10 +24,10 @@ from stayput.uncertainty import Confidence
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
-    import numpy as np
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
+    from stayput.measures.element import Element
     from stayput.model.parameters import Parameter
     from stayput.model.room import Wall
 
@@ -237,7 +239,16 @@ class Measure(ABC):
         """
 
 
-UNDER_THE_BASE = phrase("measures.under_base")
+@dataclass(frozen=True, slots=True)
+class UnderTheBase(Measure):
+    """A measure between the base and the floor, of which there can be but one."""
+
+    acts_on: ClassVar[str] = "the base"
+
+    def where(self) -> Phrase | None:
+        """Return the place under the base."""
+        return phrase("measures.under_base")
+
 
 _ORDER = ("the body", "the room", "the base", "the tie")
 
@@ -291,7 +302,14 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
 
 
 def element_rows(held: Held, strength: float | Sequence[float] = 1.0) -> NDArray[np.void]:
-    """Return the elements as the mechanics read them, shape [n]; see `stayput.measures.element.rows_of`.
+    """Return the elements as the mechanics read them, shape [n]: forces per unit mass, places relative to G.
+
+    Parameters
+    ----------
+    held : Held
+        The body and the elements that hold it.
+    strength : float or sequence of float
+        Factor on all strengths, or one for each element. Friction is not a strength.
 
     Examples
     --------
@@ -303,7 +321,11 @@ def element_rows(held: Held, strength: float | Sequence[float] = 1.0) -> NDArray
     [[32.6 44.1]]
     [[16.3 22. ]]
     """
-    return rows_of(held.body, held.elements, strength)
+    rows = np.zeros(len(held.elements), ELEMENT)
+    factors = [strength] * len(rows) if isinstance(strength, int | float) else strength
+    for n, (element, factor) in enumerate(zip(held.elements, factors, strict=True)):
+        rows[n] = element.row(held.body, factor)
+    return rows
 
 
 def refuse_conflicts(measures: Iterable[Measure]) -> None:

@@ -193,25 +193,28 @@ def risk_of(hits: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDA
     return float(np.mean(1.0 - spared))
 
 
-class Move(NamedTuple):
-    """A change that moves something, with what differs then.
+class OtherTracks(NamedTuple):
+    """How some pieces move otherwise: their tracks, and which of their runs were given up."""
 
-    Parameters
-    ----------
-    change : Change
-        The change.
-    plan : FloorPlan
-        The room's plan with it.
-    instead : mapping of int to sequence of Track
-        The tracks of the pieces that move otherwise.
-    missing : ndarray of bool, shape (motions, samples)
-        Which of their runs were given up.
-    """
+    tracks: Mapping[int, Sequence[Track]]
+    missing: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, part: RoomPart, runs: PartRuns) -> OtherTracks:
+        """Return how the pieces of a part move in its runs."""
+        return cls({body: runs.of_tracks(place) for place, body in enumerate(part.bodies)}, runs.missing)
+
+    def joined(self, other: OtherTracks) -> OtherTracks:
+        """Return this with other pieces, or the same once more otherwise."""
+        return OtherTracks({**self.tracks, **other.tracks}, self.missing | other.missing)
+
+
+class Move(NamedTuple):
+    """A change that moves something, with the room's plan with it, and how pieces move otherwise then."""
 
     change: Change
     plan: FloorPlan
-    instead: Mapping[int, Sequence[Track]]
-    missing: NDArray[np.bool_]
+    way: OtherTracks
 
 
 def in_order(changes: Iterable[ChangeVerdict]) -> tuple[ChangeVerdict, ...]:
@@ -249,12 +252,7 @@ def changes_of(
     ]
     with closing(question.runs_of_each([held for _, held in tried])) as found:
         for (change, held), runs in zip(tried, found, strict=True):
-            yield compared(Move(change, plan, tracks_of_part(held, runs), runs.missing), as_it_is, ends)
-
-
-def tracks_of_part(part: RoomPart, runs: PartRuns) -> dict[int, Sequence[Track]]:
-    """Return the tracks of the pieces of a part by their numbers in the room."""
-    return {body: runs.of_tracks(place) for place, body in enumerate(part.bodies)}
+            yield compared(Move(change, plan, OtherTracks.of(held, runs)), as_it_is, ends)
 
 
 def moves_of(
@@ -275,7 +273,7 @@ def moves_of(
         other = _best_place(place, other_places(place, floor), over, question, ends.ways)
         if other is not None:
             change = Change(other.name, at=other.at, heading=other.heading)
-            yield Move(change, plan.with_places({number: other}), {}, as_it_is.missing)
+            yield Move(change, plan.with_places({number: other}), OtherTracks({}, as_it_is.missing))
     for part in parts:
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.furniture[body].is_furniture:
@@ -307,43 +305,9 @@ def falling_pieces(as_it_is: Answer) -> set[int]:
     return {body for body, chance in enumerate(as_it_is.overturning) if chance >= FALLS}
 
 
-def events_with(
-    plan: FloorPlan,
-    instead: Mapping[int, Sequence[Track]],
-    as_it_is: Answer,
-    ends: EndOfRuns,
-    hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
-) -> Events:
-    """Return what happens where some pieces have other tracks, and some places may be elsewhere.
-
-    Parameters
-    ----------
-    plan : FloorPlan
-        The room with the places where they are.
-    instead : mapping of int to sequence of Track
-        The tracks of the pieces that have others.
-    as_it_is : Answer
-        What happens otherwise.
-    ends : EndOfRuns
-        Of the plan as it is.
-    hits : callable
-        Returns the contacts of a piece with a place.
-    """
-    tracks = [instead.get(body, own) for body, own in enumerate(as_it_is.tracks)]
-    found = tuple(
-        tuple(
-            hits(place, own) if body in instead or place != was else known[body]
-            for body, own in enumerate(tracks)
-        )
-        for place, was, known in zip(plan.places, ends.plan.places, as_it_is.events.hits, strict=True)
-    )
-    return Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
-
-
 def effect_of(
     plan: FloorPlan,
-    instead: Mapping[int, Sequence[Track]],
-    given_up: NDArray[np.bool_],
+    way: OtherTracks,
     as_it_is: Answer,
     ends: EndOfRuns,
     hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
@@ -352,13 +316,28 @@ def effect_of(
 
     Parameters
     ----------
-    plan, instead, as_it_is, ends, hits
-        As of `events_with`.
-    given_up : ndarray of bool, shape (motions, samples)
-        The runs with the changes that were given up.
+    plan : FloorPlan
+        The room with the places where they are then.
+    way : OtherTracks
+        How some pieces move otherwise.
+    as_it_is : Answer
+        What happens otherwise.
+    ends : EndOfRuns
+        Of the plan as it is.
+    hits : callable
+        Returns the contacts of a piece with a place.
     """
-    events, before = events_with(plan, instead, as_it_is, ends, hits), as_it_is.events
-    missing = as_it_is.missing | given_up
+    tracks = [way.tracks.get(body, own) for body, own in enumerate(as_it_is.tracks)]
+    before = as_it_is.events
+    found = tuple(
+        tuple(
+            hits(place, own) if body in way.tracks or place != was else known[body]
+            for body, own in enumerate(tracks)
+        )
+        for place, was, known in zip(plan.places, ends.plan.places, before.hits, strict=True)
+    )
+    events = Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
+    missing = as_it_is.missing | way.missing
     shape, after = missing.shape, hits_by(events)
 
     def chance(own: NDArray[np.bool_], without: NDArray[np.bool_]) -> tuple[Probability, Difference]:
@@ -366,8 +345,7 @@ def effect_of(
         return probability(flags, missing), difference(flags, anybody(without, shape), missing)
 
     fell = [
-        chance(_overturned(instead.get(body, own)), _overturned(own))
-        for body, own in enumerate(as_it_is.tracks)
+        chance(_overturned(then), _overturned(own)) for then, own in zip(tracks, as_it_is.tracks, strict=True)
     ]
     return RoomEffect(
         *chance(after, hits_by(before)),
@@ -386,7 +364,7 @@ def _overturned(tracks: Sequence[Track]) -> NDArray[np.bool_]:
 
 def compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:
     """Return what a change brings, beside the room as it is."""
-    return ChangeVerdict.of(move.change, effect_of(move.plan, move.instead, move.missing, as_it_is, ends))
+    return ChangeVerdict.of(move.change, effect_of(move.plan, move.way, as_it_is, ends))
 
 
 def _best_at_wall(
@@ -430,7 +408,8 @@ def _best_at_wall(
         return None
     middle, shift = best
     change = Change(scenario.names[body], at=middle, heading=heading)
-    return Move(change, question.plan, {body: [track.shifted(shift) for track in tracks]}, missing)
+    shifted = OtherTracks({body: [track.shifted(shift) for track in tracks]}, missing)
+    return Move(change, question.plan, shifted)
 
 
 def _swept_by_any(as_it_is: Answer, ways: Ways) -> NDArray[np.bool_]:

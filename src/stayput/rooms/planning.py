@@ -23,12 +23,12 @@ from stayput.progress import tally
 from stayput.rooms.changes import can_be_held
 from stayput.rooms.decisions import decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import (
+    OtherTracks,
     effect_of,
     falling_pieces,
     harmful_pieces,
     moves_of,
     risk_of,
-    tracks_of_part,
 )
 from stayput.rooms.events import hits_of
 from stayput.rooms.forces import in_number, purchases_of
@@ -40,7 +40,6 @@ from stayput.rooms.steps import (
     ChosenStep,
     Fix,
     Home,
-    OtherTracks,
     PlanStep,
     Trial,
     chance_of_overturning,
@@ -258,7 +257,7 @@ class _Planner:
                 whole = with_measures(whole, body, bought)
             part = part_with(self.question.scenario, group, whole)
             runs = self.question.run([part])[0]
-            self._groups[key] = OtherTracks(tracks_of_part(part, runs), runs.missing)
+            self._groups[key] = OtherTracks.of(part, runs)
         return self._groups[key]
 
     def _hits(self, place: PersonPlace, tracks: Sequence[Track]) -> Hits:
@@ -269,14 +268,14 @@ class _Planner:
         return self._known[key][1]
 
     def _effect(self, plan: FloorPlan, way: OtherTracks) -> RoomEffect:
-        return effect_of(plan, way.tracks, way.missing, self.state.as_it_is, self.state.ends, self._hits)
+        return effect_of(plan, way, self.state.as_it_is, self.state.ends, self._hits)
 
     def _decided_moves(self) -> list[tuple[Move, RoomEffect]]:
         """Return what it has been decided to move, and what that brings."""
         found: list[tuple[Move, RoomEffect]] = []
         for change in self.decisions.moves:
             move = moved_as_decided(self.question, self.state.as_it_is, change)
-            found.append((move, self._effect(move.plan, OtherTracks(move.instead, move.missing))))
+            found.append((move, self._effect(move.plan, move.way)))
         return found
 
     def _best_move(self) -> list[tuple[Move, RoomEffect]]:
@@ -285,30 +284,30 @@ class _Planner:
         parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
         free = self.harmful - set(self.decisions.measures)
         for move in moves_of(self.question, parts, as_it_is, ends, free):
-            effect = self._effect(move.plan, OtherTracks(move.instead, move.missing))
+            effect = self._effect(move.plan, move.way)
             if effect.helps:
                 found.append((move, effect))
         return sorted(found, key=lambda pair: in_order_of_gain(pair[1]))[:1]
 
     def _moving(self, move: Move, effect: RoomEffect) -> ChosenStep:
         scenario, what = self.question.scenario, move.change.what
-        bodies = list(move.instead) or sorted(self.harmful)
+        bodies = list(move.way.tracks) or sorted(self.harmful)
         deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
-        overturned = self._overturned(bodies[0]) if move.instead else None
+        overturned = self._overturned(bodies[0]) if move.way.tracks else None
         decided = move.change in self.decisions.moves
         step = PlanStep(
             what, move.change, None, effect, effect, overturned, None, tuple(deciding), decided=decided
         )
-        way = OtherTracks(move.instead, move.missing)
         places = list(enumerate(move.plan.places))
         was = self.question.plan.places
-        return ChosenStep(step, next((own for own in places if own[1] != was[own[0]]), None), way, way)
+        place = next((own for own in places if own[1] != was[own[0]]), None)
+        return ChosenStep(step, place, move.way, move.way)
 
     def _after(self, moves: Sequence[Move]) -> Assembly:
         """Return the pieces with some moved."""
         whole = self.question.whole
         for move in moves:
-            for body in move.instead:
+            for body in move.way.tracks:
                 whole = with_member(whole, body, elsewhere(whole.members[body], move.change))
         return whole
 
@@ -396,7 +395,7 @@ class _Planner:
         ]
 
     def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> Trial:
-        way = OtherTracks(tracks_of_part(part, runs), runs.missing)
+        way = OtherTracks.of(part, runs)
         effect, own = self._effect(self.question.plan, way), self._own_risk(way)
         return Trial(measures, way, effect, own, chance_of_overturning(runs, part.bodies.index(body)))
 
@@ -430,7 +429,9 @@ class _Planner:
         """
         measures, part = tried.measures, self._with(body, tried.measures, whole)
         purchases = purchases_of(self.question, part, measures, body)
-        fitted = tuple(in_number(one, _length(whole, body)) for one in purchases)
+        piece = whole.members[body]
+        assert isinstance(piece, Piece)
+        fitted = tuple(in_number(one, piece.body.length or 0.0) for one in purchases)
         more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
         if fitted != measures and more is not None and here is not None:
             measures, part = fitted, more
@@ -440,7 +441,7 @@ class _Planner:
         there, overturns = tried.way, tried.overturns
         if whole is not self.question.whole:
             runs = self.question.run([part])[0]
-            there = OtherTracks(tracks_of_part(part, runs), runs.missing)
+            there = OtherTracks.of(part, runs)
             overturns = chance_of_overturning(runs, place)
         held = placed(part.assembly.members, part.room)[place].held
         assert held is not None
@@ -467,9 +468,3 @@ class _Planner:
                 if all(one.enough for one in purchases_of(weaker, part, measures, body)):
                     return level
         return None
-
-
-def _length(whole: Assembly, body: int) -> float:
-    piece = whole.members[body]
-    assert isinstance(piece, Piece)
-    return piece.body.length or 0.0

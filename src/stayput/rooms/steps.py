@@ -10,11 +10,8 @@ from stayput.verification.options import COMBINED
 from stayput.vocabulary import TATAMI
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Iterable, Mapping
     from pathlib import Path
-
-    import numpy as np
-    from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
     from stayput.fragility import Probability
@@ -22,9 +19,9 @@ if TYPE_CHECKING:
     from stayput.measures.measure import Grade
     from stayput.model.floor_plan import PersonPlace
     from stayput.rooms.changes import Change
+    from stayput.rooms.effects import OtherTracks
     from stayput.rooms.forces import Purchase
     from stayput.rooms.runs import PartRuns, RoomPart
-    from stayput.rooms.tracks import Track
     from stayput.rooms.verdict import RoomEffect, RoomVerdict
     from stayput.scenario.room import RoomScenario
     from stayput.verification.grades import Input
@@ -272,17 +269,6 @@ class ActionPlan:
 
 ALIKE = 0.005
 """Risks that differ by no more than this are equal in the order of steps: half a per cent."""
-
-
-class OtherTracks(NamedTuple):
-    """How some pieces move otherwise: their tracks, and which of their runs were given up."""
-
-    tracks: Mapping[int, Sequence[Track]]
-    missing: NDArray[np.bool_]
-
-    def joined(self, other: OtherTracks) -> OtherTracks:
-        """Return this with other pieces, or the same once more otherwise."""
-        return OtherTracks({**self.tracks, **other.tracks}, self.missing | other.missing)
 
 
 class Trial(NamedTuple):
