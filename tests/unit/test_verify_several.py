@@ -9,11 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.catalogue import say
-from stayput.cli import app
 from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
@@ -301,17 +299,3 @@ def test_what_is_written(verdict: AssemblyVerdict, tmp_path: Path) -> None:
 def test_levels_are_refused() -> None:
     with pytest.raises(sp.InputError, match="no fragility curves"):
         sp.verify(parsed(), levels=[5.0])  # type: ignore[call-overload]
-
-
-def test_the_command_line(tmp_path: Path) -> None:
-    file, table = tmp_path / "two_parts.toml", tmp_path / "two_parts.csv"
-    scenario = parsed(options=[{"name": "screwed together"}], uncertainty={"samples": 1})
-    file.write_text(scenario.to_toml(), encoding="utf-8")
-    printed = CliRunner().invoke(app, ["verify", str(file), "--csv", str(table)], env={"COLUMNS": "200"})
-    assert printed.exit_code == 0, printed.output
-    assert "screwed together (joints)" in printed.output
-    assert "Columns of events count any piece of furniture" in printed.output
-    assert table.read_text(encoding="utf-8").count("\n") == 3
-    data = json.loads(CliRunner().invoke(app, ["verify", str(file), "--json"]).stdout)
-    assert data["options"][0]["joined"] in (True, False)
-    assert [piece["name"] for piece in data["options"][0]["pieces"]] == ["lower", "upper", "vase"]

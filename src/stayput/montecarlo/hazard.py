@@ -8,7 +8,6 @@ where storeys yield it does not, and is computed anew at each level.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -31,11 +30,6 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
-
-
-def level_of(measure: IntensityMeasure, value: float) -> float:
-    """Return the level of a value in the measure's shown unit: the intensity itself, or log10 of a peak."""
-    return value if measure.is_logarithm else math.log10(value)
 
 
 def growth(measure: IntensityMeasure) -> float:

@@ -34,9 +34,9 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.several import DrawOfSeveral
+    from stayput.rooms.events import Ways
     from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
-    from stayput.rooms.ways import Ways
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.standing import Assembly
 
@@ -57,7 +57,7 @@ class Question(NamedTuple):
     drawn: list[list[DrawOfSeveral]]
     floors: FloorMotions
     threads: int | None
-    advance: Callable[[int], None]
+    advance: Callable[[int], None] = lambda _runs: None
 
     def run(self, parts: Sequence[RoomPart]) -> list[PartRuns]:
         """Run parts of the room under all draws."""
@@ -164,6 +164,24 @@ class Answer(NamedTuple):
         )
 
 
+class RoomState(NamedTuple):
+    """A room as it is, run under some or all draws.
+
+    Parameters
+    ----------
+    parts : list of RoomPart
+        The pieces that run together.
+    as_it_is : Answer
+        What happens in the room.
+    ends : EndOfRuns
+        Of its plan.
+    """
+
+    parts: list[RoomPart]
+    as_it_is: Answer
+    ends: EndOfRuns
+
+
 def anybody(flags: NDArray[np.bool_], shape: tuple[int, ...]) -> NDArray[np.bool_]:
     """Return whether something happens in any row, shape (motions, samples)."""
     found = np.zeros(flags.shape[1:], np.bool_)
@@ -218,32 +236,31 @@ class Move(NamedTuple):
 
 
 def in_order(changes: Iterable[ChangeVerdict]) -> tuple[ChangeVerdict, ...]:
-    """Return changes, the best first: those that help, and then the others."""
+    """Return changes, the best first: those that help, and then the others; moving asks less than fixing."""
 
     def key(one: ChangeVerdict) -> tuple[float, ...]:
-        return not one.helps, round(one.risk, 4), one.shut_in.estimate, one.fallen, one.change.effort
+        fixes = one.change.measure is not None
+        return not one.helps, round(one.risk, 4), one.shut_in.estimate, one.fallen, fixes
 
     return tuple(sorted(changes, key=key))
 
 
-def changes_of(
-    question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns
-) -> Iterator[ChangeVerdict]:
+def changes_of(question: Question, state: RoomState) -> Iterator[ChangeVerdict]:
     """Yield what single changes bring: another place first, then measures on the pieces that do most harm.
 
     After them come measures on those that overturn without doing harm where they stand.
     """
     scenario, plan, whole = question.scenario, question.plan, question.whole
-    harmful = harmful_pieces(as_it_is, plan, ends)
-    for move in moves_of(question, parts, as_it_is, ends, harmful):
+    as_it_is, harmful = state.as_it_is, harmful_pieces(state)
+    for move in moves_of(question, state, harmful):
         question.advance(0)
-        yield compared(move, as_it_is, ends)
+        yield compared(move, state)
 
     def harm(body: int) -> tuple[float, ...]:
         risk = risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
         return body in harmful, risk, chances[body]
 
-    part_of = {body: part for part in parts for body in part.bodies}
+    part_of = {body: part for part in state.parts for body in part.bodies}
     chances = as_it_is.overturning
     tried = [
         each
@@ -252,47 +269,43 @@ def changes_of(
     ]
     with closing(question.runs_of_each([held for _, held in tried])) as found:
         for (change, held), runs in zip(tried, found, strict=True):
-            yield compared(Move(change, plan, OtherTracks.of(held, runs)), as_it_is, ends)
+            yield compared(Move(change, plan, OtherTracks.of(held, runs)), state)
 
 
-def moves_of(
-    question: Question,
-    parts: Sequence[RoomPart],
-    as_it_is: Answer,
-    ends: EndOfRuns,
-    harmful: Collection[int],
-) -> Iterator[Move]:
+def moves_of(question: Question, state: RoomState, harmful: Collection[int]) -> Iterator[Move]:
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
+    as_it_is, ways = state.as_it_is, state.ends.ways
     floor = FreeFloor(plan, tuple(bare(one) for one in whole.members))
     struck = [number for number in range(len(plan.places)) if as_it_is.events.hit(number).any()]
-    over = _swept_by_any(as_it_is, ends.ways) if struck else None
+    over = _swept_by_any(as_it_is, ways) if struck else None
     for number in struck:
         assert over is not None
         place = plan.places[number]
-        other = _best_place(place, other_places(place, floor), over, question, ends.ways)
+        other = _best_place(place, other_places(place, floor), over, question, ways)
         if other is not None:
             change = Change(other.name, at=other.at, heading=other.heading)
             yield Move(change, plan.with_places({number: other}), OtherTracks({}, as_it_is.missing))
-    for part in parts:
+    for part in state.parts:
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.furniture[body].is_furniture:
             continue
         for wall, middles in places_at_walls(scenario, whole, body, floor):
-            moved = _best_at_wall(question, body, wall, middles, as_it_is, ends.ways)
+            moved = _best_at_wall(question, body, wall, middles, as_it_is, ways)
             if moved is not None:
                 yield moved
 
 
-def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
+def harmful_pieces(state: RoomState) -> set[int]:
     """Return the pieces without which less would happen."""
-    events, missing = as_it_is.events, as_it_is.missing
-    risk = risk_of(hits_by(events), plan.places, missing)
+    _, as_it_is, ends = state
+    events, missing, places = as_it_is.events, as_it_is.missing, ends.plan.places
+    risk = risk_of(hits_by(events), places, missing)
     found: set[int] = set()
     blocked = events.blocked.sum() + events.shut_in.sum()
     for body in range(len(as_it_is.tracks)):
         others = [own for number, own in enumerate(as_it_is.tracks) if number != body]
-        less = risk_of(hits_by(events, but=body), plan.places, missing) < risk
+        less = risk_of(hits_by(events, but=body), places, missing) < risk
         if not less and blocked and others:
             less = sum(flags.sum() for flags in ends.of_all(others)) < blocked
         if less or (blocked and not others):
@@ -308,8 +321,7 @@ def falling_pieces(as_it_is: Answer) -> set[int]:
 def effect_of(
     plan: FloorPlan,
     way: OtherTracks,
-    as_it_is: Answer,
-    ends: EndOfRuns,
+    state: RoomState,
     hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
 ) -> RoomEffect:
     """Return what changes bring, beside the room as it is, of the runs that neither gave up.
@@ -320,13 +332,12 @@ def effect_of(
         The room with the places where they are then.
     way : OtherTracks
         How some pieces move otherwise.
-    as_it_is : Answer
-        What happens otherwise.
-    ends : EndOfRuns
-        Of the plan as it is.
+    state : RoomState
+        The room as it is.
     hits : callable
         Returns the contacts of a piece with a place.
     """
+    _, as_it_is, ends = state
     tracks = [way.tracks.get(body, own) for body, own in enumerate(as_it_is.tracks)]
     before = as_it_is.events
     found = tuple(
@@ -362,9 +373,9 @@ def _overturned(tracks: Sequence[Track]) -> NDArray[np.bool_]:
     return np.array([[track.overturned for track in tracks]])
 
 
-def compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:
+def compared(move: Move, state: RoomState) -> ChangeVerdict:
     """Return what a change brings, beside the room as it is."""
-    return ChangeVerdict.of(move.change, effect_of(move.plan, move.way, as_it_is, ends))
+    return ChangeVerdict.of(move.change, effect_of(move.plan, move.way, state))
 
 
 def _best_at_wall(

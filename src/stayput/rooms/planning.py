@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of
+from stayput.errors import instance_of
 from stayput.measures import MEASURES
 from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
-from stayput.rooms.changes import can_be_held
+from stayput.rooms.changes import held_part
 from stayput.rooms.decisions import decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import (
     OtherTracks,
@@ -62,13 +62,12 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.changes import Change
     from stayput.rooms.decisions import Decisions
-    from stayput.rooms.effects import Move, Question
+    from stayput.rooms.effects import Move, Question, RoomState
     from stayput.rooms.events import Hits
     from stayput.rooms.forces import Purchase
     from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
     from stayput.rooms.verdict import RoomEffect
-    from stayput.rooms.verify import RoomState
     from stayput.simulation.standing import Assembly
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
@@ -167,7 +166,7 @@ class _Planner:
         self.question, self.state, self.home, self.decisions = question, state, home, decisions
         hits = state.as_it_is.events.hits
         struck = {body for own in hits for body, one in enumerate(own) if one.happened.any()}
-        self.harmful = struck | harmful_pieces(state.as_it_is, question.plan, state.ends)
+        self.harmful = struck | harmful_pieces(state)
         self.falling = falling_pieces(state.as_it_is)
         self.drilled: dict[str, Fix] = {}
         self._groups: dict[frozenset[str], OtherTracks] = {}
@@ -176,7 +175,7 @@ class _Planner:
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
         names = self.question.scenario.names
-        moves = self._decided_moves() or self._best_move()
+        moves = self._moves()
         chosen = [self._moving(move, effect) for move, effect in moves]
         moved = {move.change.what for move, _ in moves}
         whole = self._after([move for move, _ in moves])
@@ -214,15 +213,11 @@ class _Planner:
         done: list[ChosenStep] = []
         while chosen:
             effects = [self._together([*done, one]) for one in chosen]
-            number = min(
-                range(len(chosen)),
-                key=lambda n: (
-                    in_order_of_gain(effects[n]),
-                    chosen[n].step.cost_class,
-                    in_order_of_gain(chosen[n].step.alone),
-                ),
-            )
-            done.append(chosen.pop(number))
+            keys = [
+                (in_order_of_gain(effect), one.step.cost_class, in_order_of_gain(one.step.alone))
+                for one, effect in zip(chosen, effects, strict=True)
+            ]
+            done.append(chosen.pop(keys.index(min(keys))))
         return done
 
     def _together(self, done: list[ChosenStep]) -> RoomEffect:
@@ -268,26 +263,22 @@ class _Planner:
         return self._known[key][1]
 
     def _effect(self, plan: FloorPlan, way: OtherTracks) -> RoomEffect:
-        return effect_of(plan, way, self.state.as_it_is, self.state.ends, self._hits)
+        return effect_of(plan, way, self.state, self._hits)
 
-    def _decided_moves(self) -> list[tuple[Move, RoomEffect]]:
-        """Return what it has been decided to move, and what that brings."""
-        found: list[tuple[Move, RoomEffect]] = []
-        for change in self.decisions.moves:
-            move = moved_as_decided(self.question, self.state.as_it_is, change)
-            found.append((move, self._effect(move.plan, move.way)))
-        return found
+    def _moves(self) -> list[tuple[Move, RoomEffect]]:
+        """Return what it has been decided to move, else the move that clearly helps and helps most, if any.
 
-    def _best_move(self) -> list[tuple[Move, RoomEffect]]:
-        """Return the move that clearly helps and helps most, and what it brings, or nothing."""
-        found: list[tuple[Move, RoomEffect]] = []
-        parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
-        free = self.harmful - set(self.decisions.measures)
-        for move in moves_of(self.question, parts, as_it_is, ends, free):
-            effect = self._effect(move.plan, move.way)
-            if effect.helps:
-                found.append((move, effect))
-        return sorted(found, key=lambda pair: in_order_of_gain(pair[1]))[:1]
+        With each what it brings.
+        """
+        question, state = self.question, self.state
+        decided = [moved_as_decided(question, state.as_it_is, change) for change in self.decisions.moves]
+        moves = decided or moves_of(question, state, self.harmful - set(self.decisions.measures))
+        found = [(move, self._effect(move.plan, move.way)) for move in moves]
+        if decided:
+            return found
+        return sorted((pair for pair in found if pair[1].helps), key=lambda pair: in_order_of_gain(pair[1]))[
+            :1
+        ]
 
     def _moving(self, move: Move, effect: RoomEffect) -> ChosenStep:
         scenario, what = self.question.scenario, move.change.what
@@ -410,13 +401,7 @@ class _Planner:
 
     def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
         """Return the part of a piece with measures on it, or None where they cannot be put there."""
-        if not isinstance(whole.members[body], Piece):
-            return None
-        try:
-            part = self._with(body, measures, whole)
-        except InputError:  # another measure at the same place
-            return None
-        return part if can_be_held(part, self._group(body).index(body), self.question.plan) else None
+        return held_part(self.question.scenario, whole, self._group(body), body, measures)
 
     def _with(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart:
         """Return the part of a piece with measures on it, which have not been put in place."""

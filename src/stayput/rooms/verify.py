@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
 from stayput.progress import tally
 from stayput.rooms.contact import inside_each_other
-from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_by, in_order, risk_of
+from stayput.rooms.effects import Answer, Question, RoomState, anybody, changes_of, hits_by, in_order, risk_of
 from stayput.rooms.events import EndOfRuns, shares_covered
 from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.verdict import (
@@ -39,7 +39,6 @@ if TYPE_CHECKING:
 
     from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.rooms.runs import RoomPart
     from stayput.simulation.standing import Assembly, Standing
 
 
@@ -115,24 +114,6 @@ def verify_room(
     return replace(last, complete=True)
 
 
-class RoomState(NamedTuple):
-    """A room as it is, run under some or all draws.
-
-    Parameters
-    ----------
-    parts : list of RoomPart
-        The pieces that run together.
-    as_it_is : Answer
-        What happens in the room.
-    ends : EndOfRuns
-        Of its plan.
-    """
-
-    parts: list[RoomPart]
-    as_it_is: Answer
-    ends: EndOfRuns
-
-
 def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     """Return a room with its motions and draws; nothing has run yet, and nobody hears of progress.
 
@@ -156,7 +137,7 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     )
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
-    return Question(room, plan, whole, drawn, floors, threads, _unheard)
+    return Question(room, plan, whole, drawn, floors, threads)
 
 
 def floors_of(room: RoomScenario, threads: int | None, times: float = 1.0) -> FloorMotions:
@@ -164,10 +145,6 @@ def floors_of(room: RoomScenario, threads: int | None, times: float = 1.0) -> Fl
     ground, shaking = room.ground(), room.shaking
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
     return hazard.stated(shaking.strength, shaking.scale, room.uncertainty.seed, threads, times)
-
-
-def _unheard(_runs: int) -> None:
-    """Nobody hears of progress."""
 
 
 def states(question: Question) -> Iterator[RoomState]:
@@ -230,7 +207,7 @@ def _verdicts(question: Question, slide_limit: float, *, changes: bool) -> Itera
         yield known[1]
     if changes and known is not None:
         (state, verdict), found = known, list[ChangeVerdict]()
-        for change in changes_of(question, state.parts, state.as_it_is, state.ends):
+        for change in changes_of(question, state):
             found.append(change)
             yield replace(verdict, changes=in_order(found))
 

@@ -1,4 +1,4 @@
-"""Monte Carlo comparison of a piece of furniture without and with each measure."""
+"""Monte Carlo comparison of one piece, or of several, without and with each measure or joint."""
 
 from __future__ import annotations
 
@@ -20,11 +20,24 @@ from stayput.montecarlo.counting import Quantiles, members, severity
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level, run_levels
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
+from stayput.montecarlo.several import draws_of_several, run_several
 from stayput.progress import tally
+from stayput.simulation.placing import placed
+from stayput.simulation.space import warn_of_settlement
+from stayput.simulation.space_devices import JOINT
 from stayput.verification.contents import contents_verdicts
 from stayput.verification.notes import Estimates
-from stayput.verification.options import compared_options
-from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, Verdict
+from stayput.verification.options import compared_options, options_of_several
+from stayput.verification.verdict import (
+    AsInstalled,
+    AssemblyOptionVerdict,
+    AssemblyVerdict,
+    DeviceOfSeveral,
+    DeviceSummary,
+    OptionVerdict,
+    PieceVerdict,
+    Verdict,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -40,7 +53,9 @@ if TYPE_CHECKING:
     from stayput.montecarlo.runs import Falls, Runs
     from stayput.montecarlo.sampling import Rows
     from stayput.montecarlo.several import RunsOfSeveral
-    from stayput.scenario import Scenario
+    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.simulation.standing import Assembly
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Option
 
@@ -238,13 +253,16 @@ def _verdicts(
 ) -> tuple[OptionVerdict, ...]:
     verdicts: list[OptionVerdict] = []
     for i, outcomes in ranked_outcomes(stated, [len(option.measures) for option in options], slide_limit):
-        option = options[i]
+        option, runs = options[i], stated[i]
         curves = _curves(option.name, falls[i], measures) if measures else {}
         verdicts.append(
             OptionVerdict(
                 option=option,
                 **outcomes,
-                devices=device_summaries(held[i], stated[i]),
+                devices=tuple(
+                    device_summary(element.kind, element, number, runs, runs.masses)
+                    for number, element in enumerate(held[i].elements)
+                ),
                 curves=curves,
                 capacities={p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {},
                 installed=installed.get(option.name),
@@ -285,22 +303,6 @@ def ranked_outcomes(
         yield i, told
 
 
-def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
-    """Return a summary of each force element of a measure.
-
-    Parameters
-    ----------
-    held : Held
-        The body with the measures, as stated.
-    runs : Runs
-        Its runs.
-    """
-    return tuple(
-        device_summary(element.kind, element, number, runs, runs.masses)
-        for number, element in enumerate(held.elements)
-    )
-
-
 def device_summary(
     kind: str,
     element: Element | None,
@@ -337,3 +339,106 @@ def device_summary(
         used=Quantiles.of(runs.used[:, :, number], nowhere),
         weakest=None if element is None else weakest(element, device[~missing]),
     )
+
+
+def verify_several(
+    scenario: AssemblyScenario,
+    *,
+    slide_limit: float,
+    threads: int | None = None,
+    progress: bool | None = None,
+    on_progress: Callable[[int, int], None] | None = None,
+) -> AssemblyVerdict:
+    """Compare what may hold several pieces, at the scenario's own shaking; see `stayput.verify`.
+
+    Raises
+    ------
+    InputError
+        Options of which none can be put in place, or a record that cannot be read.
+    """
+    began = time.perf_counter()
+    room, gravity, shaking = scenario.surroundings(), scenario.gravity, scenario.shaking
+    options, rejected = options_of_several(scenario)
+    ground = scenario.ground()
+    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
+    settings = Settings.of(scenario, len(ground), slide_limit)
+    assemblies = [scenario.assembly(option) for option in options]
+    warn_of_settlement(assemblies[0], room)
+    total = len(ground) * settings.samples * len(options)
+    draw = partial(
+        draws_of_several,
+        scenario.names,
+        settings.motions,
+        seed=settings.seed,
+        as_stated=settings.as_stated,
+    )
+    with tally(total, "progress.verifying", progress, on_progress) as count:
+        floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
+
+        def run(_: list[int], samples: int, start: int) -> list[RunsOfSeveral]:
+            drawn = draw(samples, start=start)
+            counted = scenario.counted
+            return run_several(
+                assemblies, room, drawn, floors, gravity, counted, threads=threads, progress=count
+            )
+
+        with scenario.naming_pieces():
+            runs, samples, precise = sample_until_precise(len(options), settings, run, together=True)
+        made = len(options) * len(ground) * samples
+        if made < total:  # samples beyond the asked precision
+            count(total - made)
+    return AssemblyVerdict(
+        scenario=scenario,
+        intensity=floors.median_intensity,
+        slide_limit=slide_limit,
+        options=_verdicts_of_several(scenario, options, assemblies, runs, slide_limit),
+        motions=len(ground),
+        samples=samples,
+        runs=made,
+        precise=precise,
+        seed=settings.seed,
+        seconds=time.perf_counter() - began,
+        rejected=rejected,
+        floor=floors.floor,
+    )
+
+
+def _verdicts_of_several(
+    scenario: AssemblyScenario,
+    options: tuple[AssemblyOption, ...],
+    assemblies: list[Assembly],
+    runs: list[RunsOfSeveral],
+    slide_limit: float,
+) -> tuple[AssemblyOptionVerdict, ...]:
+    return tuple(
+        AssemblyOptionVerdict(
+            option=options[i],
+            **outcomes,
+            pieces=tuple(
+                PieceVerdict(
+                    name,
+                    own.probabilities(slide_limit),
+                    Quantiles.of(own.slide, own.overturned),
+                    Quantiles.of(own.tilt, own.overturned),
+                )
+                for name, own in zip(scenario.names, runs[i].of_bodies(), strict=True)
+            ),
+            devices=_devices(scenario, assemblies[i], runs[i]),
+        )
+        for i, outcomes in ranked_outcomes(runs, [option.count for option in options], slide_limit)
+    )
+
+
+def _devices(
+    scenario: AssemblyScenario, assembly: Assembly, runs: RunsOfSeveral
+) -> tuple[DeviceOfSeveral, ...]:
+    """Return a summary of each device and joint, in the order of the runs'."""
+    names, found = scenario.names, list[DeviceOfSeveral]()
+    for name, body in zip(names, placed(assembly.members, scenario.surroundings()), strict=True):
+        for element in () if body.held is None else body.held.elements:
+            summary = device_summary(element.kind, element, len(found), runs)
+            found.append(DeviceOfSeveral((name,), summary))
+    for joint in assembly.joints:
+        pieces = names[joint.first], names[joint.second]
+        found.append(DeviceOfSeveral(pieces, device_summary(JOINT, None, len(found), runs)))
+    return tuple(found)

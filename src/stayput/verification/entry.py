@@ -15,8 +15,7 @@ from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
 from stayput.scenario.in_python import scenario_of, scenario_of_case
 from stayput.simulation.case import Case
-from stayput.verification.compare import compare
-from stayput.verification.several import verify_several
+from stayput.verification.compare import compare, verify_several
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -67,7 +67,17 @@ def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
     scenario : Scenario
         The furniture and where it stands.
     """
-    return tuple(_inputs(option, scenario))
+    before = scenario.room.room()
+    after = hold(scenario.furniture.body(), before, option.measures).room.floor
+    replaced = (after.static_friction, after.kinetic_friction) != (
+        before.floor.static_friction,
+        before.floor.kinetic_friction,
+    )
+    return (
+        Input(phrase("verification.size_and_mass"), furniture_tag(scenario.furniture)),
+        *_around(scenario, after, replaced),
+        *(one for measure in option.measures for one in _of_measure(measure)),
+    )
 
 
 def weakest(option: Option, scenario: Scenario) -> tuple[Input, ...]:
@@ -108,20 +118,6 @@ def inputs_in_room(measures: tuple[Measure, ...], scenario: RoomScenario, number
     if on_ceiling and ceiling is not None and "construction" not in ceiling.model_fields_set:
         found.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
     return tuple(found)
-
-
-def _inputs(option: Option, scenario: Scenario) -> Iterator[Input]:
-    yield Input(phrase("verification.size_and_mass"), furniture_tag(scenario.furniture))
-    room = scenario.room.room()
-    held = hold(scenario.furniture.body(), room, option.measures)
-    before, after = room.floor, held.room.floor
-    replaced = (after.static_friction, after.kinetic_friction) != (
-        before.static_friction,
-        before.kinetic_friction,
-    )
-    yield from _around(scenario, after, replaced)
-    for measure in option.measures:
-        yield from _of_measure(measure)
 
 
 def _around(scenario: Scenario | RoomScenario, floor: Floor, replaced: bool) -> Iterator[Input]:

@@ -22,7 +22,7 @@ from stayput.report.verdict.assumptions import (
     floor_assumption,
     shaking_assumptions,
 )
-from stayput.rooms.ways import CELL, PASSAGE
+from stayput.rooms.events import CELL, PASSAGE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -13,7 +13,7 @@ from stayput.motion.intensity import intensity_class
 from stayput.report.several.data import in_both
 from stayput.report.summary import number
 from stayput.report.verdict.data import quantiles_data, strength_data
-from stayput.rooms.ways import CELL
+from stayput.rooms.events import CELL
 from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room, tags
 from stayput.spreadsheets import text_cell
 

@@ -22,8 +22,8 @@ from stayput.report.room.rows import (
 from stayput.report.room.tables import sentences, simulations_of_room
 from stayput.report.verdict import numbers
 from stayput.report.verdict.words import word
+from stayput.rooms.events import PASSAGE
 from stayput.rooms.verdict import DAY_HOURS
-from stayput.rooms.ways import PASSAGE
 from stayput.verification.words import class_label
 
 if TYPE_CHECKING:

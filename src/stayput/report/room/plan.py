@@ -15,7 +15,7 @@ from stayput.report.room.places import place_svg
 from stayput.report.room.sheet import PlanSheet, titled
 from stayput.report.room.walls import door_svg, scale_svg, walls_svg, window_svg
 from stayput.report.verdict import svg
-from stayput.rooms.ways import CELL
+from stayput.rooms.events import CELL
 from stayput.rooms.words import door_name, piece_name, place_name
 
 if TYPE_CHECKING:
