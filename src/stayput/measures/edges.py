@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
 from stayput.measures.floor import SOFT, kinetic_of, static_of
@@ -15,7 +15,6 @@ from stayput.model.parameters import parameter
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.model.body import Body
     from stayput.model.room import Room
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.mechanics.devices.columns import (
     AXIAL,
     DRAWN_OUT,
@@ -29,7 +29,6 @@ from stayput.model.state import State, standing_corners
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from stayput.catalogue import Phrase
     from stayput.measures.measure import Held
     from stayput.model.body import Body
 

@@ -5,19 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
 from stayput.measures.measure import Held, Measure, UnderTheBase
 from stayput.model.parameters import parameter
-from stayput.model.room import FRICTION_RANGE, LOCKED_CASTER, SURFACES
+from stayput.model.room import FRICTION_RANGE, LOCKED_CASTER, SURFACES, Room
 
 if TYPE_CHECKING:
     from typing import Any
 
-    from stayput.catalogue import Phrase
     from stayput.model.body import Body
-    from stayput.model.room import Room
 
 SOFT = frozenset(("carpet", "tatami, along the weave", "tatami, across the weave"))
 """Surfaces to which nothing sticks, and into which a thin thing sinks."""

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from stayput.catalogue import LANGUAGES, is_phrase, phrase, say
+from stayput.catalogue import LANGUAGES, Phrase, is_phrase, phrase, say
 from stayput.errors import InputError, instance_of, list_of
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
-from stayput.model.parameters import GIVEN, parameter, parameters
-from stayput.model.room import Room
+from stayput.model.parameters import GIVEN, Parameter, parameter, parameters
+from stayput.model.room import Room, Wall
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
@@ -26,10 +26,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.catalogue import Phrase
     from stayput.measures.element import Element
-    from stayput.model.parameters import Parameter
-    from stayput.model.room import Wall
 
 
 class Grade(StrEnum):

@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
 from stayput.measures.measure import Held, Measure, wall_behind
 from stayput.model.parameters import parameter
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.model.body import Body
     from stayput.model.room import Room
 

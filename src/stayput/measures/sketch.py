@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from stayput.measures.element import Element, at_rest
-from stayput.model.room import Wall
+from stayput.model.room import Room, Wall
 from stayput.model.state import wall_faces
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from stayput.measures.measure import Held, Measure
     from stayput.model.body import Body
-    from stayput.model.room import Room
 
 Point: TypeAlias = "tuple[Literal['body', 'room'], float, float]"
 """A frame and a place in it [m]: from the middle of the base in the body's axes, or in the room."""

@@ -7,7 +7,7 @@ from abc import abstractmethod
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest, damper
 from stayput.measures.fixing import (
@@ -28,7 +28,6 @@ from stayput.measures.measure import BadlyInstalled, Held, Measure, choice, wall
 from stayput.model.parameters import other_default, parameter
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.measures.fixing import Link
     from stayput.model.body import Body
     from stayput.model.room import Room, Wall

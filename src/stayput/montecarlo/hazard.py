@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
+from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
 from stayput.mechanics.runner import Shaking, shaking
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.fragility import IntensityMeasure
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable

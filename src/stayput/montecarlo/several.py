@@ -14,12 +14,12 @@ from stayput.measures.element import utilisation
 from stayput.measures.wall import REACH
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, HOLDS
-from stayput.model.room import FRICTION_RANGE, WALLS_AROUND
+from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
 from stayput.model.solid import Solid
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_place, drawn_surfaces
 from stayput.simulation.placing import planes_around, room_seen
-from stayput.simulation.space import run_of_assembly, trace_assembly
+from stayput.simulation.space import AssemblyTrace, run_of_assembly, trace_assembly
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
 from stayput.simulation.standing import Assembly, Piece, Standing
 from stayput.uncertainty import USUAL, Uncertainty, Uniform
@@ -29,10 +29,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.room import Room
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion import Motion
-    from stayput.simulation.space import AssemblyTrace
     from stayput.simulation.space_run import SpaceRun
 
 OWN = ("mass", "gravity_height", "back_inset", "front_inset")

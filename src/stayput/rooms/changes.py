@@ -14,28 +14,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures import MEASURES
+from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice
-from stayput.model.floor_plan import FACING, rectangle
+from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
 from stayput.rooms.contact import inside_each_other
 from stayput.rooms.runs import RoomPart, part_with, with_measures
-from stayput.rooms.tracks import outline_of
+from stayput.rooms.tracks import Track, outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
 from stayput.simulation.space_gaps import DEEPEST
-from stayput.simulation.standing import Piece
+from stayput.simulation.standing import Assembly, Piece, Standing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.measures import Measure
-    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.events import Ways
-    from stayput.rooms.tracks import Track
     from stayput.scenario.room import RoomScenario
-    from stayput.simulation.standing import Assembly, Standing
 
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""

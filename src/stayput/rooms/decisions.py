@@ -7,20 +7,18 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.errors import InputError, instance_of
 from stayput.rooms.changes import Change
-from stayput.rooms.effects import Move, OtherTracks
+from stayput.rooms.effects import Answer, Move, OtherTracks, Question
 from stayput.rooms.runs import groups_of, moved_to, placed_elsewhere, with_member
 from stayput.rooms.verify import refuse_what_stands_wrong
 from stayput.simulation.placing import bare
-from stayput.simulation.standing import Piece
+from stayput.simulation.standing import Piece, Standing
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from stayput.measures import Measure
     from stayput.model.floor_plan import PersonPlace
-    from stayput.rooms.effects import Answer, Question
     from stayput.scenario.room import RoomScenario
-    from stayput.simulation.standing import Standing
 
 
 class Decisions(NamedTuple):

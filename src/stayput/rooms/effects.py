@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from stayput.fragility import difference, probability
-from stayput.model.floor_plan import FACING
+from stayput.fragility import Difference, Probability, difference, probability
+from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace
 from stayput.montecarlo.counting import Outcomes
 from stayput.rooms.changes import (
     Change,
@@ -20,8 +20,8 @@ from stayput.rooms.changes import (
     reach,
     swept,
 )
-from stayput.rooms.events import EndOfRuns, Events, Hits, collisions, events_of, hits_of
-from stayput.rooms.runs import placed_elsewhere, runs_of_each
+from stayput.rooms.events import EndOfRuns, Events, Hits, Ways, collisions, events_of, hits_of
+from stayput.rooms.runs import PartRuns, RoomPart, placed_elsewhere, runs_of_each
 from stayput.rooms.verdict import FALLS, ChangeVerdict, RoomEffect, presence
 from stayput.simulation.placing import bare
 
@@ -30,12 +30,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.fragility import Difference, Probability
-    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.several import DrawOfSeveral
-    from stayput.rooms.events import Ways
-    from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.standing import Assembly

@@ -14,7 +14,7 @@ import numpy as np
 from scipy import ndimage
 
 from stayput.rooms.contact import contact_between, contact_with_place
-from stayput.rooms.tracks import tracks_of
+from stayput.rooms.tracks import Track, tracks_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
-    from stayput.rooms.tracks import Track
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.space_run import SpaceRun
 

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.measures import GelMats, TensionPole
+from stayput.measures import GelMats, Held, Measure, TensionPole
 from stayput.measures.wall import WallDevice
-from stayput.rooms.runs import DeviceForces, PeakForces, with_member
+from stayput.rooms.runs import DeviceForces, PeakForces, RoomPart, with_member
 from stayput.rooms.steps import STUD_PITCH
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
@@ -24,9 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from stayput.catalogue import Phrase
-    from stayput.measures import Held, Measure
     from stayput.rooms.effects import Question
-    from stayput.rooms.runs import RoomPart
 
 QUANTILE = 0.95
 """Share of the runs in which a device of the strength asked for is strong enough, with no margin."""

@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import instance_of
-from stayput.measures import MEASURES
+from stayput.measures import MEASURES, Measure
 from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
-from stayput.rooms.changes import held_part
-from stayput.rooms.decisions import decisions_of, elsewhere, moved_as_decided
+from stayput.rooms.changes import Change, held_part
+from stayput.rooms.decisions import Decisions, decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import (
     OtherTracks,
     effect_of,
@@ -30,9 +30,9 @@ from stayput.rooms.effects import (
     moves_of,
     risk_of,
 )
-from stayput.rooms.events import hits_of
-from stayput.rooms.forces import in_number, purchases_of
-from stayput.rooms.runs import part_with, with_measures, with_member
+from stayput.rooms.events import Hits, hits_of
+from stayput.rooms.forces import Purchase, in_number, purchases_of
+from stayput.rooms.runs import PartRuns, RoomPart, part_with, with_measures, with_member
 from stayput.rooms.steps import (
     ALIKE,
     SETS,
@@ -48,27 +48,19 @@ from stayput.rooms.steps import (
     in_order_of_gain,
     merit,
 )
-from stayput.rooms.verdict import RoomVerdict
+from stayput.rooms.verdict import RoomEffect, RoomVerdict
 from stayput.rooms.verify import floors_of, question_of, states, verdict_of
 from stayput.simulation.placing import placed
-from stayput.simulation.standing import Piece
+from stayput.simulation.standing import Assembly, Piece
 from stayput.verification.grades import inputs_in_room
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from stayput.fragility import Probability
-    from stayput.measures import Measure
     from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.rooms.changes import Change
-    from stayput.rooms.decisions import Decisions
     from stayput.rooms.effects import Move, Question, RoomState
-    from stayput.rooms.events import Hits
-    from stayput.rooms.forces import Purchase
-    from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
-    from stayput.rooms.verdict import RoomEffect
-    from stayput.simulation.standing import Assembly
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""

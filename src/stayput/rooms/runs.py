@@ -15,23 +15,24 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.execution import Pool
-from stayput.measures import element_rows, hold
+from stayput.measures import Held, Measure, element_rows, hold
 from stayput.measures.wall import REACH, WallDevice
 from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
+from stayput.mechanics.runner import Traced
 from stayput.mechanics.runner import shaking as shaking_in_plane
-from stayput.model.room import SIDE_WALLS, WALLS_AROUND
+from stayput.model.room import SIDE_WALLS, WALLS_AROUND, Room
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
-from stayput.montecarlo.several import drawn_assembly, drawn_room, leaning, turned
+from stayput.montecarlo.several import DrawOfSeveral, drawn_assembly, drawn_room, leaning, turned
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.case import trace_held
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
 from stayput.simulation.space import trace_assembly
-from stayput.simulation.space_case import results_of
-from stayput.simulation.standing import Assembly, Piece
+from stayput.simulation.space_case import SpaceShaking, results_of
+from stayput.simulation.standing import Assembly, Piece, Standing
 from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
@@ -39,14 +40,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.measures import Held, Measure
-    from stayput.mechanics.runner import Traced
-    from stayput.model.room import Room
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.several import DrawOfSeveral
     from stayput.scenario.room import RoomScenario
-    from stayput.simulation.space_case import SpaceShaking
-    from stayput.simulation.standing import Standing
 
 
 class DeviceForces(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from stayput.measures import MEASURES
+from stayput.measures import MEASURES, Measure
 from stayput.verification.options import COMBINED
 from stayput.vocabulary import TATAMI
 
@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.fragility import Probability
-    from stayput.measures import Measure
     from stayput.measures.measure import Grade
     from stayput.model.floor_plan import PersonPlace
     from stayput.rooms.changes import Change

@@ -11,7 +11,7 @@ import numpy as np
 from stayput.errors import InputError, instance_of, within
 from stayput.fragility import probability
 from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
-from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
 from stayput.progress import tally
@@ -38,7 +38,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.montecarlo.hazard import FloorMotions
     from stayput.simulation.standing import Assembly, Standing
 
 

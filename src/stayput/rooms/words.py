@@ -6,21 +6,18 @@ import math
 from itertools import chain, repeat
 from typing import TYPE_CHECKING, NamedTuple
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import PIECES
 from stayput.fragility.probabilities import percent
-from stayput.model.floor_plan import PLACES
-from stayput.rooms.changes import wall_faced
+from stayput.model.floor_plan import PLACES, Door, PersonPlace
+from stayput.rooms.changes import Change, wall_faced
 from stayput.verification.words import sentence_of, shaking_phrase, share_text
 from stayput.wording import inside
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from stayput.catalogue import Phrase
     from stayput.fragility import Probability
-    from stayput.model.floor_plan import Door, PersonPlace
-    from stayput.rooms.changes import Change
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
     from stayput.scenario import AssemblyScenario
 

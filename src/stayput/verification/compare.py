@@ -9,25 +9,25 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.fragility.intensity_measures import FLOOR_JMA
-from stayput.measures import hold
+from stayput.measures import Element, Held, hold
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Quantiles, members, severity
-from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.runs import run_level, run_levels
-from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
-from stayput.montecarlo.several import draws_of_several, run_several
+from stayput.montecarlo.counting import Outcomes, Quantiles, members, severity
+from stayput.montecarlo.hazard import FloorMotions, Hazard
+from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels
+from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of, sample_until_precise
+from stayput.montecarlo.several import RunsOfSeveral, draws_of_several, run_several
 from stayput.progress import tally
 from stayput.simulation.placing import placed
 from stayput.simulation.space import warn_of_settlement
 from stayput.simulation.space_devices import JOINT
-from stayput.verification.contents import contents_verdicts
+from stayput.verification.contents import ContentsVerdict, contents_verdicts
 from stayput.verification.notes import Estimates
-from stayput.verification.options import compared_options, options_of_several
+from stayput.verification.options import Option, compared_options, options_of_several
 from stayput.verification.verdict import (
     AsInstalled,
     AssemblyOptionVerdict,
@@ -45,19 +45,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure
-    from stayput.measures import Element, Held
-    from stayput.montecarlo.counting import Outcomes
-    from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.runs import Falls, Runs
-    from stayput.montecarlo.sampling import Rows
-    from stayput.montecarlo.several import RunsOfSeveral
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.assembly_options import AssemblyOption
     from stayput.simulation.standing import Assembly
-    from stayput.verification.contents import ContentsVerdict
-    from stayput.verification.options import Option
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""

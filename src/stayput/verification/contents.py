@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.contents.carrier import Carrier
-from stayput.contents.spill import spill_of
+from stayput.contents.spill import Spill, spill_of
 from stayput.contents.weight import emptied, opened
 from stayput.errors import InputError
 from stayput.execution import Pool
@@ -17,8 +17,8 @@ from stayput.fragility import Probability, probability
 from stayput.fragility.probabilities import probability_of_counts
 from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
 from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import DrawTable, draws, rows_of
-from stayput.uncertainty import QUANTITIES
+from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
+from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,11 +26,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.contents import Contents
-    from stayput.contents.spill import Spill
     from stayput.model.body import Body
-    from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
-    from stayput.uncertainty import Uncertainty
     from stayput.verification.options import Option
 
 OPEN = 0.5

@@ -13,7 +13,7 @@ from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
-from stayput.scenario.in_python import scenario_of, scenario_of_case
+from stayput.scenario.in_python import MeasureSets, StatedShaking, scenario_of, scenario_of_case
 from stayput.simulation.case import Case
 from stayput.verification.compare import compare, verify_several
 
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from stayput.building import Building, ShearModel
-    from stayput.scenario.in_python import MeasureSets, StatedShaking
     from stayput.uncertainty import Uncertainty
     from stayput.verification.verdict import AssemblyVerdict, Verdict
 

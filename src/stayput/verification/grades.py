@@ -9,23 +9,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
-from stayput.measures import TensionPole, hold
+from stayput.catalogue import Phrase, phrase
+from stayput.measures import Measure, TensionPole, hold
 from stayput.measures.floor import OtherFriction
 from stayput.measures.measure import GRADE_OF, Grade
 from stayput.measures.wall import WallDevice
 from stayput.model.furniture import FURNITURE
 from stayput.model.parameters import GIVEN, parameters
-from stayput.model.room import SURFACES
+from stayput.model.room import SURFACES, Floor
 from stayput.uncertainty import Confidence
 from stayput.wording import inside
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from stayput.catalogue import Phrase
-    from stayput.measures import Measure
-    from stayput.model.room import Floor
     from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
     from stayput.scenario.building import BuildingTable
     from stayput.scenario.tables import FurnitureTable

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.estimates import (
     LOSS_MODEL_RATIO,
     ishiyama_velocity,
@@ -17,7 +17,7 @@ from stayput.estimates import (
     kaneko_hayashi_velocity,
     rocking_acceleration,
 )
-from stayput.everyday import Everyday, tip_over
+from stayput.everyday import Everyday, TipOverCase, tip_over
 from stayput.execution import Pool
 from stayput.fragility import PFA, PFV
 from stayput.fragility.probabilities import percent
@@ -26,7 +26,7 @@ from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.parameters import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
-from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
+from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_loads, position_of
 from stayput.standards.asce43 import VERTICAL_SHARE
 from stayput.verification.grades import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
@@ -36,12 +36,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
     from typing import Self
 
-    from stayput.catalogue import Phrase
-    from stayput.everyday import TipOverCase
     from stayput.model.body import Body
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
-    from stayput.standards import EquipmentLoad
     from stayput.verification.options import Option
     from stayput.verification.verdict import Verdict
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import Phrase, phrase, say
 from stayput.errors import InputError
-from stayput.measures import MEASURES, hold
+from stayput.measures import MEASURES, BadlyInstalled, Measure, hold
 from stayput.model.state import refuse_bad_start
 from stayput.scenario.assembly_options import NOTHING, AssemblyOption
 from stayput.simulation.placing import placed
@@ -15,8 +15,6 @@ from stayput.simulation.placing import placed
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from stayput.catalogue import Phrase
-    from stayput.measures import BadlyInstalled, Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
     from stayput.scenario import AssemblyScenario, Scenario

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.montecarlo.counting import OVERTURNED
+from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
 from stayput.saved import InJson
 from stayput.wording import check_language
 
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
     from stayput.measures.measure import Grade
-    from stayput.montecarlo.counting import Member, Quantiles
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.assembly_options import AssemblyOption
     from stayput.verification.contents import ContentsVerdict

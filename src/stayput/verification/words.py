@@ -5,21 +5,19 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import LANGUAGES, phrase, say
+from stayput.catalogue import LANGUAGES, Phrase, phrase, say
 from stayput.catalogue.names import CONTENTS, INTENSITIES
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
-from stayput.verification.options import label
+from stayput.verification.options import Impossible, Option, label
 from stayput.wording import FAR, inside, is_open, with_aside
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario.assembly_options import AssemblyOption
-    from stayput.verification.options import Impossible, Option
     from stayput.verification.verdict import AssemblyOptionVerdict, AssemblyVerdict, OptionVerdict, Verdict
 
     Ranked = Verdict | AssemblyVerdict
