@@ -22,8 +22,7 @@ from rich.table import Table
 import workload as work
 from stayput.errors import InputError
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.levels import CALM_SLIDE, CALM_TILT, GROUP, group_starts, overturning_tilts
-from stayput.montecarlo.runs import run_level
+from stayput.montecarlo.runs import CALM_SLIDE, CALM_TILT, GROUP, group_starts, overturning_tilts, run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario

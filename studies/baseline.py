@@ -23,8 +23,7 @@ from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.panel import panel_restitution
 from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.levels import run_levels
-from stayput.montecarlo.runs import run_level
+from stayput.montecarlo.runs import run_level, run_levels
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import Suite, synthetic_suite
 from stayput.report.palette import INK

@@ -22,7 +22,7 @@ from stayput.model.body import Body
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.room import Room
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.levels import run_levels
+from stayput.montecarlo.runs import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.floors import of_the_ground
 from stayput.motion.suites import Suite, synthetic_suite

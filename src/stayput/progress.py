@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
@@ -81,6 +82,41 @@ def bar(
             yield lambda count: progress.advance(task, count)
         finally:
             progress.remove_task(task)
+
+
+@dataclass
+class Tally:
+    """How much work is done: each call with a number adds to it, moves a bar, and is told on."""
+
+    total: int
+    advance: Callable[[int], None]
+    told: Callable[[int, int], None] | None
+    done: int = 0
+
+    def __call__(self, count: int) -> None:
+        """Add work that was just done."""
+        self.done += count
+        self.advance(count)
+        if self.told is not None:
+            self.told(self.done, max(self.total, self.done))
+
+
+@contextmanager
+def tally(
+    total: int | None, what: str, shown: bool | None, told: Callable[[int, int], None] | None = None
+) -> Generator[Tally]:
+    """Yield a tally of work beside a progress bar; see `bar`.
+
+    Parameters
+    ----------
+    total, what, shown
+        As of `bar`.
+    told : callable, optional
+        Called with what is done and all that is to do, as far as it is known; an exception that it raises
+        stops the work.
+    """
+    with bar(total, what, shown) as advance:
+        yield Tally(total or 0, advance, told)
 
 
 def is_drawn() -> bool:

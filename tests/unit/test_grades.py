@@ -11,7 +11,7 @@ import verdict_cases
 import stayput as sp
 from stayput.app.verification import verdict_reply
 from stayput.measures import MEASURES, GelMats, LBracket, LockedCasters, parameters
-from stayput.measures.parameters import GRADE_OF, MEANINGS, Grade
+from stayput.measures.measure import GRADE_OF, MEANINGS, Grade
 from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv

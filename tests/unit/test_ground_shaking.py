@@ -22,6 +22,7 @@ from stayput.fragility import (
     IntensityMeasure,
     spectral_acceleration,
 )
+from stayput.montecarlo.counting import Member
 from stayput.montecarlo.hazard import Ground, Hazard
 from stayput.motion.ground_shaking import (
     EarthquakeSource,
@@ -39,7 +40,6 @@ from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.pairs import floor_motion
 from stayput.scenario import Scenario
 from stayput.verification import verify
-from stayput.verification.verdict import Member
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -11,9 +11,9 @@ from stayput.mechanics.devices.columns import DEVICE
 from stayput.mechanics.devices.runner import no_elements
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.state import State
-from stayput.montecarlo import levels as module
+from stayput.montecarlo import runs as module
 from stayput.montecarlo.hazard import FloorMotions
-from stayput.montecarlo.levels import (
+from stayput.montecarlo.runs import (
     CALM_SLIDE,
     CALM_TILT,
     GROUP,

@@ -17,7 +17,7 @@ from stayput.measures import (
     element_rows,
     hold,
 )
-from stayput.measures.results import failures_of
+from stayput.measures.element import failures_of
 from stayput.report.scene import scene_of
 from stayput.report.summary import rows, summary
 from stayput.simulation.columns import run_columns

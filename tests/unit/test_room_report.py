@@ -21,6 +21,7 @@ from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_s
 from stayput.report.room.sheet import PlanSheet
 from stayput.report.verdict import numbers
 from stayput.rooms.changes import Change
+from stayput.rooms.events import CELL
 from stayput.rooms.verdict import (
     ChangeVerdict,
     DoorVerdict,
@@ -29,7 +30,6 @@ from stayput.rooms.verdict import (
     RoomPiece,
     RoomVerdict,
 )
-from stayput.rooms.ways import CELL
 from stayput.rooms.words import change_label, sentence_of_room
 from stayput.scenario.room import RoomScenario
 from stayput.simulation.placing import bare
@@ -258,30 +258,20 @@ def test_runs_that_were_given_up_are_told(page):
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])
-@pytest.mark.parametrize(
-    ("without", "said"),
-    [("places", "no_places"), ("doors", "no_doors"), ("windows", None)],
-    ids=["places", "doors", "windows"],
-)
-def test_a_room_without(without, said, language):
-    words = Page(room_html(made(**{without: []}), language)).words
-    assert said is None or say(f"room_report.{said}", language) in words
-
-
-@pytest.mark.parametrize("language", ["en", "ja"])
-def test_a_room_without_changes_hits_or_collisions(language):
+def test_what_there_is_none_of_is_said(language):
+    no_way_out = [{**door, "way_out": False} for door in SCENARIO["doors"]]
+    without = [
+        made(**tables) for tables in ({"places": []}, {"doors": []}, {"doors": no_way_out, "windows": []})
+    ]
     verdict = made()
     places = tuple(replace(one, hit=NEVER, by=()) for one in verdict.places)
-    words = Page(room_html(replace(verdict, places=places, changes=(), collisions={}), language)).words
-    for key in ("no_hit", "no_collision", "no_changes"):
-        assert say(f"room_report.{key}", language) in words
-
-
-def test_where_no_door_leads_out_nothing_is_said_of_ways_out():
-    doors = [{**door, "way_out": False} for door in SCENARIO["doors"]]
-    words = Page(room_html(made(doors=doors), "en")).words
-    assert say("room_report.no_way_out", "en") in words
-    assert say("room_report.any_shut_in", "en") not in words
+    without.append(replace(verdict, places=places, changes=(), collisions={}))
+    said = ("no_places",), ("no_doors",), ("no_way_out",), ("no_hit", "no_collision", "no_changes")
+    for found, keys in zip(without, said, strict=True):
+        words = Page(room_html(found, language)).words
+        assert all(say(f"room_report.{key}", language) in words for key in keys)
+        if "no_way_out" in keys:
+            assert say("room_report.any_shut_in", language) not in words
 
 
 def test_it_is_written_whole_and_refuses_other_names(tmp_path):
@@ -412,13 +402,6 @@ def test_names_do_not_overlap_where_there_is_room():
     found = sorted(places)
     for n, (x, y) in enumerate(found):
         assert all(abs(y - v) >= 30.0 or abs(x - u) >= 80.0 for u, v in found[n + 1 :])
-
-
-def test_larger_letters_need_more_room():
-    label, floor = PlanLabel(("wardrobe",), "", (100.0, 100.0, 130.0, 200.0)), (0.0, 0.0, 460.0, 460.0)
-    ((x0, y0, x1, y1),) = places_of_names([label], [], floor, 13.0)
-    ((u0, v0, u1, v1),) = places_of_names([label], [], floor, 26.0)
-    assert (u1 - u0 - 4.0, v1 - v0) == pytest.approx((2.0 * (x1 - x0 - 4.0), 2.0 * (y1 - y0)))
 
 
 def test_numbers_and_letters_stand_for_names_that_would_overlap():

@@ -34,9 +34,8 @@ from stayput.simulation.outcome import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification import EVENTS, Quantiles
 from stayput.verification.contents import ContentsVerdict, Leaving
-from stayput.verification.notes import everyday_note
+from stayput.verification.notes import SlidingShare, everyday_note
 from stayput.verification.options import Option
-from stayput.verification.verdict import SlidingShare
 from stayput.verification.words import headline, reason, title
 
 

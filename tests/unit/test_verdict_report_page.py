@@ -11,6 +11,7 @@ import verdict_cases
 from html_pages import Page, check_alone, check_readable
 
 import stayput as sp
+from stayput.montecarlo.counting import Member
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
@@ -19,7 +20,6 @@ from stayput.report.verdict.html import _place_of_the_measure, report_html, writ
 from stayput.report.verdict.numbers import interval, share, word
 from stayput.report.verdict.pairs import RATE, _panel, floor_motion, pairs_of, replay
 from stayput.report.verdict.tables import ranking
-from stayput.verification.verdict import Member
 from stayput.verification.words import headline
 
 

@@ -9,11 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.catalogue import say
-from stayput.cli import app
 from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
@@ -22,8 +20,8 @@ from stayput.report.verdict.assumptions import settlement_assumptions
 from stayput.report.verdict.in_space import replay_of_several
 from stayput.scenario import AssemblyScenario
 from stayput.simulation.placing import placed
-from stayput.verification.several_options import label, options_of_several
-from stayput.verification.several_words import headline_of_several
+from stayput.verification.options import label, options_of_several
+from stayput.verification.words import headline_of_several
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -301,17 +299,3 @@ def test_what_is_written(verdict: AssemblyVerdict, tmp_path: Path) -> None:
 def test_levels_are_refused() -> None:
     with pytest.raises(sp.InputError, match="no fragility curves"):
         sp.verify(parsed(), levels=[5.0])  # type: ignore[call-overload]
-
-
-def test_the_command_line(tmp_path: Path) -> None:
-    file, table = tmp_path / "two_parts.toml", tmp_path / "two_parts.csv"
-    scenario = parsed(options=[{"name": "screwed together"}], uncertainty={"samples": 1})
-    file.write_text(scenario.to_toml(), encoding="utf-8")
-    printed = CliRunner().invoke(app, ["verify", str(file), "--csv", str(table)], env={"COLUMNS": "200"})
-    assert printed.exit_code == 0, printed.output
-    assert "screwed together (joints)" in printed.output
-    assert "Columns of events count any piece of furniture" in printed.output
-    assert table.read_text(encoding="utf-8").count("\n") == 3
-    data = json.loads(CliRunner().invoke(app, ["verify", str(file), "--json"]).stdout)
-    assert data["options"][0]["joined"] in (True, False)
-    assert [piece["name"] for piece in data["options"][0]["pieces"]] == ["lower", "upper", "vase"]

@@ -8,7 +8,7 @@ import pytest
 import stayput as sp
 from stayput.fallen import _kernel, estimate_from_counts
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.levels import run_levels
+from stayput.montecarlo.runs import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
 
 STONES = (sp.Body(0.242, 0.605, 95.0), sp.Body(0.303, 0.76, 190.0))

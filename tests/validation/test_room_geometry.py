@@ -23,8 +23,8 @@ from stayput.rooms.contact import (
     contact_with_place,
     inside_each_other,
 )
+from stayput.rooms.events import CELL, PASSAGE, Ways
 from stayput.rooms.tracks import Track, at_rest, outline_of, track_in_plane
-from stayput.rooms.ways import CELL, PASSAGE, Ways
 from stayput.simulation.standing import Standing
 
 

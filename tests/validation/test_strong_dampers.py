@@ -12,7 +12,7 @@ import pytest
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.purchases import purchases_of
+from stayput.rooms.forces import purchases_of
 from stayput.rooms.runs import part_with, with_member
 from stayput.rooms.verify import question_of
 

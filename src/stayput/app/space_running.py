@@ -30,7 +30,7 @@ from stayput.report.scene import TIME_DIGITS, rounded
 from stayput.report.space.scene import space_scene
 from stayput.report.space.summary import became, piece_became, space_summary
 from stayput.report.summary import device_results, number, piece_name, place_called
-from stayput.rooms.one_run import happens_in
+from stayput.rooms.events import happens_in
 from stayput.rooms.words import names_in
 from stayput.scenario.room import RoomScenario
 from stayput.simulation.case import simulate
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.measures import Measure
-    from stayput.measures.results import DeviceResult
+    from stayput.measures.element import DeviceResult
     from stayput.motion import Motion
     from stayput.report.space.scene import SpaceScene
     from stayput.scenario import AssemblyScenario, Scenario

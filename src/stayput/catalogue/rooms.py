@@ -86,18 +86,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     # What there are several of and has no name of its own
     "numbered": ("{name} {number}", "{name}{number}"),
     # Where somebody is, as in "hits whoever is in bed"; at a place with a name of its own
-    "at_bed": ("in bed", "ベッド"),
-    "at_futon": ("on the futon", "布団"),
-    "at_cot": ("in the cot", "ベビーベッド"),
-    "at_desk": ("at the desk", "机"),
-    "at_sofa": ("on the sofa", "ソファ"),
-    "at_play area": ("in the play area", "遊び場"),
-    "at_numbered_bed": ("in bed {number}", "ベッド{number}"),
-    "at_numbered_futon": ("on futon {number}", "布団{number}"),
-    "at_numbered_cot": ("in cot {number}", "ベビーベッド{number}"),
-    "at_numbered_desk": ("at desk {number}", "机{number}"),
-    "at_numbered_sofa": ("on sofa {number}", "ソファ{number}"),
-    "at_numbered_play area": ("in play area {number}", "遊び場{number}"),
+    "in_place": ("in {place}", "{place}"),
+    "on_place": ("on {place}", "{place}"),
     "at_place": ("at {place}", "{place}"),
     # Of what: of many motions, each an earthquake; of a single one
     "earthquakes": ("earthquakes", "地震"),
@@ -149,27 +139,19 @@ TEXTS: dict[str, tuple[str, str]] = {
         "turn {place} by 90° and move it, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
         "{place}の向きを90°変え、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
-    "falls_too": ("{often} {piece} overturns{interval}", "{often}{piece}が倒れます{interval}"),
-    "falls_with_others": (
-        "{often} {piece} overturns{interval}, beside others ({count})",
-        "{often}{piece}が倒れます{interval}。ほかにも{count}個の家具が倒れることがあります",
+    "falls_too": (
+        "{often} {piece} overturns{interval}{others}",
+        "{often}{piece}が倒れます{interval}{others}",
     ),
-    "change_of_hit": (
-        "{change}. The chance that somebody is hit {goes}",
-        "{change}すると、人に当たる確率は{goes}",
+    "with_others": (", beside others ({count})", "。ほかにも{count}個の家具が倒れることがあります"),
+    "change_of": (
+        "{change}. The chance that {what} {goes}",
+        "{change}すると、{what}確率は{goes}",
     ),
-    "change_of_shut_in": (
-        "{change}. The chance that somebody is shut in {goes}",
-        "{change}すると、外に出られなくなる確率は{goes}",
-    ),
-    "change_of_blocked": (
-        "{change}. The chance that a door is blocked {goes}",
-        "{change}すると、ドアがふさがる確率は{goes}",
-    ),
-    "change_of_overturned": (
-        "{change}. The chance that it overturns {goes}",
-        "{change}すると、倒れる確率は{goes}",
-    ),
+    "chance_of_hit": ("somebody is hit", "人に当たる"),
+    "chance_of_shut_in": ("somebody is shut in", "外に出られなくなる"),
+    "chance_of_blocked": ("a door is blocked", "ドアがふさがる"),
+    "chance_of_overturned": ("it overturns", "倒れる"),
     "falls": ("falls from {bare} to {held}", "{bare}から{held}に下がります"),
     "rises": ("rises from {bare} to {held}", "{bare}から{held}に上がります"),
     "stays": ("stays at {bare}", "{bare}のままです"),

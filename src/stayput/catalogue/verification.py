@@ -54,16 +54,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "falls": ("in {share} of the cases", "{share}の場合に転倒します"),
     "never_falls": ("in none of the cases", "計算した場合のいずれでも転倒しません"),
     "always_falls": ("in all of the cases", "すべての場合に転倒します"),
-    "no_run_without_a_measure": (
-        "No run without a measure could be followed to its end, so nothing can be said.",
-        "対策なしの計算が最後まで進まなかったため、判定できません。",
+    "no_bare_run": (
+        "No run without {none} could be followed to its end, so nothing can be said.",
+        "{none}なしの計算が最後まで進まなかったため、判定できません。",
     ),
+    "none": ("a measure", "対策"),
+    "if_there": ("{option}", "{option}があれば"),
+    "this_piece": ("the {name}", "この家具は"),
     "better": (
-        (
-            "In shaking of JMA intensity {strength} the {name} overturns {falls}; "
-            "with {measure}, {then}{chance}."
-        ),
-        "{strength}の揺れで、この家具は{falls}。{measure}があれば{then}。{chance}",
+        "In shaking of JMA intensity {strength} {what} overturns {falls}{bare}; with {option}, {then}{chance}.",
+        "{strength}の揺れで、{what}{falls}。{option}{then}。{chance}",
     ),
     "then_falls": ("in {share}", "{share}です"),
     "then_never": ("in none", "、計算した場合のいずれでも転倒しません"),
@@ -72,39 +72,37 @@ TEXTS: dict[str, tuple[str, str]] = {
         "計算数が少なく、偶然の差かもしれません。",
     ),
     "stays_upright": (
-        "In shaking of JMA intensity {strength} the {name} stays upright without any measure{doubt}.",
-        "{strength}の揺れでも、この家具は対策なしで転倒しません{doubt}。",
+        "In shaking of JMA intensity {strength} {what} stays upright without any measure{doubt}.",
+        "{strength}の揺れでも、{what}対策なしで転倒しません{doubt}。",
     ),
     "not_ruled_out": (
         " in these runs; up to {share} is not ruled out",
         "（今回の計算の範囲では。{share}までの可能性は否定できません）",
     ),
     "bare_falls": (
-        "In shaking of JMA intensity {strength} the {name} overturns {falls}.",
-        "{strength}の揺れで、この家具は{falls}。",
+        "In shaking of JMA intensity {strength} {what} overturns {falls}{bare}{more}.",
+        "{strength}の揺れで、{what}{falls}。{more}",
     ),
     "none_helps": (
-        (
-            "In shaking of JMA intensity {strength} the {name} overturns {falls}, "
-            "and no measure that was compared makes it clearly less."
-        ),
-        "{strength}の揺れで、この家具は{falls}。比較した対策では明らかには減りません。",
+        ", and no measure that was compared makes it clearly less",
+        "比較した対策では明らかには減りません。",
     ),
     # why an option stands where it does: clauses
     "no_run": ("No run could be followed to its end.", "最後まで進んだ計算がありません。"),
-    "overturns": ("it overturns {falls}", "{falls}"),
+    "it": ("it", ""),
+    "overturns": ("{it} overturns {falls}", "{it}{falls}"),
     "about_as_often": (
-        "it overturns about as often as without a measure",
-        "転倒する割合は対策なしと明らかな差がありません",
+        "{it} overturns about as often as without {none}",
+        "転倒する割合は{none}なしと明らかな差がありません",
     ),
-    "less_or_more_by_chance": (
+    "by_chance": (
         "it overturns {held} instead of {bare}, which may be chance",
         "転倒は対策なしの{bare}に対し{held}ですが、偶然の差かもしれません",
     ),
-    "less_often": ("it overturns {held} instead of {bare}", "転倒は{bare}から{held}に減ります"),
+    "less_often": ("{it} overturns {held} instead of {bare}", "転倒は{bare}から{held}に減ります"),
     "more_often": (
-        "it overturns more often than without a measure, {held}",
-        "転倒は対策なしより増えて{held}です",
+        "{it} overturns more often than without {none}, {held}",
+        "転倒は{none}なしより増えて{held}です",
     ),
     "device_fails": ("a device fails in {share}", "器具は{share}の場合に破損または脱落します"),
     "gives_way": ("mostly {weakest}", "多くは{weakest}ことによります"),

@@ -143,7 +143,7 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
     from stayput.report.verdict.numbers import word
     from stayput.report.verdict.tables import impossible_rows, several_ranking, simulations
     from stayput.verification import EVENTS
-    from stayput.verification.several_words import headline_of_several
+    from stayput.verification.words import headline_of_several
 
     text = partial(word, language=lang)
     console, paragraph = _titled(verdict.scenario.title, lang)

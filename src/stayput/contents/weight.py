@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError
-from stayput.measures.mass import with_mass
+from stayput.measures.place import with_mass
 
 if TYPE_CHECKING:
     from stayput.contents.contents import Contents

@@ -21,8 +21,7 @@ from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.plan import ROWS, not_possible
 from stayput.inventory.store import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90
-from stayput.montecarlo.counting import EVENTS, OVERTURNED, SLID
-from stayput.verification.ranking import RANKING_ORDER, severity
+from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, SLID, severity
 from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
@@ -185,7 +184,7 @@ def choose(
 ) -> Choice:
     """Choose among options, that without a measure first.
 
-    By risk: ranked by `stayput.verification.ranking.severity`, where a piece that overturns is as bad as one
+    By risk: ranked by `stayput.montecarlo.counting.severity`, where a piece that overturns is as bad as one
     that also slid or hit a wall: the other events count only beyond the probability of overturning. A
     measure that ranks no better than none, or overturns more often by however little, is not taken: then
     none of them helps.

@@ -10,9 +10,9 @@ from stayput.catalogue import phrase, say
 from stayput.fragility.probabilities import percent
 from stayput.inventory.results import Finding, least_motions
 from stayput.measures import MEASURES
+from stayput.montecarlo.counting import RANKING_ORDER
 from stayput.report.names import given_name
 from stayput.verification.contents import MOTIONS
-from stayput.verification.ranking import RANKING_ORDER
 from stayput.verification.words import SAFE
 from stayput.wording import counted
 

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from stayput.measures.bracket import LBracket, LBracketInBoard
-from stayput.measures.element import Element
-from stayput.measures.floor import AntiSlipSheet, FeltGlides, FreeCasters, LockedCasters, SlidingGlides
-from stayput.measures.gel import GelMats
-from stayput.measures.isolator import BaseIsolator
-from stayput.measures.mass import Ballast, LowerShelves
+from stayput.measures.edges import GelMats, WedgeStopper
+from stayput.measures.element import DeviceResult, Element
+from stayput.measures.floor import (
+    AntiSlipSheet,
+    BaseIsolator,
+    FeltGlides,
+    FreeCasters,
+    LockedCasters,
+    SlidingGlides,
+)
 from stayput.measures.measure import BadlyInstalled, Held, Measure, element_rows, hold
-from stayput.measures.place import AgainstWall, AwayFromWall
+from stayput.measures.place import AgainstWall, AwayFromWall, Ballast, LowerShelves
 from stayput.measures.pole import TensionPole
-from stayput.measures.results import DeviceResult
 from stayput.measures.sketch import Shape, shapes, sketch
-from stayput.measures.tie import Belt, Chain
-from stayput.measures.wedge import WedgeStopper
+from stayput.measures.wall import Belt, Chain, LBracket, LBracketInBoard
 from stayput.model.parameters import Parameter, parameters
 
 MEASURES: dict[str, type[Measure]] = {

@@ -1,28 +1,26 @@
-"""What lies between furniture and floor and changes its friction: sheets, glides and casters."""
+"""What lies between furniture and floor and changes its friction: sheets, glides, casters and isolators."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
-from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
+from stayput.measures.element import Element, Line, damper
+from stayput.measures.measure import Held, Measure, UnderTheBase
 from stayput.model.parameters import parameter
-from stayput.model.room import FRICTION_RANGE, LOCKED_CASTER, SURFACES
+from stayput.model.room import FRICTION_RANGE, LOCKED_CASTER, SURFACES, Room
 
 if TYPE_CHECKING:
     from typing import Any
 
-    from stayput.catalogue import Phrase
     from stayput.model.body import Body
-    from stayput.model.room import Floor, Room
 
 SOFT = frozenset(("carpet", "tatami, along the weave", "tatami, across the weave"))
 """Surfaces to which nothing sticks, and into which a thin thing sinks."""
 
-STATIC = ("static friction", "静止摩擦係数")
-KINETIC = ("kinetic friction", "動摩擦係数")
+STATIC, KINETIC = ("static friction", "静止摩擦係数"), ("kinetic friction", "動摩擦係数")
 
 
 def static_of(surface: str) -> Any:
@@ -40,30 +38,15 @@ def _usual(surface: str, value: float, label: Phrase) -> Any:
     return parameter(value, "", *FRICTION_RANGE, label, confidence=confidence, decides=True)
 
 
-def with_friction(floor: Floor, static: float, kinetic: float, surface: str = "") -> Floor:
-    """Return the floor with other coefficients of friction, on the base and on its edges alike."""
-    return replace(
-        floor,
-        static_friction=static,
-        kinetic_friction=kinetic,
-        edge_static_friction=None,
-        edge_kinetic_friction=None,
-        left_edge_static_friction=None,
-        left_edge_kinetic_friction=None,
-        right_edge_static_friction=None,
-        right_edge_kinetic_friction=None,
-        surface=surface,
-    )
-
-
 @dataclass(frozen=True, slots=True)
-class OtherFriction(Measure):
+class OtherFriction(UnderTheBase):
     """Something under the whole base: its friction takes the place of the floor's."""
-
-    acts_on: ClassVar[str] = "the base"
 
     surface: ClassVar[str] = ""
     """What the base stands on then, where how its friction is drawn depends on it."""
+
+    on_soft_floor: ClassVar[str] = ""
+    """The id of a caution for a soft floor."""
 
     static_friction: float
     kinetic_friction: float
@@ -79,13 +62,17 @@ class OtherFriction(Measure):
                 static=self.static_friction,
             )
 
-    def where(self) -> Phrase | None:
-        """Return the place under the base."""
-        return UNDER_THE_BASE
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return what a soft floor does to its friction."""
+        if not self.on_soft_floor or room.floor.surface not in SOFT:
+            return ()
+        return (phrase(self.on_soft_floor, measure=self.label),)
 
     def apply(self, body: Body, room: Room) -> Held:
-        """Return the body on a floor with this friction."""
-        floor = with_friction(room.floor, self.static_friction, self.kinetic_friction, self.surface)
+        """Return the body on a floor with this friction, on the base and on its edges alike."""
+        edges = {field.name: None for field in fields(room.floor) if "edge_" in field.name}
+        own = {"static_friction": self.static_friction, "kinetic_friction": self.kinetic_friction}
+        floor = replace(room.floor, **edges, **own, surface=self.surface)
         return Held(body, replace(room, floor=floor), (), (self,))
 
 
@@ -114,25 +101,13 @@ class AntiSlipSheet(OtherFriction):
         "底面のゴムで滑りを防ぐが、転倒は防げず、背の高い家具では滑れないぶん早く倒れることがある。",
     )
 
+    on_soft_floor: ClassVar[str] = "measures.rubber_slips"
     static_friction: float = static_of("rubber pad")
     kinetic_friction: float = kinetic_of("rubber pad")
 
-    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
-        """Return that rubber grips hard floors."""
-        return (phrase("measures.rubber_slips", measure=self.label),) if room.floor.surface in SOFT else ()
-
 
 @dataclass(frozen=True, slots=True)
-class Glides(OtherFriction):
-    """Something hard and smooth under the base, which slides on hard floors."""
-
-    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
-        """Return that it does not slide so easily on a soft floor."""
-        return (phrase("measures.glides_stick", measure=self.label),) if room.floor.surface in SOFT else ()
-
-
-@dataclass(frozen=True, slots=True)
-class FeltGlides(Glides):
+class FeltGlides(OtherFriction):
     """Felt glides under the base.
 
     Examples
@@ -156,12 +131,13 @@ class FeltGlides(Glides):
         "底面のフェルトで滑りやすくして転倒を避けるが、家具が移動し、周囲の物にぶつかることがある。",
     )
 
+    on_soft_floor: ClassVar[str] = "measures.glides_stick"
     static_friction: float = static_of("felt on wood")
     kinetic_friction: float = kinetic_of("felt on wood")
 
 
 @dataclass(frozen=True, slots=True)
-class SlidingGlides(Glides):
+class SlidingGlides(OtherFriction):
     """Glides of PTFE under the base.
 
     Examples
@@ -187,6 +163,7 @@ class SlidingGlides(Glides):
         ),
     )
 
+    on_soft_floor: ClassVar[str] = "measures.glides_stick"
     static_friction: float = static_of("PTFE glide")
     kinetic_friction: float = kinetic_of("PTFE glide")
 
@@ -261,3 +238,46 @@ class LockedCasters(OtherFriction):
     def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
         """Return that locks may not hold."""
         return (phrase("measures.locks_slip", measure=self.label),)
+
+
+@dataclass(frozen=True, slots=True)
+class BaseIsolator(OtherFriction):
+    """A tray with little friction, and stops at the ends of its stroke to both sides.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import BaseIsolator
+    >>> for stroke in (0.3, 0.5):  # m; its stops rock the piece where they are too near
+    ...     isolator = BaseIsolator(stroke=stroke)
+    ...     run = sp.simulate(sp.Body(0.6, 1.8, 100.0), sp.Room(), sp.near_fault(), [isolator])
+    ...     print(f"{stroke}: {run.outcome}, {run.peak_slide:.2f} m")
+    0.3: rocked, 0.30 m
+    0.5: slid, 0.44 m
+    """
+
+    kind: ClassVar[str] = "base_isolator"
+    label: ClassVar[tuple[str, str]] = ("Furniture base isolator", "家具用免震装置")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "The piece stands on a tray that slides easily, so that little shaking reaches it; where the "
+            "floor moves more than the stroke, the stops hit and may tip it."
+        ),
+        (
+            "滑りやすい台に載せて揺れを伝えにくくするが、床の動きが可動範囲を超えるとストッパーに当たり、倒れ"
+            "ることがある。"
+        ),
+    )
+    static_friction: float = parameter(0.05, "", *FRICTION_RANGE, STATIC, decides=True)
+    kinetic_friction: float = parameter(0.04, "", *FRICTION_RANGE, KINETIC, decides=True)
+    stroke: float = parameter(0.1, "m", 1e-3, 5.0, ("stroke to either side", "片側の可動範囲"), decides=True)
+    stop_stiffness: float = parameter(200e3, "N/m", 1e3, 1e8, ("stiffness of the stops", "ストッパーの剛性"))
+    damping: float = parameter(0.2, "", 0.0, 2.0, ("damping ratio of the stops", "ストッパーの減衰定数"))
+
+    def apply(self, body: Body, room: Room) -> Held:
+        """Return the body on a floor with little friction, with an element for the stops."""
+        k = self.stop_stiffness
+        stops = Line(k, damper(self.damping, k, body.mass), self.stroke, self.stroke)
+        middle = (0.0, 0.5 * sum(body.base_heights))
+        element = Element(self.kind, middle, stops, facing=(1.0, 0.0))
+        return replace(OtherFriction.apply(self, body, room), elements=(element,))

@@ -1,27 +1,93 @@
-"""A measure as a value, what it makes of a body and its room, and several of them together."""
+"""A measure as a value with its parameters, what it makes of a body and its room, and several together.
+
+How well a result is founded is told by a grade, that of the weakest of the inputs that decide it.
+"""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from enum import StrEnum
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from stayput.catalogue import is_phrase, phrase
+import numpy as np
+
+from stayput.catalogue import LANGUAGES, Phrase, is_phrase, phrase, say
 from stayput.errors import InputError, instance_of, list_of
-from stayput.measures.element import Element, rows_of
-from stayput.measures.parameters import check
+from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
-from stayput.model.parameters import parameters
-from stayput.model.room import Room
+from stayput.model.parameters import GIVEN, Parameter, parameter, parameters
+from stayput.model.room import Room, Wall
+from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
-    import numpy as np
     from numpy.typing import NDArray
 
-    from stayput.catalogue import Phrase
-    from stayput.model.room import Wall
+    from stayput.measures.element import Element
+
+
+class Grade(StrEnum):
+    """How well an input, or a result that rests on it, is founded; the order is from the best."""
+
+    A = "A"
+    B = "B"
+    C = "C"
+
+
+GRADE_OF: Mapping[str, Grade] = MappingProxyType(
+    {
+        GIVEN: Grade.A,
+        Confidence.HIGH.value: Grade.A,
+        Confidence.MEDIUM.value: Grade.B,
+        Confidence.LOW.value: Grade.C,
+    }
+)
+"""The grade of each tag: what the user gives counts as known."""
+
+MEANINGS: Mapping[Grade, tuple[str, str]] = MappingProxyType(
+    {
+        Grade.A: (
+            "measured, from a standard, or given by you",
+            "測定値・規格値、または利用者の指定",
+        ),
+        Grade.B: (
+            "published or usual values that scatter",
+            "公表値または一般的な値。ばらつきあり",
+        ),
+        Grade.C: (
+            "assumed defaults; replace them by your own",
+            "仮定した既定値。実際の値に置き換えが必要",
+        ),
+    }
+)
+"""What each grade means, in English and Japanese."""
+
+
+def choice(
+    default: str, choices: tuple[str, ...], label: Phrase, confidence: Confidence = Confidence.LOW
+) -> Any:
+    """Return the field of a measure for one of several words."""
+    return parameter(default, "", 0.0, 0.0, label, confidence=confidence, choices=choices)
+
+
+def check(about: Parameter, value: Any, measure: Phrase) -> None:
+    """Refuse a value that a parameter cannot have.
+
+    Raises
+    ------
+    InputError
+        Not one of the words, not a number, out of range, or not whole where it counts something.
+    """
+    name = phrase("measures.parameter", measure=measure, name=(about.name, about.label[1]))
+    if not about.choices:
+        if value is not None or about.default is not None:
+            about.check(value, called=name)
+    elif value not in about.choices:
+        words = tuple(say("measures.or", lang).join(map(repr, about.choices)) for lang in LANGUAGES)
+        raise InputError("measures.wrong_word", about.name, name=name, value=repr(value), words=words)
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +236,16 @@ class Measure(ABC):
         """
 
 
-UNDER_THE_BASE = phrase("measures.under_base")
+@dataclass(frozen=True, slots=True)
+class UnderTheBase(Measure):
+    """A measure between the base and the floor, of which there can be but one."""
+
+    acts_on: ClassVar[str] = "the base"
+
+    def where(self) -> Phrase | None:
+        """Return the place under the base."""
+        return phrase("measures.under_base")
+
 
 _ORDER = ("the body", "the room", "the base", "the tie")
 
@@ -224,7 +299,14 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
 
 
 def element_rows(held: Held, strength: float | Sequence[float] = 1.0) -> NDArray[np.void]:
-    """Return the elements as the mechanics read them, shape [n]; see `stayput.measures.element.rows_of`.
+    """Return the elements as the mechanics read them, shape [n]: forces per unit mass, places relative to G.
+
+    Parameters
+    ----------
+    held : Held
+        The body and the elements that hold it.
+    strength : float or sequence of float
+        Factor on all strengths, or one for each element. Friction is not a strength.
 
     Examples
     --------
@@ -236,7 +318,11 @@ def element_rows(held: Held, strength: float | Sequence[float] = 1.0) -> NDArray
     [[32.6 44.1]]
     [[16.3 22. ]]
     """
-    return rows_of(held.body, held.elements, strength)
+    rows = np.zeros(len(held.elements), ELEMENT)
+    factors = [strength] * len(rows) if isinstance(strength, int | float) else strength
+    for n, (element, factor) in enumerate(zip(held.elements, factors, strict=True)):
+        rows[n] = element.row(held.body, factor)
+    return rows
 
 
 def refuse_conflicts(measures: Iterable[Measure]) -> None:

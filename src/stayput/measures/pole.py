@@ -5,20 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest
-from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, in_series
-from stayput.measures.measure import BadlyInstalled, Held, Measure
-from stayput.measures.parameters import choice
+from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, Link, in_series
+from stayput.measures.measure import BadlyInstalled, Held, Measure, choice
 from stayput.model.parameters import parameter
-from stayput.model.room import FRICTION_RANGE, Ceiling
+from stayput.model.room import FRICTION_RANGE, Ceiling, Room
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
-    from stayput.measures.fixing import Link
     from stayput.model.body import Body
-    from stayput.model.room import Room
 
 SHORTEST, LONGEST = 0.02, 2.0
 """Least and most space above the piece that a pole is made for [m]."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from stayput.measures.element import Element, at_rest
-from stayput.model.room import Wall
+from stayput.model.room import Room, Wall
 from stayput.model.state import wall_faces
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from stayput.measures.measure import Held, Measure
     from stayput.model.body import Body
-    from stayput.model.room import Room
 
 Point: TypeAlias = "tuple[Literal['body', 'room'], float, float]"
 """A frame and a place in it [m]: from the middle of the base in the body's axes, or in the room."""
@@ -74,9 +73,17 @@ SHORTEST_STUB = 0.06
 """What stays of a short device is no less than this, or half of it [m]."""
 
 
-def _box(left: float, low: float, right: float, high: float, role: Role) -> Shape:
+def _box(
+    left: float,
+    low: float,
+    right: float,
+    high: float,
+    role: Role,
+    frame: Literal["body", "room"] = "body",
+    n: int | None = None,
+) -> Shape:
     corners = ((left, low), (right, low), (right, high), (left, high))
-    return Shape("polygon", tuple(("body", x, z) for x, z in corners), role)
+    return Shape("polygon", tuple((frame, x, z) for x, z in corners), role, n)
 
 
 def _between(
@@ -144,18 +151,9 @@ def _gel(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
 def _stops(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
     """Return the tray and the stops on the floor at the ends of its stroke."""
     half, reach = 0.5 * body.width, 0.5 * body.width + element.normal.slack_plus
-    tray = Shape("polygon", _outline("body", -half, -0.03, half, 0.0), "metal", n)
-    stops = [
-        Shape("polygon", _outline("room", x, -0.04, x + side * 0.02, 0.03), "rubber", n)
-        for x, side in ((-reach, -1.0), (reach, 1.0))
-    ]
-    return [tray, *stops]
-
-
-def _outline(
-    frame: Literal["body", "room"], left: float, low: float, right: float, high: float
-) -> tuple[Point, ...]:
-    return ((frame, left, low), (frame, right, low), (frame, right, high), (frame, left, high))
+    tray = _box(-half, -0.03, half, 0.0, "metal", n=n)
+    sides = ((-reach, -1.0), (reach, 1.0))
+    return [tray, *(_box(x, -0.04, x + side * 0.02, 0.03, "rubber", "room", n) for x, side in sides)]
 
 
 _OF_ELEMENT: dict[str, Callable[[int, Element, Body, Room], list[Shape]]] = {

@@ -1,19 +1,33 @@
-"""What devices on the wall have in common: the chain from the furniture's top board to the wall."""
+"""Devices on the wall: brackets, belts and chains, each with what it is fixed to and with."""
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.catalogue import phrase
-from stayput.measures.fixing import FASTENINGS, SPAN, TOPS
-from stayput.measures.measure import Measure
-from stayput.measures.parameters import choice
-from stayput.model.parameters import parameter
+from stayput.catalogue import Phrase, phrase
+from stayput.errors import InputError
+from stayput.measures.element import Element, Line, at_rest, damper
+from stayput.measures.fixing import (
+    BELT,
+    BRACKET,
+    CHAIN,
+    FASTENINGS,
+    PRYING,
+    PRYING_STIFFNESS,
+    SCREWS,
+    SPAN,
+    TOP_BOARDS,
+    TOPS,
+    in_series,
+    panel,
+)
+from stayput.measures.measure import BadlyInstalled, Held, Measure, choice, wall_behind
+from stayput.model.parameters import other_default, parameter
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.measures.fixing import Link
     from stayput.model.body import Body
     from stayput.model.room import Room, Wall
@@ -89,3 +103,290 @@ class WallDevice(Measure):
 def height_of(room: Room) -> float:
     """Return the height of the room's walls [m]."""
     return SPAN if room.ceiling is None else room.ceiling.height
+
+
+REACH = 0.15
+"""Farthest from the wall that an L-bracket reaches [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Bracket(WallDevice):
+    """Brackets that pull, push and shear like springs between the back of the piece and the wall."""
+
+    count: int = parameter(2, "", 1, 20, ("number of brackets", "個数"))
+    slack: float = parameter(0.0005, "m", 0.0, 0.1, ("slack", "がた"))
+
+    def where(self) -> Phrase | None:
+        """Return the height on the wall."""
+        return phrase("measures.on_wall", height=self.height)
+
+    def _factor(self) -> float:
+        """Return what is left of the strength as it is screwed on."""
+        return 1.0
+
+    def drawn(self, wall: str, height: float, span: float) -> Link:
+        """Return one bracket with what it is fixed to, drawn from the wall; see `WallDevice.drawn`."""
+        return self._as_given(
+            in_series(
+                FASTENINGS[wall].pull.times(PRYING, PRYING_STIFFNESS),
+                BRACKET,
+                TOPS[self.top].shear.times(SCREWS),
+                panel(wall, height, span),
+            )
+        )
+
+    def pushed_along(self, wall: str) -> Link:
+        """Return one bracket with what it is fixed to, pushed along the wall.
+
+        The screws in the top board bear no pull then: the back of a piece that tips rises, and presses the
+        bracket's leg.
+        """
+        shear = FASTENINGS[wall].shear.times(SCREWS)
+        return self._as_given(in_series(shear, BRACKET, TOP_BOARDS[self.top]))
+
+    def apply(self, body: Body, room: Room) -> Held:
+        """Return the body with an element from its back to the wall."""
+        wall = wall_behind(self, room)
+        if wall.gap > REACH:
+            raise InputError(
+                "measures.too_far", "room.left_wall.gap", measure=self.label, gap=wall.gap, most=REACH
+            )
+        point = (-body.width / 2, self.height * body.height)
+        made_of = self.fixed_to(wall)
+        pull = self.drawn(made_of, at_rest(body, point)[1], height_of(room))
+        # the wall bears what pushes
+        normal = replace(self._line(pull, body.mass), limit_minus=math.inf)
+        tangent = self._line(self.pushed_along(made_of), body.mass)
+        element = Element(
+            self.kind,
+            point,
+            normal,
+            tangent,
+            facing=(1.0, 0.0),
+            interaction=pull.ultimate == 0.0,
+            count=self.count,
+        )
+        return Held(body, room, (element,), (self,))
+
+    def _line(self, link: Link, mass: float) -> Line:
+        k, most = self.count * link.stiffness, self.count * self._factor() * link.strength
+        return Line(
+            k,
+            damper(self.damping, k, mass),
+            self.slack,
+            self.slack,
+            most,
+            most,
+            ultimate=link.ultimate,
+            weakest=link.fails,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class LBracket(Bracket):
+    """L-brackets screwed to what the wall has.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import LBracket, hold
+    >>> body, room = sp.Body(0.4, 1.8, 60.0), sp.Room(left_wall=sp.Wall(0.02))
+    >>> for screws in ("down", "up"):
+    ...     pull = hold(body, room, [LBracket(screws=screws)]).elements[0].normal
+    ...     print(f"{screws}: {pull.limit_plus:.0f} N, then {pull.weakest[0]}")
+    down: 2605 N, then the screws pull out of the stud
+    up: 1824 N, then the screws pull out of the stud
+    """
+
+    kind: ClassVar[str] = "l_bracket"
+    label: ClassVar[tuple[str, str]] = ("Screwed L-brackets", "L型金具（ねじ留め）")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Brackets screwed to the top and to the wall tie the piece to it; they fail where the "
+            "screws are drawn out, sooner with the bracket below the edge and its screws pointing up."
+        ),
+        ("家具の上部と壁をL型金具でねじ留めするが、ねじが引き抜けると効かなくなり、上向きの取付けは弱い。"),
+    )
+
+    screws: str = choice("down", ("down", "up"), ("direction of the screws", "ねじの向き"))
+    upward_strength: float = parameter(
+        0.7, "", 0.0, 1.0, ("strength with the screws up, of that with them down", "上向き取付けの強さの比")
+    )
+
+    def badly_installed(self, room: Room) -> BadlyInstalled | None:
+        """Return it with its screws in the plasterboard beside the studs, where there are studs to miss."""
+        if room.left_wall is None or self.fixed_to(room.left_wall) not in ("stud", "hanging strip"):
+            return None
+        beside = replace(self, wall="plasterboard", strength=None, stiffness=None, ultimate=None)
+        return BadlyInstalled(beside, phrase("measures.beside_the_studs"))
+
+    def _factor(self) -> float:
+        return self.upward_strength if self.screws == "up" else 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class LBracketInBoard(Bracket):
+    """L-brackets on anchors in gypsum board.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import LBracket, LBracketInBoard
+    >>> bookcase, room = sp.Body(0.4, 1.8, 160.0), sp.Room(left_wall=sp.Wall(0.02))
+    >>> for bracket in (LBracketInBoard(), LBracket()):
+    ...     run = sp.simulate(bookcase, room, sp.near_fault(), [bracket])
+    ...     print(bracket.kind, run.outcome, run.devices[0].cause)
+    l_bracket_board rocked drawn out
+    l_bracket rocked None
+    """
+
+    kind: ClassVar[str] = "l_bracket_board"
+    label: ClassVar[tuple[str, str]] = ("L-brackets in gypsum board", "L型金具（石こうボードに固定）")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Brackets on anchors in gypsum board look the same as those in studs, but each holds a pull of "
+            "only about 300 N and then comes out of the board without warning."
+        ),
+        (
+            "下地のない石こうボードに留めたL型金具は、見た目は同じでも1個あたり約300 Nの引張りにしか耐えず、"
+            "超えると前触れなく抜ける。"
+        ),
+    )
+
+    wall: str = other_default("plasterboard", WallDevice, "wall")
+
+
+MORE_SLACK = 0.05
+"""What a tie that was put up carelessly hangs through more [m]: an assumption."""
+
+ANGLE = ("rise of the line towards the wall", "壁側への上がり角度")
+
+
+@dataclass(frozen=True, slots=True)
+class Tie(WallDevice):
+    """Something that only pulls, along the line between a point of the piece and one on the wall."""
+
+    itself: ClassVar[Link]
+    """What it is without what it is fixed to."""
+
+    slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
+    setback: float = parameter(0.1, "m", 0.02, 5.0, ("distance from the back of the piece", "背面からの距離"))
+    angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
+
+    def where(self) -> Phrase | None:
+        """Return the height on the wall."""
+        return phrase("measures.tied", height=self.height)
+
+    def badly_installed(self, room: Room) -> BadlyInstalled | None:
+        """Return it with more slack."""
+        slack = max(self.slack, min(0.5, self.slack + MORE_SLACK))
+        return BadlyInstalled(replace(self, slack=slack), phrase("measures.hangs_loose"))
+
+    def drawn(self, wall: str, height: float, span: float) -> Link:
+        """Return one of them with what it is fixed to, by plates at either end; see `WallDevice.drawn`."""
+        ends = FASTENINGS[wall].pull.times(SCREWS), TOPS[self.top].pull.times(SCREWS)
+        return self._as_given(in_series(*ends, self.itself, panel(wall, height, span)))
+
+    def apply(self, body: Body, room: Room) -> Held:
+        """Return the body with an element from its top to the wall."""
+        wall = wall_behind(self, room)
+        if self.setback > body.width:
+            raise InputError(
+                "measures.setback", "setback", measure=self.label, setback=self.setback, width=body.width
+            )
+        point = (-body.width / 2 + self.setback, self.height * body.height)
+        x, z = at_rest(body, point)
+        away = x - _left(body) + wall.gap
+        rise = away * math.tan(self.angle)
+        top = math.inf if room.ceiling is None else room.ceiling.height
+        if not 0.0 <= z + rise <= top:
+            raise InputError(
+                "measures.anchor", "angle", measure=self.label, angle=self.angle, height=z + rise
+            )
+        link = self.drawn(self.fixed_to(wall), z + rise, height_of(room))
+        k = self.count * link.stiffness
+        pulls = Line(
+            k,
+            damper(self.damping, k, body.mass),
+            self.slack,
+            limit_plus=self.count * link.strength,
+            ultimate=link.ultimate,
+            weakest=link.fails,
+        )
+        tie = Element(self.kind, point, pulls, to_anchor=(-away, rise), count=self.count)
+        return Held(body, room, (tie,), (self,))
+
+
+def _left(body: Body) -> float:
+    """Return the leftmost place of the body at rest [m]."""
+    back = -body.width / 2
+    return min(at_rest(body, (back, body.base_heights[0]))[0], at_rest(body, (back, body.height))[0])
+
+
+@dataclass(frozen=True, slots=True)
+class Belt(Tie):
+    """Belts from the top of the piece to the wall.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import Belt
+    >>> bookcase, room = sp.Body(0.4, 1.8, 60.0), sp.Room(left_wall=sp.Wall(0.05))
+    >>> for slack in (0.0, 0.03):  # m; the looser, the harder the jerk
+    ...     device = sp.simulate(bookcase, room, sp.near_fault(), [Belt(slack=slack)]).devices[0]
+    ...     print(f"{slack}: {device.peak_pull:.0f} N, {device.utilisation:.0%} of its strength")
+    0.0: 1077 N, 54% of its strength
+    0.03: 1235 N, 62% of its strength
+    """
+
+    kind: ClassVar[str] = "belt"
+    label: ClassVar[tuple[str, str]] = ("Belts", "ベルト式")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Belts to the wall stop the piece once they are taut; they act only in tension, and a jerk after "
+            "slack may tear them or their anchors."
+        ),
+        (
+            "壁とつないだベルトが張ると転倒を止めるが、引張りにしか効かず、たるみがあると急な力で破損または脱"
+            "落することがある。"
+        ),
+    )
+
+    itself: ClassVar[Link] = BELT
+
+    count: int = parameter(2, "", 1, 20, ("number of belts", "本数"))
+
+
+@dataclass(frozen=True, slots=True)
+class Chain(Tie):
+    """Chains from the top of the piece to the wall.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import Belt, Chain, hold
+    >>> body, room = sp.Body(0.4, 1.8, 80.0), sp.Room(left_wall=sp.Wall(0.05))
+    >>> for tie in (Chain(), Belt()):  # how far it gives before it pulls: a chain hangs more loosely
+    ...     print(f"{tie.kind}: {1000 * hold(body, room, [tie]).elements[0].normal.slack_plus:.0f} mm")
+    chain: 20 mm
+    belt: 10 mm
+    """
+
+    kind: ClassVar[str] = "chain"
+    label: ClassVar[tuple[str, str]] = ("Chains", "チェーン式")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Chains to the wall stop the piece once they are taut; they are usually slack, and the jerk "
+            "bends their hooks open or tears their screws out."
+        ),
+        (
+            "壁とつないだチェーンが張ると転倒を止めるが、たるみやすく、急な力でフックが伸びたりねじが抜けたり"
+            "する。"
+        ),
+    )
+
+    itself: ClassVar[Link] = CHAIN
+
+    count: int = parameter(2, "", 1, 20, ("number of chains", "本数"))
+    slack: float = other_default(0.02, Tie, "slack")
+    damping: float = other_default(0.02, WallDevice, "damping")

@@ -1,4 +1,4 @@
-"""Outcomes of Monte Carlo runs: probabilities of events, and quantiles of peaks."""
+"""Outcomes of Monte Carlo runs: probabilities of events, quantiles of peaks, and what is ranked by them."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ from stayput.fragility.probabilities import probability_of_counts
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import NDArray
 
     from stayput.fragility import Probability
@@ -109,3 +111,44 @@ class Outcomes:
 def _probability(fell: tuple[int, ...], runs: tuple[int, ...], missing: tuple[int, ...]) -> Probability:
     """Return a probability from counts by motion; cached, since counts repeat often in an inventory."""
     return probability_of_counts(fell, runs, missing)
+
+
+RANKING_ORDER = (OVERTURNED, SLID, DEVICE_FAILED, HIT_WALL)
+"""Events by which options are ranked, the most important first."""
+
+RANKING_RESOLUTION = 0.005
+"""Probabilities that differ by no more than this are equal in the ranking: half a per cent."""
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A representative run: its place among motions and samples."""
+
+    motion: int
+    sample: int
+
+
+def severity(probabilities: Mapping[str, Probability], cost: int) -> tuple[float, ...]:
+    """Return the sort key of an option: its probabilities in `RANKING_ORDER`, then its number of measures."""
+    shares = (probabilities[event].estimate for event in RANKING_ORDER)
+    return (
+        *(
+            round(share / RANKING_RESOLUTION) * RANKING_RESOLUTION if np.isfinite(share) else 1.0
+            for share in shares
+        ),
+        float(cost),
+    )
+
+
+def members(runs: Outcomes) -> tuple[Member, Member]:
+    """Return the run of median severity, and the worst: by overturning, then by tilt, then by slide."""
+    order = np.lexsort((runs.slide.ravel(), runs.tilt.ravel(), runs.overturned.ravel()))
+    completed = order[~runs.missing.ravel()[order]]
+    ranked = completed if len(completed) else order
+    samples = runs.tilt.shape[1]
+
+    def member(place: int) -> Member:
+        number = int(ranked[place])
+        return Member(number // samples, number % samples)
+
+    return member((len(ranked) - 1) // 2), member(len(ranked) - 1)

@@ -8,14 +8,13 @@ where storeys yield it does not, and is computed anew at each level.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
+from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
 from stayput.mechanics.runner import Shaking, shaking
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
@@ -27,15 +26,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.fragility import IntensityMeasure
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
-
-
-def level_of(measure: IntensityMeasure, value: float) -> float:
-    """Return the level of a value in the measure's shown unit: the intensity itself, or log10 of a peak."""
-    return value if measure.is_logarithm else math.log10(value)
 
 
 def growth(measure: IntensityMeasure) -> float:

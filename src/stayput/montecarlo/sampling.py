@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from stayput.fragility import samples_needed
-from stayput.measures import element_rows, hold
-from stayput.measures.bracket import REACH
+from stayput.fragility import Probability, samples_needed
+from stayput.measures import Measure, element_rows, hold
+from stayput.measures.wall import REACH
 from stayput.mechanics.devices.runner import no_elements
-from stayput.model.body import MOST_INSET
-from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND, friction_factor
+from stayput.model.body import MOST_INSET, Body
+from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND, Floor, Room, friction_factor
 from stayput.model.state import State
-from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
-from stayput.uncertainty import QUANTITIES
+from stayput.simulation.flat_fields import NumberOrColumn, body_fields, case_rows, flat_fields, room_fields
+from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterator, Sequence
@@ -28,14 +28,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.fragility import Probability
-    from stayput.measures import Measure
-    from stayput.model.body import Body
-    from stayput.model.room import Floor, Room
     from stayput.montecarlo.counting import Outcomes
     from stayput.scenario import AssemblyScenario, Scenario
-    from stayput.simulation.flat_fields import NumberOrColumn
-    from stayput.uncertainty import Uncertainty
 
 INSETS = ("back_inset", "front_inset")
 

@@ -5,34 +5,32 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, fields, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.execution import Pool
-from stayput.measures.bracket import REACH
-from stayput.measures.results import utilisation
+from stayput.measures.element import utilisation
+from stayput.measures.wall import REACH
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, HOLDS
-from stayput.model.room import FRICTION_RANGE, WALLS_AROUND
+from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
 from stayput.model.solid import Solid
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_place, drawn_surfaces
 from stayput.simulation.placing import planes_around, room_seen
-from stayput.simulation.space import run_of_assembly, trace_assembly
+from stayput.simulation.space import AssemblyTrace, run_of_assembly, trace_assembly
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
 from stayput.simulation.standing import Assembly, Piece, Standing
 from stayput.uncertainty import USUAL, Uncertainty, Uniform
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Sequence
+    from collections.abc import Callable, Collection, Iterator, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.model.room import Room
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion import Motion
-    from stayput.simulation.space import AssemblyTrace
     from stayput.simulation.space_run import SpaceRun
 
 OWN = ("mass", "gravity_height", "back_inset", "front_inset")
@@ -190,9 +188,10 @@ class RunsOfSeveral(Outcomes):
     devices: NDArray[np.void]
     used: NDArray[np.float64]
 
-    def of_body(self, body: int) -> Outcomes:
-        """Return the outcomes of one of the pieces."""
-        return Outcomes.of(self.results[..., body], self.device_failed)
+    def of_bodies(self) -> Iterator[Outcomes]:
+        """Yield the outcomes of each of the pieces."""
+        for own in np.moveaxis(self.results, -1, 0):
+            yield Outcomes.of(own, self.device_failed)
 
 
 def run_several(
@@ -232,27 +231,26 @@ def run_several(
     InputError
         Measures that cannot be put in place, as stated or in one of the draws.
     """
-    shape = len(drawn), len(drawn[0])
-    each = [one for option in range(len(assemblies)) for one in _places(option, *shape)]
-    bodies = len(assemblies[0].members)
-    results = np.zeros((len(assemblies), *shape, bodies), RESULT)
-    found: dict[tuple[int, int, int], tuple[NDArray[np.void], NDArray[np.float64]]] = {}
+    shape = len(assemblies), len(drawn), len(drawn[0])
+    results = np.zeros((*shape, len(assemblies[0].members)), RESULT)
+    devices: dict[tuple[int, ...], tuple[NDArray[np.void], NDArray[np.float64]]] = {}
 
-    def run(place: tuple[int, int, int]) -> None:
-        option, motion, sample = place
-        draw = drawn[motion][sample]
+    def run(option: int, motion: int, sample: int) -> None:
+        draw, place = drawn[motion][sample], (option, motion, sample)
         shaking = shaking_of(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
-        results[place], found[place] = run_draw(assemblies[option], room, draw, shaking, gravity)
+        traced = trace_draw(assemblies[option], room, draw, shaking, gravity)
+        standing, trace = [one.standing for one in traced.bodies], traced.trace
+        results[place] = results_of(standing, trace, shaking.times)
+        devices[place] = trace.devices, utilisation(trace.springs, trace.devices)
 
     with Pool(threads) as pool:
-        for _ in pool.as_completed(partial(run, place) for place in each):
+        for _ in pool.as_completed(partial(run, *place) for place in np.ndindex(*shape)):
             if progress is not None:
                 progress(1)
-    return [_runs(results[option], found, option, counted) for option in range(len(assemblies))]
-
-
-def _places(option: int, motions: int, samples: int) -> list[tuple[int, int, int]]:
-    return [(option, motion, sample) for motion in range(motions) for sample in range(samples)]
+    return [
+        _runs(results[option], [devices[option, *place] for place in np.ndindex(*shape[1:])], counted)
+        for option in range(len(assemblies))
+    ]
 
 
 def shaking_of(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float) -> SpaceShaking:
@@ -290,29 +288,10 @@ def leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float) 
     return SpaceShaking(acceleration, shaking.dt)
 
 
-def run_draw(
-    assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
-) -> tuple[NDArray[np.void], tuple[NDArray[np.void], NDArray[np.float64]]]:
-    """Run an assembly under one draw.
-
-    Returns
-    -------
-    tuple
-        RESULT, shape (bodies,); and the devices with their utilisation.
-    """
-    traced = trace_draw(assembly, room, draw, shaking, gravity)
-    devices = traced.trace.devices
-    standing = [one.standing for one in traced.bodies]
-    return results_of(standing, traced.trace, shaking.times), (
-        devices,
-        utilisation(traced.trace.springs, devices),
-    )
-
-
 def trace_draw(
     assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
 ) -> AssemblyTrace:
-    """Run an assembly as drawn; see `run_draw`."""
+    """Run an assembly under one draw."""
     return trace_assembly(
         drawn_assembly(assembly, draw),
         drawn_room(assembly, room, draw.room),
@@ -340,12 +319,14 @@ def replay(
 
 
 def _runs(
-    results: NDArray[np.void], found: dict[tuple[int, int, int], Any], option: int, counted: Sequence[int]
+    results: NDArray[np.void],
+    each: Sequence[tuple[NDArray[np.void], NDArray[np.float64]]],
+    counted: Sequence[int],
 ) -> RunsOfSeveral:
-    motions, samples, _ = results.shape
-    each = [found[place] for place in _places(option, motions, samples)]
-    devices = np.array([one for one, _ in each], DEVICE).reshape(motions, samples, -1)
-    used = np.array([one for _, one in each], np.float64).reshape(motions, samples, -1)
+    """Return the runs of an option, of which each has its devices with their utilisation."""
+    shape = (*results.shape[:2], -1)
+    devices = np.array([one for one, _ in each], DEVICE).reshape(shape)
+    used = np.array([one for _, one in each], np.float64).reshape(shape)
     own = results[..., list(counted)]
     return RunsOfSeveral(
         overturned=(own["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),

@@ -14,29 +14,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures import MEASURES
-from stayput.measures.bracket import REACH
-from stayput.measures.wall import WallDevice
-from stayput.model.floor_plan import FACING, rectangle
+from stayput.measures import MEASURES, Measure
+from stayput.measures.wall import REACH, WallDevice
+from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
 from stayput.rooms.contact import inside_each_other
 from stayput.rooms.runs import RoomPart, part_with, with_measures
-from stayput.rooms.tracks import outline_of
+from stayput.rooms.tracks import Track, outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
 from stayput.simulation.space_gaps import DEEPEST
-from stayput.simulation.standing import Piece
+from stayput.simulation.standing import Assembly, Piece, Standing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.measures import Measure
-    from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.rooms.tracks import Track
-    from stayput.rooms.ways import Ways
+    from stayput.rooms.events import Ways
     from stayput.scenario.room import RoomScenario
-    from stayput.simulation.standing import Assembly, Standing
 
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""
@@ -71,11 +66,6 @@ class Change:
     measure: Measure | None = None
     at: tuple[float, float] | None = None
     heading: float | None = None
-
-    @property
-    def effort(self) -> int:
-        """How much it asks: moving what people lie and sit on or a piece least, then fixing."""
-        return 1 if self.measure is not None else 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,17 +162,28 @@ def measures_tried(
     body : int
         The piece; on one that is no furniture there are no measures.
     """
-    piece = whole.members[body]
-    if not isinstance(piece, Piece):
-        return
     for kind in TRIED:
         measure = MEASURES[kind]()
-        try:
-            part = part_with(scenario, group, with_measures(whole, body, [measure]))
-        except InputError:  # another measure at the same place
-            continue
-        if can_be_held(part, part.bodies.index(body), scenario.floor_plan()):
+        part = held_part(scenario, whole, group, body, [measure])
+        if part is not None:
             yield Change(scenario.names[body], measure), part
+
+
+def held_part(
+    scenario: RoomScenario,
+    whole: Assembly,
+    group: tuple[int, ...],
+    body: int,
+    measures: Sequence[Measure],
+) -> RoomPart | None:
+    """Return a group with further measures on one of its pieces, or None where they cannot be put there."""
+    if not isinstance(whole.members[body], Piece):
+        return None
+    try:
+        part = part_with(scenario, group, with_measures(whole, body, measures))
+    except InputError:  # another measure at the same place
+        return None
+    return part if can_be_held(part, group.index(body), scenario.floor_plan()) else None
 
 
 def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:

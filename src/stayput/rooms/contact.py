@@ -14,14 +14,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.model.floor_plan import PersonPlace, rectangle
-from stayput.rooms.tracks import at_rest
+from stayput.rooms.tracks import Track, at_rest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import NDArray
 
-    from stayput.rooms.tracks import Track
     from stayput.simulation.standing import Standing
 
 SPACING = 0.1

@@ -7,20 +7,18 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.errors import InputError, instance_of
 from stayput.rooms.changes import Change
-from stayput.rooms.effects import Move, tracks_of_part
+from stayput.rooms.effects import Answer, Move, OtherTracks, Question
 from stayput.rooms.runs import groups_of, moved_to, placed_elsewhere, with_member
 from stayput.rooms.verify import refuse_what_stands_wrong
 from stayput.simulation.placing import bare
-from stayput.simulation.standing import Piece
+from stayput.simulation.standing import Piece, Standing
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from stayput.measures import Measure
     from stayput.model.floor_plan import PersonPlace
-    from stayput.rooms.effects import Answer, Question
     from stayput.scenario.room import RoomScenario
-    from stayput.simulation.standing import Standing
 
 
 class Decisions(NamedTuple):
@@ -100,12 +98,12 @@ def moved_as_decided(question: Question, as_it_is: Answer, change: Change) -> Mo
     if change.what not in names:
         number = next(n for n, one in enumerate(plan.places) if one.name == change.what)
         place = _place_moved(plan.places[number], change)
-        return Move(change, plan.with_places({number: place}), {}, as_it_is.missing)
+        return Move(change, plan.with_places({number: place}), OtherTracks({}, as_it_is.missing))
     body = names.index(change.what)
     then = bare(elsewhere(question.whole.members[body], change))
     part = placed_elsewhere(question.scenario, question.whole, body, then.at[:2], then.heading)
     (runs,) = question.run([part])
-    return Move(change, plan, tracks_of_part(part, runs), runs.missing)
+    return Move(change, plan, OtherTracks.of(part, runs))
 
 
 def changes_between(before: RoomScenario, after: RoomScenario) -> tuple[Change, ...]:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from stayput.fragility import difference, probability
-from stayput.model.floor_plan import FACING
+from stayput.fragility import Difference, Probability, difference, probability
+from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace
 from stayput.montecarlo.counting import Outcomes
 from stayput.rooms.changes import (
     Change,
@@ -20,8 +20,8 @@ from stayput.rooms.changes import (
     reach,
     swept,
 )
-from stayput.rooms.events import EndOfRuns, Events, Hits, collisions, events_of, hits_of
-from stayput.rooms.runs import placed_elsewhere, runs_of_each
+from stayput.rooms.events import EndOfRuns, Events, Hits, Ways, collisions, events_of, hits_of
+from stayput.rooms.runs import PartRuns, RoomPart, placed_elsewhere, runs_of_each
 from stayput.rooms.verdict import FALLS, ChangeVerdict, RoomEffect, presence
 from stayput.simulation.placing import bare
 
@@ -30,13 +30,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.fragility import Difference, Probability
-    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.several import DrawOfSeveral
-    from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
-    from stayput.rooms.ways import Ways
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.standing import Assembly
 
@@ -57,7 +53,7 @@ class Question(NamedTuple):
     drawn: list[list[DrawOfSeveral]]
     floors: FloorMotions
     threads: int | None
-    advance: Callable[[int], None]
+    advance: Callable[[int], None] = lambda _runs: None
 
     def run(self, parts: Sequence[RoomPart]) -> list[PartRuns]:
         """Run parts of the room under all draws."""
@@ -164,6 +160,24 @@ class Answer(NamedTuple):
         )
 
 
+class RoomState(NamedTuple):
+    """A room as it is, run under some or all draws.
+
+    Parameters
+    ----------
+    parts : list of RoomPart
+        The pieces that run together.
+    as_it_is : Answer
+        What happens in the room.
+    ends : EndOfRuns
+        Of its plan.
+    """
+
+    parts: list[RoomPart]
+    as_it_is: Answer
+    ends: EndOfRuns
+
+
 def anybody(flags: NDArray[np.bool_], shape: tuple[int, ...]) -> NDArray[np.bool_]:
     """Return whether something happens in any row, shape (motions, samples)."""
     found = np.zeros(flags.shape[1:], np.bool_)
@@ -193,54 +207,56 @@ def risk_of(hits: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDA
     return float(np.mean(1.0 - spared))
 
 
-class Move(NamedTuple):
-    """A change that moves something, with what differs then.
+class OtherTracks(NamedTuple):
+    """How some pieces move otherwise: their tracks, and which of their runs were given up."""
 
-    Parameters
-    ----------
-    change : Change
-        The change.
-    plan : FloorPlan
-        The room's plan with it.
-    instead : mapping of int to sequence of Track
-        The tracks of the pieces that move otherwise.
-    missing : ndarray of bool, shape (motions, samples)
-        Which of their runs were given up.
-    """
+    tracks: Mapping[int, Sequence[Track]]
+    missing: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, part: RoomPart, runs: PartRuns) -> OtherTracks:
+        """Return how the pieces of a part move in its runs."""
+        return cls({body: runs.of_tracks(place) for place, body in enumerate(part.bodies)}, runs.missing)
+
+    def joined(self, other: OtherTracks) -> OtherTracks:
+        """Return this with other pieces, or the same once more otherwise."""
+        return OtherTracks({**self.tracks, **other.tracks}, self.missing | other.missing)
+
+
+class Move(NamedTuple):
+    """A change that moves something, with the room's plan with it, and how pieces move otherwise then."""
 
     change: Change
     plan: FloorPlan
-    instead: Mapping[int, Sequence[Track]]
-    missing: NDArray[np.bool_]
+    way: OtherTracks
 
 
 def in_order(changes: Iterable[ChangeVerdict]) -> tuple[ChangeVerdict, ...]:
-    """Return changes, the best first: those that help, and then the others."""
+    """Return changes, the best first: those that help, and then the others; moving asks less than fixing."""
 
     def key(one: ChangeVerdict) -> tuple[float, ...]:
-        return not one.helps, round(one.risk, 4), one.shut_in.estimate, one.fallen, one.change.effort
+        fixes = one.change.measure is not None
+        return not one.helps, round(one.risk, 4), one.shut_in.estimate, one.fallen, fixes
 
     return tuple(sorted(changes, key=key))
 
 
-def changes_of(
-    question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns
-) -> Iterator[ChangeVerdict]:
+def changes_of(question: Question, state: RoomState) -> Iterator[ChangeVerdict]:
     """Yield what single changes bring: another place first, then measures on the pieces that do most harm.
 
     After them come measures on those that overturn without doing harm where they stand.
     """
     scenario, plan, whole = question.scenario, question.plan, question.whole
-    harmful = harmful_pieces(as_it_is, plan, ends)
-    for move in moves_of(question, parts, as_it_is, ends, harmful):
+    as_it_is, harmful = state.as_it_is, harmful_pieces(state)
+    for move in moves_of(question, state, harmful):
         question.advance(0)
-        yield compared(move, as_it_is, ends)
+        yield compared(move, state)
 
     def harm(body: int) -> tuple[float, ...]:
         risk = risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
         return body in harmful, risk, chances[body]
 
-    part_of = {body: part for part in parts for body in part.bodies}
+    part_of = {body: part for part in state.parts for body in part.bodies}
     chances = as_it_is.overturning
     tried = [
         each
@@ -249,52 +265,43 @@ def changes_of(
     ]
     with closing(question.runs_of_each([held for _, held in tried])) as found:
         for (change, held), runs in zip(tried, found, strict=True):
-            yield compared(Move(change, plan, tracks_of_part(held, runs), runs.missing), as_it_is, ends)
+            yield compared(Move(change, plan, OtherTracks.of(held, runs)), state)
 
 
-def tracks_of_part(part: RoomPart, runs: PartRuns) -> dict[int, Sequence[Track]]:
-    """Return the tracks of the pieces of a part by their numbers in the room."""
-    return {body: runs.of_tracks(place) for place, body in enumerate(part.bodies)}
-
-
-def moves_of(
-    question: Question,
-    parts: Sequence[RoomPart],
-    as_it_is: Answer,
-    ends: EndOfRuns,
-    harmful: Collection[int],
-) -> Iterator[Move]:
+def moves_of(question: Question, state: RoomState, harmful: Collection[int]) -> Iterator[Move]:
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
+    as_it_is, ways = state.as_it_is, state.ends.ways
     floor = FreeFloor(plan, tuple(bare(one) for one in whole.members))
     struck = [number for number in range(len(plan.places)) if as_it_is.events.hit(number).any()]
-    over = _swept_by_any(as_it_is, ends.ways) if struck else None
+    over = _swept_by_any(as_it_is, ways) if struck else None
     for number in struck:
         assert over is not None
         place = plan.places[number]
-        other = _best_place(place, other_places(place, floor), over, question, ends.ways)
+        other = _best_place(place, other_places(place, floor), over, question, ways)
         if other is not None:
             change = Change(other.name, at=other.at, heading=other.heading)
-            yield Move(change, plan.with_places({number: other}), {}, as_it_is.missing)
-    for part in parts:
+            yield Move(change, plan.with_places({number: other}), OtherTracks({}, as_it_is.missing))
+    for part in state.parts:
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.furniture[body].is_furniture:
             continue
         for wall, middles in places_at_walls(scenario, whole, body, floor):
-            moved = _best_at_wall(question, body, wall, middles, as_it_is, ends.ways)
+            moved = _best_at_wall(question, body, wall, middles, as_it_is, ways)
             if moved is not None:
                 yield moved
 
 
-def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
+def harmful_pieces(state: RoomState) -> set[int]:
     """Return the pieces without which less would happen."""
-    events, missing = as_it_is.events, as_it_is.missing
-    risk = risk_of(hits_by(events), plan.places, missing)
+    _, as_it_is, ends = state
+    events, missing, places = as_it_is.events, as_it_is.missing, ends.plan.places
+    risk = risk_of(hits_by(events), places, missing)
     found: set[int] = set()
     blocked = events.blocked.sum() + events.shut_in.sum()
     for body in range(len(as_it_is.tracks)):
         others = [own for number, own in enumerate(as_it_is.tracks) if number != body]
-        less = risk_of(hits_by(events, but=body), plan.places, missing) < risk
+        less = risk_of(hits_by(events, but=body), places, missing) < risk
         if not less and blocked and others:
             less = sum(flags.sum() for flags in ends.of_all(others)) < blocked
         if less or (blocked and not others):
@@ -307,58 +314,37 @@ def falling_pieces(as_it_is: Answer) -> set[int]:
     return {body for body, chance in enumerate(as_it_is.overturning) if chance >= FALLS}
 
 
-def events_with(
-    plan: FloorPlan,
-    instead: Mapping[int, Sequence[Track]],
-    as_it_is: Answer,
-    ends: EndOfRuns,
-    hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
-) -> Events:
-    """Return what happens where some pieces have other tracks, and some places may be elsewhere.
-
-    Parameters
-    ----------
-    plan : FloorPlan
-        The room with the places where they are.
-    instead : mapping of int to sequence of Track
-        The tracks of the pieces that have others.
-    as_it_is : Answer
-        What happens otherwise.
-    ends : EndOfRuns
-        Of the plan as it is.
-    hits : callable
-        Returns the contacts of a piece with a place.
-    """
-    tracks = [instead.get(body, own) for body, own in enumerate(as_it_is.tracks)]
-    found = tuple(
-        tuple(
-            hits(place, own) if body in instead or place != was else known[body]
-            for body, own in enumerate(tracks)
-        )
-        for place, was, known in zip(plan.places, ends.plan.places, as_it_is.events.hits, strict=True)
-    )
-    return Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
-
-
 def effect_of(
     plan: FloorPlan,
-    instead: Mapping[int, Sequence[Track]],
-    given_up: NDArray[np.bool_],
-    as_it_is: Answer,
-    ends: EndOfRuns,
+    way: OtherTracks,
+    state: RoomState,
     hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
 ) -> RoomEffect:
     """Return what changes bring, beside the room as it is, of the runs that neither gave up.
 
     Parameters
     ----------
-    plan, instead, as_it_is, ends, hits
-        As of `events_with`.
-    given_up : ndarray of bool, shape (motions, samples)
-        The runs with the changes that were given up.
+    plan : FloorPlan
+        The room with the places where they are then.
+    way : OtherTracks
+        How some pieces move otherwise.
+    state : RoomState
+        The room as it is.
+    hits : callable
+        Returns the contacts of a piece with a place.
     """
-    events, before = events_with(plan, instead, as_it_is, ends, hits), as_it_is.events
-    missing = as_it_is.missing | given_up
+    _, as_it_is, ends = state
+    tracks = [way.tracks.get(body, own) for body, own in enumerate(as_it_is.tracks)]
+    before = as_it_is.events
+    found = tuple(
+        tuple(
+            hits(place, own) if body in way.tracks or place != was else known[body]
+            for body, own in enumerate(tracks)
+        )
+        for place, was, known in zip(plan.places, ends.plan.places, before.hits, strict=True)
+    )
+    events = Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
+    missing = as_it_is.missing | way.missing
     shape, after = missing.shape, hits_by(events)
 
     def chance(own: NDArray[np.bool_], without: NDArray[np.bool_]) -> tuple[Probability, Difference]:
@@ -366,8 +352,7 @@ def effect_of(
         return probability(flags, missing), difference(flags, anybody(without, shape), missing)
 
     fell = [
-        chance(_overturned(instead.get(body, own)), _overturned(own))
-        for body, own in enumerate(as_it_is.tracks)
+        chance(_overturned(then), _overturned(own)) for then, own in zip(tracks, as_it_is.tracks, strict=True)
     ]
     return RoomEffect(
         *chance(after, hits_by(before)),
@@ -384,9 +369,9 @@ def _overturned(tracks: Sequence[Track]) -> NDArray[np.bool_]:
     return np.array([[track.overturned for track in tracks]])
 
 
-def compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:
+def compared(move: Move, state: RoomState) -> ChangeVerdict:
     """Return what a change brings, beside the room as it is."""
-    return ChangeVerdict.of(move.change, effect_of(move.plan, move.instead, move.missing, as_it_is, ends))
+    return ChangeVerdict.of(move.change, effect_of(move.plan, move.way, state))
 
 
 def _best_at_wall(
@@ -430,7 +415,8 @@ def _best_at_wall(
         return None
     middle, shift = best
     change = Change(scenario.names[body], at=middle, heading=heading)
-    return Move(change, question.plan, {body: [track.shifted(shift) for track in tracks]}, missing)
+    shifted = OtherTracks({body: [track.shifted(shift) for track in tracks]}, missing)
+    return Move(change, question.plan, shifted)
 
 
 def _swept_by_any(as_it_is: Answer, ways: Ways) -> NDArray[np.bool_]:

@@ -1,22 +1,171 @@
-"""What happens in a room: who is hit by what, which doors are blocked, who is shut in, what collides."""
+"""What happens in a room: who is hit by what, what collides, which doors open, and who gets out.
+
+The floor is a grid of square cells. A person passes where the nearest obstacle is half of `PASSAGE` away.
+"""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from scipy import ndimage
 
 from stayput.rooms.contact import contact_between, contact_with_place
-from stayput.rooms.ways import Ways
+from stayput.rooms.tracks import Track, tracks_of
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.rooms.tracks import Track
+    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
+    from stayput.scenario.room import RoomScenario
+    from stayput.simulation.space_run import SpaceRun
+
+_images: Any = ndimage  # its results depend on its arguments, which its types do not tell
+
+CELL = 0.05
+"""Side of a cell [m]."""
+
+PASSAGE = 0.5
+"""Width that a person needs to walk through, or out of a door [m]: about that of the shoulders."""
+
+
+def _middles(side: float) -> NDArray[np.float64]:
+    return CELL * (np.arange(max(1, round(side / CELL)), dtype=np.float64) + 0.5)
+
+
+@dataclass(frozen=True, eq=False)
+class Ways:
+    """The floor of a room as a grid, for questions of where one can walk.
+
+    Parameters
+    ----------
+    plan : FloorPlan
+        The room.
+    """
+
+    plan: FloorPlan
+
+    @cached_property
+    def x(self) -> NDArray[np.float64]:
+        """Middles of the cells along x [m], shape (nx,)."""
+        return _middles(self.plan.width)
+
+    @cached_property
+    def y(self) -> NDArray[np.float64]:
+        """Middles of the cells along y [m], shape (ny,)."""
+        return _middles(self.plan.length)
+
+    def covered(self, outlines: Iterable[NDArray[np.float64]]) -> NDArray[np.bool_]:
+        """Return which cells have their middles in one of convex outlines, shape (nx, ny).
+
+        Parameters
+        ----------
+        outlines : iterable of ndarray, shape (n, 2)
+            Their corners, counter-clockwise [m].
+        """
+        found = np.zeros((len(self.x), len(self.y)), np.bool_)
+        for corners in outlines:
+            (x_low, y_low), (x_high, y_high) = corners.min(axis=0), corners.max(axis=0)
+            xs = slice(*np.searchsorted(self.x, (x_low, x_high)))
+            ys = slice(*np.searchsorted(self.y, (y_low, y_high)))
+            x, y = self.x[xs, np.newaxis], self.y[np.newaxis, ys]
+            inside = np.ones((x.size, y.size), np.bool_)
+            for (x1, y1), (x2, y2) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+                inside &= (x2 - x1) * (y - y1) - (y2 - y1) * (x - x1) >= 0.0
+            found[xs, ys] |= inside
+        return found
+
+    def cells(self, corners: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Return the numbers of the cells that a convex outline covers, x-major."""
+        return np.flatnonzero(self.covered([corners]))
+
+    @cached_property
+    def _taken(self) -> NDArray[np.bool_]:
+        """Cells under what people lie and sit on."""
+        return self.covered(place.corners for place in self.plan.places if place.blocks)
+
+    def opens(self, door: Door, covered: NDArray[np.bool_]) -> bool:
+        """Return whether a door opens as far as a person needs, given which cells furniture covers.
+
+        Parameters
+        ----------
+        door : Door
+            One that opens inwards needs the floor that it sweeps; any leaves its width free.
+        covered : ndarray of bool, shape (nx, ny)
+            As of `covered`.
+        """
+        if door.width < PASSAGE:
+            return False
+        return door.opens != "inwards" or not (self._swept(door) & covered).any()
+
+    def _swept(self, door: Door) -> NDArray[np.bool_]:
+        """Return the cells that a door sweeps until its edge is a person's width from the other jamb."""
+        plan = self.plan
+        hinge, jamb = (
+            np.array(plan.on_wall(door.wall, along)) for along in (door.start, door.start + door.width)
+        )
+        if door.hinge == "end":
+            hinge, jamb = jamb, hinge
+        shut = (jamb - hinge) / door.width
+        inwards = np.array(plan.on_wall(door.wall, door.start, 1.0)) - plan.on_wall(door.wall, door.start)
+        x, y = self.x[:, np.newaxis] - hinge[0], self.y[np.newaxis] - hinge[1]
+        along, into = x * shut[0] + y * shut[1], x * inwards[0] + y * inwards[1]
+        angle = 2.0 * math.asin(min(1.0, 0.5 * PASSAGE / door.width))
+        return (np.hypot(along, into) <= door.width) & (np.arctan2(into, along) <= angle)
+
+    def _walkable(self, covered: NDArray[np.bool_]) -> NDArray[np.int64]:
+        """Return to which of the connected parts of the walkable floor cells belong, 0 for none."""
+        # a frame of one cell stands for the walls, whose faces are half a cell from the first middles
+        obstacles = np.pad(covered | self._taken, 1, constant_values=True)
+        clear: NDArray[np.float64] = CELL * (_images.distance_transform_edt(~obstacles)[1:-1, 1:-1] - 0.5)
+        return _images.label(clear >= 0.5 * PASSAGE - 0.5 * CELL, structure=np.ones((3, 3)))[0]
+
+    def _beside(self, parts: NDArray[np.int64], reach: NDArray[np.bool_]) -> set[int]:
+        return set(np.unique(parts[reach]).tolist()) - {0}
+
+    def _at_door(self, door: Door) -> NDArray[np.bool_]:
+        """Return the cells from which one steps through a door."""
+        middle = np.array(self.plan.on_wall(door.wall, door.start + 0.5 * door.width))
+        apart = np.hypot(self.x[:, np.newaxis] - middle[0], self.y[np.newaxis] - middle[1])
+        return apart <= PASSAGE
+
+    def _at_place(self, place: PersonPlace) -> NDArray[np.bool_]:
+        """Return the cells onto which one steps from a place: in it, or up to a passage's width beside it."""
+        cos, sin = math.cos(place.heading), math.sin(place.heading)
+        x, y = self.x[:, np.newaxis] - place.at[0], self.y[np.newaxis] - place.at[1]
+        along, across = np.abs(cos * x + sin * y), np.abs(cos * y - sin * x)
+        return (along <= 0.5 * place.width + PASSAGE) & (across <= 0.5 * place.length + PASSAGE)
+
+    def shut_in(self, covered: NDArray[np.bool_]) -> tuple[list[bool], list[bool]]:
+        """Return which doors are blocked, and from which places no way leads out.
+
+        A door is blocked where it does not open, or nobody gets near it from the largest part of the floor.
+
+        Parameters
+        ----------
+        covered : ndarray of bool, shape (nx, ny)
+            Cells on which furniture lies or stands, as of `covered`.
+        """
+        parts = self._walkable(covered)
+        sizes = np.bincount(parts.ravel())
+        main = {int(sizes[1:].argmax()) + 1} if len(sizes) > 1 else set[int]()
+        at_doors = [
+            self._beside(parts, self._at_door(door)) if self.opens(door, covered) else set[int]()
+            for door in self.plan.doors
+        ]
+        exits = any(door.way_out for door in self.plan.doors)  # else nobody is shut in by furniture
+        ways = set[int]().union(
+            *(near for door, near in zip(self.plan.doors, at_doors, strict=True) if door.way_out)
+        )
+        return (
+            [not near & main for near in at_doors],
+            [exits and not self._beside(parts, self._at_place(place)) & ways for place in self.plan.places],
+        )
 
 
 class Hits(NamedTuple):
@@ -165,3 +314,38 @@ def shares_covered(ends: EndOfRuns, tracks: Sequence[Track], which: NDArray[np.b
         if counted:
             counts += ends.covered_by(track)
     return counts / len(tracks)
+
+
+class RunInRoom(NamedTuple):
+    """What happens in one run of a room.
+
+    Parameters
+    ----------
+    hits : tuple of (str, str)
+        Pieces and the places of people that they come into.
+    blocked : tuple of str
+        Doors that are blocked at the end.
+    shut_in : tuple of str
+        Places from which no way leads out at the end.
+    """
+
+    hits: tuple[tuple[str, str], ...]
+    blocked: tuple[str, ...]
+    shut_in: tuple[str, ...]
+
+
+def happens_in(run: SpaceRun, scenario: RoomScenario) -> RunInRoom:
+    """Return what happens in a run of a room."""
+    plan = scenario.floor_plan()
+    tracks = tracks_of(run.standing, run, run.motion.dt)
+    events = events_of(EndOfRuns(plan), [[track] for track in tracks])
+    return RunInRoom(
+        tuple(
+            (name, place.name)
+            for place, hits in zip(plan.places, events.hits, strict=True)
+            for name, one in zip(scenario.names, hits, strict=True)
+            if one.happened[0]
+        ),
+        tuple(door.name for door, own in zip(plan.doors, events.blocked, strict=True) if own[0]),
+        tuple(place.name for place, own in zip(plan.places, events.shut_in, strict=True) if own[0]),
+    )

@@ -1,4 +1,4 @@
-"""What devices have to bear: peak forces over the runs, and the strength to ask for in a shop.
+"""What devices have to bear, the strength to ask for in a shop, and how many of them a fixing needs.
 
 A device that gives way bears no more than its strength, and tells nothing of what it would have had to bear.
 So its peak forces are taken from runs in which it cannot fail, with the stiffness that it has.
@@ -8,21 +8,23 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.measures import GelMats, TensionPole
+from stayput.measures import GelMats, Held, Measure, TensionPole
 from stayput.measures.wall import WallDevice
+from stayput.rooms.runs import DeviceForces, PeakForces, RoomPart, with_member
+from stayput.rooms.steps import STUD_PITCH
+from stayput.simulation.placing import placed
+from stayput.simulation.standing import Piece
 from stayput.uncertainty import USUAL
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
-
     from stayput.catalogue import Phrase
-    from stayput.measures import Held, Measure
+    from stayput.rooms.effects import Question
 
 QUANTILE = 0.95
 """Share of the runs in which a device of the strength asked for is strong enough, with no margin."""
@@ -36,45 +38,6 @@ characteristic (4.2(3), recalled and not read again).
 
 UNBREAKABLE = 1e6
 """Strength of a device that cannot fail [N]: the most that one may be given."""
-
-
-class DeviceForces(NamedTuple):
-    """Forces on one device [N]: away from what it is fixed to, towards it, and across."""
-
-    pull: float
-    push: float
-    shear: float
-
-    def times(self, factor: float) -> DeviceForces:
-        """Return them multiplied."""
-        return DeviceForces(*(factor * force for force in self))
-
-
-PeakForces = dict[tuple[int, str], DeviceForces]
-"""Largest forces on any of the like devices in a run, by the piece's place in its part and the kind."""
-
-
-def peak_forces(place: int, held: Held, devices: NDArray[np.void], mass: float) -> PeakForces:
-    """Return the largest forces of a run on one of each kind of device of a piece.
-
-    Parameters
-    ----------
-    place : int
-        The place of the piece in its part.
-    held : Held
-        The piece with its devices.
-    devices : ndarray of DEVICE
-        What became of them.
-    mass : float
-        By what the forces are multiplied: the body's mass [kg] where they are per unit mass.
-    """
-    found: PeakForces = {}
-    for element, device in zip(held.elements, devices, strict=True):
-        each = mass / element.count
-        own = DeviceForces(*(each * float(device[name]) for name in ("peak_pull", "peak_push", "peak_shear")))
-        known = found.get((place, element.kind), own)
-        found[place, element.kind] = DeviceForces(*map(max, own, known))
-    return found
 
 
 def quantile_of(peaks: Sequence[PeakForces], key: tuple[int, str]) -> DeviceForces:
@@ -154,3 +117,41 @@ def strengths_of(held: Held, kind: str) -> tuple[DeviceForces, Phrase | None] | 
     normal, tangent = weakest.normal.shared(weakest.count), weakest.tangent.shared(weakest.count)
     across = min(tangent.limit_plus, tangent.limit_minus) if tangent.stiffness > 0.0 else math.inf
     return DeviceForces(normal.limit_plus, normal.limit_minus, across), weakest.normal.weakest
+
+
+def purchases_of(
+    question: Question, part: RoomPart, measures: tuple[Measure, ...], body: int
+) -> tuple[Purchase, ...]:
+    """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
+    place = part.bodies.index(body)
+    piece = part.assembly.members[place]
+    held = placed(part.assembly.members, part.room)[place].held
+    assert isinstance(piece, Piece)
+    assert held is not None
+    kinds = {measure.kind for measure in measures}
+    strong = tuple(
+        unbreakable(measure.fitted_to(piece.body)) if measure.kind in kinds else measure
+        for measure in piece.measures
+    )
+    member = replace(piece, measures=strong)
+    runs = question.run([part._replace(assembly=with_member(part.assembly, place, member))])[0]
+    found: list[Purchase] = []
+    for measure in measures:
+        strengths = strengths_of(held, measure.kind)
+        if strengths is None:
+            found.append(Purchase(measure))
+            continue
+        holds, fails = strengths
+        needed = quantile_of(runs.peaks, (place, measure.kind)).times(MARGIN)
+        found.append(Purchase(measure, needed, holds, fails))
+    return tuple(found)
+
+
+def in_number(purchase: Purchase, length: float) -> Measure:
+    """Return a device on a wall in the number that its fixing needs, one on each stud at most."""
+    measure = purchase.measure
+    if not isinstance(measure, WallDevice) or purchase.needed is None or purchase.holds is None:
+        return measure
+    most = max(measure.count, math.floor(length / STUD_PITCH[0]) + 1)
+    needed = math.ceil(measure.count * more_than(purchase.needed, purchase.holds))
+    return replace(measure, count=min(most, max(measure.count, needed)))

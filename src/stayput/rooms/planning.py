@@ -14,30 +14,33 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of
-from stayput.measures import MEASURES
+from stayput.errors import instance_of
+from stayput.measures import MEASURES, Measure
+from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
-from stayput.measures.wedge import WedgeStopper
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
-from stayput.progress import bar
-from stayput.rooms.changes import can_be_held
-from stayput.rooms.decisions import decisions_of, elsewhere, moved_as_decided
+from stayput.progress import tally
+from stayput.rooms.changes import Change, held_part
+from stayput.rooms.decisions import Decisions, decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import (
+    OtherTracks,
     effect_of,
     falling_pieces,
     harmful_pieces,
     moves_of,
     risk_of,
-    tracks_of_part,
 )
-from stayput.rooms.events import hits_of
-from stayput.rooms.purchases import in_number, purchases_of
-from stayput.rooms.runs import part_with, with_measures, with_member
-from stayput.rooms.steps import SETS, ActionPlan, Fix, Home, PlanStep
-from stayput.rooms.trials import (
+from stayput.rooms.events import Hits, hits_of
+from stayput.rooms.forces import Purchase, in_number, purchases_of
+from stayput.rooms.runs import PartRuns, RoomPart, part_with, with_measures, with_member
+from stayput.rooms.steps import (
     ALIKE,
+    SETS,
+    ActionPlan,
     ChosenStep,
-    OtherTracks,
+    Fix,
+    Home,
+    PlanStep,
     Trial,
     chance_of_overturning,
     for_people,
@@ -45,28 +48,19 @@ from stayput.rooms.trials import (
     in_order_of_gain,
     merit,
 )
-from stayput.rooms.verdict import RoomVerdict
+from stayput.rooms.verdict import RoomEffect, RoomVerdict
 from stayput.rooms.verify import floors_of, question_of, states, verdict_of
 from stayput.simulation.placing import placed
-from stayput.simulation.standing import Piece
+from stayput.simulation.standing import Assembly, Piece
 from stayput.verification.grades import inputs_in_room
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from stayput.fragility import Probability
-    from stayput.measures import Measure
     from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.rooms.changes import Change
-    from stayput.rooms.decisions import Decisions
-    from stayput.rooms.effects import Move, Question
-    from stayput.rooms.events import Hits
-    from stayput.rooms.forces import Purchase
-    from stayput.rooms.runs import PartRuns, RoomPart
+    from stayput.rooms.effects import Move, Question, RoomState
     from stayput.rooms.tracks import Track
-    from stayput.rooms.verdict import RoomEffect
-    from stayput.rooms.verify import RoomState
-    from stayput.simulation.standing import Assembly
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
@@ -129,13 +123,10 @@ def action_plan(
     began = time.perf_counter()
     asked = instance_of("verdict", verdict, RoomVerdict)
     home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
-    made = 0
-    with bar(None, "progress.planning", progress) as advance:
+    with tally(None, "progress.planning", progress) as made:
 
         def count(runs: int) -> None:
-            nonlocal made
-            made += runs
-            advance(runs)
+            made(runs)
             if on_progress is not None:
                 on_progress(runs)
 
@@ -144,7 +135,7 @@ def action_plan(
         planner = _Planner(question, state, home, decisions_of(question, decided))
         steps, unsolved = planner.steps()
     as_it_is = verdict_of(question, state, asked.slide_limit)
-    now = replace(as_it_is, complete=True, runs=made, seconds=time.perf_counter() - began)
+    now = replace(as_it_is, complete=True, runs=made.done, seconds=time.perf_counter() - began)
     return ActionPlan(now, home, steps, unsolved, planner.drilled)
 
 
@@ -167,7 +158,7 @@ class _Planner:
         self.question, self.state, self.home, self.decisions = question, state, home, decisions
         hits = state.as_it_is.events.hits
         struck = {body for own in hits for body, one in enumerate(own) if one.happened.any()}
-        self.harmful = struck | harmful_pieces(state.as_it_is, question.plan, state.ends)
+        self.harmful = struck | harmful_pieces(state)
         self.falling = falling_pieces(state.as_it_is)
         self.drilled: dict[str, Fix] = {}
         self._groups: dict[frozenset[str], OtherTracks] = {}
@@ -176,7 +167,7 @@ class _Planner:
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
         names = self.question.scenario.names
-        moves = self._decided_moves() or self._best_move()
+        moves = self._moves()
         chosen = [self._moving(move, effect) for move, effect in moves]
         moved = {move.change.what for move, _ in moves}
         whole = self._after([move for move, _ in moves])
@@ -214,15 +205,11 @@ class _Planner:
         done: list[ChosenStep] = []
         while chosen:
             effects = [self._together([*done, one]) for one in chosen]
-            number = min(
-                range(len(chosen)),
-                key=lambda n: (
-                    in_order_of_gain(effects[n]),
-                    chosen[n].step.cost_class,
-                    in_order_of_gain(chosen[n].step.alone),
-                ),
-            )
-            done.append(chosen.pop(number))
+            keys = [
+                (in_order_of_gain(effect), one.step.cost_class, in_order_of_gain(one.step.alone))
+                for one, effect in zip(chosen, effects, strict=True)
+            ]
+            done.append(chosen.pop(keys.index(min(keys))))
         return done
 
     def _together(self, done: list[ChosenStep]) -> RoomEffect:
@@ -257,7 +244,7 @@ class _Planner:
                 whole = with_measures(whole, body, bought)
             part = part_with(self.question.scenario, group, whole)
             runs = self.question.run([part])[0]
-            self._groups[key] = OtherTracks(tracks_of_part(part, runs), runs.missing)
+            self._groups[key] = OtherTracks.of(part, runs)
         return self._groups[key]
 
     def _hits(self, place: PersonPlace, tracks: Sequence[Track]) -> Hits:
@@ -268,46 +255,42 @@ class _Planner:
         return self._known[key][1]
 
     def _effect(self, plan: FloorPlan, way: OtherTracks) -> RoomEffect:
-        return effect_of(plan, way.tracks, way.missing, self.state.as_it_is, self.state.ends, self._hits)
+        return effect_of(plan, way, self.state, self._hits)
 
-    def _decided_moves(self) -> list[tuple[Move, RoomEffect]]:
-        """Return what it has been decided to move, and what that brings."""
-        found: list[tuple[Move, RoomEffect]] = []
-        for change in self.decisions.moves:
-            move = moved_as_decided(self.question, self.state.as_it_is, change)
-            found.append((move, self._effect(move.plan, OtherTracks(move.instead, move.missing))))
-        return found
+    def _moves(self) -> list[tuple[Move, RoomEffect]]:
+        """Return what it has been decided to move, else the move that clearly helps and helps most, if any.
 
-    def _best_move(self) -> list[tuple[Move, RoomEffect]]:
-        """Return the move that clearly helps and helps most, and what it brings, or nothing."""
-        found: list[tuple[Move, RoomEffect]] = []
-        parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
-        free = self.harmful - set(self.decisions.measures)
-        for move in moves_of(self.question, parts, as_it_is, ends, free):
-            effect = self._effect(move.plan, OtherTracks(move.instead, move.missing))
-            if effect.helps:
-                found.append((move, effect))
-        return sorted(found, key=lambda pair: in_order_of_gain(pair[1]))[:1]
+        With each what it brings.
+        """
+        question, state = self.question, self.state
+        decided = [moved_as_decided(question, state.as_it_is, change) for change in self.decisions.moves]
+        moves = decided or moves_of(question, state, self.harmful - set(self.decisions.measures))
+        found = [(move, self._effect(move.plan, move.way)) for move in moves]
+        if decided:
+            return found
+        return sorted((pair for pair in found if pair[1].helps), key=lambda pair: in_order_of_gain(pair[1]))[
+            :1
+        ]
 
     def _moving(self, move: Move, effect: RoomEffect) -> ChosenStep:
         scenario, what = self.question.scenario, move.change.what
-        bodies = list(move.instead) or sorted(self.harmful)
+        bodies = list(move.way.tracks) or sorted(self.harmful)
         deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
-        overturned = self._overturned(bodies[0]) if move.instead else None
+        overturned = self._overturned(bodies[0]) if move.way.tracks else None
         decided = move.change in self.decisions.moves
         step = PlanStep(
             what, move.change, None, effect, effect, overturned, None, tuple(deciding), decided=decided
         )
-        way = OtherTracks(move.instead, move.missing)
         places = list(enumerate(move.plan.places))
         was = self.question.plan.places
-        return ChosenStep(step, next((own for own in places if own[1] != was[own[0]]), None), way, way)
+        place = next((own for own in places if own[1] != was[own[0]]), None)
+        return ChosenStep(step, place, move.way, move.way)
 
     def _after(self, moves: Sequence[Move]) -> Assembly:
         """Return the pieces with some moved."""
         whole = self.question.whole
         for move in moves:
-            for body in move.instead:
+            for body in move.way.tracks:
                 whole = with_member(whole, body, elsewhere(whole.members[body], move.change))
         return whole
 
@@ -395,7 +378,7 @@ class _Planner:
         ]
 
     def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> Trial:
-        way = OtherTracks(tracks_of_part(part, runs), runs.missing)
+        way = OtherTracks.of(part, runs)
         effect, own = self._effect(self.question.plan, way), self._own_risk(way)
         return Trial(measures, way, effect, own, chance_of_overturning(runs, part.bodies.index(body)))
 
@@ -410,13 +393,7 @@ class _Planner:
 
     def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
         """Return the part of a piece with measures on it, or None where they cannot be put there."""
-        if not isinstance(whole.members[body], Piece):
-            return None
-        try:
-            part = self._with(body, measures, whole)
-        except InputError:  # another measure at the same place
-            return None
-        return part if can_be_held(part, self._group(body).index(body), self.question.plan) else None
+        return held_part(self.question.scenario, whole, self._group(body), body, measures)
 
     def _with(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart:
         """Return the part of a piece with measures on it, which have not been put in place."""
@@ -429,7 +406,9 @@ class _Planner:
         """
         measures, part = tried.measures, self._with(body, tried.measures, whole)
         purchases = purchases_of(self.question, part, measures, body)
-        fitted = tuple(in_number(one, _length(whole, body)) for one in purchases)
+        piece = whole.members[body]
+        assert isinstance(piece, Piece)
+        fitted = tuple(in_number(one, piece.body.length or 0.0) for one in purchases)
         more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
         if fitted != measures and more is not None and here is not None:
             measures, part = fitted, more
@@ -439,7 +418,7 @@ class _Planner:
         there, overturns = tried.way, tried.overturns
         if whole is not self.question.whole:
             runs = self.question.run([part])[0]
-            there = OtherTracks(tracks_of_part(part, runs), runs.missing)
+            there = OtherTracks.of(part, runs)
             overturns = chance_of_overturning(runs, place)
         held = placed(part.assembly.members, part.room)[place].held
         assert held is not None
@@ -466,9 +445,3 @@ class _Planner:
                 if all(one.enough for one in purchases_of(weaker, part, measures, body)):
                     return level
         return None
-
-
-def _length(whole: Assembly, body: int) -> float:
-    piece = whole.members[body]
-    assert isinstance(piece, Piece)
-    return piece.body.length or 0.0

@@ -15,25 +15,24 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.execution import Pool
-from stayput.measures import element_rows, hold
-from stayput.measures.bracket import REACH
-from stayput.measures.wall import WallDevice
+from stayput.measures import Held, Measure, element_rows, hold
+from stayput.measures.wall import REACH, WallDevice
 from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
+from stayput.mechanics.runner import Traced
 from stayput.mechanics.runner import shaking as shaking_in_plane
-from stayput.model.room import SIDE_WALLS, WALLS_AROUND
+from stayput.model.room import SIDE_WALLS, WALLS_AROUND, Room
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
-from stayput.montecarlo.several import drawn_assembly, drawn_room, leaning, turned
-from stayput.rooms.forces import PeakForces, peak_forces
+from stayput.montecarlo.several import DrawOfSeveral, drawn_assembly, drawn_room, leaning, turned
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.case import trace_held
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
 from stayput.simulation.space import trace_assembly
-from stayput.simulation.space_case import results_of
-from stayput.simulation.standing import Assembly, Piece
+from stayput.simulation.space_case import SpaceShaking, results_of
+from stayput.simulation.standing import Assembly, Piece, Standing
 from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
@@ -41,14 +40,47 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.measures import Measure
-    from stayput.mechanics.runner import Traced
-    from stayput.model.room import Room
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.several import DrawOfSeveral
     from stayput.scenario.room import RoomScenario
-    from stayput.simulation.space_case import SpaceShaking
-    from stayput.simulation.standing import Standing
+
+
+class DeviceForces(NamedTuple):
+    """Forces on one device [N]: away from what it is fixed to, towards it, and across."""
+
+    pull: float
+    push: float
+    shear: float
+
+    def times(self, factor: float) -> DeviceForces:
+        """Return them multiplied."""
+        return DeviceForces(*(factor * force for force in self))
+
+
+PeakForces = dict[tuple[int, str], DeviceForces]
+"""Largest forces on any of the like devices in a run, by the piece's place in its part and the kind."""
+
+
+def peak_forces(place: int, held: Held, devices: NDArray[np.void], mass: float) -> PeakForces:
+    """Return the largest forces of a run on one of each kind of device of a piece.
+
+    Parameters
+    ----------
+    place : int
+        The place of the piece in its part.
+    held : Held
+        The piece with its devices.
+    devices : ndarray of DEVICE
+        What became of them.
+    mass : float
+        By what the forces are multiplied: the body's mass [kg] where they are per unit mass.
+    """
+    found: PeakForces = {}
+    for element, device in zip(held.elements, devices, strict=True):
+        each = mass / element.count
+        own = DeviceForces(*(each * float(device[name]) for name in ("peak_pull", "peak_push", "peak_shear")))
+        known = found.get((place, element.kind), own)
+        found[place, element.kind] = DeviceForces(*map(max, own, known))
+    return found
 
 
 class RoomPart(NamedTuple):

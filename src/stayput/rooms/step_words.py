@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
-from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper
+from stayput.catalogue import Phrase, phrase
+from stayput.measures import Belt, Element, GelMats, Held, TensionPole, WedgeStopper
 from stayput.measures.fixing import SCREW_IN_STUD
 from stayput.measures.wall import WallDevice
-from stayput.rooms.steps import STUD_PITCH
-from stayput.rooms.verdict import FALLS
+from stayput.rooms.steps import STUD_PITCH, ActionPlan, Fix, PlanStep
+from stayput.rooms.verdict import FALLS, RoomEffect
 from stayput.rooms.words import interval_text, label_of, piece_name
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
@@ -20,12 +20,8 @@ from stayput.wording import inside
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from stayput.catalogue import Phrase
     from stayput.fragility import Probability
-    from stayput.measures import Element, Held
     from stayput.rooms.forces import Purchase
-    from stayput.rooms.steps import ActionPlan, Fix, PlanStep
-    from stayput.rooms.verdict import RoomEffect
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""

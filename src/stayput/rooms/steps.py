@@ -1,11 +1,11 @@
-"""The plan to buy and do: what to move, what to put on which piece, how strong, and what it brings."""
+"""The plan to buy and do: what to move, what to put on which piece, what it brings, and what is better."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from stayput.measures import MEASURES
+from stayput.measures import MEASURES, Measure
 from stayput.verification.options import COMBINED
 from stayput.vocabulary import TATAMI
 
@@ -15,10 +15,12 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.fragility import Probability
-    from stayput.measures.parameters import Grade
+    from stayput.measures.measure import Grade
+    from stayput.model.floor_plan import PersonPlace
     from stayput.rooms.changes import Change
+    from stayput.rooms.effects import OtherTracks
     from stayput.rooms.forces import Purchase
-    from stayput.rooms.runs import RoomPart
+    from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.verdict import RoomEffect, RoomVerdict
     from stayput.scenario.room import RoomScenario
     from stayput.verification.grades import Input
@@ -263,3 +265,61 @@ class ActionPlan:
         from stayput.report.room.card import write_plan
 
         return write_plan(self, path, language)
+
+
+ALIKE = 0.005
+"""Risks that differ by no more than this are equal in the order of steps: half a per cent."""
+
+
+class Trial(NamedTuple):
+    """Measures on a piece that have run where it stands; ``own`` is the risk from its part of the room."""
+
+    measures: tuple[Measure, ...]
+    way: OtherTracks
+    effect: RoomEffect
+    own: float
+    overturns: Probability
+
+
+class ChosenStep(NamedTuple):
+    """A step before its place in the order is known.
+
+    ``here`` is how the piece moves then where it stands; ``there``, once it has been moved. ``place`` is the
+    place of a person where it is moved to, with its number.
+    """
+
+    step: PlanStep
+    place: tuple[int, PersonPlace] | None
+    here: OtherTracks
+    there: OtherTracks
+
+
+def chance_of_overturning(runs: PartRuns, place: int) -> Probability:
+    """Return the chance that one of the pieces of a part overturns."""
+    return runs.of_body(place).probability_of_overturning()
+
+
+def in_order_of_gain(effect: RoomEffect) -> tuple[float, ...]:
+    """Return the sort key of what something brings, the best first: for people, and then what overturns."""
+    return (*for_people(effect), round(effect.fallen / ALIKE))
+
+
+def for_people(effect: RoomEffect) -> tuple[float, ...]:
+    """Return how much happens to people, who is hit before who is shut in."""
+    return (
+        round(effect.risk / ALIKE),
+        round(effect.shut_in.estimate / ALIKE),
+        round(effect.blocked.estimate / ALIKE),
+    )
+
+
+def merit(tried: Trial) -> tuple[float, ...]:
+    """Return the sort key of measures on a piece: of those that bring the same, what it falls with least."""
+    own, effect = round(tried.own / ALIKE), tried.effect
+    ways = round(effect.shut_in.estimate / ALIKE), round(effect.blocked.estimate / ALIKE)
+    return (own, *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
+
+
+def frees(effect: RoomEffect) -> bool:
+    """Return whether a way out is free more often, clearly or not."""
+    return any(one.estimate < 0.0 for one in (effect.shut_in_change, effect.blocked_change))

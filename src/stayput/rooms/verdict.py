@@ -117,7 +117,7 @@ class RoomPiece:
         Peak slide [m].
     fell, stood : ndarray, shape (nx, ny)
         Shares of the runs in which it ends on each cell of the floor having overturned, and without; see
-        `stayput.rooms.ways.Ways`.
+        `stayput.rooms.events.Ways`.
     outline : ndarray, shape (n, 2)
         Its outline in plan as it stands [m].
     risk : float

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError, instance_of, within
 from stayput.fragility import probability
 from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
-from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
-from stayput.progress import bar
+from stayput.progress import tally
 from stayput.rooms.contact import inside_each_other
-from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_by, in_order, risk_of
+from stayput.rooms.effects import Answer, Question, RoomState, anybody, changes_of, hits_by, in_order, risk_of
 from stayput.rooms.events import EndOfRuns, shares_covered
 from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.verdict import (
@@ -38,8 +38,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.montecarlo.hazard import FloorMotions
-    from stayput.rooms.runs import RoomPart
     from stayput.simulation.standing import Assembly, Standing
 
 
@@ -102,42 +100,17 @@ def verify_room(
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     question = question_of(scenario, threads)
     each = len(question.drawn) * len(question.drawn[0])
-    total, made = len(groups_of(question.scenario)) * each, 0
-    with bar(total, "progress.verifying", progress) as advance:
-
-        def count(runs: int) -> None:
-            nonlocal made
-            made += runs
-            advance(runs)
-            if on_progress is not None:
-                on_progress(made, max(total, made))
+    total = len(groups_of(question.scenario)) * each
+    with tally(total, "progress.verifying", progress, on_progress) as count:
 
         def told(verdict: RoomVerdict) -> RoomVerdict:
-            so_far = replace(verdict, runs=made, seconds=time.perf_counter() - began)
+            so_far = replace(verdict, runs=count.done, seconds=time.perf_counter() - began)
             if on_verdict is not None:
                 on_verdict(so_far)
             return so_far
 
         (*_, last) = map(told, _verdicts(question._replace(advance=count), limit, changes=changes))
     return replace(last, complete=True)
-
-
-class RoomState(NamedTuple):
-    """A room as it is, run under some or all draws.
-
-    Parameters
-    ----------
-    parts : list of RoomPart
-        The pieces that run together.
-    as_it_is : Answer
-        What happens in the room.
-    ends : EndOfRuns
-        Of its plan.
-    """
-
-    parts: list[RoomPart]
-    as_it_is: Answer
-    ends: EndOfRuns
 
 
 def question_of(scenario: RoomScenario, threads: int | None) -> Question:
@@ -163,7 +136,7 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     )
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
-    return Question(room, plan, whole, drawn, floors, threads, _unheard)
+    return Question(room, plan, whole, drawn, floors, threads)
 
 
 def floors_of(room: RoomScenario, threads: int | None, times: float = 1.0) -> FloorMotions:
@@ -171,10 +144,6 @@ def floors_of(room: RoomScenario, threads: int | None, times: float = 1.0) -> Fl
     ground, shaking = room.ground(), room.shaking
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
     return hazard.stated(shaking.strength, shaking.scale, room.uncertainty.seed, threads, times)
-
-
-def _unheard(_runs: int) -> None:
-    """Nobody hears of progress."""
 
 
 def states(question: Question) -> Iterator[RoomState]:
@@ -237,7 +206,7 @@ def _verdicts(question: Question, slide_limit: float, *, changes: bool) -> Itera
         yield known[1]
     if changes and known is not None:
         (state, verdict), found = known, list[ChangeVerdict]()
-        for change in changes_of(question, state.parts, state.as_it_is, state.ends):
+        for change in changes_of(question, state):
             found.append(change)
             yield replace(verdict, changes=in_order(found))
 

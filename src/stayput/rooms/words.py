@@ -6,21 +6,18 @@ import math
 from itertools import chain, repeat
 from typing import TYPE_CHECKING, NamedTuple
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import PIECES
 from stayput.fragility.probabilities import percent
-from stayput.model.floor_plan import PLACES
-from stayput.rooms.changes import wall_faced
+from stayput.model.floor_plan import PLACES, Door, PersonPlace
+from stayput.rooms.changes import Change, wall_faced
 from stayput.verification.words import sentence_of, shaking_phrase, share_text
 from stayput.wording import inside
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from stayput.catalogue import Phrase
     from stayput.fragility import Probability
-    from stayput.model.floor_plan import Door, PersonPlace
-    from stayput.rooms.changes import Change
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
     from stayput.scenario import AssemblyScenario
 
@@ -68,6 +65,7 @@ def _within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
 
 
 _PLACES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
+_AT = {"bed": "in", "futon": "on", "cot": "in", "desk": "at", "sofa": "on", "play area": "in"}
 _DOOR: dict[str, Phrase] = {"door": phrase("rooms.door")}
 
 
@@ -102,11 +100,9 @@ def names_in(scenario: AssemblyScenario, language: str) -> tuple[str, ...]:
 def _where_somebody_is(place: PersonPlace) -> Phrase:
     """Return where the person of a place is: "in bed", "at desk 2"."""
     found = default_name(place.name, _PLACES)
-    if found is None:
-        return phrase("rooms.at_place", place=_within(place.name, _PLACES))
-    if found.number:
-        return phrase(f"rooms.at_numbered_{found.kind}", number=found.number)
-    return phrase(f"rooms.at_{found.kind}")
+    in_bed = found == DefaultName("bed", "")  # which has no article then
+    called = place_name(place) if in_bed else _within(place.name, _PLACES)
+    return phrase(f"rooms.{'at' if found is None else _AT[found.kind]}_place", place=called)
 
 
 def often(share: float, cases: Phrase) -> Phrase:
@@ -154,7 +150,7 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
         (english, japanese), (first, second) = next(names), interval_text(chance)
         return phrase("common.aside", content=(english + first, japanese + second))
 
-    def happens(key: str, chance: Probability, **values: Phrase | int) -> Phrase:
+    def happens(key: str, chance: Probability, **values: Phrase) -> Phrase:
         return phrase(key, often=often(chance.estimate, next(cases)), interval=ends_of(chance), **values)
 
     worst = sorted(verdict.places, key=lambda one: -one.hit.estimate)
@@ -173,12 +169,9 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
     falling.sort(key=lambda piece: -piece.probabilities["overturned"].estimate)
     if falling:
         first, *others = falling
-        yield happens(
-            "rooms.falls_with_others" if others else "rooms.falls_too",
-            first.probabilities["overturned"],
-            piece=piece_within(first.name),
-            count=len(others),
-        )
+        beside = phrase("rooms.with_others", count=len(others)) if others else ("", "")
+        chance = first.probabilities["overturned"]
+        yield happens("rooms.falls_too", chance, piece=piece_within(first.name), others=beside)
     for door in verdict.doors:
         if door.blocked.estimate >= TOLD:
             yield happens("rooms.blocked", door.blocked, door=_within(door.door.name, _DOOR))
@@ -230,17 +223,18 @@ def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) 
 
 def _effect(result: ChangeVerdict, verdict: RoomVerdict) -> Phrase:
     what = next(iter(result.better), "hit")
-    (chance, change), own = (result.hit, result.hit_change), verdict.piece_changed(result)
-    if what == "shut_in":
-        chance, change = result.shut_in, result.shut_in_change
-    elif what == "blocked":
-        chance, change = result.blocked, result.blocked_change
-    elif what == "overturned" and own is not None:
-        chance, change = own
+    own = verdict.piece_changed(result) if what == "overturned" else None
+    if what in ("shut_in", "blocked"):
+        own = getattr(result, what), getattr(result, f"{what}_change")
+    chance, change = own or (result.hit, result.hit_change)
     held, bare = chance.estimate, chance.estimate - change.estimate
     goes = "stays" if share_text(held) == share_text(bare) else "falls" if held < bare else "rises"
-    told = phrase(f"rooms.{goes}", bare=share_text(bare), held=share_text(held))
-    return phrase(f"rooms.change_of_{what}", change=label_of(result.change, verdict), goes=told)
+    return phrase(
+        "rooms.change_of",
+        change=label_of(result.change, verdict),
+        what=phrase(f"rooms.chance_of_{what}"),
+        goes=phrase(f"rooms.{goes}", bare=share_text(bare), held=share_text(held)),
+    )
 
 
 def tags(result: ChangeVerdict) -> list[Phrase]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from stayput.errors import InputError, instance_of, list_of
 from stayput.execution import Pool
-from stayput.measures.results import utilisation
+from stayput.measures.element import utilisation
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.progress import bar

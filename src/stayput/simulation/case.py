@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Literal, cast, overload
 import numpy as np
 
 from stayput.errors import InputError, finite, instance_of, list_of, whole_within, word_of
+from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
-from stayput.measures.results import device_results
 from stayput.model.body import Body
 from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
 from stayput.model.room import Room

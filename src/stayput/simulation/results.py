@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.measures.results import failures_of
+from stayput.measures.element import failures_of
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.simulation.outcome import Outcome
 

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
+    from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held, Measure
-    from stayput.measures.results import DeviceResult
     from stayput.mechanics.runner import Traced
     from stayput.model.body import Body
     from stayput.model.room import Room

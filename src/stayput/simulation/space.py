@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.errors import InputWarning, warn, within
+from stayput.measures.element import device_results
 from stayput.measures.measure import element_rows, hold
-from stayput.measures.results import device_results
 from stayput.model.gravity import GRAVITY
 from stayput.model.room import friction_factor
 from stayput.simulation.flat_fields import case_columns, room_row
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held, Measure
-    from stayput.measures.results import DeviceResult
     from stayput.model.body import Body
     from stayput.model.room import Room
     from stayput.model.state import State

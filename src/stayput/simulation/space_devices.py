@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.measures.element import damper
-from stayput.measures.results import CAUSES, DeviceResult, utilisation
+from stayput.measures.element import CAUSES, DeviceResult, damper, utilisation
 from stayput.mechanics.devices.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, PLANAR
 from stayput.mechanics.space.columns import LAW_OF_ELEMENT, SPRING
 from stayput.mechanics.space.touching import ROOM

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
+    from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held
-    from stayput.measures.results import DeviceResult
     from stayput.model.floor_plan import FloorPlan
     from stayput.model.room import Room
     from stayput.motion import Motion

@@ -6,8 +6,15 @@ from stayput.montecarlo.counting import EVENTS, SLIDE_LIMIT, Quantiles
 from stayput.verification.compare import LEVELS
 from stayput.verification.entry import verify
 from stayput.verification.options import Option, options_of
-from stayput.verification.several_verdict import AssemblyOptionVerdict, AssemblyVerdict, PieceVerdict
-from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, Verdict
+from stayput.verification.verdict import (
+    AsInstalled,
+    AssemblyOptionVerdict,
+    AssemblyVerdict,
+    DeviceSummary,
+    OptionVerdict,
+    PieceVerdict,
+    Verdict,
+)
 
 __all__ = [
     "EVENTS",

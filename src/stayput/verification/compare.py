@@ -1,4 +1,4 @@
-"""Monte Carlo comparison of a piece of furniture without and with each measure."""
+"""Monte Carlo comparison of one piece, or of several, without and with each measure or joint."""
 
 from __future__ import annotations
 
@@ -9,39 +9,46 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.fragility.intensity_measures import FLOOR_JMA
-from stayput.measures import hold
-from stayput.measures.results import weakest
+from stayput.measures import Element, Held, hold
+from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Quantiles
-from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.levels import run_levels
-from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
-from stayput.progress import bar
-from stayput.verification.contents import contents_verdicts
-from stayput.verification.options import compared_options
-from stayput.verification.ranking import members, severity
-from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, OptionVerdict, Verdict
+from stayput.montecarlo.counting import Outcomes, Quantiles, members, severity
+from stayput.montecarlo.hazard import FloorMotions, Hazard
+from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels
+from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of, sample_until_precise
+from stayput.montecarlo.several import RunsOfSeveral, draws_of_several, run_several
+from stayput.progress import tally
+from stayput.simulation.placing import placed
+from stayput.simulation.space import warn_of_settlement
+from stayput.simulation.space_devices import JOINT
+from stayput.verification.contents import ContentsVerdict, contents_verdicts
+from stayput.verification.notes import Estimates
+from stayput.verification.options import Option, compared_options, options_of_several
+from stayput.verification.verdict import (
+    AsInstalled,
+    AssemblyOptionVerdict,
+    AssemblyVerdict,
+    DeviceOfSeveral,
+    DeviceSummary,
+    OptionVerdict,
+    PieceVerdict,
+    Verdict,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
+    from typing import Any
 
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure
-    from stayput.measures import Held
-    from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.levels import Falls
-    from stayput.montecarlo.runs import Runs
-    from stayput.montecarlo.sampling import Rows
-    from stayput.scenario import Scenario
-    from stayput.verification.contents import ContentsVerdict
-    from stayput.verification.options import Option
+    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.simulation.standing import Assembly
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""
@@ -89,16 +96,7 @@ def compare(
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
-    with bar(total, "progress.verifying", progress) as advance:
-        seen = 0
-
-        def count(runs: int) -> None:
-            nonlocal seen
-            seen += runs
-            advance(runs)
-            if on_progress is not None:
-                on_progress(seen, total)
-
+    with tally(total, "progress.verifying", progress, on_progress) as count:
         floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
         batches: list[list[Rows]] = []
 
@@ -244,33 +242,20 @@ def _verdicts(
     installed: Mapping[str, AsInstalled],
     inside: list[ContentsVerdict | None],
 ) -> tuple[OptionVerdict, ...]:
-    chances = [runs.probabilities(slide_limit) for runs in stated]
-    order = sorted(range(len(options)), key=lambda i: (*severity(chances[i], len(options[i].measures)), i))
     verdicts: list[OptionVerdict] = []
-    for rank, i in enumerate(order, start=1):
-        runs, option = stated[i], options[i]
+    for i, outcomes in ranked_outcomes(stated, [len(option.measures) for option in options], slide_limit):
+        option, runs = options[i], stated[i]
         curves = _curves(option.name, falls[i], measures) if measures else {}
-        typical, worst = members(runs)
         verdicts.append(
             OptionVerdict(
                 option=option,
-                rank=rank,
-                probabilities=chances[i],
-                change=difference(
-                    runs.overturned,
-                    stated[0].overturned,
-                    runs.missing | stated[0].missing,
-                    comparisons=len(options) - 1,
-                )
-                if option.measures
-                else None,
-                slide=Quantiles.of(runs.slide, runs.overturned),
-                tilt=Quantiles.of(runs.tilt, runs.overturned),
-                devices=device_summaries(held[i], runs),
+                **outcomes,
+                devices=tuple(
+                    device_summary(element.kind, element, number, runs, runs.masses)
+                    for number, element in enumerate(held[i].elements)
+                ),
                 curves=curves,
                 capacities={p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {},
-                typical=typical,
-                worst=worst,
                 installed=installed.get(option.name),
                 contents=inside[i],
             )
@@ -278,33 +263,173 @@ def _verdicts(
     return tuple(verdicts)
 
 
-def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
-    """Return a summary of each force element of a measure.
+def ranked_outcomes(
+    runs: Sequence[Outcomes], costs: Sequence[int], slide_limit: float
+) -> Iterator[tuple[int, dict[str, Any]]]:
+    """Yield the number of each option, the best first, and what its verdict tells of all its runs, by field.
 
     Parameters
     ----------
-    held : Held
-        The body with the measures, as stated.
-    runs : Runs
-        Its runs.
+    runs : sequence of Outcomes
+        Those of each option, that without anything first.
+    costs : sequence of int
+        How many things each option puts in place.
+    slide_limit : float
+        Slide that counts as too far [m].
     """
-    nowhere = np.zeros_like(runs.overturned)
-    summaries: list[DeviceSummary] = []
-    for number, element in enumerate(held.elements):
-        device = runs.devices[:, :, number]
-        along = np.maximum(device["peak_pull"], device["peak_push"])
-        force = runs.masses * np.hypot(along, device["peak_shear"])
-        failed = device["failure"] != HOLDS
-        times = device["failure_time"][failed & ~runs.missing]
-        summaries.append(
-            DeviceSummary(
-                kind=element.kind,
-                name=f"{element.kind} {element.place}".strip(),
-                failed=probability(failed, runs.missing),
-                failure_time=float(np.median(times)) if times.size else np.nan,
-                peak=Quantiles.of(force, nowhere),
-                used=Quantiles.of(runs.used[:, :, number], nowhere),
-                weakest=weakest(element, device[~runs.missing]),
+    chances, bare, others = [one.probabilities(slide_limit) for one in runs], runs[0], len(runs) - 1
+    order = sorted(range(len(runs)), key=lambda i: (*severity(chances[i], costs[i]), i))
+    for rank, i in enumerate(order, start=1):
+        own, missing = runs[i], runs[i].missing | bare.missing
+        typical, worst = members(own)
+        told: dict[str, Any] = {
+            "rank": rank,
+            "probabilities": chances[i],
+            "change": difference(own.overturned, bare.overturned, missing, comparisons=others) if i else None,
+            "slide": Quantiles.of(own.slide, own.overturned),
+            "tilt": Quantiles.of(own.tilt, own.overturned),
+            "typical": typical,
+            "worst": worst,
+        }
+        yield i, told
+
+
+def device_summary(
+    kind: str,
+    element: Element | None,
+    number: int,
+    runs: Runs | RunsOfSeveral,
+    mass: NDArray[np.float64] | float = 1.0,
+) -> DeviceSummary:
+    """Return a summary of the device of a number, or of a joint, which is no element of a measure.
+
+    Parameters
+    ----------
+    kind : str
+        The measure that it belongs to.
+    element : Element or None
+        The device.
+    number : int
+        Its place among all devices of the runs.
+    runs : Runs or RunsOfSeveral
+        The runs.
+    mass : ndarray or float
+        By what their forces are multiplied: the body's mass [kg] where they are per unit mass.
+    """
+    device, missing = runs.devices[:, :, number], runs.missing
+    nowhere = np.zeros_like(missing)
+    along = np.maximum(device["peak_pull"], device["peak_push"])
+    failed = device["failure"] != HOLDS
+    times = device["failure_time"][failed & ~missing]
+    return DeviceSummary(
+        kind=kind,
+        name=kind if element is None else f"{kind} {element.place}".strip(),
+        failed=probability(failed, missing),
+        failure_time=float(np.median(times)) if times.size else np.nan,
+        peak=Quantiles.of(mass * np.hypot(along, device["peak_shear"]), nowhere),
+        used=Quantiles.of(runs.used[:, :, number], nowhere),
+        weakest=None if element is None else weakest(element, device[~missing]),
+    )
+
+
+def verify_several(
+    scenario: AssemblyScenario,
+    *,
+    slide_limit: float,
+    threads: int | None = None,
+    progress: bool | None = None,
+    on_progress: Callable[[int, int], None] | None = None,
+) -> AssemblyVerdict:
+    """Compare what may hold several pieces, at the scenario's own shaking; see `stayput.verify`.
+
+    Raises
+    ------
+    InputError
+        Options of which none can be put in place, or a record that cannot be read.
+    """
+    began = time.perf_counter()
+    room, gravity, shaking = scenario.surroundings(), scenario.gravity, scenario.shaking
+    options, rejected = options_of_several(scenario)
+    ground = scenario.ground()
+    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
+    settings = Settings.of(scenario, len(ground), slide_limit)
+    assemblies = [scenario.assembly(option) for option in options]
+    warn_of_settlement(assemblies[0], room)
+    total = len(ground) * settings.samples * len(options)
+    draw = partial(
+        draws_of_several,
+        scenario.names,
+        settings.motions,
+        seed=settings.seed,
+        as_stated=settings.as_stated,
+    )
+    with tally(total, "progress.verifying", progress, on_progress) as count:
+        floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
+
+        def run(_: list[int], samples: int, start: int) -> list[RunsOfSeveral]:
+            drawn = draw(samples, start=start)
+            counted = scenario.counted
+            return run_several(
+                assemblies, room, drawn, floors, gravity, counted, threads=threads, progress=count
             )
+
+        with scenario.naming_pieces():
+            runs, samples, precise = sample_until_precise(len(options), settings, run, together=True)
+        made = len(options) * len(ground) * samples
+        if made < total:  # samples beyond the asked precision
+            count(total - made)
+    return AssemblyVerdict(
+        scenario=scenario,
+        intensity=floors.median_intensity,
+        slide_limit=slide_limit,
+        options=_verdicts_of_several(scenario, options, assemblies, runs, slide_limit),
+        motions=len(ground),
+        samples=samples,
+        runs=made,
+        precise=precise,
+        seed=settings.seed,
+        seconds=time.perf_counter() - began,
+        rejected=rejected,
+        floor=floors.floor,
+    )
+
+
+def _verdicts_of_several(
+    scenario: AssemblyScenario,
+    options: tuple[AssemblyOption, ...],
+    assemblies: list[Assembly],
+    runs: list[RunsOfSeveral],
+    slide_limit: float,
+) -> tuple[AssemblyOptionVerdict, ...]:
+    return tuple(
+        AssemblyOptionVerdict(
+            option=options[i],
+            **outcomes,
+            pieces=tuple(
+                PieceVerdict(
+                    name,
+                    own.probabilities(slide_limit),
+                    Quantiles.of(own.slide, own.overturned),
+                    Quantiles.of(own.tilt, own.overturned),
+                )
+                for name, own in zip(scenario.names, runs[i].of_bodies(), strict=True)
+            ),
+            devices=_devices(scenario, assemblies[i], runs[i]),
         )
-    return tuple(summaries)
+        for i, outcomes in ranked_outcomes(runs, [option.count for option in options], slide_limit)
+    )
+
+
+def _devices(
+    scenario: AssemblyScenario, assembly: Assembly, runs: RunsOfSeveral
+) -> tuple[DeviceOfSeveral, ...]:
+    """Return a summary of each device and joint, in the order of the runs'."""
+    names, found = scenario.names, list[DeviceOfSeveral]()
+    for name, body in zip(names, placed(assembly.members, scenario.surroundings()), strict=True):
+        for element in () if body.held is None else body.held.elements:
+            summary = device_summary(element.kind, element, len(found), runs)
+            found.append(DeviceOfSeveral((name,), summary))
+    for joint in assembly.joints:
+        pieces = names[joint.first], names[joint.second]
+        found.append(DeviceOfSeveral(pieces, device_summary(JOINT, None, len(found), runs)))
+    return tuple(found)

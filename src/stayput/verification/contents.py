@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.contents.carrier import Carrier
-from stayput.contents.spill import spill_of
+from stayput.contents.spill import Spill, spill_of
 from stayput.contents.weight import emptied, opened
 from stayput.errors import InputError
 from stayput.execution import Pool
@@ -17,8 +17,8 @@ from stayput.fragility import Probability, probability
 from stayput.fragility.probabilities import probability_of_counts
 from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
 from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import DrawTable, draws, rows_of
-from stayput.uncertainty import QUANTITIES
+from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
+from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,11 +26,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.contents import Contents
-    from stayput.contents.spill import Spill
     from stayput.model.body import Body
-    from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
-    from stayput.uncertainty import Uncertainty
     from stayput.verification.options import Option
 
 OPEN = 0.5
@@ -139,16 +136,28 @@ def contents_verdicts(
     body, stated = scenario.furniture.body(), scenario.uncertainty
     drawn = first_draws(len(floors.motions), seed, stated.as_stated, stated.quantities)
     floors = _first(floors)
-    rows = [_rows(body, option, scenario, drawn) for option in options]
-    spilt = _followed(rows, body, contents, floors, threads)
-    less = _bound(emptied(body, contents), options, scenario, drawn, floors, threads)
+
+    def rows(other: Body) -> list[Rows]:
+        room, initial = scenario.room.room(), scenario.initial.state()
+        return [rows_of(other, room, option.measures, drawn, scenario.gravity, initial) for option in options]
+
+    def overturns(other: Body) -> list[Probability]:
+        """Return how often another body overturns, by option."""
+        runs = run_level(rows(other), floors, threads=threads)
+        return [probability(one.overturned, one.missing) for one in runs]
+
+    spilt = _followed(rows(body), body, contents, floors, threads)
+    less = overturns(emptied(body, contents))
     wide: Sequence[Probability | None] = [None] * len(options)
     if contents.drawers != "none":
-        wide = _bound_of_open_drawers(body, contents, options, scenario, drawn, floors, threads)
-    return [
-        _verdict(spilt[place], empty, open_, contents)
-        for place, (empty, open_) in enumerate(zip(less, wide, strict=True))
-    ]
+        try:
+            pulled_out = opened(body, contents, OPEN * body.width)
+        except InputError:  # it falls as the drawers open, before anything shakes it
+            fallen = np.ones(drawn.shape, np.bool_)
+            wide = [probability(fallen, ~fallen)] * len(options)
+        else:
+            wide = overturns(pulled_out)
+    return [_verdict(*one, contents) for one in zip(spilt, less, wide, strict=True)]
 
 
 def runs_of_contents(contents: Contents, motions: int) -> int:
@@ -177,11 +186,6 @@ def _first(floors: FloorMotions) -> FloorMotions:
     """Return the first `MOTIONS` motions, or all where there are fewer."""
     measures = {measure: values[:MOTIONS] for measure, values in floors.measures.items()}
     return FloorMotions(floors.motions[:MOTIONS], floors.scales[:MOTIONS], measures)
-
-
-def _rows(body: Body, option: Option, scenario: Scenario, drawn: DrawTable) -> Rows:
-    room, initial = scenario.room.room(), scenario.initial.state()
-    return rows_of(body, room, option.measures, drawn, scenario.gravity, initial)
 
 
 def spilt_under(
@@ -251,33 +255,3 @@ def _verdict(
         opened=open_,
         leaving=Leaving.of(made),
     )
-
-
-def _bound(
-    body: Body,
-    options: Sequence[Option],
-    scenario: Scenario,
-    drawn: DrawTable,
-    floors: FloorMotions,
-    threads: int | None,
-) -> list[Probability]:
-    """Return how often another body overturns, by option."""
-    rows = [_rows(body, option, scenario, drawn) for option in options]
-    return [probability(runs.overturned, runs.missing) for runs in run_level(rows, floors, threads=threads)]
-
-
-def _bound_of_open_drawers(
-    body: Body,
-    contents: Contents,
-    options: Sequence[Option],
-    scenario: Scenario,
-    drawn: DrawTable,
-    floors: FloorMotions,
-    threads: int | None,
-) -> list[Probability]:
-    try:
-        wide = opened(body, contents, OPEN * body.width)
-    except InputError:  # it falls as the drawers open, before anything shakes it
-        fallen = np.ones(drawn.shape, np.bool_)
-        return [probability(fallen, ~fallen)] * len(options)
-    return _bound(wide, options, scenario, drawn, floors, threads)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from os import PathLike
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
 
 import numpy as np
 
@@ -13,10 +13,9 @@ from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
-from stayput.scenario.in_python import scenario_of, scenario_of_case
+from stayput.scenario.in_python import MeasureSets, StatedShaking, scenario_of, scenario_of_case
 from stayput.simulation.case import Case
-from stayput.verification.compare import compare
-from stayput.verification.several import verify_several
+from stayput.verification.compare import compare, verify_several
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -24,30 +23,35 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from stayput.building import Building, ShearModel
-    from stayput.scenario.in_python import MeasureSets, StatedShaking
     from stayput.uncertainty import Uncertainty
-    from stayput.verification.several_verdict import AssemblyVerdict
-    from stayput.verification.verdict import Verdict
+    from stayput.verification.verdict import AssemblyVerdict, Verdict
+
+
+class _Runs(TypedDict, total=False):
+    """How runs are made, whatever stands."""
+
+    slide_limit: float
+    threads: int | None
+    progress: bool | None
+    on_progress: Callable[[int, int], None] | None
+
+
+class _RunsOfOne(_Runs, total=False):
+    """What is asked of one piece, too."""
+
+    measures: MeasureSets | None
+    uncertainty: Uncertainty | None
+    samples: int | None
+    seed: int | None
+    precision: float | None
+    levels: ArrayLike | None
+    intensity_measures: Sequence[IntensityMeasure]
+    every_run: bool
+    on_verdict: Callable[[Verdict], None] | None
 
 
 @overload
-def verify(
-    what: Scenario | Case,
-    *,
-    measures: MeasureSets | None = ...,
-    uncertainty: Uncertainty | None = ...,
-    samples: int | None = ...,
-    seed: int | None = ...,
-    precision: float | None = ...,
-    levels: ArrayLike | None = ...,
-    intensity_measures: Sequence[IntensityMeasure] = ...,
-    slide_limit: float = ...,
-    every_run: bool = ...,
-    threads: int | None = ...,
-    progress: bool | None = ...,
-    on_progress: Callable[[int, int], None] | None = ...,
-    on_verdict: Callable[[Verdict], None] | None = ...,
-) -> Verdict: ...
+def verify(what: Scenario | Case, **asked: Unpack[_RunsOfOne]) -> Verdict: ...
 
 
 @overload
@@ -58,42 +62,17 @@ def verify(
     shaking: StatedShaking,
     building: Building | ShearModel | None = ...,
     storey: int | None = ...,
-    measures: MeasureSets | None = ...,
-    uncertainty: Uncertainty | None = ...,
-    samples: int | None = ...,
-    seed: int | None = ...,
-    precision: float | None = ...,
-    levels: ArrayLike | None = ...,
-    intensity_measures: Sequence[IntensityMeasure] = ...,
-    slide_limit: float = ...,
-    every_run: bool = ...,
-    threads: int | None = ...,
-    progress: bool | None = ...,
-    on_progress: Callable[[int, int], None] | None = ...,
-    on_verdict: Callable[[Verdict], None] | None = ...,
+    **asked: Unpack[_RunsOfOne],
 ) -> Verdict: ...
 
 
 @overload
-def verify(
-    what: AssemblyScenario,
-    *,
-    slide_limit: float = ...,
-    threads: int | None = ...,
-    progress: bool | None = ...,
-    on_progress: Callable[[int, int], None] | None = ...,
-) -> AssemblyVerdict: ...
+def verify(what: AssemblyScenario, **asked: Unpack[_Runs]) -> AssemblyVerdict: ...
 
 
 @overload
 def verify(
-    what: Scenario | AssemblyScenario,
-    *,
-    slide_limit: float = ...,
-    every_run: bool = ...,
-    threads: int | None = ...,
-    progress: bool | None = ...,
-    on_progress: Callable[[int, int], None] | None = ...,
+    what: Scenario | AssemblyScenario, *, every_run: bool = ..., **asked: Unpack[_Runs]
 ) -> Verdict | AssemblyVerdict: ...
 
 
@@ -123,7 +102,7 @@ def verify(
     Every option meets the same motions and the same draws. At the stated shaking samples are added until
     every probability has the precision that is asked for, or the most samples are done; then come the levels
     of the fragility curves, without the runs whose outcome stronger shaking tells: see
-    `stayput.montecarlo.levels`.
+    `stayput.montecarlo.runs`.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Grades of options: how well founded are the inputs that decide the outcome, and which is the weakest.
 
-What each grade means stands in `stayput.measures.parameters`, and with the parameters whether they decide.
+What each grade means stands in `stayput.measures.measure`, and with the parameters whether they decide.
 The earthquakes are what is asked, so they have no grade.
 """
 
@@ -9,23 +9,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
-from stayput.measures import TensionPole, hold
+from stayput.catalogue import Phrase, phrase
+from stayput.measures import Measure, TensionPole, hold
 from stayput.measures.floor import OtherFriction
-from stayput.measures.parameters import GRADE_OF, Grade
+from stayput.measures.measure import GRADE_OF, Grade
 from stayput.measures.wall import WallDevice
 from stayput.model.furniture import FURNITURE
 from stayput.model.parameters import GIVEN, parameters
-from stayput.model.room import SURFACES
+from stayput.model.room import SURFACES, Floor
 from stayput.uncertainty import Confidence
 from stayput.wording import inside
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from stayput.catalogue import Phrase
-    from stayput.measures import Measure
-    from stayput.model.room import Floor
     from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
     from stayput.scenario.building import BuildingTable
     from stayput.scenario.tables import FurnitureTable
@@ -67,7 +64,17 @@ def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
     scenario : Scenario
         The furniture and where it stands.
     """
-    return tuple(_inputs(option, scenario))
+    before = scenario.room.room()
+    after = hold(scenario.furniture.body(), before, option.measures).room.floor
+    replaced = (after.static_friction, after.kinetic_friction) != (
+        before.floor.static_friction,
+        before.floor.kinetic_friction,
+    )
+    return (
+        Input(phrase("verification.size_and_mass"), furniture_tag(scenario.furniture)),
+        *_around(scenario, after, replaced),
+        *(one for measure in option.measures for one in _of_measure(measure)),
+    )
 
 
 def weakest(option: Option, scenario: Scenario) -> tuple[Input, ...]:
@@ -108,20 +115,6 @@ def inputs_in_room(measures: tuple[Measure, ...], scenario: RoomScenario, number
     if on_ceiling and ceiling is not None and "construction" not in ceiling.model_fields_set:
         found.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
     return tuple(found)
-
-
-def _inputs(option: Option, scenario: Scenario) -> Iterator[Input]:
-    yield Input(phrase("verification.size_and_mass"), furniture_tag(scenario.furniture))
-    room = scenario.room.room()
-    held = hold(scenario.furniture.body(), room, option.measures)
-    before, after = room.floor, held.room.floor
-    replaced = (after.static_friction, after.kinetic_friction) != (
-        before.static_friction,
-        before.kinetic_friction,
-    )
-    yield from _around(scenario, after, replaced)
-    for measure in option.measures:
-        yield from _of_measure(measure)
 
 
 def _around(scenario: Scenario | RoomScenario, floor: Floor, replaced: bool) -> Iterator[Input]:

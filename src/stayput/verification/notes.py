@@ -1,31 +1,151 @@
-"""Notes beside a verdict's numbers: which inputs they rest on, and where a formula says otherwise."""
+"""Beside a verdict's numbers: quick estimates by formulas, and what the numbers rest on."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
-from stayput.estimates import LOSS_MODEL_RATIO, kaneko_hayashi_velocity
-from stayput.everyday import Everyday, tip_over
-from stayput.fragility import PFV
+import numpy as np
+
+from stayput.catalogue import Phrase, phrase
+from stayput.estimates import (
+    LOSS_MODEL_RATIO,
+    ishiyama_velocity,
+    kaneko_hayashi,
+    kaneko_hayashi_velocity,
+    rocking_acceleration,
+)
+from stayput.everyday import Everyday, TipOverCase, tip_over
+from stayput.execution import Pool
+from stayput.fragility import PFA, PFV
 from stayput.fragility.probabilities import percent
-from stayput.measures.parameters import GRADE_OF, MEANINGS
+from stayput.measures.measure import GRADE_OF, MEANINGS
+from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.model.parameters import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
+from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_loads, position_of
+from stayput.standards.asce43 import VERTICAL_SHARE
 from stayput.verification.grades import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
+    from typing import Self
 
-    from stayput.catalogue import Phrase
-    from stayput.everyday import TipOverCase
+    from stayput.model.body import Body
+    from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
     from stayput.verification.options import Option
     from stayput.verification.verdict import Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class Ac156Estimate:
+    """From which strength on a shake-table test by AC156 rocks a piece.
+
+    Parameters
+    ----------
+    height_ratio : float
+        z/h of the floor.
+    sds : float
+        S_DS at which the test's acceleration of a rigid body, A_rig, starts rocking [g].
+    """
+
+    height_ratio: float
+    sds: float
+
+    @classmethod
+    def of(cls, rocking: float, height_ratio: float) -> Self:
+        """Return it for an acceleration at which rocking starts [m/s²]; A_rig is proportional to S_DS."""
+        required = ac156(1.0, height_ratio)
+        return cls(height_ratio, rocking / (required.rigid * STANDARD_GRAVITY))
+
+
+@dataclass(frozen=True, slots=True)
+class SlidingShare:
+    """How far the piece slides by ASCE 43, over the motions under it.
+
+    Parameters
+    ----------
+    share : float
+        Share of the motions that make it slide; those that the method says nothing of do not count.
+    distance : float
+        Median distance under those [m]; nan where there are none.
+    """
+
+    share: float
+    distance: float
+
+    @classmethod
+    def of(cls, floors: FloorMotions, friction: float, gravity: float, threads: int | None) -> Self:
+        """Return it for the motions of a level and the static friction of the floor."""
+
+        def estimated(place: int) -> float:
+            motion = floors.motions[place].scaled(float(floors.scales[place]))
+            lifted = motion.z is not None and float(np.abs(motion.z).max()) >= gravity / VERTICAL_SHARE
+            return math.nan if lifted else asce43_sliding(motion, friction, gravity).distance
+
+        with Pool(threads) as pool:
+            calls = (partial(estimated, place) for place in range(len(floors.motions)))
+            distances = np.sort([distance for _, distance in pool.as_completed(calls)])
+        slides = distances[np.isfinite(distances)]  # NaN where the spectrum nowhere reaches the friction
+        return cls(len(slides) / len(distances), float(np.median(slides)) if len(slides) else math.nan)
+
+
+@dataclass(frozen=True, slots=True)
+class Estimates:
+    """Quick estimates by formulas of the piece without a measure, on a floor on which it does not slide.
+
+    Parameters
+    ----------
+    rocking_acceleration : float
+        Floor acceleration at which rocking starts (West) [m/s²].
+    overturning_velocity : float
+        Floor velocity that overturning needs as well (Ishiyama 1982) [m/s].
+    possible : float
+        Share of the motions that reach both.
+    overturning_ratio : float
+        Share that overturns by Kaneko and Hayashi, on average over the motions.
+    equipment : tuple of EquipmentLoad
+        Static loads of the Japanese guideline for building equipment where the piece stands, class by class.
+        None under motions of upper floors: it goes by the storeys of the building, which are not known then.
+    shake_table : Ac156Estimate, optional
+        The shake-table test of AC156 where the piece stands; likewise.
+    sliding : SlidingShare
+        Sliding by the approximate method of ASCE 43.
+    """
+
+    rocking_acceleration: float
+    overturning_velocity: float
+    possible: float
+    overturning_ratio: float
+    equipment: tuple[EquipmentLoad, ...]
+    shake_table: Ac156Estimate | None
+    sliding: SlidingShare
+
+    @classmethod
+    def of(cls, body: Body, floors: FloorMotions, scenario: Scenario, threads: int | None) -> Estimates:
+        """Return the estimates of a scenario's body under the motions of a level."""
+        gravity, shaking = scenario.gravity, scenario.shaking
+        a, v = floors.measures[PFA], floors.measures[PFV]
+        a0, v0 = rocking_acceleration(body, gravity), ishiyama_velocity(body, gravity)
+        ratios = [kaneko_hayashi(body, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
+        building = shaking.building
+        storey, storeys = (1, 1) if building is None else (shaking.storey or 1, building.highest() - 1)
+        return cls(
+            a0,
+            v0,
+            float(np.mean((a >= a0) & (v >= v0))),
+            float(np.mean(ratios)),
+            () if floors.floor else equipment_loads(body, position_of(storey, storeys), gravity=gravity),
+            None if floors.floor else Ac156Estimate.of(a0, (storey - 1) / storeys),
+            SlidingShare.of(floors, scenario.room.room().floor.static_friction, gravity, threads),
+        )
+
 
 APART = 0.20
 """A quick estimate that is farther from the simulation than this is explained."""

@@ -1,146 +1,30 @@
-"""The result of a verification: for every option its probabilities, capacity and rank."""
+"""The results of verifications of one piece or several: for every option its probabilities, and its rank."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceleration
-from stayput.execution import Pool
-from stayput.fragility import PFA, PFV
-from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.montecarlo.counting import OVERTURNED
+from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
 from stayput.saved import InJson
-from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
-from stayput.standards.asce43 import VERTICAL_SHARE
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
-    from typing import Self
 
+    import numpy as np
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
-    from stayput.measures.parameters import Grade
-    from stayput.model.body import Body
-    from stayput.montecarlo.counting import Quantiles
-    from stayput.montecarlo.hazard import FloorMotions
-    from stayput.scenario import Scenario
-    from stayput.standards import EquipmentLoad
+    from stayput.measures.measure import Grade
+    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario.assembly_options import AssemblyOption
     from stayput.verification.contents import ContentsVerdict
+    from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible, Option
-
-
-@dataclass(frozen=True, slots=True)
-class Ac156Estimate:
-    """From which strength on a shake-table test by AC156 rocks a piece.
-
-    Parameters
-    ----------
-    height_ratio : float
-        z/h of the floor.
-    sds : float
-        S_DS at which the test's acceleration of a rigid body, A_rig, starts rocking [g].
-    """
-
-    height_ratio: float
-    sds: float
-
-    @classmethod
-    def of(cls, rocking: float, height_ratio: float) -> Self:
-        """Return it for an acceleration at which rocking starts [m/s²]; A_rig is proportional to S_DS."""
-        required = ac156(1.0, height_ratio)
-        return cls(height_ratio, rocking / (required.rigid * STANDARD_GRAVITY))
-
-
-@dataclass(frozen=True, slots=True)
-class SlidingShare:
-    """How far the piece slides by ASCE 43, over the motions under it.
-
-    Parameters
-    ----------
-    share : float
-        Share of the motions that make it slide; those that the method says nothing of do not count.
-    distance : float
-        Median distance under those [m]; nan where there are none.
-    """
-
-    share: float
-    distance: float
-
-    @classmethod
-    def of(cls, floors: FloorMotions, friction: float, gravity: float, threads: int | None) -> Self:
-        """Return it for the motions of a level and the static friction of the floor."""
-
-        def estimated(place: int) -> float:
-            motion = floors.motions[place].scaled(float(floors.scales[place]))
-            lifted = motion.z is not None and float(np.abs(motion.z).max()) >= gravity / VERTICAL_SHARE
-            return math.nan if lifted else asce43_sliding(motion, friction, gravity).distance
-
-        with Pool(threads) as pool:
-            calls = (partial(estimated, place) for place in range(len(floors.motions)))
-            distances = np.sort([distance for _, distance in pool.as_completed(calls)])
-        slides = distances[np.isfinite(distances)]  # NaN where the spectrum nowhere reaches the friction
-        return cls(len(slides) / len(distances), float(np.median(slides)) if len(slides) else math.nan)
-
-
-@dataclass(frozen=True, slots=True)
-class Estimates:
-    """Quick estimates by formulas of the piece without a measure, on a floor on which it does not slide.
-
-    Parameters
-    ----------
-    rocking_acceleration : float
-        Floor acceleration at which rocking starts (West) [m/s²].
-    overturning_velocity : float
-        Floor velocity that overturning needs as well (Ishiyama 1982) [m/s].
-    possible : float
-        Share of the motions that reach both.
-    overturning_ratio : float
-        Share that overturns by Kaneko and Hayashi, on average over the motions.
-    equipment : tuple of EquipmentLoad
-        Static loads of the Japanese guideline for building equipment where the piece stands, class by class.
-        None under motions of upper floors: it goes by the storeys of the building, which are not known then.
-    shake_table : Ac156Estimate, optional
-        The shake-table test of AC156 where the piece stands; likewise.
-    sliding : SlidingShare
-        Sliding by the approximate method of ASCE 43.
-    """
-
-    rocking_acceleration: float
-    overturning_velocity: float
-    possible: float
-    overturning_ratio: float
-    equipment: tuple[EquipmentLoad, ...]
-    shake_table: Ac156Estimate | None
-    sliding: SlidingShare
-
-    @classmethod
-    def of(cls, body: Body, floors: FloorMotions, scenario: Scenario, threads: int | None) -> Estimates:
-        """Return the estimates of a scenario's body under the motions of a level."""
-        gravity, shaking = scenario.gravity, scenario.shaking
-        a, v = floors.measures[PFA], floors.measures[PFV]
-        a0, v0 = rocking_acceleration(body, gravity), ishiyama_velocity(body, gravity)
-        ratios = [kaneko_hayashi(body, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
-        building = shaking.building
-        storey, storeys = (1, 1) if building is None else (shaking.storey or 1, building.highest() - 1)
-        return cls(
-            a0,
-            v0,
-            float(np.mean((a >= a0) & (v >= v0))),
-            float(np.mean(ratios)),
-            () if floors.floor else equipment_loads(body, position_of(storey, storeys), gravity=gravity),
-            None if floors.floor else Ac156Estimate.of(a0, (storey - 1) / storeys),
-            SlidingShare.of(floors, scenario.room.room().floor.static_friction, gravity, threads),
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,14 +79,6 @@ class AsInstalled:
     how: tuple[Phrase, ...]
     badly: Mapping[str, Probability]
     usual: Mapping[str, float]
-
-
-@dataclass(frozen=True, slots=True)
-class Member:
-    """A representative run: its place among motions and samples."""
-
-    motion: int
-    sample: int
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -318,7 +194,7 @@ class Verdict(InJson):
     precise: bool
     seed: int
     seconds: float
-    impossible: tuple[Impossible, ...] = ()
+    impossible: tuple[Impossible[Option], ...] = ()
     complete: bool = True
     floor: str = ""
 
@@ -397,6 +273,157 @@ class Verdict(InJson):
         from stayput.report.verdict.tables import verdict_csv
 
         return verdict_csv(self)
+
+    def report(self, path: str | Path, language: str = "en") -> Path:
+        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
+        from stayput.report.verdict.html import write_report
+
+        return write_report(self, path, language)
+
+
+@dataclass(frozen=True, slots=True)
+class PieceVerdict:
+    """What becomes of one of several pieces with an option.
+
+    Parameters
+    ----------
+    name : str
+        The piece.
+    probabilities : mapping of str to Probability
+        Of each of `EVENTS`; that of a device's failure counts all devices.
+    slide, tilt : Quantiles
+        Peak slide [m] and tilt [rad].
+    """
+
+    name: str
+    probabilities: Mapping[str, Probability]
+    slide: Quantiles
+    tilt: Quantiles
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceOfSeveral:
+    """Summary of a device or a joint: the piece that it holds, or the two that it joins."""
+
+    pieces: tuple[str, ...]
+    summary: DeviceSummary
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AssemblyOptionVerdict:
+    """Results of one option of several pieces.
+
+    Parameters
+    ----------
+    option : AssemblyOption
+        The joints and the measures.
+    rank : int
+        1 for the best.
+    probabilities : mapping of str to Probability
+        Of each of `EVENTS` for any of the pieces that count (`AssemblyScenario.counted`), at the
+        scenario's shaking.
+    change : Difference, optional
+        Probability that any overturns less that without anything; none for the latter itself.
+    slide, tilt : Quantiles
+        Peak slide [m] and tilt [rad] of that which moves farthest.
+    pieces : tuple of PieceVerdict
+        Each of the pieces.
+    devices : tuple of DeviceOfSeveral
+        Each device and joint.
+    typical, worst : Member
+        A run of median severity, and the worst.
+    """
+
+    option: AssemblyOption
+    rank: int
+    probabilities: Mapping[str, Probability]
+    change: Difference | None
+    slide: Quantiles
+    tilt: Quantiles
+    pieces: tuple[PieceVerdict, ...]
+    devices: tuple[DeviceOfSeveral, ...]
+    typical: Member
+    worst: Member
+
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class AssemblyVerdict:
+    """The outcome of a verification of several pieces.
+
+    Parameters
+    ----------
+    scenario : AssemblyScenario
+        The scenario.
+    intensity : float
+        JMA intensity of the ground.
+    slide_limit : float
+        Slide that counts as too far [m].
+    options : tuple of AssemblyOptionVerdict
+        The best first; exactly one of them has neither joints nor measures.
+    motions, samples : int
+        Motions, and Monte Carlo samples of each.
+    runs : int
+        Simulations that were made.
+    precise : bool
+        Whether the asked precision was reached.
+    seed : int
+        Seed of the draws.
+    seconds : float
+        How long it took.
+    rejected : tuple of Impossible
+        Options that cannot be put in place here, with the reason.
+    """
+
+    scenario: AssemblyScenario
+    intensity: float
+    slide_limit: float
+    options: tuple[AssemblyOptionVerdict, ...]
+    motions: int
+    samples: int
+    runs: int
+    precise: bool
+    seed: int
+    seconds: float
+    rejected: tuple[Impossible[AssemblyOption], ...] = ()
+    floor: str = ""
+
+    def __repr__(self) -> str:
+        best, pieces = self.best, ", ".join(self.scenario.names)
+        return f"AssemblyVerdict(JMA {self.intensity:.2f}; {pieces}; best: {best.option.name})"
+
+    @property
+    def without(self) -> AssemblyOptionVerdict:
+        """The option without joints and measures."""
+        return next(option for option in self.options if not option.option.count)
+
+    @property
+    def best(self) -> AssemblyOptionVerdict:
+        """The option that ranks first."""
+        return self.options[0]
+
+    def sentence(self, language: str = "en") -> str:
+        """Return the verdict in one sentence, in "en" or "ja"."""
+        from stayput.verification.words import headline_of_several
+
+        return headline_of_several(self, language)
+
+    def to_json(self) -> str:
+        """Return the verdict as JSON; keys carry their units."""
+        from stayput.report.verdict.data import json_text, several_data
+
+        return json_text(several_data(self))
+
+    def to_markdown(self, language: str = "en") -> str:
+        """Return the verdict as Markdown, in "en" or "ja"."""
+        from stayput.report.verdict.markdown import several_markdown
+
+        return several_markdown(self, language)
+
+    def to_csv(self) -> str:
+        """Return the ranking as CSV."""
+        from stayput.report.verdict.tables import several_csv
+
+        return several_csv(self)
 
     def report(self, path: str | Path, language: str = "en") -> Path:
         """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""

@@ -1,28 +1,26 @@
-"""The sentences of a verdict, in English and Japanese: which apply, and the values in them.
-
-The sentences themselves are in `stayput.catalogue.verification`.
-"""
+"""The sentences of a verdict on a piece or on several: which apply, and the values in them."""
 
 from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import LANGUAGES, Phrase, phrase, say
 from stayput.catalogue.names import CONTENTS, INTENSITIES
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
+from stayput.verification.options import Impossible, Option, label
 from stayput.wording import FAR, inside, is_open, with_aside
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification.options import Option
-    from stayput.verification.several_verdict import AssemblyVerdict
-    from stayput.verification.verdict import OptionVerdict, Verdict
+    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.verification.verdict import AssemblyOptionVerdict, AssemblyVerdict, OptionVerdict, Verdict
+
+    Ranked = Verdict | AssemblyVerdict
 
 ALIKE = 0.05
 """Shares that differ by less than this, and not clearly, are called about the same."""
@@ -189,32 +187,41 @@ def _helps(option: OptionVerdict, without: OptionVerdict) -> bool:
 
 
 def _headline(verdict: Verdict) -> Phrase:
-    without, best = verdict.without, verdict.best
-    name = verdict.scenario.furniture.title
-    share = without.probabilities[OVERTURNED].estimate
-    if math.isnan(share):
-        return phrase("verification.no_run_without_a_measure")
-    strength = shaking_phrase(verdict)
-    falls = falls_phrase(share)
-    if _helps(best, without):
-        held = best.probabilities[OVERTURNED].estimate
-        unclear = best.change is not None and not best.change.clear
-        then = "verification.then_never" if held == 0.0 else "verification.then_falls"
-        return phrase(
-            "verification.better",
-            strength=strength,
-            name=name,
-            falls=falls,
-            measure=_title_inside(best.option, verdict),
-            then=phrase(then, share=share_text(held)),
-            chance=phrase("verification.may_be_chance") if unclear else "",
-        )
-    if share < SMALL:
-        key = "verification.stays_upright"
-    else:
-        key = "verification.none_helps" if len(verdict.options) > 1 else "verification.bare_falls"
-    unsure = doubt(without.probabilities[OVERTURNED])
-    return phrase(key, strength=strength, name=name, falls=falls, doubt=unsure)
+    what = phrase("verification.this_piece", name=verdict.scenario.furniture.title)
+    if math.isnan(verdict.without.probabilities[OVERTURNED].estimate):
+        return phrase("verification.no_bare_run", none=phrase("verification.none"))
+    if _helps(verdict.best, verdict.without):
+        option = phrase("verification.if_there", option=_title_inside(verdict.best.option, verdict))
+        return _better(verdict, what, option)
+    more = phrase("verification.none_helps") if len(verdict.options) > 1 else ""
+    return _falls_or_stands(verdict, "verification.stays_upright", what, more)
+
+
+def _better(verdict: Ranked, what: Phrase, option: Phrase, bare: Phrase | str = "") -> Phrase:
+    """Return how often something overturns without anything, and with the best option."""
+    best, share = verdict.best, verdict.without.probabilities[OVERTURNED].estimate
+    held, unclear = best.probabilities[OVERTURNED].estimate, best.change is not None and not best.change.clear
+    return phrase(
+        "verification.better",
+        strength=shaking_phrase(verdict),
+        what=what,
+        falls=falls_phrase(share),
+        bare=bare,
+        option=option,
+        then=phrase(f"verification.then_{'falls' if held else 'never'}", share=share_text(held)),
+        chance=phrase("verification.may_be_chance") if unclear else "",
+    )
+
+
+def _falls_or_stands(
+    verdict: Ranked, upright: str, what: Phrase, more: Phrase | str, bare: Phrase | str = ""
+) -> Phrase:
+    """Return how often something overturns without anything, or that it stays upright, by its own id."""
+    chance, strength = verdict.without.probabilities[OVERTURNED], shaking_phrase(verdict)
+    if chance.estimate < SMALL:
+        return phrase(upright, strength=strength, what=what, doubt=doubt(chance))
+    falls = falls_phrase(chance.estimate)
+    return phrase("verification.bare_falls", strength=strength, what=what, falls=falls, bare=bare, more=more)
 
 
 def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
@@ -222,6 +229,23 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     if math.isnan(option.probabilities[OVERTURNED].estimate):
         return say("verification.no_run", language)
     return sentence_of([say(part, language) for part in _reasons(option, verdict)], language)
+
+
+def _overturns(option: OptionVerdict | AssemblyOptionVerdict, verdict: Ranked, where: str) -> Phrase:
+    """Return how often something overturns with an option, beside how often without anything.
+
+    What overturns, and what there is none of, is told by the catalogue's module ``where``.
+    """
+    bare, held = (one.probabilities[OVERTURNED].estimate for one in (verdict.without, option))
+    it, change = phrase(f"{where}.it"), option.change
+    if change is None:
+        return phrase("verification.overturns", it=it, falls=falls_phrase(bare))
+    values = {"bare": share_text(bare), "held": (of_the_cases(held), share_text(held)[1])}
+    if change.clear:
+        key = "verification.less_often" if change.estimate < 0.0 else "verification.more_often"
+    else:  # alike also where the difference is unknown
+        key = f"{where}.by_chance" if abs(change.estimate) >= ALIKE else "verification.about_as_often"
+    return phrase(key, it=it, none=phrase(f"{where}.none"), **values)
 
 
 def sentence_of(clauses: list[str], language: str) -> str:
@@ -232,19 +256,8 @@ def sentence_of(clauses: list[str], language: str) -> str:
 
 def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     shares = {event: chance.estimate for event, chance in option.probabilities.items()}
-    bare, held = verdict.without.probabilities[OVERTURNED].estimate, shares[OVERTURNED]
-    values = {"bare": share_text(bare), "held": (of_the_cases(held), share_text(held)[1])}
-    parts: list[Phrase] = []
-    if option.change is None:
-        parts.append(phrase("verification.overturns", falls=falls_phrase(bare)))
-    elif not option.change.clear and not abs(option.change.estimate) >= ALIKE:  # nor where it is unknown
-        parts.append(phrase("verification.about_as_often"))
-    elif not option.change.clear:
-        parts.append(phrase("verification.less_or_more_by_chance", **values))
-    elif option.change.estimate < 0.0:
-        parts.append(phrase("verification.less_often", **values))
-    else:
-        parts.append(phrase("verification.more_often", **values))
+    held = shares[OVERTURNED]
+    parts = [_overturns(option, verdict, "verification")]
     if option.contents is not None:
         parts.append(contents_out(option, verdict))
         if (leaving := option.contents.leaving) is not None:
@@ -281,3 +294,76 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     body, room = scenario.furniture.body(), scenario.room.room()
     cautions = (caution for measure in option.option.measures for caution in measure.cautions(body, room))
     return [*parts, *(phrase("verification.caution", caution=caution) for caution in cautions)]
+
+
+OFTEN = 0.05
+"""From this share on a failing device is mentioned."""
+
+
+def title_of_several(
+    result: AssemblyOptionVerdict | Impossible[AssemblyOption], verdict: AssemblyVerdict, language: str
+) -> str:
+    """Return what an option consists of, after its name where that is the user's own."""
+    content = label(result.option, verdict.scenario)
+    if not is_own(result, verdict):
+        return say(content, language)
+    return with_aside(result.option.name, inside(content[0]) if language == "en" else content[1], language)
+
+
+def is_own(result: AssemblyOptionVerdict | Impossible[AssemblyOption], verdict: AssemblyVerdict) -> bool:
+    """Return whether an option has a name of the user's own."""
+    return result.option in verdict.scenario.options
+
+
+def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
+    """Return the verdict in one sentence."""
+    best, bare = verdict.best, verdict.without.probabilities[OVERTURNED].estimate
+    if math.isnan(bare):
+        return say("verification.no_bare_run", language, none=phrase("several.none"))
+    what, without = phrase("several.what"), phrase("several.without")
+    if best.option.count and best.probabilities[OVERTURNED].estimate < bare - SMALL:
+        english, japanese = (title_of_several(best, verdict, each) for each in LANGUAGES)
+        english = f"“{best.option.name}”" if is_own(best, verdict) else inside(english)
+        option = phrase("several.if_there", option=(english, japanese))
+        return say(_better(verdict, what, option, without), language)
+    more: Phrase | str = ""
+    if len(verdict.options) > 1 or verdict.rejected:
+        more = phrase("several.none_helps" if len(verdict.options) > 1 else "several.none_possible")
+    return say(_falls_or_stands(verdict, "several.stays_upright", what, more, without), language)
+
+
+def reason_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict, language: str) -> str:
+    """Return why an option stands where it does, in one sentence."""
+    if math.isnan(result.probabilities[OVERTURNED].estimate):
+        return say("verification.no_run", language)
+    return sentence_of([say(part, language) for part in _reasons_of_several(result, verdict)], language)
+
+
+def _reasons_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> list[Phrase]:
+    parts = [_overturns(result, verdict, "several")]
+    shares = [piece.probabilities[OVERTURNED].estimate for piece in result.pieces]
+    counted = verdict.scenario.counted
+    worst = max(counted, key=lambda number: shares[number])
+    if len(counted) > 1 and shares[worst] >= SMALL:
+        name = result.pieces[worst].name
+        parts.append(phrase("several.most_often", name=name, share=share_text(shares[worst])))
+    for number, piece in enumerate(result.pieces):
+        if number not in counted and shares[number] >= SMALL:
+            parts.append(phrase("several.loose", name=piece.name, falls=falls_phrase(shares[number])))
+    failing = result.probabilities[DEVICE_FAILED].estimate
+    if failing >= OFTEN:
+        parts.append(phrase("verification.device_fails", share=share_text(failing)))
+        parts += _gives_way(result)
+    if math.isfinite(result.slide.p90) and result.slide.p90 >= 0.01:
+        parts.append(phrase("several.slides", length=length(result.slide.p90)))
+    return parts
+
+
+def _gives_way(result: AssemblyOptionVerdict) -> list[Phrase]:
+    """Return which device fails most often, as a clause."""
+    worst = max(result.devices, key=lambda device: device.summary.failed.estimate)
+    if len(worst.pieces) == 2:
+        first, second = worst.pieces
+        return [phrase("several.joint_fails", first=first, second=second)]
+    weakest = worst.summary.weakest
+    return [] if weakest is None else [phrase("several.device_of", name=worst.pieces[0], weakest=weakest)]

@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 import stayput
 from stayput.catalogue import phrase, say
-from stayput.measures.parameters import MEANINGS
+from stayput.measures.measure import MEANINGS
 from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.elevation import SIZES, elevation_scale, elevation_svg, plan_scale, sizes_of
 from stayput.report.room.plan import numbered_plan

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import stayput
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.data import head_data, in_both, interval_data, quantiles_data, shaking_data
+from stayput.rooms.events import CELL
 from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import forces_asked, heading, where
-from stayput.rooms.ways import CELL
 from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room, tags
 from stayput.spreadsheets import csv_text
 

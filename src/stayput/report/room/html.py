@@ -15,8 +15,8 @@ from stayput.report.room.tables import sentences, simulations_of_room
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions_of_room
 from stayput.report.verdict.html import shared_content
+from stayput.rooms.events import PASSAGE
 from stayput.rooms.verdict import DAY_HOURS
-from stayput.rooms.ways import PASSAGE
 from stayput.rooms.words import change_label, door_name, piece_name, place_name, tags
 
 if TYPE_CHECKING:

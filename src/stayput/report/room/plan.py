@@ -14,7 +14,7 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.room.labels import FONT, PlanLabel, names_svg, overlap, places_of_names, wrapped
 from stayput.report.room.sheet import PlanSheet, door_svg, place_svg, scale_svg, titled, walls_svg, window_svg
 from stayput.report.verdict import numbers, svg
-from stayput.rooms.ways import CELL
+from stayput.rooms.events import CELL
 from stayput.rooms.words import change_label, door_name, names_in, piece_name, place_name
 from stayput.simulation.placing import bare
 

@@ -12,7 +12,7 @@ from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS, PIECES
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
-from stayput.rooms.ways import CELL, PASSAGE
+from stayput.rooms.events import CELL, PASSAGE
 from stayput.verification.grades import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from stayput.verification import AssemblyVerdict, Verdict
 
 MODEL = "model"
-"""Tag of a limit of the model, beside those of `stayput.measures.parameters.GRADE_OF`."""
+"""Tag of a limit of the model, beside those of `stayput.measures.measure.GRADE_OF`."""
 
 
 class Assumption(NamedTuple):

@@ -10,15 +10,20 @@ import stayput
 from stayput.catalogue import LANGUAGES
 from stayput.fragility.curve import METHOD
 from stayput.measures import parameters
-from stayput.measures.parameters import MEANINGS
+from stayput.measures.measure import MEANINGS
 from stayput.motion.intensity import intensity_class
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
 from stayput.report.verdict.tables import contents_data, peaks_data
 from stayput.verification.grades import inputs
 from stayput.verification.notes import everyday_cases, notes
-from stayput.verification.several_words import headline_of_several, reason_of_several, title_of_several
-from stayput.verification.words import headline, reason
+from stayput.verification.words import (
+    headline,
+    headline_of_several,
+    reason,
+    reason_of_several,
+    title_of_several,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -36,8 +41,7 @@ if TYPE_CHECKING:
         Quantiles,
         Verdict,
     )
-    from stayput.verification.several_verdict import DeviceOfSeveral
-    from stayput.verification.verdict import Estimates
+    from stayput.verification.verdict import DeviceOfSeveral, Estimates
 
 
 def json_text(data: dict[str, Any]) -> str:

@@ -36,8 +36,7 @@ from stayput.report.verdict.tables import (
     weakest_inputs,
 )
 from stayput.verification import AssemblyVerdict
-from stayput.verification.several_words import headline_of_several
-from stayput.verification.words import class_label, headline, title
+from stayput.verification.words import class_label, headline, headline_of_several, title
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

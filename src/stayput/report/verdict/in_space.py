@@ -19,8 +19,7 @@ from stayput.report.space.summary import became
 from stayput.report.verdict.numbers import word
 from stayput.report.verdict.pairs import floor_motion, motion_told, replay_in_space, shown_options
 from stayput.scenario import Scenario
-from stayput.verification.several_words import title_of_several
-from stayput.verification.words import title
+from stayput.verification.words import title, title_of_several
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

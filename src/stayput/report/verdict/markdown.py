@@ -22,8 +22,7 @@ from stayput.report.verdict.tables import (
     several_ranking,
     simulations,
 )
-from stayput.verification.several_words import headline_of_several
-from stayput.verification.words import headline, title
+from stayput.verification.words import headline, headline_of_several, title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.measures import element_rows, hold
-from stayput.measures.results import device_results
+from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
@@ -29,11 +29,11 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.measures import Held
+    from stayput.montecarlo.counting import Member
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
     from stayput.simulation.run import Run
     from stayput.verification import AssemblyVerdict, Option, Verdict
-    from stayput.verification.verdict import Member
 
 RATE = 50.0
 """Poses a second that the report holds; its script draws straight lines between them."""

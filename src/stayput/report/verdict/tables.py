@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
 from stayput.measures import MEASURES
-from stayput.measures.parameters import MEANINGS
+from stayput.measures.measure import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
 from stayput.report.names import place_named
 from stayput.report.summary import number
@@ -18,9 +18,8 @@ from stayput.simulation.space_devices import JOINT, JOINT_LABEL
 from stayput.spreadsheets import csv_text
 from stayput.verification import AssemblyVerdict
 from stayput.verification.grades import weakest
-from stayput.verification.several_options import brief_label
-from stayput.verification.several_words import is_own, reason_of_several, title_of_several
-from stayput.verification.words import length, reason, title
+from stayput.verification.options import brief_label
+from stayput.verification.words import is_own, length, reason, reason_of_several, title, title_of_several
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
