@@ -9,7 +9,7 @@ from pydantic import Field, ModelWrapValidatorHandler, PrivateAttr, model_valida
 from stayput.building import STRUCTURES, Building, ShearModel
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
-from stayput.scenario.fields import Table, checked, each, named, of, one_of
+from stayput.scenario.fields import ValueTable, checked, each, fields_of, named, one_of
 
 StructureName = Annotated[str, one_of(STRUCTURES, "structure"), named(STRUCTURES)]
 Masses = Annotated[
@@ -21,21 +21,15 @@ Stiffnesses = Annotated[
 OF_A_REGULAR_ONE = ("storeys", "structure", "period", "storey_height", "yield_coefficient", "post_yield")
 
 
-class BuildingTable(Table):
+@fields_of(Building, optional=("storeys",))
+class BuildingTable(ValueTable):
     """The building: what people know of it, or masses and stiffnesses of one's own."""
 
-    storeys: int | None = of(Building, "storeys", default=None)
     structure: StructureName | None = Field(default=None, description='Structure; "RC" where it is not said.')
-    period: float | None = of(Building, "period")
-    damping: float | None = of(Building, "damping")
-    storey_height: float | None = of(Building, "storey_height")
     nonlinear: bool = Field(
         default=True,
         description="Whether the storeys yield under strong shaking; below that nothing changes.",
     )
-    yield_coefficient: float | None = of(Building, "yield_coefficient")
-    post_yield: float | None = of(Building, "post_yield")
-    vertical_amplification: float = of(Building, "vertical_amplification")
     masses: Masses | None = Field(
         default=None, description="Masses of the floors, bottom to top: a model of one's own."
     )

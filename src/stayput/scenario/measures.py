@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self, cas
 from pydantic import BaseModel, Discriminator, Field, PrivateAttr, Tag, create_model, model_validator
 
 from stayput.errors import InputError, unknown
-from stayput.measures import MEASURES, Measure, Parameter, parameters
+from stayput.measures import MEASURES, Measure, parameters
 from stayput.measures.measure import refuse_conflicts
 from stayput.scenario.fields import (
     NAME,
@@ -19,8 +19,8 @@ from stayput.scenario.fields import (
     checked,
     name_or_number,
     named,
-    of,
     one_of,
+    typed_field,
 )
 from stayput.uncertainty import QUANTITIES, USUAL, Uncertainty
 
@@ -71,21 +71,13 @@ class MeasureTable(Table):
         return (self.measure(),)
 
 
-def _kind_of(about: Parameter) -> Any:
-    if about.choices:
-        return Literal[about.choices]
-    kind = int if about.whole else float
-    return kind if about.default is not None else kind | None
-
-
 def _table_of(kind: str, measure: type[Measure]) -> type[MeasureTable]:
     """Return the table of one kind of measure."""
     fields: dict[str, Any] = {"type": (Literal[kind], Field(description=measure.label[0] + "."))}
     for about in parameters(measure):
         text = about.label[0]
         words = f"{text[0].upper()}{text[1:]} (default, {about.confidence} confidence)."
-        field = of(measure, about.name, listed=bool(about.choices), description=words)
-        fields[about.name] = (_kind_of(about), field)
+        fields[about.name] = typed_field(about, words)
     name = f"{measure.__name__}Table"
     return create_model(name, __base__=MeasureTable, __doc__=measure.about[0], **fields)
 

@@ -22,10 +22,10 @@ from stayput.model.floor_plan import (
     PersonPlace,
     Window,
 )
-from stayput.model.room import WALLS_AROUND, Ceiling, Room, Wall
+from stayput.model.room import WALLS_AROUND, Room, Wall
 from stayput.scenario.assembly import AssemblyScenario
 from stayput.scenario.assembly_options import AssemblyUncertaintyTable
-from stayput.scenario.fields import Table, Text, between, named, of, one_of
+from stayput.scenario.fields import Table, Text, ValueTable, between, fields_of, named, of, one_of
 from stayput.scenario.tables import (
     CeilingTable,  # noqa: TC001 - pydantic reads the annotations
     FloorChoice,  # noqa: TC001 - pydantic reads the annotations
@@ -53,11 +53,9 @@ PointInPlan = Annotated[
 ]
 
 
-class PlanTable(Table):
+@fields_of(FloorPlan)
+class PlanTable(ValueTable):
     """The size of a room, which goes from the left wall to the right one and from the near to the far one."""
-
-    width: float = of(FloorPlan, "width")
-    length: float = of(FloorPlan, "length")
 
 
 class DoorTable(Table):
@@ -83,7 +81,8 @@ class WindowTable(Table):
     sill: float = of(Window, "sill")
 
 
-class PlaceTable(Table):
+@fields_of(PersonPlace, optional=("width", "length", "low", "high", "day", "night"))
+class PlaceTable(ValueTable):
     """Where a person is: a bed, a desk, or a box of one's own."""
 
     name: Text | None = Field(default=None, description="What it is called; default its kind.")
@@ -91,13 +90,6 @@ class PlaceTable(Table):
         default="bed", description="What gives the sizes, heights and shares that are not given."
     )
     at: PointInPlan = Field(description="Its middle, along x and y.")
-    heading: float = of(PersonPlace, "heading")
-    width: float | None = of(PersonPlace, "width", default=None)
-    length: float | None = of(PersonPlace, "length", default=None)
-    low: float | None = of(PersonPlace, "low", default=None)
-    high: float | None = of(PersonPlace, "high", default=None)
-    day: float | None = of(PersonPlace, "day", default=None)
-    night: float | None = of(PersonPlace, "night", default=None)
 
     def place(self) -> PersonPlace:
         """Make the place."""
@@ -216,7 +208,7 @@ class RoomScenario(AssemblyScenario):
         InputError
             A piece that stands in a wall.
         """
-        ceiling = None if self.room.ceiling is None else Ceiling(**self.room.ceiling.model_dump())
+        ceiling = self.room.ceiling and self.room.ceiling.ceiling()
         x, y = (
             np.array([one.along(axis) for one in standing]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
         )

@@ -17,13 +17,18 @@ from stayput.contents.weight import emptied
 from stayput.errors import InputError, instance_of
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.motion.suites import Suite
-from stayput.scenario.contents import ContentsTable  # noqa: TC001 - pydantic reads the annotation
 from stayput.scenario.fields import Text, between
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.origin import FromFile
 from stayput.scenario.shaking import ShakingTable
-from stayput.scenario.tables import EverydayTable, FurnitureTable, InitialTable, RoomTable
+from stayput.scenario.tables import (
+    ContentsTable,
+    EverydayTable,
+    FurnitureTable,
+    InitialTable,
+    RoomTable,
+)
 from stayput.scenario.toml import read_toml
 from stayput.simulation.case import Case
 from stayput.uncertainty import QUANTITIES, Uncertainty

@@ -12,7 +12,6 @@ from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, sine
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import (
-    EARTHQUAKE_TERMS,
     EarthquakeSource,
     GroundStrength,
     strength_of_earthquake,
@@ -33,8 +32,10 @@ from stayput.scenario.fields import (
     TABLE,
     Table,
     Text,
+    ValueTable,
     between,
     checked,
+    fields_of,
     kind_of,
     name_or_number,
     named,
@@ -48,15 +49,9 @@ if TYPE_CHECKING:
     from stayput.motion.readers.chosen import ReadingOptions
 
 
-class SineTable(Table):
+@fields_of(sine)
+class SineTable(ValueTable):
     """A harmonic motion."""
-
-    amplitude: float = of(sine, "amplitude")
-    frequency: float = of(sine, "frequency")
-    duration: float = of(sine, "duration")
-    phase: float = of(sine, "phase")
-    dt: float = of(sine, "dt")
-    quiet: float = of(sine, "quiet")
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -90,40 +85,29 @@ Intensity = Annotated[
 ]
 
 
-EarthquakeKind = Annotated[str, one_of(EARTHQUAKE_TERMS), named(EARTHQUAKE_TERMS)]
-
-
-class SpectralTable(Table):
+@fields_of(strength_of_sa)
+class SpectralTable(ValueTable):
     """A spectral acceleration, to which every motion is scaled."""
 
-    period: float = of(strength_of_sa, "period")
-    value: float = of(strength_of_sa, "value")
 
-
-class EarthquakeTable(Table):
+@fields_of(EarthquakeSource)
+class EarthquakeTable(ValueTable):
     """An earthquake and the ground where it is felt; a ground-motion model gives how strongly it shakes."""
-
-    magnitude: float = of(EarthquakeSource, "magnitude")
-    distance: float = of(EarthquakeSource, "distance")
-    depth: float = of(EarthquakeSource, "depth")
-    kind: EarthquakeKind = of(EarthquakeSource, "kind", listed=True)
-    vs30: float = of(EarthquakeSource, "vs30")
 
     def source(self) -> EarthquakeSource:
         """Make the earthquake."""
         return EarthquakeSource(**self.model_dump())
 
 
-class SuiteTable(Table):
+@fields_of(synthetic_suite)
+class SuiteTable(ValueTable):
     """A suite of synthetic motions."""
 
     family: FamilyName = Field(default=MIXED, description="Kind of earthquake.")
-    count: int = of(synthetic_suite, "count")
-    seed: int = of(synthetic_suite, "seed")
 
     def suite(self) -> Suite:
         """Make the suite."""
-        return synthetic_suite(self.family, self.count, self.seed)
+        return synthetic_suite(**self.model_dump())
 
 
 SuiteOrFolder = Annotated[
