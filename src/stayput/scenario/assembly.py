@@ -3,34 +3,28 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
-from functools import cache, partial
-from pathlib import Path
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
-import tomli_w
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, model_validator
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.scenario.assembly_options import (
+from stayput.scenario.fields import between, checked, refuse_same_names
+from stayput.scenario.origin import FromFile, Gravity, Title
+from stayput.scenario.pieces import (
     NOTHING,
     AssemblyOption,
     AssemblyUncertaintyTable,
+    JointTable,
     OptionTable,
+    StandingTable,
     in_place,
-)
-from stayput.scenario.fields import Text, between, checked
-from stayput.scenario.messages import refusal_of
-from stayput.scenario.origin import FromFile
-from stayput.scenario.pieces import (
-    JointTable,  # noqa: TC001 - pydantic reads the annotations
-    StandingTable,  # noqa: TC001 - pydantic reads the annotations
 )
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import RoomTable, floor_of
-from stayput.scenario.toml import read_toml
 from stayput.simulation.case import simulate
 from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
 
@@ -42,8 +36,6 @@ if TYPE_CHECKING:
 
     from stayput.model.room import Floor, Room
     from stayput.model.solid import Solid
-    from stayput.motion import Motion
-    from stayput.motion.suites import Suite
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Joint
 
@@ -61,7 +53,7 @@ class AssemblyScenario(FromFile):
     Television on a stand ('stand', 'rocked') ('television', 'fell off')
     """
 
-    title: Text | None = Field(default=None, description="What the scenario is about.")
+    title: Title = None
     furniture: Annotated[list[StandingTable], Field(min_length=1, max_length=MOST_BODIES)] = Field(
         description="What stands."
     )
@@ -80,9 +72,7 @@ class AssemblyScenario(FromFile):
         description="Where they stand; the gaps of the walls are from the outermost of all pieces.",
     )
     shaking: ShakingTable = Field(default_factory=ShakingTable, description="How the floor is shaken.")
-    gravity: Annotated[float, between(0.1, 100.0, "m/s²")] = Field(
-        default=STANDARD_GRAVITY, description="Acceleration of gravity."
-    )
+    gravity: Gravity = STANDARD_GRAVITY
     option_tables: Annotated[list[OptionTable], Field(min_length=1, max_length=100)] | None = Field(
         default=None, alias="options", description="What a verification compares; by default the usual."
     )
@@ -93,10 +83,8 @@ class AssemblyScenario(FromFile):
     @model_validator(mode="after")
     def _named_apart(self) -> Self:
         names = self.names
+        refuse_same_names("furniture", names)
         for number, piece in enumerate(self.furniture):
-            if piece.name in names[:number]:
-                name, other = f"furniture[{number}].name", f"furniture[{names.index(piece.name)}]"
-                raise InputError("scenario.same_name", name, name=name, value=repr(piece.name), other=other)
             if piece.on is not None and piece.on not in names[:number]:
                 name = f"furniture[{number}].on"
                 raise InputError("scenario.stands_on", name, name=name, value=repr(piece.on))
@@ -115,14 +103,10 @@ class AssemblyScenario(FromFile):
         return self
 
     def _check_options(self) -> None:
-        names = self.names
-        taken = [NOTHING, *(option.name for option in self.option_tables or ())]
-        for number, option in enumerate(self.option_tables or ()):
-            if option.name in taken[: number + 1]:
-                name = f"options[{number}].name"
-                first = taken.index(option.name) - 1
-                other = f"options[{first}]" if first >= 0 else phrase("scenario.option_of_nothing")
-                raise InputError("scenario.same_name", name, name=name, value=repr(option.name), other=other)
+        names, options = self.names, self.option_tables or []
+        taken = {NOTHING: phrase("scenario.option_of_nothing")}
+        refuse_same_names("options", [option.name for option in options], taken)
+        for number, option in enumerate(options):
             for place, piece in enumerate(option.pieces):
                 name = f"options[{number}].pieces[{place}].name"
                 if piece.name not in names:
@@ -131,16 +115,6 @@ class AssemblyScenario(FromFile):
                     raise InputError("scenario.measures_on_solid", name, name=piece.name)
             for name in names:
                 checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
-
-    @classmethod
-    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
-        """Make a scenario from the keys and values of its file; see `Scenario.parse`."""
-        try:
-            scenario = cls.model_validate(dict(data))
-        except ValidationError as error:
-            raise refusal_of(error.errors(), _schema(cls)) from None
-        scenario._folder, scenario._file = folder, file
-        return scenario
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -274,22 +248,6 @@ class AssemblyScenario(FromFile):
         """Make the room; the gaps of its walls are from the outermost of all pieces."""
         return self.room.room()
 
-    def motion(self) -> Motion:
-        """Make the motion of the floor: of a suite, that of its ``member``."""
-        with self.naming_file("shaking"):
-            return self.shaking.motion(self._folder)
-
-    def ground(self) -> Suite:
-        """Make the motions of the ground, not scaled, with all components."""
-        with self.naming_file("shaking"):
-            return self.shaking.ground(self._folder)
-
-    def to_toml(self) -> str:
-        """Return the scenario as a file's text; see `Scenario.to_toml`."""
-        return tomli_w.dumps(
-            self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
-        )
-
     def run(self) -> SpaceRun:
         """Simulate the pieces as the file states them."""
         assembly, motion = self.assembly(), self.motion()
@@ -321,11 +279,6 @@ class AssemblyScenario(FromFile):
         return sweep_assembly(self, axes, threads=threads, progress=progress)
 
 
-@cache
-def _schema(kind: type[AssemblyScenario]) -> dict[str, Any]:
-    return kind.model_json_schema()
-
-
 def read_assembly(path: str | PathLike[str]) -> AssemblyScenario:
     """Read a scenario file of several pieces.
 
@@ -346,8 +299,4 @@ def read_assembly(path: str | PathLike[str]) -> AssemblyScenario:
     >>> scenario.title
     'Dresser with a joined upper part'
     """
-    file = Path(path)
-    try:
-        return AssemblyScenario.parse(read_toml(file), file.parent, file.name)
-    except InputError as error:
-        raise error.at(file.name) from None
+    return AssemblyScenario.read(path)

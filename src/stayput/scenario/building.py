@@ -9,7 +9,7 @@ from pydantic import Field, ModelWrapValidatorHandler, PrivateAttr, model_valida
 from stayput.building import STRUCTURES, Building, ShearModel
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
-from stayput.scenario.fields import ValueTable, checked, each, fields_of, named, one_of
+from stayput.scenario.fields import ValueTable, checked, each, fields_of, named, of, one_of
 
 StructureName = Annotated[str, one_of(STRUCTURES, "structure"), named(STRUCTURES)]
 Masses = Annotated[
@@ -21,10 +21,11 @@ Stiffnesses = Annotated[
 OF_A_REGULAR_ONE = ("storeys", "structure", "period", "storey_height", "yield_coefficient", "post_yield")
 
 
-@fields_of(Building, optional=("storeys",))
+@fields_of(Building)
 class BuildingTable(ValueTable):
     """The building: what people know of it, or masses and stiffnesses of one's own."""
 
+    storeys: int | None = of(Building, "storeys", default=None)
     structure: StructureName | None = Field(default=None, description='Structure; "RC" where it is not said.')
     nonlinear: bool = Field(
         default=True,

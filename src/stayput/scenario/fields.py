@@ -17,8 +17,9 @@ from stayput.model.parameters import parameter_of, parameters
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator
+    from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
+    from stayput.catalogue import Phrase
     from stayput.model.parameters import Parameter
 
 Made = TypeVar("Made")
@@ -103,8 +104,9 @@ def fields_of(
             for about in parameters(kind)
             if about.name not in (*but, *table.model_fields)
         }
-        about_it = {"__doc__": table.__doc__, "__module__": table.__module__}
-        return create_model(table.__name__, __base__=table, **about_it, **fields)
+        return create_model(
+            table.__name__, __base__=table, __doc__=table.__doc__, __module__=table.__module__, **fields
+        )
 
     return with_fields
 
@@ -113,14 +115,14 @@ def typed_field(about: Parameter, meaning: str | None = None, *, optional: bool 
     """Return the type and the field of a table for a field of a value: of a number, a word or a pair."""
     pair = isinstance(about.default, tuple)
     default = None if optional or pair else about.default
-    changed = {"default": default, "description": meaning or about.meaning}
+    changed: dict[str, Any] = {"default": default, "description": meaning or about.meaning}
+    kind: Any = int if about.whole else float
+    field = _field(about, **changed)
     if about.choices:
         kind, field = Literal[about.choices], Field(**changed)
     elif pair:
         number = Annotated[float, between(about.low, about.high, about.unit)]
         kind, field = Annotated[list[number], Field(min_length=2, max_length=2)], Field(**changed)
-    else:
-        kind, field = int if about.whole else float, _field(about, **changed)
     return (kind | None if default is None else kind), field
 
 
@@ -149,6 +151,26 @@ def one_of(names: Collection[str], kind: str | None = None) -> Any:
 def named(names: Collection[str]) -> Any:
     """Return what the JSON Schema says of such a name."""
     return Field(json_schema_extra={"enum": list(names)})
+
+
+def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phrase] | None = None) -> None:
+    """Refuse two items of a list that have one name, or one that has a name which is taken already.
+
+    Parameters
+    ----------
+    place : str
+        The list's key.
+    names : sequence of str
+        What its items are called.
+    taken : mapping, optional
+        Names of others, and what these are called in sentences.
+    """
+    seen: dict[str, str | Phrase] = {**(taken or {})}
+    for number, name in enumerate(names):
+        if name in seen:
+            key = f"{place}[{number}].name"
+            raise InputError("scenario.same_name", key, name=key, value=repr(name), other=seen[name])
+        seen[name] = f"{place}[{number}]"
 
 
 def _without_control(text: str) -> str:

@@ -147,33 +147,22 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
     InputError
         What is wrong.
     """
-    if not isinstance(given, list):
-        return
-    for number, one in enumerate(cast("list[object]", given)):
+    for number, one in enumerate(cast("list[object]", given) if isinstance(given, list) else ()):
         name = f"{place}[{number}]"
         if isinstance(one, BaseModel):
             continue
         if not isinstance(one, dict):
             code = "scenario.not_a_measure" if nested else "scenario.not_a_measure_or_several"
             raise InputError(code, name, name=name, value=repr(one))
-        table = cast("dict[str, object]", one)
+        table, of_type = cast("dict[str, object]", one), f"{name}.type"
         if COMBINE in table and not nested:
             if "type" in table:
-                of_type, other = f"{name}.type", f"{name}.{COMBINE}"
-                raise InputError("scenario.beside", of_type, name=of_type, other=other)
+                raise InputError("scenario.beside", of_type, name=of_type, other=f"{name}.{COMBINE}")
             refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
-        elif str(table.get("type")) not in MEASURES:
-            raise _wrong_type(f"{name}.type", table.get("type"))
-
-
-def _wrong_type(name: str, value: object) -> InputError:
-    if value is None:
-        return InputError("scenario.no_type", name, name=name, known=", ".join(MEASURES))
-    if isinstance(value, str):
-        return unknown(name, value, MEASURES, name)
-    return InputError(
-        "common.not_one_of", name, name=name, value=repr(value), hint="", known=", ".join(MEASURES)
-    )
+        elif table.get("type") is None:
+            raise InputError("scenario.no_type", of_type, name=of_type, known=", ".join(MEASURES))
+        elif table["type"] not in list(MEASURES):  # what cannot be hashed neither
+            raise unknown(of_type, table["type"], MEASURES, of_type)
 
 
 WELL, USUALLY = "well", "as people install it"
@@ -186,15 +175,14 @@ Installation = Annotated[
 """A word, or the share of all measures that is badly installed."""
 
 
+Samples = Annotated[int, between(1, 1_000_000)]
 DrawnQuantity = Annotated[str, one_of(USUAL), named(USUAL)]
 
 
 class UncertaintyTable(Table):
     """How much of what is not known is tried out."""
 
-    samples: Annotated[int, between(1, 1_000_000)] = Field(
-        default=400, description="Most samples of each set of measures."
-    )
+    samples: Samples = Field(default=400, description="Most samples of each set of measures.")
     seed: Annotated[int, between(0, 2**53)] = Field(default=1, description="Seed of the draws.")
     precision: Annotated[float, between(0.001, 0.5)] | None = Field(
         default=None,

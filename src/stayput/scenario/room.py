@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Self
 
 import numpy as np
@@ -24,14 +22,15 @@ from stayput.model.floor_plan import (
 )
 from stayput.model.room import WALLS_AROUND, Room, Wall
 from stayput.scenario.assembly import AssemblyScenario
-from stayput.scenario.assembly_options import AssemblyUncertaintyTable
 from stayput.scenario.fields import Table, Text, ValueTable, between, fields_of, named, of, one_of
+from stayput.scenario.measures import Samples  # noqa: TC001 - pydantic reads the annotations
+from stayput.scenario.pieces import AssemblyUncertaintyTable
 from stayput.scenario.tables import (
     CeilingTable,  # noqa: TC001 - pydantic reads the annotations
     FloorChoice,  # noqa: TC001 - pydantic reads the annotations
+    Heading,  # noqa: TC001 - pydantic reads the annotations
     WallConstruction,  # noqa: TC001 - pydantic reads the annotations
 )
-from stayput.scenario.toml import read_toml
 from stayput.simulation.placing import bare
 from stayput.simulation.standing import Standing
 
@@ -43,9 +42,6 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.scenario.pieces import StandingTable
     from stayput.simulation.space_run import SpaceRun
-
-OUTSIDE = 1e-6
-"""How far a piece may stand in a wall, by rounding [m]."""
 
 WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
 PointInPlan = Annotated[
@@ -111,7 +107,7 @@ class RoomSurfacesTable(Table):
 class RoomUncertaintyTable(AssemblyUncertaintyTable):
     """How much of what is not known is tried out."""
 
-    samples: Annotated[int, between(1, 1_000_000)] = Field(default=60, description="Runs of the room.")
+    samples: Samples = Field(default=60, description="Runs of the room.")
 
 
 class RoomScenario(AssemblyScenario):
@@ -138,7 +134,7 @@ class RoomScenario(AssemblyScenario):
     places: Annotated[list[PlaceTable], Field(max_length=MOST_PLACES)] = Field(
         default=[], description="Where people are."
     )
-    direction: Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")] | None = Field(
+    direction: Heading | None = Field(
         default=None,
         description="Where the motion's x points in plan, from x towards y; by default it is drawn.",
     )
@@ -241,8 +237,4 @@ def read_room(path: str | PathLike[str]) -> RoomScenario:
     >>> {piece.name: piece.against for piece in scenario.furniture}
     {'bookcase': 'left_wall', 'wardrobe': 'far_side_wall', 'chest': 'near_side_wall'}
     """
-    file = Path(path)
-    try:
-        return RoomScenario.parse(read_toml(file), file.parent, file.name)
-    except InputError as error:
-        raise error.at(file.name) from None
+    return RoomScenario.read(path)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Field, Tag, model_validator
@@ -37,6 +37,13 @@ Kind = Annotated[str, one_of(FURNITURE, "preset"), named(FURNITURE)]
 Heading = Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")]
 
 
+def usual_of(preset: str | None, *, loaded: bool = True) -> dict[str, Any]:
+    """Return the sizes and the mass of a preset, loaded or as an empty carcass; nothing of none."""
+    usual: dict[str, Any] = {} if preset is None else asdict(FURNITURE[preset])
+    carcass = usual.pop("carcass_mass", None)
+    return usual if loaded else usual | {"mass": carcass}
+
+
 @fields_of(Body, optional=("width", "height", "mass"), mass="Mass; with shelves, that of the empty carcass.")
 class FurnitureTable(ValueTable):
     """What stands: a preset, any field of which may be overridden, or a body of one's own."""
@@ -62,8 +69,7 @@ class FurnitureTable(ValueTable):
             if getattr(self, key) is not None:
                 name = f"furniture.{key}"
                 raise InputError("scenario.follows_from_shelves", name, name=name)
-        usual = FURNITURE.get(self.preset or "")
-        if usual is not None and self.shelves and self.mass is None and usual.carcass_mass is None:
+        if self.shelves and self.mass is None and usual_of(self.preset, loaded=False)["mass"] is None:
             raise InputError("scenario.no_carcass", "furniture.mass")
         checked("furniture", self.body)
         return self
@@ -75,19 +81,15 @@ class FurnitureTable(ValueTable):
 
     def body(self) -> Body:
         """Make the body."""
-        values: dict[str, Any] = {}
-        if self.preset is not None:
-            usual = FURNITURE[self.preset]
-            mass = usual.carcass_mass if self.shelves else usual.mass
-            values = {"width": usual.width, "height": usual.height, "length": usual.length, "mass": mass}
+        values = usual_of(self.preset, loaded=not self.shelves)
         values |= self.model_dump(exclude={"name", "preset", "shelves", "heading"}, exclude_none=True)
         for key in ("cg_offset", "base_heights", "base_insets"):
             if key in values:
                 values[key] = tuple(values[key])
         if self.shelves is None:
             return Body(**values)
-        carcass = (values.pop(key) for key in ("width", "height", "mass"))
-        return replace(Body.bookcase(*carcass, self.shelves), **values)
+        width, height, mass = (values.pop(key) for key in ("width", "height", "mass"))
+        return replace(Body.bookcase(width, height, mass, self.shelves), **values)
 
 
 @fields_of(
@@ -127,7 +129,8 @@ class ContentsTable(ValueTable):
         loads = self.loads
         if loads is None and furniture is not None and not {"shelves", "mass_share"} & self.model_fields_set:
             loads = furniture.shelves
-        return Contents(**self.model_dump() | {"loads": None if loads is None else tuple(loads)})
+        given = self.model_dump(exclude={"loads"})
+        return Contents(**given, loads=None if loads is None else tuple(loads))
 
 
 @fields_of(Floor, optional=("static_friction", "kinetic_friction", "settlement"))
@@ -213,7 +216,7 @@ class EverydayTable(ValueTable):
 
     def everyday(self, preset: str | None, surface: str = "") -> Everyday:
         """Make the value for a piece of a preset, or of none, on a floor of a surface."""
-        usual = {
+        usual: dict[str, Any] = {
             "drawers": PRESET_DRAWERS.get(preset or "", 0),
             "carpet": CARPET if surface == "carpet" else 0.0,
         }

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from stayput.measures.element import Element
     from stayput.montecarlo.several import RunsOfSeveral
     from stayput.scenario import AssemblyScenario
-    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.scenario.pieces import AssemblyOption
     from stayput.simulation.standing import Assembly
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.measures import MEASURES
-from stayput.scenario.assembly_options import NOTHING, AssemblyOption
+from stayput.scenario.pieces import NOTHING, AssemblyOption
 from stayput.simulation.placing import placed
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from stayput.fragility import Difference, Probability
     from stayput.montecarlo.counting import Quantiles
     from stayput.scenario import AssemblyScenario
-    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.scenario.pieces import AssemblyOption
     from stayput.verification.several_options import RejectedOption
     from stayput.verification.verdict import DeviceSummary, Member
 
