@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
-    from stayput.scenario.building import BuildingTable
+    from stayput.scenario.tables import BuildingTable
 
 MOST_CACHED = 100_000
 """Bodies, and rooms with their measures, that are cached for rows with the same values."""

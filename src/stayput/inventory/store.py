@@ -18,7 +18,7 @@ from stayput.contents import Contents
 from stayput.inventory.places import GroundLevel
 from stayput.measures import MEASURES, parameters
 from stayput.model.state import State
-from stayput.scenario.building import BuildingTable
+from stayput.scenario.tables import BuildingTable
 from stayput.simulation.flat_fields import flat_fields, from_flat_fields
 
 if TYPE_CHECKING:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from stayput.execution import Pool
     from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.store import Store
-    from stayput.scenario.building import BuildingTable
+    from stayput.scenario.tables import BuildingTable
 
 SECONDS = 1.0
 """Wanted time of a task [s]: long beside the cost of handing it on, short beside the wait for the last."""

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from stayput.fragility import IntensityMeasure
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
-    from stayput.scenario.building import BuildingTable
+    from stayput.scenario.tables import BuildingTable
 
 
 def level_of(measure: IntensityMeasure, value: float) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Literal, Self, cast
+from typing import TYPE_CHECKING, Annotated, Literal, Self, TypeVar, cast
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
@@ -25,7 +25,6 @@ from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
 from stayput.motion.readers.chosen import MOST_SKIPPED, OPTIONS, chosen_columns
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
-from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import (
     NAME,
     NUMBER,
@@ -42,11 +41,14 @@ from stayput.scenario.fields import (
     of,
     one_of,
 )
+from stayput.scenario.tables import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.motion.readers.chosen import ReadingOptions
+
+Shaken = TypeVar("Shaken", Motion, Suite)
 
 
 @fields_of(sine)
@@ -94,20 +96,12 @@ class SpectralTable(ValueTable):
 class EarthquakeTable(ValueTable):
     """An earthquake and the ground where it is felt; a ground-motion model gives how strongly it shakes."""
 
-    def source(self) -> EarthquakeSource:
-        """Make the earthquake."""
-        return EarthquakeSource(**self.model_dump())
-
 
 @fields_of(synthetic_suite)
 class SuiteTable(ValueTable):
     """A suite of synthetic motions."""
 
     family: FamilyName = Field(default=MIXED, description="Kind of earthquake.")
-
-    def suite(self) -> Suite:
-        """Make the suite."""
-        return synthetic_suite(**self.model_dump())
 
 
 SuiteOrFolder = Annotated[
@@ -207,13 +201,11 @@ class ShakingTable(Table):
             first, second = (f"shaking.{key}" for key in given[:2])
             raise InputError("scenario.only_one", second, name=second, other=first)
         if self.record is None:
-            for key in ("component", "unit", *sorted(OPTIONS)):
-                said = getattr(self, key)
-                if said is not None and said is not False and not isinstance(self.suite, str):
+            of_folders = () if isinstance(self.suite, str) else ("component", "unit", *sorted(OPTIONS))
+            for key in (*of_folders, "across"):
+                if getattr(self, key) not in (None, False):
                     name = f"shaking.{key}"
                     raise InputError("scenario.without_record", name, name=name)
-            if self.across is not None:
-                raise InputError("scenario.without_record", "shaking.across", name="shaking.across")
             if isinstance(self.vertical, str):
                 value = repr(self.vertical)
                 raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
@@ -235,11 +227,10 @@ class ShakingTable(Table):
             given, missing = ("storey", "building") if self.building is None else ("building", "storey")
             name, other = f"shaking.{given}", f"shaking.{missing}"
             raise InputError("scenario.needs_both", name, name=name, other=other)
-        if self.building is not None and self.storey is not None and self.storey > self.building.highest():
-            roof = self.building.highest()
-            raise InputError(
-                "scenario.storey", "shaking.storey", name="shaking.storey", value=self.storey, roof=roof
-            )
+        if self.building is not None and self.storey is not None:
+            name, roof = "shaking.storey", self.building.highest()
+            if self.storey > roof:
+                raise InputError("scenario.storey", name, name=name, value=self.storey, roof=roof)
 
     _in_python: Suite | None = PrivateAttr(default=None)
 
@@ -275,7 +266,8 @@ class ShakingTable(Table):
         InputError
             A record cannot be read, or the suite has no such member.
         """
-        return self._under_furniture(self._ground(folder))
+        ground = self._scaled(self._member(folder) if self.of_a_suite else self._single(folder))
+        return self._with_vertical(self._on_floor(ground))
 
     def motions(self, folder: Path) -> Suite:
         """Make all motions under the furniture: the suite's, or the one motion.
@@ -285,14 +277,9 @@ class ShakingTable(Table):
         InputError
             A record cannot be read.
         """
-        if self.of_a_suite:
-            given = self._suite(folder)
-            ground = Suite(tuple(self._scaled(motion) for motion in given), given.name)
-        else:
-            ground = Suite((self._ground(folder),))
-        if self.building is not None and self.storey is not None:
-            ground = self.building.building().floor_motion(ground, self.storey)
-        return Suite(tuple(self._with_vertical(motion) for motion in ground), ground.name)
+        given = self._given(folder)
+        floor = self._on_floor(Suite(tuple(map(self._scaled, given)), given.name))
+        return Suite(tuple(map(self._with_vertical, floor)), floor.name)
 
     def ground(self, folder: Path) -> Suite:
         """Make the motions of the ground with all their components, not scaled.
@@ -306,8 +293,7 @@ class ShakingTable(Table):
             A record cannot be read, or is of an upper floor where the strength of the ground is stated, or
             others are of the ground.
         """
-        given = self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
-        strength = self.strength
+        given, strength = self._given(folder), self.strength
         if strength is not None or not all(motion.floor for motion in given):
             for motion in given:
                 of_the_ground(motion, "suite" if strength is None else "strength")
@@ -324,22 +310,18 @@ class ShakingTable(Table):
     @property
     def strength(self) -> GroundStrength | None:
         """What the ground is scaled to; None where the motions keep their own strength."""
-        if isinstance(self.intensity, str):
-            return strength_of_intensity(intensity_of_class(self.intensity))
         if self.intensity is not None:
-            return strength_of_intensity(self.intensity)
-        if self.pga is not None:
-            return strength_of_pga(self.pga)
-        if self.pgv is not None:
-            return strength_of_pgv(self.pgv)
+            given = self.intensity
+            return strength_of_intensity(intensity_of_class(given) if isinstance(given, str) else given)
         if self.sa is not None:
             return strength_of_sa(self.sa.period, self.sa.value)
-        if self.mmi is not None:
-            return strength_of_mercalli(self.mmi)
-        return None if self.earthquake is None else strength_of_earthquake(self.earthquake.source())
+        if self.earthquake is not None:
+            return strength_of_earthquake(EarthquakeSource(**self.earthquake.model_dump()))
+        makers = {"pga": strength_of_pga, "pgv": strength_of_pgv, "mmi": strength_of_mercalli}
+        return makers[self.stated](getattr(self, self.stated)) if self.stated else None
 
-    def _ground(self, folder: Path) -> Motion:
-        return self._scaled(self._member(folder) if self.of_a_suite else self._single(folder))
+    def _given(self, folder: Path) -> Suite:
+        return self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
 
     def _single(self, folder: Path) -> Motion:
         if self._in_python is not None:
@@ -355,10 +337,10 @@ class ShakingTable(Table):
             return motion.scaled(self.strength.factor(motion))
         return motion if self.scale is None or self.scale == 1.0 else motion.scaled(self.scale)
 
-    def _under_furniture(self, ground: Motion) -> Motion:
-        if self.building is not None and self.storey is not None:
-            ground = self.building.building().floor_motion(ground, self.storey)
-        return self._with_vertical(ground)
+    def _on_floor(self, ground: Shaken) -> Shaken:
+        if self.building is None or self.storey is None:
+            return ground
+        return self.building.building().floor_motion(ground, self.storey)
 
     def _with_vertical(self, motion: Motion) -> Motion:
         return motion if self.vertical else replace(motion, z=None)
@@ -368,7 +350,7 @@ class ShakingTable(Table):
             return self._in_python
         if isinstance(self.suite, str):
             return read_suite(folder / self.suite, self.component, self.unit, **self._reading)
-        return (self.suite or SuiteTable()).suite()
+        return synthetic_suite(**(self.suite or SuiteTable()).model_dump())
 
     def _member(self, folder: Path) -> Motion:
         number = 1 if self.member is None else self.member

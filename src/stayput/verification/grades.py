@@ -27,8 +27,7 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.model.room import Floor
     from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
-    from stayput.scenario.building import BuildingTable
-    from stayput.scenario.tables import FurnitureTable
+    from stayput.scenario.tables import BuildingTable, FurnitureTable
     from stayput.verification.options import Option
 
 
