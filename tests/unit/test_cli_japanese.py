@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 import stayput.progress as progress
 from stayput.cli import app
-from stayput.cli.language import of_locale
+from stayput.cli.messages import of_locale
 
 if TYPE_CHECKING:
     from pathlib import Path

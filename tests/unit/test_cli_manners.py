@@ -14,7 +14,13 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.cli import app, completion
+from stayput.cli import app
+from stayput.cli.flags import words
+from stayput.fragility import INTENSITY_MEASURES
+from stayput.measures import MEASURES
+from stayput.model.room import SURFACES
+from stayput.motion.intensity import CLASSES
+from stayput.motion.suites import FAMILIES, MIXED
 from stayput.progress import bar, is_drawn, is_quiet, keep_quiet
 
 if TYPE_CHECKING:
@@ -175,15 +181,13 @@ def test_completion_can_be_shown() -> None:
 
 
 def test_every_list_of_words_has_its_words() -> None:
-    lists = (
-        completion.measures,
-        completion.surfaces,
-        completion.intensity_classes,
-        completion.intensity_measures,
-        completion.families,
-    )
-    for listed in lists:
-        every = list(listed())
-        assert completion.words(listed)("") == every
-        assert completion.words(listed)(every[0])[0] == every[0]
-        assert completion.words(listed)("?") == []
+    offered = {
+        "measures:MEASURES": MEASURES,
+        "catalogue.names:SURFACES": SURFACES,
+        "catalogue.names:INTENSITIES": [name for name, _ in CLASSES],
+        "catalogue.names:FAMILIES": [MIXED, *FAMILIES],
+        "fragility:INTENSITY_MEASURES": INTENSITY_MEASURES,
+    }
+    for listed, every in offered.items():
+        assert words(listed)("") == list(every)
+        assert words(listed)("?") == []

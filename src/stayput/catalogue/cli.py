@@ -20,9 +20,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} sets nothing of a motion; it must set a key of shaking, such as shaking.unit.",
         "{flag}は揺れに関係がありません。shaking.unitのようなshakingのキーを指定してください。",
     ),
-    "im_without_curves": (
-        "--im is {value} without --curves; it must come with the folder of the curves.",
-        "--imが{value}になっていますが、--curvesがありません。曲線を書き出すフォルダーも指定してください。",
+    "flag_without": (
+        "{flag} is given without {other}; it must come with it.",
+        "{flag}は{other}と一緒に指定してください。",
     ),
     "spectra_of_floors": (
         "--spectra is {value} without a building; it must come with --building, and without --storey.",
@@ -162,10 +162,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "same_file": (
         "{flag} and {other} are both {value}; each must have a file of its own.",
         "{flag}と{other}がどちらも{value}になっています。別々のファイルを指定してください。",
-    ),
-    "home_without_plan": (
-        "--no-drilling, --tatami, --plasterboard or --dropped-ceiling is given without --plan; each must come with it.",
-        "--no-drilling、--tatami、--plasterboard、--dropped-ceilingは--planと一緒に指定してください。",
     ),
     "plan_of_a_room": (
         "--plan is given for a file without [plan]; it must be the file of a room.",

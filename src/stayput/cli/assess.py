@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import QuietOption, SetOption, ThreadsOption, changed
-from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.flags import OF_LOCALE, LanguageOption, QuietOption, SetOption, ThreadsOption, changed
 from stayput.cli.messages import note, print_json, tell_written
 from stayput.cli.streams import NAME, file_of, is_stream, table_of_input
 from stayput.progress import language_of_bars

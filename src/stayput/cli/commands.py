@@ -8,9 +8,8 @@ import typer
 
 import stayput
 from stayput.cli import assess, motion, simulate, verify
-from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import OF_LOCALE, LanguageOption, QuietOption
 from stayput.cli.help import HelpfulCommand, RootGroup
-from stayput.cli.language import OF_LOCALE, LanguageOption
 
 _PORT = 8000
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import json
+import locale
 import os
 import re
 import sys
@@ -16,14 +17,16 @@ from typer.core import TyperGroup
 
 from stayput.catalogue import phrase, say
 from stayput.cli.interrupts import INTERRUPTED
-from stayput.cli.language import of_arguments
 from stayput.cli.streams import closed_output, is_stream, standard_input
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
 from stayput.progress import is_quiet, keep_quiet, told_in
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping, Sequence
+    from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
     from pathlib import Path
+
+    from rich.console import Console
+    from rich.table import Table
 
     from stayput.catalogue import Language, Phrase
 
@@ -38,6 +41,22 @@ UNREAD = 141
 
 _USAGE: Any = typer.BadParameter.__base__
 """What Typer raises where it cannot read the command line; that class has no public name."""
+
+
+def of_locale() -> Language:
+    """Return the language that the environment asks for: Japanese where it does, else English."""
+    variables = (os.environ.get(name) for name in ("LC_ALL", "LC_MESSAGES", "LANG"))
+    asked = next(filter(None, variables), None) or locale.getlocale()[0] or ""
+    return "ja" if asked.lower().startswith("ja") else "en"
+
+
+def of_arguments(args: Sequence[str]) -> Language:
+    """Return the language of a command line, in which it is refused too."""
+    flags = " ".join(args)
+    for language in ("ja", "en"):
+        if f"--lang {language}" in flags or f"--lang={language}" in flags:
+            return language
+    return of_locale()
 
 
 class CommandGroup(TyperGroup):
@@ -237,6 +256,30 @@ def folded(text: str, width: int) -> str:
             part = part.lstrip()
         lines[-1] += part
     return "\n".join(lines)
+
+
+def terminal(lang: str, title: str | None = None) -> tuple[Console, Callable[[str], None]]:
+    """Print a title; return the terminal, and what prints a paragraph on it."""
+    from rich.console import Console
+
+    console = Console(highlight=False, markup=False)
+    if title is not None:
+        console.print(title, style="bold")
+    return console, lambda text: console.print(folded(text, console.width) if lang == "ja" else text)
+
+
+def plain_table(
+    headings: Sequence[str], rows: Iterable[Sequence[str]], *, gap: int = 2, **numbers: Any
+) -> Table:
+    """Return a table without lines: labels, and what Rich's ``add_column`` takes for the other columns."""
+    from rich.table import Table
+
+    table = Table(box=None, padding=(0, gap, 0, 0), show_header=any(headings))
+    for place, heading in enumerate(headings):
+        table.add_column(heading, **(numbers if place else {}))
+    for row in rows:
+        table.add_row(*row)
+    return table
 
 
 def note(text: str, *, aside: bool = True) -> None:
