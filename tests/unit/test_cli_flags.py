@@ -115,7 +115,7 @@ def cube():
     [
         (("simulate", "--pga", "strong"), "--pga is 'strong'; it must be a number.\n"),
         (("simulate", "--storey", "1.5"), "--storey is '1.5'; it must be a whole number.\n"),
-        (("app", "--port", "99999"), "--port is '99999'; it must be a whole number from 0 to 65535.\n"),
+        (("app", "--port", "99999"), "--port is '99999'; it must be a whole number between 0 and 65535.\n"),
         (("simulate", "--pgx", "1"), "There is no flag '--pgx'; `stayput simulate --help` lists those"),
         (("verify",), "SCENARIO.toml is missing; `stayput verify --help` says"),
         (("verfy",), "No such command 'verfy'"),

@@ -163,7 +163,9 @@ def test_what_is_refused() -> None:
     box = {"name": "box", "width": 0.4, "length": 0.4, "height": 0.4, "mass": 5.0}
     several = AssemblyScenario
     assert "one shape" in refused({"furniture": [{**box, "diameter": 0.3}]}, several)
-    assert "no mass" in refused({"furniture": [{k: v for k, v in box.items() if k != "mass"}]}, several)
+    assert "mass is missing" in refused(
+        {"furniture": [{k: v for k, v in box.items() if k != "mass"}]}, several
+    )
     assert "given before" in refused({"furniture": [{**box, "on": "shelf"}]}, several)
     assert "furniture[1].name" in refused({"furniture": [box, box]}, several)
     joint = {"first": "box", "second": "door", "at": [0.0, 0.0, 0.0]}

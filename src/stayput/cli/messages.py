@@ -22,7 +22,7 @@ from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings
 from stayput.progress import is_quiet, keep_quiet, told_in
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
+    from collections.abc import Callable, Generator, Iterable, Sequence
     from pathlib import Path
 
     from rich.console import Console
@@ -107,16 +107,15 @@ class CommandGroup(TyperGroup):
         printed: set[str] = set()
 
         def of_flags(told: Told) -> Told:
+            """Return a refusal or a warning with flags in the place of the arguments that it names."""
             flags = _flags_of(self.get_command(ctx, ctx.invoked_subcommand or ""))
-            option = str(told.values.get("option"))
-            flag = f"--{option}".replace("_", "-")
-            if "--set" in flags and option in _OF_RECORDS and flag not in flags:
-                flag = f"--set shaking.{option}"
-            if flag in flags or flag.startswith("--set"):  # an argument of Python, by the name of its flag
-                told = type(told)(
-                    told.code, told.field, context=told.context, **told.values | {"option": flag}
-                )
-            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--set" in flags else _IN_COMMANDS)
+            named = {
+                key: _flag(value, flags)
+                for key in _ARGUMENTS
+                if isinstance(value := told.values.get(key), str)
+            }
+            values = told.values | {key: flag for key, flag in named.items() if flag is not None}
+            return type(told)(told.code, told.field, context=told.context, **values)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)
@@ -170,7 +169,7 @@ def _misused(error: Any) -> InputError:
         (wrong, *_) = error.__cause__.errors()  # of pydantic, by which Typer reads numbers
         name, value = _as_on_the_line(error.param), quoted(str(wrong["input"]))
         allowed = _allowed(wrong["type"], error.param)
-        return InputError("cli.wrong_value", name, name=name, value=value, allowed=allowed)
+        return InputError("scenario.not_allowed", name, name=name, value=value, hint="", allowed=allowed)
     said = re.sub(r"\. Did you mean (.+)\?$", r" (did you mean \1?)", str(error.message))
     return InputError("cli.misused", said=said.rstrip("."), command=command)
 
@@ -183,30 +182,23 @@ def _as_on_the_line(param: Any) -> str:
 
 def _allowed(kind: str, param: Any) -> Phrase:
     if param.min is not None and param.max is not None:
-        return phrase("cli.whole_number_within", low=param.min, high=param.max)
+        return phrase("scenario.whole_number", low=param.min, high=param.max, unit="")
     return phrase("cli.whole_number" if kind.startswith("int") else "cli.number")
 
 
-_OF_RECORDS = ("dt", "columns", "decimal_comma", "location", "remove_mean")
+_ARGUMENTS = ("option", "other_option")
+"""Values of sentences that name an argument, which is a flag of the command line."""
+
+_OF_RECORDS = ("unit", "dt", "component", "columns", "decimal_comma", "location", "remove_mean")
 """What is said of how a record is read, in sentences about it."""
 
-_IN_FLAGS = {
-    "motion.no_unit": "cli.no_unit",
-    "motion.no_unit_but_mentioned": "cli.no_unit_but_mentioned",
-    "motion.no_unit_nor_step": "cli.no_unit_nor_step",
-    "motion.no_time_step": "cli.no_time_step",
-    "motion.vertical_alone": "cli.vertical_alone",
-}
-"""Sentences about records, and those that name the flags to give."""
 
-_IN_COMMANDS = {"scenario.of_several": "cli.one_piece_alone", "scenario.of_a_room": "cli.one_piece_alone"}
-"""Sentences that name functions of Python, and those that name commands."""
-
-
-def _said_as(told: Told, codes: Mapping[str, str]) -> Told:
-    """Return a refusal or a warning so that it names the flags and commands of the command line."""
-    code = codes.get(told.code)
-    return told if code is None else type(told)(code, told.field, context=told.context, **told.values)
+def _flag(option: str, flags: set[str]) -> str | None:
+    """Return the flag for an argument of Python; None where there is none."""
+    flag = f"--{option}".replace("_", "-")
+    if flag in flags:
+        return flag
+    return f"--set shaking.{option}" if "--set" in flags and option in _OF_RECORDS else None
 
 
 def _flags_of(command: Any) -> set[str]:

@@ -113,18 +113,18 @@ def _measures(motion: Motion) -> dict[str, Any]:
 
 
 LINES = {
-    "pga": ("pga_m_s2", 1.0),
-    "pgv": ("pgv_m_s", 100.0),
-    "pgd": ("pgd_m", 100.0),
-    "arias": ("arias_m_s", 1.0),
-    "cav": ("cav_m_s", 1.0),
-    "d5_95": ("significant_duration_s", 1.0),
-    "housner": ("housner_intensity_m", 1.0),
-    "si": ("spectrum_intensity_m_s", 100.0),
-    "largest_sa": ("predominant_period_s", 1.0),
-    "mean_period": ("mean_period_s", 1.0),
+    "cli.pga": ("pga_m_s2", 1.0),
+    "cli.pgv": ("pgv_m_s", 100.0),
+    "cli.pgd": ("pgd_m", 100.0),
+    "cli.arias": ("arias_m_s", 1.0),
+    "cli.cav": ("cav_m_s", 1.0),
+    "cli.d5_95": ("significant_duration_s", 1.0),
+    "cli.housner": ("housner_intensity_m", 1.0),
+    "cli.si": ("spectrum_intensity_m_s", 100.0),
+    "cli.largest_sa": ("predominant_period_s", 1.0),
+    "cli.mean_period": ("mean_period_s", 1.0),
 }
-"""Lines of the table of a motion: the measure's key in JSON, and its factor to the unit of the table."""
+"""Lines of the table of a motion: label, key in JSON, and factor from there to the unit of the table."""
 
 
 def _print_info(motion: Motion, lang: str) -> None:
@@ -154,7 +154,7 @@ def _print_info(motion: Motion, lang: str) -> None:
             None if key == "pgd_m" and part["displacement_drifts"] else part[key] for part in parts.values()
         )
         told = ("–" if value is None else f"{factor * value:.3g}" for value in values)
-        rows.append([say(f"cli.{label}", lang), *told])
+        rows.append([say(label, lang), *told])
     names = {"x": "cli.along", "y": "cli.across", "z": "cli.up"}
     headings = ["", *(say(names[part], lang) for part in parts)]
     console.print(plain_table(headings, rows, justify="right"))

@@ -68,9 +68,10 @@ def suite(
     if fit not in FITS:
         raise unknown("--fit", fit, FITS, "--fit")
     if target is not None and "intensity" in said:
-        raise InputError("cli.target_and_intensity", "--target", target=repr(target), value=said["intensity"])
-    if target is None and (select is not None or fit != "scale"):
-        raise InputError("cli.of_a_target", "--target")
+        raise InputError("scenario.only_one", "--target", name="--target", other="--intensity")
+    for flag, given in (("--select", select is not None), ("--fit", fit != "scale")):
+        if target is None and given:
+            raise InputError("cli.flag_without", "--target", flag=flag, other="--target")
     wanted = None if target is None else _target_of(target)
     first, last = numbers("--band", band, band.split(","), (2,), "0.1,5")
     periods = first, last

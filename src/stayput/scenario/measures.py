@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self, cas
 
 from pydantic import BaseModel, Discriminator, Field, PrivateAttr, Tag, create_model, model_validator
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown
 from stayput.measures import MEASURES, Measure, parameters
 from stayput.measures.measure import refuse_conflicts
@@ -22,6 +23,7 @@ from stayput.scenario.fields import (
     one_of,
     typed_field,
 )
+from stayput.scenario.messages import shown
 from stayput.uncertainty import QUANTITIES, USUAL, Uncertainty
 
 COMBINE = "combine"
@@ -152,15 +154,18 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
         if isinstance(one, BaseModel):
             continue
         if not isinstance(one, dict):
-            code = "scenario.not_a_measure" if nested else "scenario.not_a_measure_or_several"
-            raise InputError(code, name, name=name, value=repr(one))
+            allowed = phrase("scenario.table_with_type" if nested else "scenario.one_of_tables")
+            raise InputError(
+                "scenario.not_allowed", name, name=name, value=shown(one), hint="", allowed=allowed
+            )
         table, of_type = cast("dict[str, object]", one), f"{name}.type"
         if COMBINE in table and not nested:
             if "type" in table:
                 raise InputError("scenario.beside", of_type, name=of_type, other=f"{name}.{COMBINE}")
             refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
         elif table.get("type") is None:
-            raise InputError("scenario.no_type", of_type, name=of_type, known=", ".join(MEASURES))
+            known = phrase("scenario.one_of", names=", ".join(MEASURES))
+            raise InputError("scenario.missing", of_type, name=of_type, allowed=known)
         elif table["type"] not in list(MEASURES):  # what cannot be hashed neither
             raise unknown(of_type, table["type"], MEASURES, of_type)
 

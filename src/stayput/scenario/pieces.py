@@ -105,9 +105,12 @@ class StandingTable(Table):
         if sum(ways) != 1 or (given and given not in _SHAPES.values()):
             raise InputError("scenario.one_shape", "furniture", name=self.name)
         if self.mass is None and self.preset is None:
-            raise InputError("scenario.no_mass", "furniture.mass", name=self.name)
+            name = "furniture.mass"
+            raise InputError("scenario.no_preset", name, name=name, preset="preset")
         if (self.mesh is None) != (self.unit is None):
-            raise InputError("scenario.mesh_and_unit", "furniture.unit", name=self.name)
+            name, other = "furniture.unit", "furniture.mesh"
+            name, other = (name, other) if self.mesh is None else (other, name)
+            raise InputError("scenario.needs_both", name, name=name, other=other)
         if self.on is not None and len(self.at) == 3:
             raise InputError("scenario.on_and_height", "furniture.at", name=self.name)
         if self.measures is not None and not self.is_furniture:

@@ -27,7 +27,7 @@ from stayput.simulation.case import Case
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
     from stayput.contents import Contents
     from stayput.measures import Measure
@@ -109,25 +109,21 @@ class Scenario(FromFile):
     def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
         """Make a scenario from the keys and values of its file; see `FromFile.parse`."""
         if isinstance(data.get("furniture"), list):
-            of_room = "plan" in data
-            raise InputError("scenario.of_a_room" if of_room else "scenario.of_several", "furniture")
+            raise InputError("scenario.of_several", "furniture")
         return super().parse(data, folder, file)
 
     def to_toml(self) -> str:
-        """Return the scenario as a file's text; what was given in Python is named in comments."""
-        comments = (f"# {say(key, 'en')}\n" for key in self._beyond_a_file())
-        return "".join((super().to_toml(), *comments))
-
-    def _beyond_a_file(self) -> Iterator[str]:
-        """Yield what was given in Python and a file cannot say, as the ids of sentences."""
-        if self.shaking.in_python is not None:
-            yield "scenario.motions_in_python"
-        if self.shaking.building is not None and self.shaking.building.in_python is not None:
-            yield "scenario.building_in_python"
-        if self._own_measures is not None:
-            yield "scenario.measures_in_python"
-        if self.uncertainty.quantities is not QUANTITIES:
-            yield "scenario.uncertainty_in_python"
+        """Return the scenario as a file's text; what was given in Python is named in a comment."""
+        building = self.shaking.building
+        given = {
+            "shaking": self.shaking.in_python,
+            "shaking.building": building and building.in_python,
+            "measures": self._own_measures,
+            "uncertainty": None if self.uncertainty.quantities is QUANTITIES else True,
+        }
+        what = ", ".join(key for key, value in given.items() if value is not None)
+        comment = f"# {say('scenario.in_python', what=what)}\n" if what else ""
+        return super().to_toml() + comment
 
     _own_measures: tuple[NamedMeasures, ...] | None = PrivateAttr(default=None)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, Self, TypeVar, cast
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from stayput.building.model import MOST_STOREYS
-from stayput.errors import InputError
+from stayput.errors import InputError, within
 from stayput.motion import Motion, near_fault, sine
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import (
@@ -214,9 +214,8 @@ class ShakingTable(Table):
         if len(stated) > 1:
             raise InputError("scenario.only_one", stated[1], name=stated[1], other=stated[0])
         if self.scale is not None and stated:
-            raise InputError(
-                "scenario.scale_and_strength", "shaking.scale", value=self.scale, other=stated[0]
-            )
+            name = "shaking.scale"
+            raise InputError("scenario.only_one", name, name=name, other=stated[0])
         if self.member is not None and not self.of_a_suite:
             raise InputError("scenario.member_of_one", "shaking.member")
         self._check_building()
@@ -228,9 +227,7 @@ class ShakingTable(Table):
             name, other = f"shaking.{given}", f"shaking.{missing}"
             raise InputError("scenario.needs_both", name, name=name, other=other)
         if self.building is not None and self.storey is not None:
-            name, roof = "shaking.storey", self.building.highest()
-            if self.storey > roof:
-                raise InputError("scenario.storey", name, name=name, value=self.storey, roof=roof)
+            within("shaking.storey", self.storey, 1, self.building.highest(), "", "shaking.storey")
 
     _in_python: Suite | None = PrivateAttr(default=None)
 
@@ -353,10 +350,8 @@ class ShakingTable(Table):
         return synthetic_suite(**(self.suite or SuiteTable()).model_dump())
 
     def _member(self, folder: Path) -> Motion:
-        number = 1 if self.member is None else self.member
-        suite = self._suite(folder)
-        if number > len(suite):
-            raise InputError("scenario.member", "shaking.member", value=number, most=len(suite))
+        number, suite = self.member or 1, self._suite(folder)
+        within("shaking.member", number, 1, len(suite), "", "shaking.member")
         return suite[number - 1]
 
     @property

@@ -10,11 +10,13 @@ from pydantic import Discriminator, Field, ModelWrapValidatorHandler, PrivateAtt
 
 from stayput.building import STRUCTURES, Building, ShearModel
 from stayput.building.model import MOST_STOREYS
+from stayput.catalogue import phrase
 from stayput.contents.contents import CONTENTS, DOORS, DRAWERS, Contents
 from stayput.errors import InputError
 from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
 from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE
+from stayput.model.parameters import parameter_of
 from stayput.model.room import SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
 from stayput.scenario.fields import (
@@ -71,7 +73,7 @@ class FurnitureTable(ValueTable):
         for key in ("cg_offset", "inertia") if self.shelves else ():
             if getattr(self, key) is not None:
                 name = f"furniture.{key}"
-                raise InputError("scenario.follows_from_shelves", name, name=name)
+                raise InputError("scenario.only_one", name, name=name, other="furniture.shelves")
         if self.shelves and self.mass is None and usual_of(self.preset, loaded=False)["mass"] is None:
             raise InputError("scenario.no_carcass", "furniture.mass")
         checked("furniture", self.body)
@@ -197,7 +199,8 @@ class RoomTable(Table):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         if self.left_wall is not None and self.back_wall is not None:
-            raise InputError("scenario.two_back_walls", "room.back_wall")
+            name, other = "room.back_wall", "room.left_wall"
+            raise InputError("scenario.only_one", name, name=name, other=other)
         return self
 
     def room(self) -> Room:
@@ -242,7 +245,7 @@ Masses = Annotated[
 Stiffnesses = Annotated[
     list[Annotated[float, each(ShearModel, "stiffnesses")]], Field(min_length=1, max_length=MOST_STOREYS)
 ]
-OF_A_REGULAR_ONE = ("storeys", "structure", "period", "storey_height", "yield_coefficient", "post_yield")
+REGULAR = ["storeys", "structure", "period", "storey_height", "nonlinear", "yield_coefficient", "post_yield"]
 
 
 @fields_of(Building)
@@ -297,16 +300,14 @@ class BuildingTable(ValueTable):
             given, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
             name, other = f"shaking.building.{given}", f"shaking.building.{missing}"
             raise InputError("scenario.needs_both", name, name=name, other=other)
-        if own:
-            for key in OF_A_REGULAR_ONE:
-                if getattr(self, key) is not None:
-                    name = f"shaking.building.{key}"
-                    raise InputError("scenario.beside", name, name=name, other="shaking.building.masses")
-            if self.nonlinear and "nonlinear" in self.model_fields_set:
-                name, other = "shaking.building.nonlinear", "shaking.building.masses"
-                raise InputError("scenario.nonlinear_masses", name, name=name, other=other)
-        elif self.storeys is None:
-            raise InputError("scenario.no_storeys", "shaking.building.storeys")
+        for key in REGULAR if own else ():
+            if key in self.model_fields_set and getattr(self, key) not in (None, False):
+                name = f"shaking.building.{key}"
+                raise InputError("scenario.beside", name, name=name, other="shaking.building.masses")
+        if not own and self.storeys is None:
+            name, allowed = "shaking.building.storeys", parameter_of(Building, "storeys")
+            words = phrase("scenario.whole_number", low=allowed.low, high=allowed.high, unit="")
+            raise InputError("scenario.missing", name, name=name, allowed=words)
         checked("shaking.building", self.building)
         return self
 
