@@ -391,3 +391,18 @@ def whole_within(
 
 def _called(name: str | Phrase) -> Phrase:
     return (name, name) if isinstance(name, str) and name not in TEXTS else phrase(name)
+
+
+def absent(what: str, module: str, extra: str) -> InputError:
+    """Return the error for a feature whose optional library is not installed.
+
+    Parameters
+    ----------
+    what : str
+        The feature.
+    module : str
+        Import name of the library.
+    extra : str
+        Extra of the package that installs it.
+    """
+    return InputError("model.not_installed", what=what, module=module, extra=extra)

@@ -84,8 +84,7 @@ def _executor(scheduler: str | None) -> Generator[Executor | None]:
     if scheduler is None:
         yield None
         return
-    from stayput.errors import InputError
-    from stayput.extras import absent
+    from stayput.errors import InputError, absent
 
     try:
         from dask.distributed import Client

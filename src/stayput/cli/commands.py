@@ -23,7 +23,7 @@ def _page(
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput app``."""
-    from stayput.extras import absent
+    from stayput.errors import absent
 
     try:
         from stayput.app.server import serve

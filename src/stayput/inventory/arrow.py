@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from stayput.extras import absent
+from stayput.errors import absent
 
 
 def arrow() -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from stayput.contents import Contents
-from stayput.contents.weight import emptied
+from stayput.contents.contents import emptied
 from stayput.errors import InputError
 from stayput.inventory.cells import number_of, numbers_of, text_of
 

@@ -13,8 +13,7 @@ from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, TextIO, cast
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, reason_of
-from stayput.extras import absent
+from stayput.errors import InputError, absent, reason_of
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.cells import Unusable
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 from pydantic import Field, PrivateAttr, field_validator, model_validator
 
 from stayput.catalogue import say
-from stayput.contents.weight import emptied
+from stayput.contents.contents import emptied
 from stayput.errors import InputError
 from stayput.model.gravity import STANDARD_GRAVITY
 from stayput.scenario.fields import between, refuse_same_names

@@ -14,7 +14,7 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.motion.suites.point_source import PointSource, SoilLayer
-from stayput.randomness import random_bits, uniforms
+from stayput.uncertainty import random_bits, uniforms
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
