@@ -118,7 +118,7 @@ class _Told:
     field : str or None
         Dotted name of the input that is wrong or doubtful, where one is.
     values : dict
-        What stands in the sentence's braces.
+        What stands in the sentence's braces; ``name`` is the field where nothing else is given.
     context : tuple of Phrase
         Where it was met, the outermost first: a file, a table of the scenario.
     """
@@ -132,6 +132,8 @@ class _Told:
         context: tuple[Phrase, ...] = (),
         **values: Any,
     ) -> None:
+        if field is not None:
+            values.setdefault("name", field)
         self.code, self.field, self.context, self.values = code, field, context, values
         super().__init__(self.told("en"))  # pyright: ignore[reportCallIssue] - beside an exception
 

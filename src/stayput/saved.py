@@ -43,7 +43,7 @@ JSON, NETCDF = (".json",), (".nc",)
 """Endings of the files."""
 
 _FORMAT = 2
-"""The format that is written and read; of format 1, which no release wrote, digests left out the version."""
+"""The format that is written and read."""
 
 _KINDS = re.compile(r"[<>|=]?([fiub][1248]|f16|[US]\d{1,3})")
 """The kinds of numbers and texts in arrays, as NumPy writes them."""
@@ -176,8 +176,9 @@ def _read(
         written = int(content["format"])
     except (KeyError, TypeError, ValueError, OverflowError):
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
-    if written > _FORMAT:
-        raise InputError("saved.newer", "path", file=str(file), version=version)
+    if written != _FORMAT:
+        code = "saved.newer" if written > _FORMAT else "saved.other_version"
+        raise InputError(code, "path", file=str(file), version=version)
     try:
         if _digest(version, data) != digest:
             raise InputError("saved.changed", "path", file=str(file))

@@ -164,12 +164,12 @@ def _misused(error: Any) -> InputError:
         return InputError("cli.no_such_flag", flag, flag=repr(flag), command=command)
     if kind == "MissingParameter":
         name = _as_on_the_line(error.param)
-        return InputError("cli.missing", name, name=name, command=command)
+        return InputError("cli.missing", name, command=command)
     if kind == "BadParameter" and error.param is not None and hasattr(error.__cause__, "errors"):
         (wrong, *_) = error.__cause__.errors()  # of pydantic, by which Typer reads numbers
         name, value = _as_on_the_line(error.param), quoted(str(wrong["input"]))
         allowed = _allowed(wrong["type"], error.param)
-        return InputError("scenario.not_allowed", name, name=name, value=value, hint="", allowed=allowed)
+        return InputError("scenario.not_allowed", name, value=value, hint="", allowed=allowed)
     said = re.sub(r"\. Did you mean (.+)\?$", r" (did you mean \1?)", str(error.message))
     return InputError("cli.misused", said=said.rstrip("."), command=command)
 

@@ -68,7 +68,7 @@ def suite(
     if fit not in FITS:
         raise unknown("--fit", fit, FITS, "--fit")
     if target is not None and "intensity" in said:
-        raise InputError("scenario.only_one", "--target", name="--target", other="--intensity")
+        raise InputError("scenario.only_one", "--target", other="--intensity")
     for flag, given in (("--select", select is not None), ("--fit", fit != "scale")):
         if target is None and given:
             raise InputError("cli.flag_without", "--target", flag=flag, other="--target")

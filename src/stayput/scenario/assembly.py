@@ -86,8 +86,7 @@ class AssemblyScenario(FromFile):
         refuse_same_names("furniture", names)
         for number, piece in enumerate(self.furniture):
             if piece.on is not None and piece.on not in names[:number]:
-                name = f"furniture[{number}].on"
-                raise InputError("scenario.stands_on", name, name=name, value=repr(piece.on))
+                raise InputError("scenario.stands_on", f"furniture[{number}].on", value=repr(piece.on))
         try:
             friction_between((self.static_friction, self.kinetic_friction))
         except InputError as error:
@@ -97,7 +96,7 @@ class AssemblyScenario(FromFile):
                 if getattr(joint, key) not in names:
                     name = f"joints[{number}].{key}"
                     value = repr(getattr(joint, key))
-                    raise InputError("scenario.no_such_piece", name, name=name, value=value)
+                    raise InputError("scenario.no_such_piece", name, value=value)
         self._joints()
         self._check_options()
         return self
@@ -110,7 +109,7 @@ class AssemblyScenario(FromFile):
             for place, piece in enumerate(option.pieces):
                 name = f"options[{number}].pieces[{place}].name"
                 if piece.name not in names:
-                    raise InputError("scenario.no_such_piece", name, name=name, value=repr(piece.name))
+                    raise InputError("scenario.no_such_piece", name, value=repr(piece.name))
                 if not self.furniture[names.index(piece.name)].is_furniture:
                     raise InputError("scenario.measures_on_solid", name, name=piece.name)
             for name in names:
@@ -199,8 +198,11 @@ class AssemblyScenario(FromFile):
             Its body.
         """
         if piece.against is not None:
-            name = f"furniture[{self.names.index(piece.name)}].against"
-            raise InputError("rooms.against_without_plan", name, name=name, value=repr(piece.against))
+            raise InputError(
+                "rooms.against_without_plan",
+                f"furniture[{self.names.index(piece.name)}].against",
+                value=repr(piece.against),
+            )
         x, y, *up = piece.at
         return (x, y, up[0] if up else 0.0), piece.heading
 

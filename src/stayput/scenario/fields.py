@@ -169,7 +169,7 @@ def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phra
     for number, name in enumerate(names):
         if name in seen:
             key = f"{place}[{number}].name"
-            raise InputError("scenario.same_name", key, name=key, value=repr(name), other=seen[name])
+            raise InputError("scenario.same_name", key, value=repr(name), other=seen[name])
         seen[name] = f"{place}[{number}]"
 
 

@@ -155,17 +155,15 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
             continue
         if not isinstance(one, dict):
             allowed = phrase("scenario.table_with_type" if nested else "scenario.one_of_tables")
-            raise InputError(
-                "scenario.not_allowed", name, name=name, value=shown(one), hint="", allowed=allowed
-            )
+            raise InputError("scenario.not_allowed", name, value=shown(one), hint="", allowed=allowed)
         table, of_type = cast("dict[str, object]", one), f"{name}.type"
         if COMBINE in table and not nested:
             if "type" in table:
-                raise InputError("scenario.beside", of_type, name=of_type, other=f"{name}.{COMBINE}")
+                raise InputError("scenario.beside", of_type, other=f"{name}.{COMBINE}")
             refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
         elif table.get("type") is None:
             known = phrase("scenario.one_of", names=", ".join(MEASURES))
-            raise InputError("scenario.missing", of_type, name=of_type, allowed=known)
+            raise InputError("scenario.missing", of_type, allowed=known)
         elif table["type"] not in list(MEASURES):  # what cannot be hashed neither
             raise unknown(of_type, table["type"], MEASURES, of_type)
 

@@ -105,12 +105,11 @@ class StandingTable(Table):
         if sum(ways) != 1 or (given and given not in _SHAPES.values()):
             raise InputError("scenario.one_shape", "furniture", name=self.name)
         if self.mass is None and self.preset is None:
-            name = "furniture.mass"
-            raise InputError("scenario.no_preset", name, name=name, preset="preset")
+            raise InputError("scenario.no_preset", "furniture.mass", preset="preset")
         if (self.mesh is None) != (self.unit is None):
             name, other = "furniture.unit", "furniture.mesh"
             name, other = (name, other) if self.mesh is None else (other, name)
-            raise InputError("scenario.needs_both", name, name=name, other=other)
+            raise InputError("scenario.needs_both", name, other=other)
         if self.on is not None and len(self.at) == 3:
             raise InputError("scenario.on_and_height", "furniture.at", name=self.name)
         if self.measures is not None and not self.is_furniture:

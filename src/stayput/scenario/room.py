@@ -155,8 +155,9 @@ class RoomScenario(AssemblyScenario):
             raise InputError("rooms.options_in_a_room", "options")
         for number, piece in enumerate(self.furniture):
             if piece.against is not None and piece.along is None:
-                name = f"furniture[{number}].along"
-                raise InputError("rooms.against_without_along", name, name=name, wall=piece.against)
+                raise InputError(
+                    "rooms.against_without_along", f"furniture[{number}].along", wall=piece.against
+                )
         return self
 
     def floor_plan(self) -> FloorPlan:

@@ -91,7 +91,7 @@ class Scenario(FromFile):
                 raise InputError("scenario.contents_in_space", "contents")
             if self.furniture.body().length is None:
                 name, other = "furniture.length", "dimensions"
-                raise InputError("scenario.no_length", name, name=name, other=other)
+                raise InputError("scenario.no_length", name, other=other)
         return self
 
     @model_validator(mode="after")

@@ -199,13 +199,12 @@ class ShakingTable(Table):
         given = [key for key in SOURCES if getattr(self, key) is not None]
         if len(given) > 1:
             first, second = (f"shaking.{key}" for key in given[:2])
-            raise InputError("scenario.only_one", second, name=second, other=first)
+            raise InputError("scenario.only_one", second, other=first)
         if self.record is None:
             of_folders = () if isinstance(self.suite, str) else ("component", "unit", *sorted(OPTIONS))
             for key in (*of_folders, "across"):
                 if getattr(self, key) not in (None, False):
-                    name = f"shaking.{key}"
-                    raise InputError("scenario.without_record", name, name=name)
+                    raise InputError("scenario.without_record", f"shaking.{key}")
             if isinstance(self.vertical, str):
                 value = repr(self.vertical)
                 raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
@@ -214,8 +213,7 @@ class ShakingTable(Table):
         if len(stated) > 1:
             raise InputError("scenario.only_one", stated[1], name=stated[1], other=stated[0])
         if self.scale is not None and stated:
-            name = "shaking.scale"
-            raise InputError("scenario.only_one", name, name=name, other=stated[0])
+            raise InputError("scenario.only_one", "shaking.scale", other=stated[0])
         if self.member is not None and not self.of_a_suite:
             raise InputError("scenario.member_of_one", "shaking.member")
         self._check_building()
@@ -225,7 +223,7 @@ class ShakingTable(Table):
         if (self.building is None) != (self.storey is None):
             given, missing = ("storey", "building") if self.building is None else ("building", "storey")
             name, other = f"shaking.{given}", f"shaking.{missing}"
-            raise InputError("scenario.needs_both", name, name=name, other=other)
+            raise InputError("scenario.needs_both", name, other=other)
         if self.building is not None and self.storey is not None:
             within("shaking.storey", self.storey, 1, self.building.highest(), "", "shaking.storey")
 
@@ -378,4 +376,4 @@ def _refuse_vertical(motion: Motion, key: str, file: str) -> None:
     listing = motion.listing
     if listing is not None and listing.vertical[listing.used]:
         name, label = f"shaking.{key}", listing.names[listing.used]
-        raise InputError("scenario.vertical_across", name, name=name, file=repr(file), label=label)
+        raise InputError("scenario.vertical_across", name, file=repr(file), label=label)

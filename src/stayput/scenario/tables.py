@@ -68,12 +68,10 @@ class FurnitureTable(ValueTable):
     def _consistent(self) -> Self:
         for key in () if self.preset else ("width", "height", "mass"):
             if getattr(self, key) is None:
-                name = f"furniture.{key}"
-                raise InputError("scenario.no_preset", name, name=name, preset="preset")
+                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
         for key in ("cg_offset", "inertia") if self.shelves else ():
             if getattr(self, key) is not None:
-                name = f"furniture.{key}"
-                raise InputError("scenario.only_one", name, name=name, other="furniture.shelves")
+                raise InputError("scenario.only_one", f"furniture.{key}", other="furniture.shelves")
         if self.shelves and self.mass is None and usual_of(self.preset, loaded=False)["mass"] is None:
             raise InputError("scenario.no_carcass", "furniture.mass")
         checked("furniture", self.body)
@@ -200,7 +198,7 @@ class RoomTable(Table):
     def _consistent(self) -> Self:
         if self.left_wall is not None and self.back_wall is not None:
             name, other = "room.back_wall", "room.left_wall"
-            raise InputError("scenario.only_one", name, name=name, other=other)
+            raise InputError("scenario.only_one", name, other=other)
         return self
 
     def room(self) -> Room:
@@ -299,15 +297,16 @@ class BuildingTable(ValueTable):
         if own and (self.masses is None or self.stiffnesses is None):
             given, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
             name, other = f"shaking.building.{given}", f"shaking.building.{missing}"
-            raise InputError("scenario.needs_both", name, name=name, other=other)
+            raise InputError("scenario.needs_both", name, other=other)
         for key in REGULAR if own else ():
             if key in self.model_fields_set and getattr(self, key) not in (None, False):
-                name = f"shaking.building.{key}"
-                raise InputError("scenario.beside", name, name=name, other="shaking.building.masses")
+                raise InputError(
+                    "scenario.beside", f"shaking.building.{key}", other="shaking.building.masses"
+                )
         if not own and self.storeys is None:
             name, allowed = "shaking.building.storeys", parameter_of(Building, "storeys")
             words = phrase("scenario.whole_number", low=allowed.low, high=allowed.high, unit="")
-            raise InputError("scenario.missing", name, name=name, allowed=words)
+            raise InputError("scenario.missing", name, allowed=words)
         checked("shaking.building", self.building)
         return self
 
