@@ -284,8 +284,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "memory": ("Memory to stay below.", "使うメモリの上限"),
     # app
     "host": (
-        "Address to bind to; others than loopback let others in.",
-        "待ち受けるアドレス（通常はループバック）",
+        "Address to bind to; others than loopback let other machines in.",
+        "待ち受けるアドレス。ループバック以外では、ほかのマシンからも接続できる",
     ),
     "server_name": (
         "Name of the server behind a proxy; repeatable.",
