@@ -136,8 +136,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "計算プログラムを準備しています（初回のみ、30秒ほどかかります）…",
     ),
     "warning": ("Warning: {sentence}", "注意：{sentence}"),
-    "number": ("a number", "数値"),
-    "whole_number": ("a whole number", "整数"),
     "no_such_flag": (
         "There is no flag {flag}; `{command} --help` lists those that there are.",
         "{flag}というオプションはありません。{command} --helpで一覧を確認してください。",

@@ -21,10 +21,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is missing; it must be {allowed}.",
         "{name}がありません。{allowed}を指定してください。",
     ),
-    "not_allowed": (
-        "{name} is {value}{hint}; it must be {allowed}.",
-        "{name}が{value}になっています{hint}。{allowed}を指定してください。",
-    ),
     "table": ("a table", "テーブル"),
     "table_with_type": ("a table with type", "typeのあるテーブル"),
     "one_of_tables": ("a table with type or combine", "typeかcombineのあるテーブル"),

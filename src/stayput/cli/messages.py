@@ -169,7 +169,7 @@ def _misused(error: Any) -> InputError:
         (wrong, *_) = error.__cause__.errors()  # of pydantic, by which Typer reads numbers
         name, value = _as_on_the_line(error.param), quoted(str(wrong["input"]))
         allowed = _allowed(wrong["type"], error.param)
-        return InputError("scenario.not_allowed", name, value=value, hint="", allowed=allowed)
+        return InputError("common.not_allowed", name, value=value, hint="", allowed=allowed)
     said = re.sub(r"\. Did you mean (.+)\?$", r" (did you mean \1?)", str(error.message))
     return InputError("cli.misused", said=said.rstrip("."), command=command)
 
@@ -183,7 +183,7 @@ def _as_on_the_line(param: Any) -> str:
 def _allowed(kind: str, param: Any) -> Phrase:
     if param.min is not None and param.max is not None:
         return phrase("scenario.whole_number", low=param.min, high=param.max, unit="")
-    return phrase("cli.whole_number" if kind.startswith("int") else "cli.number")
+    return phrase("common.whole_number" if kind.startswith("int") else "common.number")
 
 
 _ARGUMENTS = ("option", "other_option")

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from contextlib import contextmanager
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from itertools import product
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, cast
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of, list_of
+from stayput.execution import Pool
 from stayput.measures.measure import refuse_conflicts
+from stayput.measures.results import utilisation
+from stayput.mechanics.columns import RESULT
+from stayput.mechanics.devices.columns import HOLDS
 from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.progress import bar
 from stayput.scenario.fields import between, checked, refuse_same_names
 from stayput.scenario.origin import FromFile, Gravity, Title
 from stayput.scenario.pieces import (
@@ -26,18 +35,36 @@ from stayput.scenario.pieces import (
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import RoomTable, floor_of
 from stayput.simulation.case import simulate
+from stayput.simulation.results import QUANTITIES, fill_columns
+from stayput.simulation.space import trace_assembly
+from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
 from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping
+    from collections.abc import Generator
     from os import PathLike
 
     import xarray as xr
+    from numpy.typing import NDArray
 
     from stayput.model.room import Floor, Room
     from stayput.model.solid import Solid
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Joint
+
+
+_PART = re.compile(r"([^\[\]]+)(?:\[(\d+)\])?")
+"""A part of a path: a key, and which item of its list; without that, all items."""
+
+ABOUT = {column.name: column for column in QUANTITIES}
+COLUMNS = {
+    name: ABOUT[name]
+    for name in (
+        *("outcome", "overturned", "overturn_time", "peak_slide", "residual_slide"),
+        *("peak_tilt", "residual_tilt", "floor_impacts", "wall_impacts"),
+    )
+}
+"""Results of each piece."""
 
 
 class AssemblyScenario(FromFile):
@@ -276,9 +303,88 @@ class AssemblyScenario(FromFile):
         InputError
             A key that there is not, or a value that the file may not have.
         """
-        from stayput.scenario.assembly_sweep import sweep_assembly
+        import xarray as xr
 
-        return sweep_assembly(self, axes, threads=threads, progress=progress)
+        instance_of("axes", axes, Mapping)
+        lists = {path: list_of(path, values) for path, values in axes.items()}
+        for path, values in lists.items():
+            if not values:
+                raise InputError("simulation.no_values", path, path=path)
+        stated = self.stated_keys()
+        cases = [
+            _changed(self, stated, dict(zip(lists, values, strict=True)))
+            for values in product(*lists.values())
+        ]
+        results = np.zeros((len(cases), len(self.names)), RESULT)
+        devices = {
+            "device_failures": np.zeros(len(cases), np.int32),
+            "device_utilisation": np.zeros(len(cases)),
+        }
+
+        def run(number: int) -> None:
+            results[number], *of_devices = _run(cases[number])
+            for values, value in zip(devices.values(), of_devices, strict=True):
+                values[number] = value
+
+        with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
+            for _ in pool.as_completed(partial(run, number) for number in range(len(cases))):
+                advance(1)
+        pieces = {name: np.zeros(results.size, about.dtype) for name, about in COLUMNS.items()}
+        fill_columns(pieces, 0, results.ravel())
+        data = xr.Dataset(
+            coords={**{path: [*values] for path, values in lists.items()}, "piece": [*self.names]}
+        )
+        shape = tuple(map(len, lists.values()))
+        for name, values in {**pieces, **devices}.items():
+            dims = (*lists, "piece") if name in pieces else tuple(lists)
+            data[name] = (dims, values.reshape(*shape, *(-1,) * (name in pieces)), ABOUT[name].attributes)
+        return data
+
+
+def _changed(scenario: AssemblyScenario, stated: dict[str, Any], values: dict[str, Any]) -> AssemblyScenario:
+    """Return a scenario with other values at paths."""
+    data = stated
+    for path, value in values.items():
+        data = _with(data, path.split("."), value, path)
+    return type(scenario).parse(data, scenario.folder)
+
+
+def _with(node: Any, parts: list[str], value: Any, path: str) -> Any:
+    """Return a node with another value at a path below it; the node itself stays as it is."""
+    if not parts:
+        return value
+    found = _PART.fullmatch(parts[0])
+    if found is None or not isinstance(node, dict):
+        raise InputError("scenario.no_such_path", path, path=path)
+    table, (key, place) = cast("dict[str, Any]", node), found.groups()
+    below: Any = table.get(key, {} if len(parts) > 1 else None)
+    if isinstance(below, list) and (place is not None or len(parts) > 1):
+        items = cast("list[Any]", below)
+        if place is not None and int(place) >= len(items):
+            raise InputError("scenario.no_such_path", path, path=path)
+        chosen = range(len(items)) if place is None else (int(place),)
+        return {
+            **table,
+            key: [
+                _with(item, parts[1:], value, path) if number in chosen else item
+                for number, item in enumerate(items)
+            ],
+        }
+    return {**table, key: _with(below, parts[1:], value, path)}
+
+
+def _run(scenario: AssemblyScenario) -> tuple[NDArray[np.void], int, float]:
+    """Return what became of each piece, how many devices failed, and the largest utilisation."""
+    motion = scenario.motion()
+    shaking = SpaceShaking(acceleration_of(motion), motion.dt)
+    assembly = scenario.assembly()
+    with scenario.naming_pieces():
+        traced = trace_assembly(assembly, scenario.surroundings(), shaking, scenario.gravity)
+    devices = traced.trace.devices
+    failed = int((devices["failure"] != HOLDS).sum())
+    standing = [one.standing for one in traced.bodies]
+    results = results_of(standing, traced.trace, shaking.times)
+    return results, failed, float(utilisation(traced.trace.springs, devices).max(initial=0.0))
 
 
 def read_assembly(path: str | PathLike[str]) -> AssemblyScenario:

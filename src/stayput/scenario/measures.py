@@ -155,7 +155,7 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
             continue
         if not isinstance(one, dict):
             allowed = phrase("scenario.table_with_type" if nested else "scenario.one_of_tables")
-            raise InputError("scenario.not_allowed", name, value=shown(one), hint="", allowed=allowed)
+            raise InputError("common.not_allowed", name, value=shown(one), hint="", allowed=allowed)
         table, of_type = cast("dict[str, object]", one), f"{name}.type"
         if COMBINE in table and not nested:
             if "type" in table:

@@ -44,7 +44,7 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
     if error["type"] == "missing":
         return InputError("scenario.missing", name, allowed=allowed)
     hint, value = _hint(error["input"], place, schema), shown(error["input"])
-    return InputError("scenario.not_allowed", name, value=value, hint=hint, allowed=allowed)
+    return InputError("common.not_allowed", name, value=value, hint=hint, allowed=allowed)
 
 
 def _in_its_list(error: InputError, place: str) -> InputError:

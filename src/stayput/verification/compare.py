@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError, numbers
+from stayput.errors import InputError, not_allowed, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.fragility.intensity_measures import FLOOR_JMA
 from stayput.measures import hold
@@ -77,7 +76,7 @@ def compare(
         levels = curve_levels(scenario.dimensions)
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
-        raise InputError("common.not_a_list", "levels", name=phrase("fragility.level"), value=repr(levels))
+        raise not_allowed("fragility.level", repr(levels), "common.list", "levels")
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
     (options, impossible), shaking = compared_options(scenario), scenario.shaking
