@@ -29,7 +29,7 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
-from stayput.randomness import uniforms
+from stayput.uncertainty import uniforms
 from stayput.verification.options import Option
 
 if TYPE_CHECKING:

@@ -27,7 +27,7 @@ from stayput.montecarlo.runs import run_level, run_levels
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import Suite, synthetic_suite
 from stayput.report.palette import INK
-from stayput.scenario.building import BuildingTable
+from stayput.scenario.tables import BuildingTable
 from stayput.uncertainty import USUAL
 from studies.study import Quantity, Study, claim, panels
 

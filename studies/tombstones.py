@@ -24,11 +24,10 @@ from stayput.model.solid import Solid
 from stayput.montecarlo.hazard import factors_to_level_zero
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
-from stayput.randomness import random_bits, uniforms
 from stayput.report.palette import ALARM, INK, MUTED
 from stayput.simulation.case import simulate
 from stayput.simulation.columns import run_columns
-from stayput.uncertainty import USUAL, Lognormal, Normal
+from stayput.uncertainty import USUAL, Lognormal, Normal, random_bits, uniforms
 from studies.study import Quantity, Study, claim, panels
 
 if TYPE_CHECKING:

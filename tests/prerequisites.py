@@ -1,6 +1,6 @@
 """What the tests need beside Python packages: Chromium, the libraries of its driver, and a Japanese font.
 
-``make test`` runs this file. As root it installs what is missing with the system's package manager; where
+``make test`` runs this file. As root it installs what is missing with apt-get; where
 that does not give a browser, Playwright downloads one. The tests of what is still missing are skipped, except
 where CI is set.
 """
@@ -17,19 +17,8 @@ from typing import NoReturn
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 PLAYWRIGHT = [sys.executable, "-m", "playwright"]
 BROWSER, FONT = "browser", "font"
-PACKAGES = {
-    "apt-get": {BROWSER: ["chromium", "libatomic1"], FONT: ["fonts-ipafont-gothic"]},
-    "dnf": {BROWSER: ["chromium", "libatomic"], FONT: ["google-noto-sans-cjk-fonts"]},
-    "apk": {BROWSER: ["chromium", "libatomic"], FONT: ["font-noto-cjk"]},
-    "pacman": {BROWSER: ["chromium"], FONT: ["noto-fonts-cjk"]},
-}
-UPDATE = {"apt-get": ["update", "-q"]}
-INSTALL = {
-    "apt-get": ["install", "-y", "-q", "--no-install-recommends"],
-    "dnf": ["install", "-y", "-q"],
-    "apk": ["add", "-q", "--update-cache"],
-    "pacman": ["-Sy", "--noconfirm", "-q"],
-}
+PACKAGES = {BROWSER: ["chromium", "libatomic1"], FONT: ["fonts-ipafont-gothic"]}
+INSTALL = ["install", "-y", "-q", "--no-install-recommends"]
 PATIENCE = 600.0
 """How long a download may take [s]."""
 
@@ -83,13 +72,11 @@ def missing() -> list[str]:
 
 
 def install(wanted: list[str]) -> None:
-    """Try to install prerequisites, as root by the package manager; a browser is also downloaded."""
-    manager = next((name for name in PACKAGES if shutil.which(name)), None)
-    if manager is not None and hasattr(os, "geteuid") and os.geteuid() == 0:
-        if manager in UPDATE:
-            _runs([manager, *UPDATE[manager]])
+    """Try to install prerequisites, as root by apt-get; a browser is also downloaded."""
+    if shutil.which("apt-get") and hasattr(os, "geteuid") and os.geteuid() == 0:
+        _runs(["apt-get", "update", "-q"])
         for one in wanted:
-            _runs([manager, *INSTALL[manager], *PACKAGES[manager][one]])
+            _runs(["apt-get", *INSTALL, *PACKAGES[one]])
     for kept in (find_chromium, has_japanese_font):
         kept.cache_clear()
     if BROWSER in wanted and find_chromium() is None:

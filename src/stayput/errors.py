@@ -118,7 +118,7 @@ class _Told:
     field : str or None
         Dotted name of the input that is wrong or doubtful, where one is.
     values : dict
-        What stands in the sentence's braces.
+        What stands in the sentence's braces; ``name`` is the field where nothing else is given.
     context : tuple of Phrase
         Where it was met, the outermost first: a file, a table of the scenario.
     """
@@ -132,6 +132,8 @@ class _Told:
         context: tuple[Phrase, ...] = (),
         **values: Any,
     ) -> None:
+        if field is not None:
+            values.setdefault("name", field)
         self.code, self.field, self.context, self.values = code, field, context, values
         super().__init__(self.told("en"))  # pyright: ignore[reportCallIssue] - beside an exception
 
@@ -280,6 +282,15 @@ def unknown(
     )
 
 
+def not_allowed(
+    name: str | Phrase, value: str, allowed: str | Phrase, field: str | None = None
+) -> InputError:
+    """Return the refusal of a value, as a sentence shows it, with what is allowed."""
+    return InputError(
+        "common.not_allowed", field, name=_called(name), value=value, hint="", allowed=phrase(allowed)
+    )
+
+
 def word_of(name: str | Phrase, value: object, known: Collection[str], field: str | None = None) -> str:
     """Return a word that is one of those known, or raise `InputError`; see `finite`."""
     if not isinstance(value, str) or value not in known:
@@ -302,7 +313,7 @@ def instance_of(name: str, value: object, kind: type[T] | tuple[type[T], ...]) -
     if not isinstance(value, kind):
         kinds = (kind,) if isinstance(kind, type) else kind
         wanted = " | ".join(each.__name__ for each in kinds)
-        raise InputError("common.wrong_type", name, name=name, value=shown(value), wanted=wanted)
+        raise not_allowed(name, shown(value), phrase("common.of_type", wanted=wanted), name)
     return value
 
 
@@ -310,7 +321,7 @@ def name_of(name: str, value: object) -> str:
     """Return what the user calls something, a text without control characters, or raise `InputError`."""
     text = instance_of(name, value, str)
     if has_control(text):
-        raise InputError("common.control_characters", name, name=name, value=quoted(text))
+        raise not_allowed(name, quoted(text), "common.plain_text", name)
     return text
 
 
@@ -321,7 +332,7 @@ def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> t
             raise TypeError
         items: tuple[Any, ...] = tuple(values)
     except TypeError:
-        raise InputError("common.not_a_list", name, name=name, value=repr(values)) from None
+        raise not_allowed(name, repr(values), "common.list", name) from None
     for item in items:
         instance_of(name, item, kind)
     return items
@@ -336,7 +347,7 @@ def numbers(name: str | Phrase, values: Any, field: str | None = None) -> NDArra
             raise TypeError
         return np.array(values, np.float64)
     except (TypeError, ValueError, OverflowError):
-        raise InputError("common.not_numbers", field, name=_called(name), value=repr(values)) from None
+        raise not_allowed(name, repr(values), "common.numbers", field) from None
 
 
 def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:
@@ -351,18 +362,17 @@ def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:
     field : str, optional
         Dotted name of the input.
     """
-    called = _called(name)
     try:
         # "50" is a text, and would stay one; an array of one number, too.
         if isinstance(value, str | bytes) or getattr(value, "ndim", 0):
             raise TypeError
         number = float(value)
     except (TypeError, ValueError):
-        raise InputError("common.not_a_number", field, name=called, value=repr(value)) from None
+        raise not_allowed(name, repr(value), "common.number", field) from None
     except OverflowError:
-        raise InputError("common.too_large", field, name=called) from None
+        raise InputError("common.too_large", field, name=_called(name)) from None
     if not math.isfinite(number):
-        raise InputError("common.not_finite", field, name=called, value=number)
+        raise not_allowed(name, str(number), "common.finite_number", field)
     return number
 
 
@@ -385,9 +395,24 @@ def whole_within(
     """Return ``value`` as an int, or raise `InputError` when it is not a whole number in [low, high]."""
     number = within(name, value, low, high, unit, field)
     if not number.is_integer():
-        raise InputError("common.not_whole", field, name=_called(name), value=number)
+        raise not_allowed(name, f"{number:g}", "common.whole_number", field)
     return int(number)
 
 
 def _called(name: str | Phrase) -> Phrase:
     return (name, name) if isinstance(name, str) and name not in TEXTS else phrase(name)
+
+
+def absent(what: str, module: str, extra: str) -> InputError:
+    """Return the error for a feature whose optional library is not installed.
+
+    Parameters
+    ----------
+    what : str
+        The feature.
+    module : str
+        Import name of the library.
+    extra : str
+        Extra of the package that installs it.
+    """
+    return InputError("model.not_installed", what=what, module=module, extra=extra)

@@ -43,7 +43,7 @@ JSON, NETCDF = (".json",), (".nc",)
 """Endings of the files."""
 
 _FORMAT = 2
-"""The format that is written and read; of format 1, which no release wrote, digests left out the version."""
+"""The format that is written and read."""
 
 _KINDS = re.compile(r"[<>|=]?([fiub][1248]|f16|[US]\d{1,3})")
 """The kinds of numbers and texts in arrays, as NumPy writes them."""
@@ -72,14 +72,20 @@ class InJson:
     __slots__ = ()
 
     def save(self, path: str | Path) -> Path:
-        """Write it to a file (.json) that `load` reads again, to the bit and with its inputs.
+        """Write it to a file (.json; .nc of a run) that `load` reads again, to the bit and with its inputs.
+
+        Any program that knows NetCDF reads the histories in a run's file.
 
         Raises
         ------
         InputError
             A path that cannot be written, or a class of one's own in it, such as a measure.
         """
-        return save_json(self, path)
+        target = check_target(path, JSON)
+        text = json.dumps(_content(self, _numbers), ensure_ascii=False, allow_nan=False)
+        with draft(target) as unfinished:
+            unfinished.write_text(text, encoding="utf-8")
+        return target
 
     @classmethod
     def load(cls, path: str | Path) -> Self:
@@ -90,134 +96,65 @@ class InJson:
         InputError
             No such file, or one of something else.
         """
-        return load_json(cls, path)
+        file = Path(instance_of("path", path, (str, Path)))
+        with _refusing(file, cls):
+            content = json.loads(file.read_text(encoding="utf-8"))
+        return _read(cls, file, content, _of_numbers)
 
 
-class InNetcdf(ABC):
-    """What is saved as NetCDF and loaded again."""
+class InNetcdf(InJson, ABC):
+    """What is saved as NetCDF, with a dataset that others can read, and loaded again."""
 
     __slots__ = ()
 
     @abstractmethod
     def to_dataset(self) -> xr.Dataset:
-        """Return the histories and results."""
+        """Return the histories and results; arrays of the value itself are variables there by their names."""
 
     def save(self, path: str | Path) -> Path:
-        """Write it to a file (.nc) that `load` reads again, to the bit and with its inputs.
+        """Write it to a file (.nc); see `InJson.save`."""
+        target, dataset = check_target(path, NETCDF), self.to_dataset()
+        fields = [
+            one.name for one in dataclasses.fields(cast("Any", self))
+        ]  # which live as long as the value
+        own = {id(getattr(self, name)): name for name in map(str, dataset.variables) if name in fields}
+        added: dict[str, Any] = {}
 
-        Any program that knows NetCDF reads the histories in it.
+        def keep(array: NDArray[Any]) -> Any:
+            if id(array) not in own:
+                # NetCDF 3 knows no tables, and takes a dimension without a length for one that grows
+                if array.dtype.kind not in "fiub" or array.size == 0:
+                    return _numbers(array)
+                name = own[id(array)] = f"stayput_{len(added)}"
+                added[name] = (tuple(f"{name}_{axis}" for axis in range(array.ndim)), array)
+            return {"variable": own[id(array)], "dtype": array.dtype.str, "sha256": _array_digest(array)}
 
-        Raises
-        ------
-        InputError
-            A path that cannot be written, or a class of one's own in it, such as a measure.
-        """
-        return save_netcdf(self, self.to_dataset(), path)
+        content = json.dumps(_content(self, keep), allow_nan=False)
+        attributes = {"stayput_version": stayput.__version__, _PARTS: content}
+        with draft(target) as unfinished:
+            dataset.assign(added).assign_attrs(attributes).to_netcdf(unfinished, engine="scipy")
+        return target
 
     @classmethod
     def load(cls, path: str | Path) -> Self:
-        """Read what `save` wrote.
+        """Read what `save` wrote; see `InJson.load`."""
+        import xarray as xr
 
-        Raises
-        ------
-        InputError
-            No such file, or one of something else.
-        """
-        return load_netcdf(cls, path)
+        file = Path(instance_of("path", path, (str, Path)))
+        with _refusing(file, cls):
+            with xr.open_dataset(file, engine="scipy", decode_times=False, decode_timedelta=False) as opened:
+                dataset = opened.load()
+            content = json.loads(dataset.attrs[_PARTS])
 
+        def array_of(data: Mapping[str, Any]) -> NDArray[Any]:
+            if "variable" not in data:
+                return _of_numbers(data)
+            values = cast("NDArray[Any]", dataset[data["variable"]].to_numpy()).astype(_kind(data["dtype"]))
+            if _array_digest(values) != data["sha256"]:
+                raise InputError("saved.changed", "path", file=str(file))
+            return values
 
-def save_json(value: object, path: str | Path) -> Path:
-    """Write a value as JSON, with its arrays.
-
-    Raises
-    ------
-    InputError
-        A path that cannot be written, or something in it that is not of the package: a measure of one's own.
-    """
-    target = check_target(path, JSON)
-    text = json.dumps(_content(value, _numbers), ensure_ascii=False, allow_nan=False)
-    with draft(target) as unfinished:
-        unfinished.write_text(text, encoding="utf-8")
-    return target
-
-
-def load_json(kind: type[T], path: str | Path) -> T:
-    """Read a value that `save_json` wrote.
-
-    Raises
-    ------
-    InputError
-        No such file, or none of a value of this kind.
-    """
-    file = Path(instance_of("path", path, (str, Path)))
-    with _refusing(file, kind):
-        content = json.loads(file.read_text(encoding="utf-8"))
-    return _read(kind, file, content, _of_numbers)
-
-
-def save_netcdf(value: object, dataset: xr.Dataset, path: str | Path) -> Path:
-    """Write a value with a dataset that others can read: its arrays are variables there.
-
-    Parameters
-    ----------
-    value : object
-        The value. Its own arrays that the dataset has under their names stand there once.
-    dataset : xarray.Dataset
-        The histories and results.
-    path : str or Path
-        Where to write it: .nc.
-
-    Raises
-    ------
-    InputError
-        A path that cannot be written, or something in it that is not of the package: a measure of one's own.
-    """
-    target = check_target(path, NETCDF)
-    fields = [one.name for one in dataclasses.fields(cast("Any", value))]  # which live as long as the value
-    own = {id(getattr(value, name)): name for name in map(str, dataset.variables) if name in fields}
-    added: dict[str, Any] = {}
-
-    def keep(array: NDArray[Any]) -> Any:
-        if id(array) not in own:
-            # NetCDF 3 knows no tables, and takes a dimension without a length for one that grows
-            if array.dtype.kind not in "fiub" or array.size == 0:
-                return _numbers(array)
-            name = own[id(array)] = f"stayput_{len(added)}"
-            added[name] = (tuple(f"{name}_{axis}" for axis in range(array.ndim)), array)
-        return {"variable": own[id(array)], "dtype": array.dtype.str, "sha256": _array_digest(array)}
-
-    content = json.dumps(_content(value, keep), allow_nan=False)
-    attributes = {"stayput_version": stayput.__version__, _PARTS: content}
-    with draft(target) as unfinished:
-        dataset.assign(added).assign_attrs(attributes).to_netcdf(unfinished, engine="scipy")
-    return target
-
-
-def load_netcdf(kind: type[T], path: str | Path) -> T:
-    """Read a value that `save_netcdf` wrote.
-
-    Raises
-    ------
-    InputError
-        No such file, or none of a value of this kind.
-    """
-    import xarray as xr
-
-    file = Path(instance_of("path", path, (str, Path)))
-    with _refusing(file, kind):
-        with xr.open_dataset(file, engine="scipy", decode_times=False, decode_timedelta=False) as opened:
-            dataset = opened.load()
-        content = json.loads(dataset.attrs[_PARTS])
-
-    def array_of(data: Mapping[str, Any]) -> NDArray[Any]:
-        if "variable" not in data:
-            return _of_numbers(data)
-        values = cast("NDArray[Any]", dataset[data["variable"]].to_numpy()).astype(_kind(data["dtype"]))
-        if _array_digest(values) != data["sha256"]:
-            raise InputError("saved.changed", "path", file=str(file))
-        return values
-
-    return _read(kind, file, content, array_of)
+        return _read(cls, file, content, array_of)
 
 
 @contextmanager
@@ -239,10 +176,9 @@ def _read(
         written = int(content["format"])
     except (KeyError, TypeError, ValueError, OverflowError):
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
-    if written > _FORMAT:
-        raise InputError("saved.newer", "path", file=str(file), version=version)
     if written != _FORMAT:
-        raise InputError("saved.other_version", "path", file=str(file), version=version)
+        code = "saved.newer" if written > _FORMAT else "saved.other_version"
+        raise InputError(code, "path", file=str(file), version=version)
     try:
         if _digest(version, data) != digest:
             raise InputError("saved.changed", "path", file=str(file))

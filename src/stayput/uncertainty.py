@@ -7,13 +7,12 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 from enum import StrEnum
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, finite, within
-from stayput.randomness import random_bits, uniforms
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -218,9 +217,8 @@ class Uncertainty:
         *,
         motions: int | None = None,
         start: int = 0,
-        method: Literal["sobol", "latin hypercube"] = "sobol",
     ) -> dict[str, NDArray[np.float64]]:
-        """Draw values, evenly spread.
+        """Draw values, evenly spread: Sobol's points, with a random digital shift for each motion.
 
         Parameters
         ----------
@@ -231,11 +229,7 @@ class Uncertainty:
         motions : int, optional
             Draw for each of so many motions, independently of the others.
         start : int
-            Draws to skip, so that a later call can add more to those of an earlier one. It must be 0 for a
-            Latin hypercube.
-        method : str
-            "sobol": points of Sobol's sequence with a random digital shift, one for each motion. "latin
-            hypercube": one draw in each n-th of every quantity.
+            Draws to skip, so that a later call can add more to those of an earlier one.
 
         Returns
         -------
@@ -245,7 +239,7 @@ class Uncertainty:
         Raises
         ------
         InputError
-            A number out of range, or another method.
+            A number out of range.
 
         Examples
         --------
@@ -253,19 +247,12 @@ class Uncertainty:
         >>> round(float(np.median(drawn["friction"])), 3)
         0.4
         """
-        count, first = (
-            int(within("verification.draws", n, 1, 2**20)),
-            int(within("verification.start", start, 0, 2**20)),
-        )
+        count = int(within("verification.draws", n, 1, 2**20))
+        first = int(within("verification.start", start, 0, 2**20))
         streams = 1 if motions is None else int(within("verification.motions", motions, 1, 100_000))
         within("common.seed", seed, 0, 2**63)
-        if method not in ("sobol", "latin hypercube"):
-            raise InputError("verification.sampling_method", "method", method=repr(method))
-        if method != "sobol" and first:
-            raise InputError("verification.hypercube_start", "start", start=first)
         names = list(self.marginals)
-        draw = _sobol if method == "sobol" else _latin_hypercube
-        shares = draw(count, len(names), seed, streams, first) if names else np.empty((streams, count, 0))
+        shares = _sobol(count, len(names), seed, streams, first) if names else np.empty((streams, count, 0))
         if motions is None:
             shares = shares[0]
         return {name: self.marginals[name].quantile(shares[..., i]) for i, name in enumerate(names)}
@@ -290,14 +277,23 @@ def _sobol(n: int, d: int, seed: int, streams: int, start: int) -> NDArray[np.fl
     return np.ldexp(moved.astype(np.float64) + 0.5, -_BITS)
 
 
-def _latin_hypercube(n: int, d: int, seed: int, streams: int, start: int) -> NDArray[np.float64]:
-    """Return Latin hypercubes (McKay, Beckman and Conover 1979), shape (streams, n, d)."""
-    shares = np.empty((streams, n, d))
-    for m in range(streams):
-        for j in range(d):
-            raw = random_bits(seed, m, j).random_raw(2 * n)
-            shares[m, :, j] = (np.argsort(raw[:n], kind="stable") + uniforms(raw[n:])) / n
-    return shares
+def random_bits(*key: int) -> np.random.PCG64:
+    """Return a stream of random bits; ``random_raw`` gives 64 a number.
+
+    NumPy promises the raw bits of PCG64 and of a seed sequence for good, but not those of its distributions:
+    what is drawn here is made from the bits themselves.
+
+    Parameters
+    ----------
+    *key : int
+        Whole numbers ≥ 0 that name the stream; another key gives an independent stream.
+    """
+    return np.random.PCG64(np.random.SeedSequence(key))
+
+
+def uniforms(raw: NDArray[np.uint64]) -> NDArray[np.float64]:
+    """Return numbers inside (0, 1), all equally likely, from the first 53 of each number's 64 bits."""
+    return ((raw >> np.uint64(11)).astype(np.float64) + 0.5) * 2.0**-53
 
 
 USUAL: Mapping[str, Marginal] = MappingProxyType(

@@ -69,18 +69,9 @@ def test_a_body_that_rests_has_null_for_its_overturning():
 def test_flags_override_the_scenario_file(tmp_path):
     file = tmp_path / "room.toml"
     file.write_text('[furniture]\npreset = "chest"\n[room]\nback_wall = { gap = 0.5 }\n')
-    flags = [
-        "--motion",
-        "sine:1,1,1",
-        "--set",
-        "shaking.scale=2",
-        "--set",
-        "room.floor={ static_friction = 0.2, kinetic_friction = 0.1 }",
-        "--set",
-        "room.back_wall.gap=0.1",
-        "--set",
-        "room.right_wall.gap=0.3",
-    ]
+    floor = "room.floor={ static_friction = 0.2, kinetic_friction = 0.1 }"
+    settings = ("shaking.scale=2", floor, "room.back_wall.gap=0.1", "room.right_wall.gap=0.3")
+    flags = ["--motion", "sine:1,1,1", *(f"--set={setting}" for setting in settings)]
     seen = []
     original = stayput.Case.run
 
@@ -124,22 +115,16 @@ def test_plot_and_animation_are_written(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["simulate", "--body", "0.4x1.8"], "--body is '0.4x1.8'"),
         (["simulate", "--body", "0.4xtallx1"], "--body is"),
         (["simulate", "--body", "0.4x-1.8x100"], "furniture.height is -1.8"),
         (["simulate", "--body", "0.4xnanx100"], "furniture.height is NaN"),
-        (["simulate", "--motion", "sine:5"], "--motion is 'sine:5'"),
         (["simulate", "--motion", "nowhere.txt"], "nowhere.txt"),
         (
             ["simulate", "--set", "room.floor={ static_friction = 0.1, kinetic_friction = 0.5 }"],
             "kinetic friction is 0.5",
         ),
-        (["simulate", "--set", "room.floor=vinyl", "--floor", "carpet"], "room.floor is set by --floor and"),
-        (["simulate", "--floor", "carpt"], "did you mean 'carpet'"),
-        (["simulate", "--set", "room.left_wall.gap=-1"], "room.left_wall.gap is -1"),
         (["simulate", "nowhere.toml"], "could not be read"),
         (["simulate", "."], "could not be read"),
-        (["simulate", "--set", "shaking.unit=gal"], "shaking.unit is given without"),
         (["simulate", "--plot", "nowhere/a.png"], "its folder must exist"),
         (["simulate", "--plot", "a.txt"], "must end in .png, .svg, .pdf"),
         (["simulate", "--animate", "a.png"], "must end in .gif, .mp4, .html"),
@@ -153,14 +138,6 @@ def test_plot_and_animation_are_written(tmp_path):
         (["motion", "spectrum", "near-fault", "--plot", "a.txt"], "must end in .png"),
         (["motion", "convert", "near-fault", "a.txt"], "must end in .csv, .at2"),
         (["motion", "convert", "near-fault", "a.at2"], "an AT2 file holds one component"),
-        (
-            ["motion", "convert", "near-fault", "a.csv", "--intensity", "9-lower"],
-            "shaking.intensity is '9-lower'",
-        ),
-        (
-            ["motion", "convert", "near-fault", "a.csv", "--intensity", "6", "--set", "shaking.scale=2"],
-            "shaking.scale is 2 beside shaking.intensity",
-        ),
         (["motion", "convert", "near-fault", "a.csv", "--step", "0.003"], "whole part or a multiple"),
     ],
 )
@@ -185,27 +162,18 @@ def test_motion_info(record, tmp_path):
     assert "JMA intensity 6.3, class 6-upper" in result.stdout
     refused = cli("motion", "info", record)
     assert refused.exit_code == 2
-    assert "--unit must give it as one of" in refused.stderr
+    assert "--unit must be given as one of" in refused.stderr
 
 
 def test_motion_info_of_a_still_floor(tmp_path):
     file = tmp_path / "still.txt"
     file.write_text("0\n" * 500)
-    data = json.loads(
-        cli("motion", "info", file, "--set", "shaking.unit=gal", "--set", "shaking.dt=0.01", "--json").stdout
-    )
+    words = ("motion", "info", file, "--unit", "gal", "--dt", "0.01")
+    data = json.loads(cli(*words, "--json").stdout)
     assert data["jma_intensity"] is None
     assert data["jma_class"] == "0"
     assert data["components"]["x"]["mean_period_s"] is None
-    assert (
-        "JMA intensity 0.0"
-        in cli("motion", "info", file, "--set", "shaking.unit=gal", "--set", "shaking.dt=0.01").stdout
-    )
-
-
-def test_motion_plot(tmp_path):
-    assert cli("motion", "plot", "near-fault", tmp_path / "m.png").exit_code == 0
-    assert (tmp_path / "m.png").read_bytes().startswith(b"\x89PNG")
+    assert "JMA intensity 0.0" in cli(*words).stdout
 
 
 def test_motion_spectrum(tmp_path):
@@ -238,10 +206,6 @@ def test_motion_convert(tmp_path):
     assert stayput.read_motion(tmp_path / "b.csv").pga == pytest.approx(2.0 * stayput.near_fault().pga)
 
 
-def test_version():
-    assert cli("--version").stdout == f"stayput {stayput.__version__}\n"
-
-
 @pytest.fixture
 def compiling(monkeypatch, tmp_path):
     """A case that compiles something, in a thread of its own as the runs of `verify` do."""
@@ -261,15 +225,14 @@ def compiling(monkeypatch, tmp_path):
     monkeypatch.setattr(Case, "run", compiling)
 
 
-def test_compiling_is_announced_on_standard_error(compiling):
-    result = cli("simulate", "--motion", "sine:1,1,1", "--json")
-    assert result.stderr.startswith("Compiling the mechanics once, which")
+@pytest.mark.parametrize(
+    ("lang", "said"),
+    [("en", "Compiling the mechanics once, which"), ("ja", "計算プログラムを準備しています")],
+)
+def test_compiling_is_announced_on_standard_error(compiling, lang, said):
+    result = cli("simulate", "--motion", "sine:1,1,1", "--json", "--lang", lang)
+    assert result.stderr.startswith(said)
     json.loads(result.stdout)
-
-
-def test_compiling_is_announced_in_the_language_of_the_command(compiling):
-    result = cli("simulate", "--motion", "sine:1,1,1", "--json", "--lang", "ja")
-    assert result.stderr.startswith("計算プログラムを準備しています")
 
 
 def test_on_a_terminal_compiling_shows_a_bar_in_place_of_the_line(compiling, monkeypatch):
@@ -299,12 +262,6 @@ def test_help_is_quick_and_loads_nothing_heavy():
 
     # about 0.2 s; a busy machine is given room, and three attempts
     assert any(seconds() < 2.0 for _ in range(3))
-
-
-def test_a_real_process_prints_json_and_exits_with_0():
-    result = process("simulate", "--motion", "sine:1,1,1", "--json")
-    assert result.returncode == 0
-    assert json.loads(result.stdout)["outcome"]
 
 
 def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):
@@ -337,18 +294,8 @@ def test_ctrl_c_exits_with_130_and_leaves_nothing(tmp_path):
 
 
 def test_motion_suite_made_and_read_again(tmp_path):
-    made = cli(
-        "motion",
-        "suite",
-        "--family",
-        "crustal",
-        "--count",
-        "3",
-        "--intensity",
-        "5-upper",
-        "--out",
-        tmp_path / "a",
-    )
+    words = "motion suite --family crustal --count 3 --intensity 5-upper --out"
+    made = cli(*words.split(), tmp_path / "a")
     assert made.exit_code == 0, made.output
     assert "3 synthetic motions: JMA intensity 5.2 to 5.2" in made.stdout
     suite = stayput.read_suite(tmp_path / "a" / "motions")
@@ -373,9 +320,9 @@ def test_motion_suite_made_and_read_again(tmp_path):
         (["--family", "tsunami"], "shaking.suite.family is 'tsunami'"),
         (["--count", "0"], "shaking.suite.count is 0"),
         (["--target", "japan:often"], "often"),
-        (["--target", "japan", "--intensity", "6"], "--target is 'japan' beside --intensity"),
+        (["--target", "japan", "--intensity", "6"], "--target is given beside --intensity"),
         (["--target", "asce7:1"], "--target is 'asce7:1'"),
-        (["--select", "3"], "--select and --fit are given without --target"),
+        (["--select", "3"], "--select is given without --target"),
         (["--fit", "guess"], "--fit is 'guess'"),
         (["--band", "5"], "--band is '5'"),
         (["--records", "nowhere"], "no folder"),

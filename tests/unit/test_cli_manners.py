@@ -14,7 +14,13 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.cli import app, completion
+from stayput.cli import app
+from stayput.cli.flags import words
+from stayput.fragility import INTENSITY_MEASURES
+from stayput.measures import MEASURES
+from stayput.model.room import SURFACES
+from stayput.motion.intensity import CLASSES
+from stayput.motion.suites import FAMILIES, MIXED
 from stayput.progress import bar, is_drawn, is_quiet, keep_quiet
 
 if TYPE_CHECKING:
@@ -125,18 +131,6 @@ def test_a_flag_replaces_what_the_file_says_of_the_strength(
     assert json.loads(flagged.stdout) == json.loads(stated.stdout)
 
 
-def test_two_strengths_on_the_command_line_are_refused_by_their_keys() -> None:
-    done = cli("simulate", "--set", "shaking.scale=2", "--pga", "3")
-    assert done.exit_code == 2
-    assert done.stderr == "shaking.scale is 2 beside shaking.pga; it must be one of the two.\n"
-
-
-def test_a_command_that_is_nearly_one_is_named_in_a_sentence() -> None:
-    done = cli("simulat")
-    assert done.exit_code == 2
-    assert "(did you mean 'simulate'?); `" in done.stderr
-
-
 def completed(line: str, shell: str = "zsh") -> tuple[list[str], float]:
     """Return what a shell is offered at the end of a line, and how long that takes [s]."""
     given = {"_STAYPUT_COMPLETE": f"complete_{shell}"}
@@ -162,28 +156,14 @@ def test_completion_offers_measures_and_surfaces_and_is_quick() -> None:
     assert offered == ["--intensity"]
 
 
-def test_completion_can_be_shown() -> None:
-    environment = {**os.environ, "_TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION": "1"}
-    done = subprocess.run(
-        [sys.executable, "-m", "stayput", "--show-completion", "bash"],
-        env=environment,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert "_stayput_completion" in done.stdout
-
-
 def test_every_list_of_words_has_its_words() -> None:
-    lists = (
-        completion.measures,
-        completion.surfaces,
-        completion.intensity_classes,
-        completion.intensity_measures,
-        completion.families,
-    )
-    for listed in lists:
-        every = list(listed())
-        assert completion.words(listed)("") == every
-        assert completion.words(listed)(every[0])[0] == every[0]
-        assert completion.words(listed)("?") == []
+    offered = {
+        "measures:MEASURES": MEASURES,
+        "catalogue.names:SURFACES": SURFACES,
+        "catalogue.names:INTENSITIES": [name for name, _ in CLASSES],
+        "catalogue.names:FAMILIES": [MIXED, *FAMILIES],
+        "fragility:INTENSITY_MEASURES": INTENSITY_MEASURES,
+    }
+    for listed, every in offered.items():
+        assert words(listed)("") == list(every)
+        assert words(listed)("?") == []

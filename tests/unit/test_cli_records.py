@@ -56,26 +56,6 @@ def test_three_files_are_one_motion(records: list[Path], tmp_path: Path) -> None
     assert all(np.array_equal(read.components[name], a) for name, a in combined.components.items())
 
 
-@pytest.mark.parametrize("command", ["simulate", "verify"])
-def test_flags_and_the_scenario_file_say_the_same(records: list[Path], tmp_path: Path, command: str) -> None:
-    x, y, z = records
-    body = "[furniture]\nwidth = 0.3\nheight = 1.5\nmass = 60.0\n[uncertainty]\nsamples = 2\n"
-    stated, flagged = tmp_path / "stated.toml", tmp_path / "flagged.toml"
-    shaking = f'[shaking]\nrecord = "{x.name}"\nacross = "{y.name}"\nvertical = "{z.name}"\n'
-    stated.write_text(body + shaking, encoding="utf-8")
-    flagged.write_text(body, encoding="utf-8")
-    motion = sp.read_scenario(stated).motion()
-    assert [round(np.abs(a).max(), 6) for a in motion.components.values()] == [3.0, 2.0, 1.0]
-    results = [
-        cli(command, *arguments, "--json")
-        for arguments in ((stated,), (flagged, "--motion", x, *beside(y, z)))
-    ]
-    assert all(done.exit_code == 0 for done in results), [done.output for done in results]
-    first, second = (json.loads(done.stdout) for done in results)
-    for key in ("outcome", "peak_tilt_rad", "options"):
-        assert first.get(key) == second.get(key)
-
-
 def test_a_flag_replaces_one_file_of_the_scenarios(records: list[Path], tmp_path: Path) -> None:
     x, _, z = records
     file = tmp_path / "scenario.toml"

@@ -56,13 +56,6 @@ def test_a_scenario_on_standard_input_is_as_good_as_a_file(here: Path, command: 
     assert from_stream.stdout == from_file.stdout
 
 
-def test_paths_of_a_scenario_on_standard_input_begin_in_the_working_folder(here: Path) -> None:
-    sp.sine(3.0, 1.0, 4.0).write(here / "record.csv")
-    scenario = SCENARIO.replace('builtin = "near-fault"', 'record = "record.csv"')
-    done = cli("simulate", "-", "--json", given=scenario)
-    assert done.exit_code == 0, done.output
-
-
 def test_a_refused_scenario_is_called_standard_input(here: Path) -> None:
     done = cli("verify", "-", given=SCENARIO.replace("height = 1.5", "height = -1.5"))
     assert done.exit_code == 2
@@ -81,12 +74,6 @@ def test_streams_are_told_in_japanese(here: Path) -> None:
     done = cli("motion", "spectrum", "near-fault", "--out", "-", "--plot", "図.png", "--lang", "ja")
     assert done.stdout.startswith("period_s,")
     assert done.stderr == "図.pngを書き出しました\n"
-
-
-def test_curves_of_a_scenario_on_standard_input(here: Path) -> None:
-    done = cli("verify", "-", "--curves", "curves", given=SCENARIO)
-    assert done.exit_code == 0, done.output
-    assert (here / "curves" / "curves.csv").exists()
 
 
 def test_a_record_goes_through_two_commands_bit_by_bit(here: Path) -> None:

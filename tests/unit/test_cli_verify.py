@@ -7,7 +7,6 @@ from codecs import BOM_UTF8
 import pytest
 from typer.testing import CliRunner
 
-import stayput as sp
 from stayput.cli import app
 
 SCENARIO = """
@@ -101,30 +100,6 @@ def test_what_is_wrong_is_refused_before_any_work(file, arguments, said):
     assert result.stdout == ""
 
 
-def test_a_scenario_that_is_wrong_is_refused_in_a_sentence(tmp_path):
-    wrong = tmp_path / "wrong.toml"
-    wrong.write_text('[furniture]\npreset = "bokcase"\n')
-    result = cli("verify", wrong, "--curves", tmp_path / "out")
-    assert result.exit_code == 2
-    assert "bokcase" in result.stderr
-    assert len(result.stderr.strip().splitlines()) == 1
-    assert not (tmp_path / "out").exists()
-
-
-@pytest.mark.parametrize(
-    ("language", "sentence"),
-    [("en", "contact is unknown"), ("ja", "contactというキーはありません")],
-)
-def test_the_papers_law_is_no_key_of_a_file(tmp_path, language, sentence):
-    file = tmp_path / "paper.toml"
-    file.write_text('contact = "paper"\n[furniture]\npreset = "chest"\n[shaking]\nbuiltin = "near-fault"\n')
-    result = cli("verify", file, "--report", tmp_path / "r.html", "--lang", language)
-    assert result.exit_code == 2
-    assert sentence in result.stderr
-    assert "title, furniture, room" in result.stderr
-    assert not (tmp_path / "r.html").exists()
-
-
 def test_every_run_is_made_on_request_with_the_same_verdict(tmp_path):
     file = tmp_path / "block.toml"
     file.write_text(SCENARIO.replace("samples = 6", "samples = 8"))
@@ -186,15 +161,3 @@ def test_the_folder_of_the_curves_must_be_one(file, tmp_path):
     (tmp_path / "there").write_text("")
     assert "that is a file" in cli("verify", file, "--curves", tmp_path / "there").stderr
     assert "must exist" in cli("verify", file, "--curves", tmp_path / "not" / "there").stderr
-
-
-def test_the_example_scenario_is_one():
-    from pathlib import Path
-
-    scenario = sp.read_scenario(Path(__file__).parents[2] / "examples/verify.toml")
-    assert [one.name for one in scenario.measures] == [
-        "felt_glides",
-        "belt",
-        "l_bracket",
-        "stopper and poles",
-    ]

@@ -49,18 +49,6 @@ def test_a_floor_by_itself_and_the_ground_under_a_building(run):
     assert told(run("simulate", "--motion", "{}/plain.txt", "--building", "4,RC", "--storey", "3")) == []
 
 
-def test_a_vertical_channel_is_refused_as_component(run, tmp_path):
-    rows = "".join(f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(400))
-    (tmp_path / "own.csv").write_text(f"t (s),NS (gal),EW (gal),UD (gal)\n{rows}")
-    done = run("simulate", "--motion", "{}/own.csv", "--set", "shaking.component=UD", "--json")
-    assert done.exit_code == 2
-    assert (
-        "'UD' is a vertical channel; it must be a horizontal one: NS (channel 1), EW (channel 2)"
-        in done.stderr
-    )
-    assert run("simulate", "--motion", "{}/own.csv", "--set", "shaking.component=EW", "--json").exit_code == 0
-
-
 def test_a_unit_that_is_not_known_names_the_flag_on_the_command_line(tmp_path):
     file = tmp_path / "a.csv"
     file.write_text("time [s],acc [ug]\n" + "".join(f"{0.01 * i:.2f},{i % 3}\n" for i in range(50)))

@@ -92,6 +92,7 @@ def test_a_ranking_that_is_too_wide_leaves_out_its_capacities(tmp_path: Path, la
             "マグニチュード7、断層までの距離20 km",
         ),
         (("--intensity", "5.8"), "6-lower (5.8)", "震度6弱（計測震度5.8）"),
+        ((), "JMA intensity 6-lower the", "震度6弱"),
     ],
 )
 def test_the_shaking_is_named_as_it_was_stated(
@@ -100,10 +101,6 @@ def test_the_shaking_is_named_as_it_was_stated(
     for language, told in zip(LANGUAGES, (english, japanese), strict=True):
         text = printed(tmp_path, PIECE, 400, "--lang", language, *flags)
         assert told in text.splitlines()[0]
-
-
-def test_a_class_is_not_said_twice(tmp_path: Path) -> None:
-    assert "JMA intensity 6-lower the" in printed(tmp_path, PIECE, 400).splitlines()[0]
 
 
 def test_simulate_names_the_stated_shaking(tmp_path: Path) -> None:

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import stayput as sp
+from stayput.contents.contents import emptied, opened
 from stayput.contents.items import items_of, uncovered
-from stayput.contents.weight import emptied, opened
 from stayput.errors import InputError
 from stayput.scenario import Scenario
 

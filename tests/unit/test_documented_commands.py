@@ -1,12 +1,14 @@
-"""The commands that the README, the docs, the examples and the Makefile tell are commands that there are."""
+"""The commands that README, docs, examples and Makefile tell are there, and those of the README run."""
 
 import re
 import shlex
+import shutil
 import tomllib
 from pathlib import Path
 
 import pytest
 from typer.main import get_command
+from typer.testing import CliRunner
 
 from stayput.cli import app
 
@@ -17,6 +19,7 @@ TOLD = [
     *(ROOT / "docs").glob("*.md"),
     *(ROOT / "examples").glob("*.toml"),
 ]
+README = TOLD[0].read_text(encoding="utf-8")
 COMMAND = re.compile(r"^(?:\$ |# +|\t\$\(BIN\)/)stayput ([^\n]+)$", re.MULTILINE)
 
 
@@ -55,3 +58,52 @@ def test_an_extra_is_installed_before_the_command_that_needs_it(file, extra, com
     needs = next(n for n, line in enumerate(lines) if line.startswith(f"$ stayput {command}"))
     installs = (re.match(r"\$ pip install .*\.\[([a-z,]+)\]", line) for line in lines[:needs])
     assert any(extra in found[1].split(",") for found in installs if found)
+
+
+OF_THE_README = [shlex.split(found[1], comments=True) for found in COMMAND.finditer(README)]
+SERVES = [["app"]]
+"""Runs until it is stopped: the tests of the app start it as a process of its own."""
+
+WRITES = ("--plot", "--animate", "--report", "--out")
+
+FEWER = {
+    "bookcase.toml": {"count = 20": "count = 6", "samples = 40": "samples = 6"},
+    "bedroom.toml": {"count = 20": "count = 6", "samples = 40": "samples = 6"},
+    "kitchen.toml": {
+        'intensity = "6-lower"': 'intensity = "6-lower"\nsuite = { count = 6 }',
+        "samples = 200": "samples = 6",
+    },
+}
+"""Fewer runs of the examples: as they are, the bookcase takes four seconds and the kitchen thirty."""
+
+
+@pytest.fixture
+def beside_examples(tmp_path, monkeypatch):
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    for name, changes in FEWER.items():
+        file = tmp_path / "examples" / name
+        text = file.read_text(encoding="utf-8")
+        for usual, fewer in changes.items():
+            assert usual in text
+            text = text.replace(usual, fewer)
+        file.write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("words", [words for words in OF_THE_README if words not in SERVES], ids=" ".join)
+def test_a_command_of_the_readme_runs(words, beside_examples):
+    result = CliRunner().invoke(app, words)
+    assert result.exit_code == 0, result.output
+    assert result.output.strip()
+    written = {words[n + 1] for n, word in enumerate(words) if word in WRITES}
+    assert all((beside_examples / name).exists() for name in written)
+
+
+def test_the_readmes_python_runs(beside_examples, capsys):
+    told = {}
+    for block in re.findall(r"```python\n(.*?)```", README, re.DOTALL):
+        exec(block, told)
+    assert "overturned" in capsys.readouterr().out
+    for name in ("bookcase.png", "bookcase.html", "verdict.html"):
+        assert (beside_examples / name).stat().st_size > 10_000

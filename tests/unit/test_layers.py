@@ -14,7 +14,7 @@ SOURCES = Path(stayput.__file__).parent
 
 LAYERS = (
     {"catalogue", "errors"},
-    {"extras", "files", "saved", "wording", "randomness", "spreadsheets", "vocabulary"},
+    {"files", "saved", "wording", "spreadsheets", "vocabulary"},
     {"progress", "execution", "uncertainty"},
     {"compiling"},
     {"mechanics", "model"},

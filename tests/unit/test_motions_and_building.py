@@ -2,18 +2,10 @@
 
 from __future__ import annotations
 
-import json
-from typing import TYPE_CHECKING
-
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.cli import app
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 BODY, ROOM = sp.Body(0.3, 1.8, 90.0), sp.Room(left_wall=sp.Wall(0.01))
 GROUND = [sp.near_fault(), sp.near_fault().scaled(0.5), sp.sine(3.0, 1.5, 4.0)]
@@ -49,7 +41,7 @@ def test_verify_shakes_the_building_by_own_motions(building, tmp_path):
     for language in ("en", "ja"):
         assert verdict.to_markdown(language) == again.to_markdown(language)
     says_all = not isinstance(building, sp.ShearModel) and building.isolation == sp.Isolation()
-    assert ("The building was given in Python" not in verdict.scenario.to_toml()) == says_all
+    assert ("shaking.building" not in verdict.scenario.to_toml().splitlines()[-1]) == says_all
     if says_all:
         parsed = sp.Scenario.parse(
             {
@@ -77,7 +69,7 @@ def test_a_building_beside_an_intensity_is_that_of_a_table():
     [
         ({"building": TOWER}, "storey", "storeyも必要です"),
         ({"storey": 2}, "building", "buildingも必要です"),
-        ({"building": TOWER, "storey": 8}, "must be between 1 and 7", "1～7（屋上）"),
+        ({"building": TOWER, "storey": 8}, "must be between 1 and 7", "1～7にして"),
         ({"building": "RC", "storey": 1}, "must be of type Building | ShearModel", "型の値を指定"),
         ({"building": TOWER, "storey": 2.5}, "must be of type int", "型の値を指定"),
     ],
@@ -95,26 +87,3 @@ def test_what_says_it_already_takes_no_building_beside_it():
     for what in (sp.Case(BODY, ROOM, GROUND[0]), sp.Scenario.parse({"furniture": {"preset": "chest"}})):
         with pytest.raises(sp.InputError, match="building"):
             sp.verify(what, building=TOWER, storey=2, levels=[])
-
-
-def test_records_and_a_building_in_files_and_on_the_command_line(tmp_path: Path):
-    records = tmp_path / "records"
-    records.mkdir()
-    for number, motion in enumerate(GROUND):
-        motion.write(records / f"{number}.csv")
-    head = "[furniture]\nwidth = 0.3\nheight = 1.8\nmass = 90\n"
-    building = '[shaking.building]\nstoreys = 6\nstructure = "RC"\n'
-    (tmp_path / "folder.toml").write_text(f'{head}[shaking]\nsuite = "records"\nstorey = 5\n{building}')
-    floors = sp.read_scenario(tmp_path / "folder.toml").shaking.motions(tmp_path)
-    for floor, motion in zip(floors, GROUND, strict=True):
-        np.testing.assert_array_equal(floor.x, TOWER.floor_motion(motion, 5).x)
-    (tmp_path / "one.toml").write_text(f'{head}[shaking]\nrecord = "records/1.csv"\nstorey = 5\n{building}')
-    (tmp_path / "none.toml").write_text(head)
-    flags = ("--motion", records / "1.csv", "--building", "6,RC", "--storey", "5")
-    runs = [
-        CliRunner().invoke(app, ["simulate", *map(str, arguments), "--json"])
-        for arguments in ((tmp_path / "one.toml",), (tmp_path / "none.toml", *flags))
-    ]
-    first, second = (json.loads(run.stdout) for run in runs)
-    assert first == second
-    assert "storey 5 of 6-storey RC building" in first["motion"]["name"]

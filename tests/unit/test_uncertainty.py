@@ -34,10 +34,9 @@ def test_coefficient_of_variation_is_met() -> None:
     assert np.median(drawn) == pytest.approx(2.0, rel=1e-3)
 
 
-@pytest.mark.parametrize("method", ["sobol", "latin hypercube"])
-def test_draws_are_evenly_spread(method: str) -> None:
+def test_draws_are_evenly_spread() -> None:
     unit = Uncertainty({name: Uniform(0.0, 1.0) for name in "abc"})
-    drawn = unit.sample(64, 3, motions=5, method=method)  # type: ignore[arg-type]
+    drawn = unit.sample(64, 3, motions=5)
     for values in drawn.values():
         assert values.shape == (5, 64)
         # one in each sixty-fourth
@@ -101,8 +100,6 @@ def test_usual_ranges_are_tagged() -> None:
         (lambda: Uncertainty(USUAL).sample(0, 1), "Draws"),
         (lambda: Uncertainty(USUAL).sample(4, -1), "Seed"),
         (lambda: Uncertainty(USUAL).sample(4, 1, motions=0), "Motions"),
-        (lambda: Uncertainty(USUAL).sample(4, 1, start=2, method="latin hypercube"), "start 0"),
-        (lambda: Uncertainty(USUAL).sample(4, 1, method="random"), "random"),  # type: ignore[arg-type]
     ],
 )
 def test_refused(call: object, part: str) -> None:

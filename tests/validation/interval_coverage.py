@@ -14,7 +14,7 @@ import numpy as np
 from scipy.special import ndtr, ndtri
 
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
-from stayput.randomness import random_bits, uniforms
+from stayput.uncertainty import random_bits, uniforms
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -24,7 +24,7 @@ from interval_coverage import (
 )
 
 from stayput.fragility import difference, probability
-from stayput.randomness import random_bits
+from stayput.uncertainty import random_bits
 
 STUDIES = 300
 

@@ -110,5 +110,5 @@ def refusal_of_request(error: Mapping[str, Any]) -> InputError:
     most = next((limits[key] for key in ("ge", "le", "max_length") if key in limits), 0)
     allowed = phrase(ALLOWED[max(begins, key=len)], names=names, limit=most)
     return InputError(
-        "scenario.not_allowed", field, name=name, value=shown(error["input"]), hint="", allowed=allowed
+        "common.not_allowed", field, name=name, value=shown(error["input"]), hint="", allowed=allowed
     )

@@ -88,8 +88,8 @@ def phrase(text: str | Phrase, **values: object) -> Phrase:
 
     Examples
     --------
-    >>> phrase("common.not_finite", name="dt", value=float("inf"))
-    ('dt is inf; it must be a finite number.', 'dtがinfになっています。有限の数値を指定してください。')
+    >>> phrase("common.too_large", name="dt")
+    ('dt is too large; it must be a finite number.', 'dtが大きすぎます。有限の数値を指定してください。')
     """
     both = TEXTS[text] if isinstance(text, str) else text
     if not values:

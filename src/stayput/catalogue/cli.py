@@ -20,17 +20,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} sets nothing of a motion; it must set a key of shaking, such as shaking.unit.",
         "{flag}は揺れに関係がありません。shaking.unitのようなshakingのキーを指定してください。",
     ),
-    "im_without_curves": (
-        "--im is {value} without --curves; it must come with the folder of the curves.",
-        "--imが{value}になっていますが、--curvesがありません。曲線を書き出すフォルダーも指定してください。",
+    "flag_without": (
+        "{flag} is given without {other}; it must come with it.",
+        "{flag}は{other}と一緒に指定してください。",
     ),
     "spectra_of_floors": (
         "--spectra is {value} without a building; it must come with --building, and without --storey.",
         "--spectraが{value}になっています。--buildingとともに、--storeyなしで指定してください。",
-    ),
-    "target_and_intensity": (
-        "--target is {target} beside --intensity {value}; it must be one of the two.",
-        "--target {target}と--intensity {value}の両方が指定されています。一方だけにしてください。",
     ),
     "other_format": (
         "--format is {value} beside the file {out}; it must be the ending of its name.",
@@ -140,13 +136,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "計算プログラムを準備しています（初回のみ、30秒ほどかかります）…",
     ),
     "warning": ("Warning: {sentence}", "注意：{sentence}"),
-    "wrong_value": (
-        "{name} is {value}; it must be {allowed}.",
-        "{name}が{value}になっています。{allowed}を指定してください。",
-    ),
-    "number": ("a number", "数値"),
-    "whole_number": ("a whole number", "整数"),
-    "whole_number_within": ("a whole number from {low} to {high}", "{low}から{high}までの整数"),
     "no_such_flag": (
         "There is no flag {flag}; `{command} --help` lists those that there are.",
         "{flag}というオプションはありません。{command} --helpで一覧を確認してください。",
@@ -163,55 +152,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} and {other} are both {value}; each must have a file of its own.",
         "{flag}と{other}がどちらも{value}になっています。別々のファイルを指定してください。",
     ),
-    "home_without_plan": (
-        "--no-drilling, --tatami, --plasterboard or --dropped-ceiling is given without --plan; each must come with it.",
-        "--no-drilling、--tatami、--plasterboard、--dropped-ceilingは--planと一緒に指定してください。",
-    ),
     "plan_of_a_room": (
         "--plan is given for a file without [plan]; it must be the file of a room.",
         "--planが指定されていますが、[plan]がありません。部屋のファイルを指定してください。",
-    ),
-    "no_unit": (
-        "The file states no unit; --unit must give it as one of {known}.",
-        "加速度の単位がファイルに書かれていません。--unitで次のいずれかを指定してください：{known}",
-    ),
-    "no_unit_but_mentioned": (
-        (
-            "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; "
-            "--unit must give it as one of {known}."
-        ),
-        (
-            "ヘッダーに「{mentioned}」とありますが、加速度の単位とは書かれていません。"
-            "--unitで次のいずれかを指定してください：{known}"
-        ),
-    ),
-    "no_unit_nor_step": (
-        (
-            "The file states no unit and no time step; --unit must give the one, as one of {known}, and "
-            "--dt the other [s]."
-        ),
-        (
-            "加速度の単位と時間刻みがファイルに書かれていません。時間刻み（秒）を--dtで、"
-            "単位を--unitで次から指定してください：{known}"
-        ),
-    ),
-    "no_time_step": (
-        "The file states no time step; --dt must give it [s].",
-        "時間刻みがファイルに書かれていません。--dtで秒単位で指定してください。",
-    ),
-    "one_piece_alone": (
-        "furniture is a list of several pieces, which simulate and verify take; it must be one table.",
-        "furnitureが複数の家具のリストになっています。複数の家具はsimulateとverifyだけで扱えます。",
-    ),
-    "vertical_alone": (
-        (
-            "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "
-            "--set shaking.component must name it where that is meant."
-        ),
-        (
-            "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れとして使います。"
-            "それでよければ、この成分を--set shaking.component=…で指定してください。"
-        ),
     ),
     "long_name": (
         "The name of the file or folder {file} is too long; it must be shorter.",
@@ -235,10 +178,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_parent": (
         "The folder is {folder}; the folder that it is in must exist.",
         "フォルダー{folder}の親フォルダーがありません。先に作成してください。",
-    ),
-    "of_a_target": (
-        "--select and --fit are given without --target; they belong to a target spectrum.",
-        "--selectと--fitは、--target（目標スペクトル）とともに使ってください。",
     ),
 }
 """Texts by their keys: English, Japanese."""

@@ -15,10 +15,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "default": ("default: {value}", "既定値：{value}"),
     "range": ("{low}<=x<={high}", "{low}～{high}"),
     # Commands
-    "stayput": (
-        "Verify earthquake-proof measures for furniture.",
-        "家具の地震対策の効果を検証する",
-    ),
+    "stayput": ("Verify earthquake-proof measures for furniture.", "家具の地震対策の効果を検証する"),
     "simulate": (
         (
             "Simulate one body under one motion.\n\n"
@@ -60,7 +57,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "app": (
         "Serve the app: set a scene, see it shaken, see what holds it.",
-        "アプリを起動する（場面を設定し、揺れと対策の効果を画面で見る）",
+        "アプリを起動する（揺れと対策の効果を画面で見る）",
     ),
     "motion": ("Look at a motion of the floor, or make one.", "揺れを調べる、変換する、作る"),
     "info": (
@@ -83,43 +80,22 @@ TEXTS: dict[str, tuple[str, str]] = {
             "--buildingだけを指定すると（--storeyなし）、各階の床の最大応答と床のスペクトルを描く。"
         ),
     ),
-    "spectrum": (
-        "Print the response spectra of a motion: what it does to oscillators of every period.",
-        "揺れの応答スペクトルを表示する",
-    ),
-    "convert": (
-        "Write a motion in another format, or changed.",
-        "揺れを別の形式で、または変更して書き出す",
-    ),
+    "spectrum": ("Print the response spectra of a motion.", "揺れの応答スペクトルを表示する"),
+    "convert": ("Write a motion in another format, or changed.", "揺れを別の形式で、または変更して書き出す"),
     "suite": (
-        "Make or read a suite of motions, scale it, and write it with a table and a figure.",
-        "地震動群を作るか読み込み、大きさを調整して、表と図とともに書き出す",
+        "Make or read a suite of motions, scale it, and write it.",
+        "地震動群を作るか読み込み、大きさを調整して書き出す",
     ),
     # Flags of every program
     "version": ("Print the version.", "バージョンを表示する"),
     "help": ("Show this message and exit.", "この説明を表示して終了する"),
-    "install_completion": (
-        "Install completion for the current shell.",
-        "使用中のシェルに補完を設定する",
-    ),
-    "show_completion": (
-        "Show completion for the current shell, to copy it or customize the installation.",
-        "シェルの補完スクリプトを表示する（コピーや変更用）",
-    ),
-    "quiet": (
-        "Print results and refusals only: no progress, note or warning.",
-        "結果とエラーだけを表示し、進捗や注意は表示しない",
-    ),
-    "lang": (
-        "Language of what is printed, drawn and reported.",
-        "表示、図、レポートの言語",
-    ),
+    "install_completion": ("Install completion for the current shell.", "使用中のシェルに補完を設定する"),
+    "show_completion": ("Show completion for the current shell.", "シェルの補完スクリプトを表示する"),
+    "quiet": ("Print results and refusals alone.", "結果とエラーだけを表示する"),
+    "lang": ("Language of what is printed, drawn and reported.", "表示、図、レポートの言語"),
     "of_locale": ("the locale's", "ロケールの言語"),
     "json": ("Print one JSON object.", "結果を1つのJSONオブジェクトとして表示する"),
-    "threads": (
-        "Threads; as many as there are cores by default.",
-        "スレッド数。指定しなければコアの数",
-    ),
+    "threads": ("Threads; by default as many as cores.", "スレッド数。指定しなければコアの数"),
     "set": (
         (
             "Any key of the scenario, as its file would say it: shaking.pgv=0.5, room.back_wall.gap=0.1, "
@@ -130,17 +106,14 @@ TEXTS: dict[str, tuple[str, str]] = {
             "furniture[1].heading=0.3）。複数回指定できる"
         ),
     ),
-    "unit": (
-        "The record's unit, where its file does not state it.",
-        "記録の単位（ファイルに書かれていない場合）",
-    ),
+    "unit": ("The record's unit, where its file states none.", "記録の単位（ファイルにない場合）"),
     "dt": (
-        "The record's time step [s], where its file does not state it.",
-        "記録の時間刻み [s]（ファイルに書かれていない場合）",
+        "The record's time step [s], where its file states none.",
+        "記録の時間刻み [s]（ファイルにない場合）",
     ),
     "record_columns": (
-        "Which columns of a table are the time and the components, such as t=1,x=acc,z=4.",
-        "表のどの列が時刻と各成分かを、見出しか番号で指定する（例：t=1,x=acc,z=4）",
+        "Columns of time and components: t=1,x=acc,z=4.",
+        "時刻と各成分の列（例：t=1,x=acc,z=4）",
     ),
     "set_shaking": (
         (
@@ -173,10 +146,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "pga": ("Peak ground acceleration to scale to [m/s²].", "地面の最大加速度をこの値に合わせる [m/s²]"),
     "building": ("The building between, such as 10,RC.", "間にある建物（例：10,RC）"),
-    "storey": (
-        "The storey of it whose floor shakes; 1 is the ground floor.",
-        "建物のどの階の床か（1が地上階）",
-    ),
+    "storey": ("The storey whose floor shakes; 1 is the ground floor.", "建物のどの階の床か（1が地上階）"),
     # simulate
     "example_scenario": (
         (
@@ -186,45 +156,27 @@ TEXTS: dict[str, tuple[str, str]] = {
         "シナリオファイル（-は標準入力）。指定しなければ、壁際の本棚と断層近傍の模擬地震動",
     ),
     "body": (
-        "A body: width along the shaking [m] x height [m] x mass [kg].",
-        "家具：揺れの方向の寸法 [m] x 高さ [m] x 質量 [kg]",
+        "A body: width along the shaking x height [m] x mass [kg].",
+        "家具：揺れの方向の寸法 x 高さ [m] x 質量 [kg]",
     ),
     "floor": ("A surface, such as 'carpet'.", "床の表面の種類（例：'carpet'）"),
     "measure_in_place": (
-        "A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
-        "取り付ける対策：tension_poleなどの種類、またはファイル内の名前。複数回指定できる",
+        "A measure in place: a type, or a name in the file; repeatable.",
+        "取り付ける対策（種類か名前。複数可）",
     ),
     "plot_run": ("Plot the histories: .png, .svg or .pdf.", "時刻歴を描く：.png、.svg、.pdf"),
     "animate": ("Animate the run: .html, .gif or .mp4.", "動きのアニメーションを作る：.html、.gif、.mp4"),
-    "speed": (
-        "Speed of the animation: 0.25 is slow motion.",
-        "アニメーションの再生速度（0.25で4倍のスローモーション）",
-    ),
+    "speed": ("Speed of the animation: 0.25 is slow motion.", "再生速度（0.25でスローモーション）"),
     "fps": ("Frames a second of a .gif or .mp4.", ".gifや.mp4の1秒当たりのフレーム数"),
     # verify
     "scenario": ("The scenario file; - is standard input.", "シナリオファイル（-は標準入力）"),
-    "report": (
-        "Write a report that needs nothing else: .html.",
-        "それだけで読めるレポートを書き出す：.html",
-    ),
-    "markdown": (
-        "Write the verdict as .md; - prints it.",
-        "判定を.mdに書き出す（-は標準出力）",
-    ),
+    "report": ("Write a report that needs nothing else: .html.", "それだけで読めるレポートを書き出す：.html"),
+    "markdown": ("Write the verdict as .md; - prints it.", "判定を.mdに書き出す（-は標準出力）"),
     "csv": ("Write the ranking as .csv; - prints it.", "順位を.csvに書き出す（-は標準出力）"),
-    "plan": (
-        "Write what to buy and do in a room: .html, to print.",
-        "部屋の対策計画（買うもの、すること）を印刷用に書き出す：.html",
-    ),
-    "no_drilling": (
-        "With --plan: nothing may be screwed to a wall.",
-        "--planの条件：壁にねじ留めできない",
-    ),
+    "plan": ("Write what to buy and do in a room: .html.", "部屋の対策計画を書き出す：.html"),
+    "no_drilling": ("With --plan: nothing may be screwed to a wall.", "--planの条件：壁にねじ留めできない"),
     "tatami": ("With --plan: the floor is tatami.", "--planの条件：床が畳"),
-    "plasterboard": (
-        "With --plan: the walls have no studs to screw to.",
-        "--planの条件：壁にねじの効く下地（間柱）がない",
-    ),
+    "plasterboard": ("With --plan: the walls have no studs to screw to.", "--planの条件：壁に間柱がない"),
     "dropped_ceiling": ("With --plan: the ceiling hangs on wires.", "--planの条件：天井が吊り天井"),
     "curves": (
         (
@@ -248,14 +200,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "--curvesの横軸とする揺れの強さの指標（既定はJMA）。SA(0.3)は周期0.3 sの加速度応答スペクトル、PFAとPFVは床の最大加速度と最大速度",
     ),
-    "only_measure": (
-        "Only this measure beside none; may be repeated.",
-        "対策なしと比べる対策をこれに限る。複数回指定できる",
-    ),
+    "only_measure": ("Only this measure beside none; repeatable.", "対策なしと比べる対策（複数可）"),
     # motion
     "floor_spectra": (
-        "With --building: the storeys whose floor spectra are drawn, such as 3,8.",
-        "--buildingとともに：床のスペクトルを描く階（例：3,8）",
+        "With --building: storeys of floor spectra, such as 3,8.",
+        "--building：スペクトルを描く階（例：3,8）",
     ),
     "picture": ("Picture to write: .png, .svg or .pdf.", "書き出す図：.png、.svg、.pdf"),
     "oscillator_damping": (
@@ -264,26 +213,20 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "spectra_out": (
         "Write the spectra of all components: .csv; - prints it.",
-        "全成分のスペクトルを書き出す：.csv（-は標準出力）",
+        "全成分のスペクトル：.csv（-は標準出力）",
     ),
     "plot_spectra": (
         "Plot them, and the Fourier spectra: .png, .svg, .pdf.",
-        "応答スペクトルとフーリエスペクトルを描く：.png、.svg、.pdf",
+        "応答・フーリエスペクトル：.png、.svg、.pdf",
     ),
     "converted": (
-        "File to write: .csv or .at2 (PEER); - prints .csv, or --format.",
-        "書き出すファイル：.csvまたは.at2（PEER）。-は標準出力（.csvか--formatの形式）",
+        "File to write: .csv or .at2 (PEER); - prints it.",
+        "書き出すファイル：.csv、.at2（-は標準出力）",
     ),
     "only": ("Keep this component alone, as x; for .at2.", "この成分だけをxとして残す（.at2用）"),
-    "step": (
-        "New time step [s], a whole part or multiple of the record's.",
-        "新しい時間刻み [s]。元の記録の整数分の1か整数倍",
-    ),
+    "step": ("New time step [s], a whole part or multiple.", "新しい時間刻み [s]（整数分の1か整数倍）"),
     "format": ("Format of what is printed.", "標準出力に書き出すときの形式"),
-    "suite_out": (
-        "Folder for the motions, their table and figure; it is made.",
-        "地震動と表、図を書き出すフォルダー（なければ作る）",
-    ),
+    "suite_out": ("Folder for the motions, their table and figure.", "地震動と表、図を書き出すフォルダー"),
     "family": (
         "mixed, near-fault, crustal, subduction or basin; made, so synthetic.",
         (
@@ -292,14 +235,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "count": ("How many motions to make.", "作る地震動の数"),
-    "seed": (
-        "Seed: the same one gives the same motions.",
-        "乱数のシード（同じ値からは同じ地震動ができる）",
-    ),
-    "records": (
-        "A folder of records to read, in place of making any.",
-        "模擬地震動を作らず、このフォルダーの記録を読み込む",
-    ),
+    "seed": ("Seed: the same one gives the same motions.", "乱数のシード（同じ値からは同じ地震動）"),
+    "records": ("A folder of records to read, in place of making any.", "模擬地震動に代わる記録のフォルダー"),
     "target": (
         "Target spectrum: japan[:very-rare|rare[,SOIL]], asce7:SDS,SD1[,TL], or a table's file.",
         ("目標スペクトル：japan[:very-rare|rare[,SOIL]]、asce7:SDS,SD1[,TL]、または表のファイル"),
@@ -315,31 +252,22 @@ TEXTS: dict[str, tuple[str, str]] = {
             "together（中央値だけを適合し、ばらつきを残す）"
         ),
     ),
-    "select": (
-        "Keep the N whose spectra are most like the target.",
-        "スペクトルが目標に最も近いN個を残す",
-    ),
+    "select": ("Keep the N whose spectra are most like the target.", "スペクトルが目標に最も近いN個を残す"),
     # assess
     "inventory": (
         "The inventory, a row a piece: .csv, .tsv, .xlsx or .parquet; - is a CSV on standard input.",
         "1行に1点の家具一覧：.csv、.tsv、.xlsx、.parquet（-は標準入力のCSV）",
     ),
-    "events": (
-        "A scenario, or a folder of them: events or stations.",
-        "シナリオ、またはシナリオのフォルダー（地震や観測点ごと）",
-    ),
+    "events": ("A scenario, or a folder of them: events or stations.", "シナリオ、またはそのフォルダー"),
     "assessment_out": (
         "Folder of the results; the same command goes on in it.",
-        "結果のフォルダー。同じコマンドで続きから再開する",
+        "結果のフォルダー（同じコマンドで再開）",
     ),
     "shakemap": (
         "ShakeMap's grid.xml, or CSV of lat, lon and intensity, sa_0.3, pga[%g], pgv[cm/s] or mmi.",
         "ShakeMapのgrid.xml、またはlatとlonのほかにintensity、sa_0.3、pga[%g]、pgv[cm/s]、mmiのいずれかの列を持つCSV",
     ),
-    "field": (
-        "Field of the shake map that counts, such as PGV.",
-        "地震動マップのうち、使う項目（例：PGV）",
-    ),
+    "field": ("Field of the shake map that counts, such as PGV.", "地震動マップの使う項目（例：PGV）"),
     "uncertainty": (
         "ShakeMap's uncertainty.xml: scatter of the shaking.",
         "ShakeMapのuncertainty.xml（揺れのばらつき）",
@@ -348,13 +276,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Which columns of the table are which: width=奥行[mm],ignore=備考; or a TOML or JSON file.",
         "表の列の対応（例：width=奥行[mm],ignore=備考）、またはそれを書いたTOMLかJSONのファイル",
     ),
-    "export": (
-        "Results also as csv and geojson: csv,geojson.",
-        "結果をcsv、geojsonでも書き出す（例：csv,geojson）",
-    ),
+    "export": ("Results also as csv and geojson: csv,geojson.", "結果の別の形式（例：csv,geojson）"),
     "scheduler": (
-        "A Dask scheduler whose workers simulate: tcp://host:8786.",
-        "計算に使うDaskのスケジューラー（例：tcp://host:8786）",
+        "A Dask scheduler to simulate with: tcp://host:8786.",
+        "Daskのスケジューラー（例：tcp://host:8786）",
     ),
     "memory": ("Memory to stay below.", "使うメモリの上限"),
     # app

@@ -32,30 +32,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}{hint}; it must be one of {known}.",
         "{name}が{value}になっています{hint}。次のいずれかにしてください：{known}",
     ),
-    "not_a_number": (
-        "{name} is {value}; it must be a number.",
-        "{name}が{value}になっています。数値を指定してください。",
+    "not_allowed": (
+        "{name} is {value}{hint}; it must be {allowed}.",
+        "{name}が{value}になっています{hint}。{allowed}を指定してください。",
     ),
-    "not_numbers": (
-        "{name} is {value}; it must be numbers.",
-        "{name}が{value}になっています。数値の並びを指定してください。",
-    ),
-    "wrong_type": (
-        "{name} is {value}; it must be of type {wanted}.",
-        "{name}が{value}になっています。{wanted}型の値を指定してください。",
-    ),
-    "control_characters": (
-        "{name} is {value}; it must be a text without control characters.",
-        "{name}が{value}になっています。制御文字を含まない文字列を指定してください。",
-    ),
-    "not_a_list": (
-        "{name} is {value}; it must be a list.",
-        "{name}が{value}になっています。リストを指定してください。",
-    ),
-    "not_finite": (
-        "{name} is {value}; it must be a finite number.",
-        "{name}が{value}になっています。有限の数値を指定してください。",
-    ),
+    "number": ("a number", "数値"),
+    "numbers": ("numbers", "数値の並び"),
+    "finite_number": ("a finite number", "有限の数値"),
+    "whole_number": ("a whole number", "整数"),
+    "list": ("a list", "リスト"),
+    "of_type": ("of type {wanted}", "{wanted}型の値"),
+    "plain_text": ("a text without control characters", "制御文字を含まない文字列"),
     "compilation_disabled": (
         "NUMBA_DISABLE_JIT is set, and the mechanics run as compiled code only; unset it.",
         "NUMBA_DISABLE_JITが設定されていますが、計算部はコンパイルしたコードでしか動きません。設定を解除してください。",
@@ -67,10 +54,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "not_within": (
         "{name} is {value:g}{unit}; it must be between {low:g} and {high:g}{unit}.",
         "{name}が{value:g}{unit}になっています。{low:g}～{high:g}{unit}にしてください。",
-    ),
-    "not_whole": (
-        "{name} is {value:g}; it must be a whole number.",
-        "{name}が{value:g}になっています。整数を指定してください。",
     ),
     "no_language": (
         "The language is {value!r}; it must be one of {languages}.",

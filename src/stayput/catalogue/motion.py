@@ -224,11 +224,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "vertical_alone": (
         (
             "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "
-            "component must name it where that is meant."
+            "{option} must name it where that is meant."
         ),
         (
             "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れとして使います。"
-            "それでよければ、この成分を選んでください。"
+            "それでよければ、この成分を選んでください（{option}）。"
         ),
     ),
     "x_chosen": (

@@ -66,22 +66,22 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ファイルに書かれている単位{unit}は{quantity}の単位です。加速度の記録が必要です。",
     ),
     "no_unit": (
-        "The file states no unit; unit must be given as one of {known}.",
-        "加速度の単位がファイルに書かれていません。次から選んでください：{known}",
+        "The file states no unit; {option} must be given as one of {known}.",
+        "加速度の単位（{option}）がファイルに書かれていません。次から選んでください：{known}",
     ),
     "no_unit_but_mentioned": (
         (
-            "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; unit must be given "
+            "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; {option} must be given "
             "as one of {known}."
         ),
         (
             "ヘッダーに「{mentioned}」とありますが、加速度の単位とは書かれていません。"
-            "単位を次から選んでください：{known}"
+            "単位（{option}）を次から選んでください：{known}"
         ),
     ),
     "no_unit_nor_step": (
-        "The file states no unit and no time step; unit must be given as one of {known}, and dt [s].",
-        "加速度の単位と時間刻みがファイルに書かれていません。単位を次から選び、時間刻みを秒単位で入力してください：{known}",
+        "The file states no unit and no time step; {option} must be given as one of {known}, and {other_option} [s].",
+        "加速度の単位（{option}）と時間刻み（{other_option}）がファイルに書かれていません。単位を次から選び、時間刻みを秒単位で入力してください：{known}",
     ),
     "another_unit": (
         "The unit is given as {given!r}; it must be the one that the file states, {stated}.",
@@ -92,8 +92,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "選ばれた単位は「{given}」ですが、ファイルのヘッダーには「{mentioned}」と書かれています。確かめてください。",
     ),
     "no_time_step": (
-        "The file states no time step; dt must be given [s].",
-        "時間刻みがファイルに書かれていません。秒単位で入力してください。",
+        "The file states no time step; {option} must be given [s].",
+        "時間刻み（{option}）がファイルに書かれていません。秒単位で入力してください。",
     ),
     "another_time_step": (
         "The dt is given as {given:g} s; it must be the one that the file states, {stated:g} s.",

@@ -19,17 +19,9 @@ FURNITURE: dict[str, tuple[str, str]] = {
 }
 """Presets of furniture."""
 
-PIECES: dict[str, tuple[str, str]] = {
-    "bookcase": ("bookcase", "本棚"),
-    "empty bookcase": ("bookcase", "本棚"),
-    "wardrobe": ("wardrobe", "洋服だんす"),
-    "cupboard": ("cupboard", "食器棚"),
-    "chest": ("chest of drawers", "整理だんす"),
-    "refrigerator": ("refrigerator", "冷蔵庫"),
-    "television": ("television", "テレビ"),
-    "vending machine": ("vending machine", "自動販売機"),
-    "server rack": ("server rack", "サーバーラック"),
-    "upright piano": ("piano", "ピアノ"),
+PIECES = {
+    preset: (english.partition(",")[0].lower(), japanese.partition("（")[0])
+    for preset, (english, japanese) in FURNITURE.items()
 }
 """What a preset is called within a sentence."""
 

@@ -21,11 +21,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is missing; it must be {allowed}.",
         "{name}がありません。{allowed}を指定してください。",
     ),
-    "not_allowed": (
-        "{name} is {value}{hint}; it must be {allowed}.",
-        "{name}が{value}になっています{hint}。{allowed}を指定してください。",
-    ),
     "table": ("a table", "テーブル"),
+    "table_with_type": ("a table with type", "typeのあるテーブル"),
     "one_of_tables": ("a table with type or combine", "typeかcombineのあるテーブル"),
     "or": (" or ", "、または"),
     "one_of": ("one of {names}", "{names}のいずれか"),
@@ -44,10 +41,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is missing; it must be given where no {preset} is.",
         "{name}がありません。{preset}を使わない場合は必要です。",
     ),
-    "follows_from_shelves": (
-        "{name} follows from furniture.shelves; give only one of them.",
-        "{name}はfurniture.shelvesから決まります。どちらか一方だけを指定してください。",
-    ),
     "one_shape": (
         (
             "The piece {name!r} needs one shape: preset; width, length and height; diameter and height; "
@@ -57,14 +50,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "家具{name!r}には形を1つだけ指定してください（preset、width・length・height、diameter・height、"
             "bottom・top・height、meshのいずれか）。"
         ),
-    ),
-    "no_mass": (
-        "The piece {name!r} has no mass; give it in kg.",
-        "家具{name!r}に質量（mass）がありません。kgで指定してください。",
-    ),
-    "mesh_and_unit": (
-        "The piece {name!r} has one of mesh and unit alone; a mesh needs the unit of its numbers.",
-        "家具{name!r}にmeshとunitの一方しかありません。メッシュには数値の単位が必要です。",
     ),
     "on_and_height": (
         "The piece {name!r} stands on another and has a height in at; give x and y alone.",
@@ -82,12 +67,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value}になっていますが、その名前の家具がありません。",
     ),
     "of_several": (
-        "furniture is a list of several pieces; it must be one table, or the file be read with read_assembly.",
-        "furnitureが複数の家具のリストになっています。複数の家具のファイルはread_assemblyで読み込んでください。",
-    ),
-    "of_a_room": (
-        "The file has a [plan], that of a room; it must be read with read_room and go to verify_room.",
-        "部屋（[plan]）のファイルです。read_roomで読み込み、verify_roomを使ってください。",
+        (
+            "furniture is a list of several pieces; it must be one table, or be read with read_assembly, or with "
+            "read_room where there is a [plan]; of the commands, simulate and verify take such a file."
+        ),
+        (
+            "furnitureが複数の家具のリストになっています。1つのテーブルにするか、read_assembly（[plan]があれば"
+            "read_room）で読み込んでください。コマンドではsimulateとverifyで扱えます。"
+        ),
     ),
     "measures_on_solid": (
         "The piece {name!r} has measures; what they hold must be a preset or a box.",
@@ -121,10 +108,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "furniture.mass is missing; where shelves are given it must be the empty carcass's [kg].",
         "furniture.massがありません。shelvesを指定する場合は、空の本体の質量 [kg] が必要です。",
     ),
-    "two_back_walls": (
-        "room.back_wall is given beside room.left_wall; they are one wall and it must be given once.",
-        "room.back_wallとroom.left_wallの両方があります。同じ壁なので、一方だけを指定してください。",
-    ),
     "beside": (
         "{name} is given beside {other}; it must be left out.",
         "{other}があるので、{name}は指定できません。",
@@ -136,14 +119,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "needs_both": (
         "{name} is given without {other}; it needs both.",
         "{name}だけがあります。{other}も必要です。",
-    ),
-    "nonlinear_masses": (
-        "{name} is true beside {other}; it must be false or left out.",
-        "{other}があるので、{name}はtrueにできません。falseにするか、省いてください。",
-    ),
-    "no_storeys": (
-        "shaking.building.storeys is missing; it must be a whole number of storeys.",
-        "shaking.building.storeysがありません。階数（整数）を指定してください。",
     ),
     "without_record": (
         "{name} is given without shaking.record; it belongs to a record only.",
@@ -157,55 +132,19 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {file}, a vertical record ({label!r}); it must be a horizontal one.",
         "{name}の{file}は上下動の記録（「{label}」）です。水平の記録を指定してください。",
     ),
-    "scale_and_strength": (
-        "shaking.scale is {value:g} beside {other}; it must be one of the two.",
-        "shaking.scale（{value:g}）と{other}の両方があります。一方だけを指定してください。",
-    ),
     "member_of_one": (
         "shaking.member is given for one motion; it belongs to a suite.",
         "shaking.memberは地震動が1つの場合は指定できません。suiteとともに使ってください。",
     ),
-    "storey": (
-        "{name} is {value}; it must be between 1 and {roof}, the roof.",
-        "{name}が{value}になっています。1～{roof}（屋上）にしてください。",
-    ),
-    "member": (
-        "shaking.member is {value}; it must be between 1 and {most}.",
-        "shaking.memberが{value}になっています。1～{most}にしてください。",
-    ),
-    "motions_in_python": (
-        "The motions were given in Python and are not in this file.",
-        "地震動はPythonで指定されたもので、このファイルには含まれません。",
-    ),
-    "building_in_python": (
-        "The building was given in Python, and this file does not say all of it.",
-        "建物はPythonで指定されたもので、このファイルには一部しか書かれていません。",
-    ),
-    "measures_in_python": (
-        "The measures were given in Python and are not in this file.",
-        "対策はPythonで指定されたもので、このファイルには含まれません。",
-    ),
-    "uncertainty_in_python": (
-        "The distributions of what is drawn were given in Python and are not in this file.",
-        "ばらつきの分布はPythonで指定されたもので、このファイルには含まれません。",
+    "in_python": (
+        "Given in Python, and not or not fully in this file: {what}.",
+        "Pythonで指定され、このファイルにはない、または一部しかないもの：{what}。",
     ),
     "same_name": (
         "{name} is {value}; it must not be that of {other}.",
         "{name}が{value}になっていますが、{other}と同じ名前です。別の名前にしてください。",
     ),
     "option_of_nothing": ("the option without joints and measures", "接合・対策なしの案"),
-    "not_a_measure": (
-        "{name} is {value}; it must be a table with type.",
-        "{name}が{value}になっています。typeのあるテーブルにしてください。",
-    ),
-    "not_a_measure_or_several": (
-        "{name} is {value}; it must be a table with type or combine.",
-        "{name}が{value}になっています。typeかcombineのあるテーブルにしてください。",
-    ),
-    "no_type": (
-        "{name} is missing; it must be one of {known}.",
-        "{name}がありません。次のいずれかにしてください：{known}",
-    ),
     # The file itself
     "file": ("The scenario file is {file}; {reason}.", "シナリオファイル{file}：{reason}。"),
     "file_too_long": ("it may have {most} bytes at most", "ファイルは{most}バイトまでです"),

@@ -318,13 +318,5 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Low is {low:g} and high is {high:g}; low must be below high.",
         "下限が{low:g}、上限が{high:g}になっています。下限は上限より小さくしてください。",
     ),
-    "sampling_method": (
-        "The method is {method}; it must be 'sobol' or 'latin hypercube'.",
-        "サンプリング手法が{method}になっています。'sobol'または'latin hypercube'にしてください。",
-    ),
-    "hypercube_start": (
-        "Start is {start}; a Latin hypercube must be drawn at once, with start 0.",
-        "開始番号が{start}になっています。ラテン超方格は一度に生成するため、0にしてください。",
-    ),
 }
 """Texts by their keys: English, Japanese."""

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import QuietOption, SetOption, ThreadsOption, changed
-from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.flags import OF_LOCALE, LanguageOption, QuietOption, SetOption, ThreadsOption, changed
 from stayput.cli.messages import note, print_json, tell_written
 from stayput.cli.streams import NAME, file_of, is_stream, table_of_input
 from stayput.progress import language_of_bars
@@ -85,8 +84,7 @@ def _executor(scheduler: str | None) -> Generator[Executor | None]:
     if scheduler is None:
         yield None
         return
-    from stayput.errors import InputError
-    from stayput.extras import absent
+    from stayput.errors import InputError, absent
 
     try:
         from dask.distributed import Client

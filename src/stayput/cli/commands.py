@@ -8,9 +8,8 @@ import typer
 
 import stayput
 from stayput.cli import assess, motion, simulate, verify
-from stayput.cli.flags import QuietOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import OF_LOCALE, LanguageOption, QuietOption
 from stayput.cli.help import HelpfulCommand, RootGroup
-from stayput.cli.language import OF_LOCALE, LanguageOption
 
 _PORT = 8000
 
@@ -24,7 +23,7 @@ def _page(
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput app``."""
-    from stayput.extras import absent
+    from stayput.errors import absent
 
     try:
         from stayput.app.server import serve

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import inspect
+import os
 import re
 from functools import wraps
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, cast
 
 import typer
 
-from stayput.cli.completion import intensity_classes, surfaces, words
+from stayput.cli.messages import of_locale
 from stayput.cli.streams import called, is_stream, record_of, table_of_input
 from stayput.errors import InputError, unknown
 from stayput.progress import keep_quiet
@@ -23,6 +25,24 @@ if TYPE_CHECKING:
     from stayput.scenario import AssemblyScenario, Scenario
 
 
+def words(listed: str) -> Callable[[str], list[str]]:
+    """Return the completion of a flag that takes one of some words: what a shell offers when Tab is pressed.
+
+    Parameters
+    ----------
+    listed : str
+        Where the words are, "measures:MEASURES"; to load them must not load the mechanics.
+    """
+
+    def complete(incomplete: str) -> list[str]:
+        fitting = [word for word in resolve_name(f"stayput.{listed}") if word.startswith(incomplete)]
+        if "bash" in os.environ.get("_STAYPUT_COMPLETE", ""):  # the other shells quote by themselves
+            return [re.sub(r"([^\w.-])", r"\\\1", word) for word in fitting]
+        return fitting
+
+    return complete
+
+
 def _quiet_if(wanted: bool) -> None:
     if wanted:
         keep_quiet(True)
@@ -32,6 +52,27 @@ ThreadsOption: TypeAlias = Annotated[int | None, typer.Option("--threads", help=
 QuietOption: TypeAlias = Annotated[
     bool, typer.Option("--quiet", "-q", callback=_quiet_if, expose_value=False, help="cli_help.quiet")
 ]
+OF_LOCALE = ""
+"""Default of `LanguageOption`."""
+
+
+def _chosen(ctx: typer.Context, value: str) -> str:
+    """Return the language of the flag, else that of the flag before the command, else the locale's."""
+    from stayput.wording import check_language
+
+    if value != OF_LOCALE:
+        return check_language(value)
+    return (ctx.parent and ctx.parent.params.get("lang")) or of_locale()
+
+
+LanguageOption: TypeAlias = Annotated[
+    str,
+    typer.Option(
+        "--lang", metavar="en|ja", callback=_chosen, show_default="cli_help.of_locale", help="cli_help.lang"
+    ),
+]
+"""What a command speaks: what ``--lang`` says, else the language of the locale."""
+
 SetOption: TypeAlias = Annotated[
     list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="cli_help.set")
 ]
@@ -39,7 +80,8 @@ MotionArgument: TypeAlias = Annotated[str, typer.Argument(metavar="MOTION", help
 
 GROUND: dict[str, Any] = {
     "intensity": Annotated[
-        str | None, typer.Option(help="cli_help.intensity", autocompletion=words(intensity_classes))
+        str | None,
+        typer.Option(help="cli_help.intensity", autocompletion=words("catalogue.names:INTENSITIES")),
     ],
     "pga": Annotated[float | None, typer.Option(help="cli_help.pga")],
     "building": Annotated[str | None, typer.Option(metavar="STOREYS[,STRUCTURE]", help="cli_help.building")],
@@ -67,7 +109,10 @@ SHAKING: dict[str, Any] = {
 SCENE: dict[str, Any] = {
     "body": Annotated[str | None, typer.Option(metavar="WxHxM", help="cli_help.body")],
     "floor": Annotated[
-        str | None, typer.Option(metavar="SURFACE", help="cli_help.floor", autocompletion=words(surfaces))
+        str | None,
+        typer.Option(
+            metavar="SURFACE", help="cli_help.floor", autocompletion=words("catalogue.names:SURFACES")
+        ),
     ],
 }
 """Flags of `simulate` on what stands."""
@@ -273,43 +318,50 @@ def _from_here(key: str, value: Any, flag: str, path: Path | None) -> Any:
     return file if here else str(Path(file).absolute())
 
 
-def scenario_data(path: Path | None, body: bool = False) -> dict[str, Any]:
-    """Return the tables to begin with: the file's, or the built-in example's.
-
-    A body of one's own does not stand before the example's wall.
-    """
-    if path is not None:
-        from stayput.scenario.toml import read_toml
-
-        return table_of_input("SCENARIO") if is_stream(path) else read_toml(path)
-    return {"shaking": EXAMPLE["shaking"]} if body else EXAMPLE
-
-
-def scenario_of(
-    data: Mapping[str, Any], given: Mapping[str, Any], path: Path | None
+def opened(
+    path: Path | None,
+    said: FlagValues,
+    outputs: Sequence[Path | None],
+    *,
+    of_one: Mapping[str, object],
 ) -> Scenario | AssemblyScenario:
-    """Return the scenario, assembly or room of tables under the flags.
+    """Return the scenario, assembly or room of a file, or of the built-in example, under the flags.
 
-    What the file by itself gets wrong is refused with its name, and what the flags do without.
+    A body of one's own does not stand before the example's wall. What the file by itself gets wrong is
+    refused with its name, and what the flags do without.
 
     Parameters
     ----------
-    data : mapping
-        The tables, under the flags.
-    given : mapping
-        The tables of the file by itself.
     path : Path, optional
         The file.
+    said : FlagValues
+        The flags.
+    outputs : sequence of Path or None
+        Files to write, none of which may be one that is read.
+    of_one : mapping
+        Flags that a file of several pieces has no use for, and whether they are given.
 
     Raises
     ------
     InputError
         A value that is not allowed.
     """
+    from stayput.files import check_apart
     from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
+    from stayput.scenario.toml import read_toml
 
-    several = AssemblyScenario if isinstance(data.get("furniture"), list) else Scenario
-    kind: type[Scenario | AssemblyScenario] = RoomScenario if "plan" in data else several
+    given = {"shaking": EXAMPLE["shaking"]} if "body" in said else EXAMPLE
+    if path is not None:
+        given = table_of_input("SCENARIO") if is_stream(path) else read_toml(path)
+    several = isinstance(given.get("furniture"), list)
+    for flag, wanted in {**of_one, "--body": "body" in said}.items() if several else ():
+        if wanted:
+            raise InputError("scenario.flag_of_one", flag, flag=flag)
+    data = changed(given, said, path)
+    read = [*motion_files(given, path), *motion_files(data, path)]
+    check_apart(outputs, read if path is None else [path, *read])
+    kind: type[Scenario | AssemblyScenario] = AssemblyScenario if several else Scenario
+    kind = RoomScenario if "plan" in data else kind
     own = path is not None and motion_files(data) == motion_files(given)
     try:
         return kind.parse(data, Path() if path is None else path.parent, called(path) if path and own else "")

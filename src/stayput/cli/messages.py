@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import json
+import locale
 import os
 import re
 import sys
@@ -16,14 +17,16 @@ from typer.core import TyperGroup
 
 from stayput.catalogue import phrase, say
 from stayput.cli.interrupts import INTERRUPTED
-from stayput.cli.language import of_arguments
 from stayput.cli.streams import closed_output, is_stream, standard_input
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
 from stayput.progress import is_quiet, keep_quiet, told_in
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping, Sequence
+    from collections.abc import Callable, Generator, Iterable, Sequence
     from pathlib import Path
+
+    from rich.console import Console
+    from rich.table import Table
 
     from stayput.catalogue import Language, Phrase
 
@@ -38,6 +41,22 @@ UNREAD = 141
 
 _USAGE: Any = typer.BadParameter.__base__
 """What Typer raises where it cannot read the command line; that class has no public name."""
+
+
+def of_locale() -> Language:
+    """Return the language that the environment asks for: Japanese where it does, else English."""
+    variables = (os.environ.get(name) for name in ("LC_ALL", "LC_MESSAGES", "LANG"))
+    asked = next(filter(None, variables), None) or locale.getlocale()[0] or ""
+    return "ja" if asked.lower().startswith("ja") else "en"
+
+
+def of_arguments(args: Sequence[str]) -> Language:
+    """Return the language of a command line, in which it is refused too."""
+    flags = " ".join(args)
+    for language in ("ja", "en"):
+        if f"--lang {language}" in flags or f"--lang={language}" in flags:
+            return language
+    return of_locale()
 
 
 class CommandGroup(TyperGroup):
@@ -88,16 +107,15 @@ class CommandGroup(TyperGroup):
         printed: set[str] = set()
 
         def of_flags(told: Told) -> Told:
+            """Return a refusal or a warning with flags in the place of the arguments that it names."""
             flags = _flags_of(self.get_command(ctx, ctx.invoked_subcommand or ""))
-            option = str(told.values.get("option"))
-            flag = f"--{option}".replace("_", "-")
-            if "--set" in flags and option in _OF_RECORDS and flag not in flags:
-                flag = f"--set shaking.{option}"
-            if flag in flags or flag.startswith("--set"):  # an argument of Python, by the name of its flag
-                told = type(told)(
-                    told.code, told.field, context=told.context, **told.values | {"option": flag}
-                )
-            return _said_as(told, _IN_COMMANDS | _IN_FLAGS if "--set" in flags else _IN_COMMANDS)
+            named = {
+                key: _flag(value, flags)
+                for key in _ARGUMENTS
+                if isinstance(value := told.values.get(key), str)
+            }
+            values = told.values | {key: flag for key, flag in named.items() if flag is not None}
+            return type(told)(told.code, told.field, context=told.context, **values)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)
@@ -146,12 +164,12 @@ def _misused(error: Any) -> InputError:
         return InputError("cli.no_such_flag", flag, flag=repr(flag), command=command)
     if kind == "MissingParameter":
         name = _as_on_the_line(error.param)
-        return InputError("cli.missing", name, name=name, command=command)
+        return InputError("cli.missing", name, command=command)
     if kind == "BadParameter" and error.param is not None and hasattr(error.__cause__, "errors"):
         (wrong, *_) = error.__cause__.errors()  # of pydantic, by which Typer reads numbers
         name, value = _as_on_the_line(error.param), quoted(str(wrong["input"]))
         allowed = _allowed(wrong["type"], error.param)
-        return InputError("cli.wrong_value", name, name=name, value=value, allowed=allowed)
+        return InputError("common.not_allowed", name, value=value, hint="", allowed=allowed)
     said = re.sub(r"\. Did you mean (.+)\?$", r" (did you mean \1?)", str(error.message))
     return InputError("cli.misused", said=said.rstrip("."), command=command)
 
@@ -164,30 +182,23 @@ def _as_on_the_line(param: Any) -> str:
 
 def _allowed(kind: str, param: Any) -> Phrase:
     if param.min is not None and param.max is not None:
-        return phrase("cli.whole_number_within", low=param.min, high=param.max)
-    return phrase("cli.whole_number" if kind.startswith("int") else "cli.number")
+        return phrase("scenario.whole_number", low=param.min, high=param.max, unit="")
+    return phrase("common.whole_number" if kind.startswith("int") else "common.number")
 
 
-_OF_RECORDS = ("dt", "columns", "decimal_comma", "location", "remove_mean")
+_ARGUMENTS = ("option", "other_option")
+"""Values of sentences that name an argument, which is a flag of the command line."""
+
+_OF_RECORDS = ("unit", "dt", "component", "columns", "decimal_comma", "location", "remove_mean")
 """What is said of how a record is read, in sentences about it."""
 
-_IN_FLAGS = {
-    "motion.no_unit": "cli.no_unit",
-    "motion.no_unit_but_mentioned": "cli.no_unit_but_mentioned",
-    "motion.no_unit_nor_step": "cli.no_unit_nor_step",
-    "motion.no_time_step": "cli.no_time_step",
-    "motion.vertical_alone": "cli.vertical_alone",
-}
-"""Sentences about records, and those that name the flags to give."""
 
-_IN_COMMANDS = {"scenario.of_several": "cli.one_piece_alone", "scenario.of_a_room": "cli.one_piece_alone"}
-"""Sentences that name functions of Python, and those that name commands."""
-
-
-def _said_as(told: Told, codes: Mapping[str, str]) -> Told:
-    """Return a refusal or a warning so that it names the flags and commands of the command line."""
-    code = codes.get(told.code)
-    return told if code is None else type(told)(code, told.field, context=told.context, **told.values)
+def _flag(option: str, flags: set[str]) -> str | None:
+    """Return the flag for an argument of Python; None where there is none."""
+    flag = f"--{option}".replace("_", "-")
+    if flag in flags:
+        return flag
+    return f"--set shaking.{option}" if "--set" in flags and option in _OF_RECORDS else None
 
 
 def _flags_of(command: Any) -> set[str]:
@@ -237,6 +248,30 @@ def folded(text: str, width: int) -> str:
             part = part.lstrip()
         lines[-1] += part
     return "\n".join(lines)
+
+
+def terminal(lang: str, title: str | None = None) -> tuple[Console, Callable[[str], None]]:
+    """Print a title; return the terminal, and what prints a paragraph on it."""
+    from rich.console import Console
+
+    console = Console(highlight=False, markup=False)
+    if title is not None:
+        console.print(title, style="bold")
+    return console, lambda text: console.print(folded(text, console.width) if lang == "ja" else text)
+
+
+def plain_table(
+    headings: Sequence[str], rows: Iterable[Sequence[str]], *, gap: int = 2, **numbers: Any
+) -> Table:
+    """Return a table without lines: labels, and what Rich's ``add_column`` takes for the other columns."""
+    from rich.table import Table
+
+    table = Table(box=None, padding=(0, gap, 0, 0), show_header=any(headings))
+    for place, heading in enumerate(headings):
+        table.add_column(heading, **(numbers if place else {}))
+    for row in rows:
+        table.add_row(*row)
+    return table
 
 
 def note(text: str, *, aside: bool = True) -> None:

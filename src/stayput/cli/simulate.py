@@ -3,37 +3,31 @@
 from __future__ import annotations
 
 from contextlib import ExitStack, contextmanager
+from functools import partial
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from stayput.catalogue import LANGUAGES, say
-from stayput.cli.completion import measures, words
 from stayput.cli.flags import (
+    OF_LOCALE,
     SCENE,
     SHAKING,
     FlagValues,
+    LanguageOption,
     QuietOption,
-    changed,
     chosen_measures,
-    motion_files,
-    scenario_data,
-    scenario_of,
+    opened,
     takes,
+    words,
 )
-from stayput.cli.language import OF_LOCALE, LanguageOption
-from stayput.cli.messages import compiling, folded, print_json, tell_written
-from stayput.errors import InputError
+from stayput.cli.messages import compiling, plain_table, print_json, tell_written, terminal
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
-    from stayput.catalogue import Phrase
     from stayput.report.animation import Progress
-    from stayput.scenario.shaking import ShakingTable
-    from stayput.simulation.run import Run
-    from stayput.simulation.space_run import SpaceRun
 
 
 @takes({**SCENE, **SHAKING})
@@ -46,7 +40,9 @@ def simulate(
     said: FlagValues,
     measure: Annotated[
         list[str] | None,
-        typer.Option(metavar="TYPE|NAME", help="cli_help.measure_in_place", autocompletion=words(measures)),
+        typer.Option(
+            metavar="TYPE|NAME", help="cli_help.measure_in_place", autocompletion=words("measures:MEASURES")
+        ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_run")] = None,
@@ -57,117 +53,54 @@ def simulate(
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput simulate``."""
-    from stayput.files import check_apart
-    from stayput.report.summary import piece_name
+    from stayput.report.summary import piece_name, rows, sentences, summary
     from stayput.scenario import Scenario
     from stayput.simulation.run import Run
 
     _check_targets(plot, animate)
-    given = scenario_data(scenario, "body" in said)
-    if isinstance(given.get("furniture"), list):
-        for flag, wanted in (("--body", "body" in said), ("--measure", measure)):
-            if wanted:
-                raise InputError("scenario.flag_of_one", flag, flag=flag)
-    data = changed(given, said, scenario)
-    read = [] if scenario is None else [scenario]
-    check_apart((plot, animate), [*read, *motion_files(given, scenario), *motion_files(data, scenario)])
-    checked = scenario_of(data, given, scenario)
-    wanted = _Wanted(("", ""), checked.shaking, checked.title, plot, animate, speed, fps, lang, json)
-    if not isinstance(checked, Scenario):
+    checked = opened(scenario, said, (plot, animate), of_one={"--measure": measure})
+    if isinstance(checked, Scenario):
+        with checked.naming_file(), compiling():
+            run = checked.case(chosen_measures(checked, measure or [])).run()
+        piece = checked.furniture
+        name = (piece.title, piece_name(piece.preset, piece.name)[1])
+        names = (name[LANGUAGES.index(lang)],)
+    else:
         from stayput.rooms.words import names_in
 
         with compiling():
-            found = checked.run()
-        _show_in_space(found, checked.names if json else names_in(checked, lang), wanted)
-        return
-    with checked.naming_file(), compiling():
-        run = checked.case(chosen_measures(checked, measure or [])).run()
-    piece = checked.furniture
-    wanted = wanted._replace(name=(piece.title, piece_name(piece.preset, piece.name)[1]))
+            run = checked.run()
+        name, names = ("", ""), checked.names if json else names_in(checked, lang)
+    from stayput.report.animation import animate_run
+
     if isinstance(run, Run):
-        _show_in_the_plane(run, wanted)
-    else:
-        _show_in_space(run, (wanted.called,), wanted)
-
-
-class _Wanted(NamedTuple):
-    """What is shown of a run, and where it is written."""
-
-    name: Phrase
-    shaking: ShakingTable
-    title: str | None
-    plot: Path | None
-    animate: Path | None
-    speed: float
-    fps: float
-    lang: str
-    json: bool
-
-    @property
-    def called(self) -> str:
-        """What the piece is called in the language."""
-        return self.name[LANGUAGES.index(self.lang)]
-
-    def tell_written(self) -> None:
-        """Say which files were written, beside results that are no JSON."""
-        if not self.json:
-            tell_written(self.lang, self.plot, self.animate)
-
-
-def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
-    from stayput.report.summary import rows, sentences, summary
-
-    if wanted.plot is not None:
         from stayput.report.plot import plot_run
 
-        title = say(sentences(run, (wanted.called, wanted.called)), wanted.lang)
-        plot_run(run, wanted.plot, title=title, language=wanted.lang)
-    if wanted.animate is not None:
-        from stayput.report.animation import animate_run
-
-        with _progress() as progress:
-            animate_run(
-                run,
-                wanted.animate,
-                fps=wanted.fps,
-                speed=wanted.speed,
-                names=[wanted.called],
-                language=wanted.lang,
-                progress=progress,
-            )
-    if wanted.json:
-        print_json(summary(run))
+        told, values, listed = sentences(run, name), summary(run), rows(run, lang)
+        plotted = partial(plot_run, run)
     else:
-        _print_table(sentences(run, wanted.name), rows(run, wanted.lang), wanted)
-    wanted.tell_written()
-
-
-def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> None:
-    from stayput.report.space.summary import became, space_rows, space_summary
-
-    if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
+        from stayput.report.space.summary import became, space_rows, space_summary
 
-        title = say(became(run, names), wanted.lang)
-        plot_space_run(run, wanted.plot, names=names, title=title, language=wanted.lang)
-    if wanted.animate is not None:
-        from stayput.report.animation import animate_run
-
+        told, values, listed = became(run, names), space_summary(run, names), space_rows(run, names, lang)
+        plotted = partial(plot_space_run, run, names=names)
+    if plot is not None:
+        plotted(plot, title=say(told, lang), language=lang)
+    if animate is not None:
         with _progress() as progress:
-            animate_run(
-                run,
-                wanted.animate,
-                names=names,
-                fps=wanted.fps,
-                speed=wanted.speed,
-                language=wanted.lang,
-                progress=progress,
-            )
-    if wanted.json:
-        print_json(space_summary(run, names))
-    else:
-        _print_table(became(run, names), space_rows(run, names, wanted.lang), wanted)
-    wanted.tell_written()
+            animate_run(run, animate, names=names, fps=fps, speed=speed, language=lang, progress=progress)
+    if json:
+        print_json(values)
+        return
+    console, paragraph = terminal(lang, checked.title)
+    paragraph(say(told, lang))
+    shaking = checked.shaking
+    if shaking.strength is not None:
+        listed.append((say("cli.strength", lang), say(shaking.strength.about, lang)))
+    if shaking.remove_mean:
+        listed.append((say("cli.baseline", lang), say("cli.mean_removed", lang)))
+    console.print(plain_table(("", ""), listed))
+    tell_written(lang, plot, animate)
 
 
 def _check_targets(plot: Path | None, animate: Path | None) -> None:
@@ -198,22 +131,3 @@ def _progress() -> Generator[Progress | None]:
             advance[0](1)
 
         yield drawn
-
-
-def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> None:
-    from rich.console import Console
-    from rich.table import Table
-
-    console = Console(highlight=False, markup=False)
-    if wanted.title is not None:
-        console.print(wanted.title, style="bold")
-    sentence = said[LANGUAGES.index(wanted.lang)]
-    console.print(folded(sentence, console.width) if wanted.lang == "ja" else sentence)
-    table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
-    for label, value in rows:
-        table.add_row(label, value)
-    if wanted.shaking.strength is not None:
-        table.add_row(say("cli.strength", wanted.lang), say(wanted.shaking.strength.about, wanted.lang))
-    if wanted.shaking.remove_mean:
-        table.add_row(say("cli.baseline", wanted.lang), say("cli.mean_removed", wanted.lang))
-    console.print(table)

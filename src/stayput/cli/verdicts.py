@@ -5,17 +5,18 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stayput.catalogue import say
-from stayput.cli.messages import folded
+from stayput.cli.messages import folded, plain_table, terminal
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Iterable, Sequence
 
     from rich.console import Console
     from rich.table import Table
 
+    from stayput.fragility import Probability
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
     from stayput.verification import AssemblyVerdict, Verdict
 
@@ -44,14 +45,14 @@ def print_verdict(verdict: Verdict | AssemblyVerdict | RoomVerdict, lang: str) -
         _print_one(verdict, lang)
 
 
-def _titled(title: str | None, lang: str) -> tuple[Console, Callable[[str], None]]:
-    """Print a title; return the terminal, and what prints a paragraph on it."""
-    from rich.console import Console
+class _Line(NamedTuple):
+    """A line of a ranking, and the sentence about it below the table."""
 
-    console = Console(highlight=False, markup=False)
-    if title is not None:
-        console.print(title, style="bold")
-    return console, lambda told: console.print(folded(told, console.width) if lang == "ja" else told)
+    rank: str
+    brief: str
+    cells: tuple[str, ...]
+    title: str
+    reason: str
 
 
 def _print_one(verdict: Verdict, lang: str) -> None:
@@ -60,154 +61,180 @@ def _print_one(verdict: Verdict, lang: str) -> None:
     from stayput.report.verdict import numbers
     from stayput.report.verdict.numbers import word
     from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
-    from stayput.verification import EVENTS
     from stayput.verification.words import headline, title
     from stayput.wording import with_aside
 
     text = partial(word, language=lang)
-    console, paragraph = _titled(verdict.scenario.title, lang)
-    paragraph(headline(verdict, lang))
-    limit = numbers.length(verdict.slide_limit, lang)
-    events = (text(f"brief_{event}", limit=limit) for event in EVENTS)
     capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
     inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
-    headings = (*events, *inside, text("brief_slide"), *capacities)
-    rows, lines = ranking(verdict, lang), list[tuple[str, ...]]()
-    for row in rows:
-        falls, *others = (
-            numbers.NO_NUMBER if chance is None else numbers.probability(chance, lang)
-            for _, chance in row.shares
-        )
+    lines: list[_Line] = []
+    for row in ranking(verdict, lang):
         result = row.option
+        falls, *others = _shares(row.shares, lang)
         reached = (numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES)
-        slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
         share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
         out = () if row.contents is None else (numbers.probability(row.contents, lang),)
-        lines.append((str(result.rank), row.name or row.label, share, *others, *out, slide, *reached))
-    impossible = impossible_rows(verdict, lang)
-    for (label, _), rejected in zip(impossible, verdict.impossible, strict=True):
-        name = rejected.option.name if rejected.option.own_name else label
-        lines.append((numbers.NO_NUMBER, name, text("brief_not_possible")))
-    console.print(_fitting(text("measure"), headings, lines, len(SHARES), console))
-    paragraph(text("brief_text", intensity=(FLOOR_JMA if verdict.floor else JMA_INTENSITY).names))
-    paragraph(grades_text(lang))
-    colon = text("colon")
-    for row in rows:
-        ends = numbers.interval(row.option.probabilities[OVERTURNED], lang)
-        label = title(row.option.option, verdict, lang)
+        cells = (share, *others, *out, _slide(row.slide[0], result.slide.median, lang), *reached)
+        ends = numbers.interval(result.probabilities[OVERTURNED], lang)
+        label = title(result.option, verdict, lang)
         label = with_aside(label, ends, lang) if ends else label
-        console.print(f"{row.option.rank}. {label}{colon}{row.reason}", soft_wrap=True)
-    for label, why in impossible:
-        console.print(
-            f"{numbers.NO_NUMBER}  {label}{colon}{text('not_possible')}{colon}{why}", soft_wrap=True
-        )
-    for note in verdict.notes(lang):
-        console.print(note, soft_wrap=True)
-    if verdict.motions == 1:
-        paragraph(text("one_motion"))
-    if not verdict.precise:
-        paragraph(text("not_precise"))
-    paragraph(simulations(verdict, lang))
-
-
-def _fitting(
-    label: str, headings: tuple[str, ...], lines: Sequence[tuple[str, ...]], last: int, console: Console
-) -> Table:
-    """Return the table of a ranking, without its last columns where it is wider than the terminal."""
-    from rich.cells import cell_len
-    from rich.table import Table
-
-    narrow = 12  # of the labels, which are folded
-    folds = max(max(cell_len(line[1]) for line in lines) - narrow, 0)
-    for shown in (headings, headings[:-last]):
-        table = Table(box=None, padding=(0, 1, 0, 0))
-        table.add_column("", justify="right")
-        table.add_column(label, min_width=narrow, overflow="fold")
-        for heading in shown:
-            table.add_column(heading, justify="right", no_wrap=True, overflow="fold")
-        for line in lines:
-            table.add_row(*line[: len(shown) + 2])
-        if (
-            console.measure(table, options=console.options.update(max_width=10_000)).maximum - folds
-            <= console.width
-        ):
-            break
-    return table
+        lines.append(_Line(str(result.rank), row.name or row.label, cells, label, row.reason))
+    impossible = zip(impossible_rows(verdict, lang), verdict.impossible, strict=True)
+    rejected = [
+        (one.option.name if one.option.own_name else label, label, why) for (label, why), one in impossible
+    ]
+    headings = (text("measure"), *_events(verdict, lang), *inside, text("brief_slide"), *capacities)
+    jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
+    below = (text("brief_text", intensity=jma.names), grades_text(lang))
+    _print_ranking(
+        verdict,
+        lang,
+        headings,
+        lines,
+        rejected,
+        above=headline(verdict, lang),
+        below=below,
+        notes=verdict.notes(lang),
+        end=simulations(verdict, lang),
+        last=len(SHARES),
+    )
 
 
 def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
-    """Print a verdict on several pieces: its sentence, a table of options, and why each is where it is."""
-    from rich.table import Table
-
     from stayput.report.verdict import numbers
     from stayput.report.verdict.numbers import word
     from stayput.report.verdict.tables import impossible_rows, several_ranking, simulations
-    from stayput.verification import EVENTS
     from stayput.verification.words import headline_of_several
 
-    text = partial(word, language=lang)
-    console, paragraph = _titled(verdict.scenario.title, lang)
-    paragraph(headline_of_several(verdict, lang))
-    table = Table(box=None, padding=(0, 1, 0, 0))
-    table.add_column("", justify="right")
-    table.add_column(say("several.option", lang), min_width=12, overflow="fold")
-    limit = numbers.length(verdict.slide_limit, lang)
-    events = (text(f"brief_{event}", limit=limit) for event in EVENTS)
-    for heading in (*events, text("brief_slide"), *verdict.scenario.names):
-        table.add_column(heading, justify="right", overflow="fold")
-    rows = several_ranking(verdict, lang)
-    for row in rows:
-        shares = (
-            numbers.NO_NUMBER if chance is None else numbers.probability(chance, lang)
-            for _, chance in row.shares
-        )
-        slide = text("brief_falls") if math.isinf(row.option.slide.median) else row.slide[0]
+    lines: list[_Line] = []
+    for row in several_ranking(verdict, lang):
+        slide = _slide(row.slide[0], row.option.slide.median, lang)
         each = (numbers.probability(chance, lang) for _, chance in row.pieces)
-        table.add_row(str(row.option.rank), row.brief, *shares, slide, *each)
-    rejected = impossible_rows(verdict, lang)
-    for label, _ in rejected:
-        table.add_row(numbers.NO_NUMBER, label, text("brief_not_possible"))
-    console.print(table)
-    paragraph(say("several.brief_text", lang))
-    colon = text("colon")
-    for row in rows:
-        console.print(f"{row.option.rank}. {row.label}{colon}{row.reason}", soft_wrap=True)
-    for label, why in rejected:
-        console.print(
-            f"{numbers.NO_NUMBER}  {label}{colon}{text('not_possible')}{colon}{why}", soft_wrap=True
-        )
+        cells = (*_shares(row.shares, lang), slide, *each)
+        lines.append(_Line(str(row.option.rank), row.brief, cells, row.label, row.reason))
+    rejected = [(label, label, why) for label, why in impossible_rows(verdict, lang)]
+    slid, option = word("brief_slide", lang), say("several.option", lang)
+    headings = (option, *_events(verdict, lang), slid, *verdict.scenario.names)
+    below = (say("several.brief_text", lang),)
+    above, end = headline_of_several(verdict, lang), simulations(verdict, lang)
+    _print_ranking(verdict, lang, headings, lines, rejected, above=above, below=below, end=end)
+
+
+def _events(verdict: Verdict | AssemblyVerdict, lang: str) -> list[str]:
+    """Return the headings of the columns of events."""
+    from stayput.report.verdict import numbers
+    from stayput.report.verdict.numbers import word
+    from stayput.verification import EVENTS
+
+    limit = numbers.length(verdict.slide_limit, lang)
+    return [word(f"brief_{event}", lang, limit=limit) for event in EVENTS]
+
+
+def _shares(shares: Iterable[tuple[Any, Probability | None]], lang: str) -> list[str]:
+    from stayput.report.verdict import numbers
+
+    return [numbers.NO_NUMBER if one is None else numbers.probability(one, lang) for _, one in shares]
+
+
+def _slide(told: str, median: float, lang: str) -> str:
+    from stayput.report.verdict.numbers import word
+
+    return word("brief_falls", lang) if math.isinf(median) else told
+
+
+def _print_ranking(
+    verdict: Verdict | AssemblyVerdict,
+    lang: str,
+    headings: Sequence[str],
+    lines: Sequence[_Line],
+    rejected: Sequence[tuple[str, str, str]],
+    *,
+    above: str,
+    below: Sequence[str],
+    notes: Iterable[str] = (),
+    end: str,
+    last: int = 0,
+) -> None:
+    """Print the title, what is found, the table of options, and why each is where it is.
+
+    Parameters
+    ----------
+    verdict : Verdict or AssemblyVerdict
+        The verdict.
+    lang : str
+        "en" or "ja".
+    headings : sequence of str
+        What stands above the labels and the cells.
+    lines : sequence of _Line
+        The options.
+    rejected : sequence of tuple of str
+        Those that are not possible: in brief, in full, and why.
+    above, below, notes, end
+        Sentences above and below the table, below the reasons, and at the end.
+    last : int
+        How many of the last columns are left out where the table is wider than the terminal.
+    """
+    from rich.cells import cell_len
+    from rich.table import Table
+
+    from stayput.report.verdict.numbers import NO_NUMBER, word
+
+    console, paragraph = terminal(lang, verdict.scenario.title)
+    paragraph(above)
+    rows = [(line.rank, line.brief, *line.cells) for line in lines]
+    rows += [(NO_NUMBER, brief, word("brief_not_possible", lang)) for brief, _, _ in rejected]
+    narrow = 12  # of the labels, which are folded
+    folds = max(max(cell_len(row[1]) for row in rows) - narrow, 0)
+    for shown in (len(headings), len(headings) - last):
+        table = Table(box=None, padding=(0, 1, 0, 0))
+        table.add_column("", justify="right")
+        table.add_column(headings[0], min_width=narrow, overflow="fold")
+        for heading in headings[1:shown]:
+            table.add_column(heading, justify="right", no_wrap=last > 0, overflow="fold")
+        for row in rows:
+            table.add_row(*row[: shown + 1])
+        if last == 0 or _width(table, console) - folds <= console.width:
+            break
+    console.print(table)  # pyright: ignore[reportPossiblyUnbound] - there is one of two
+    for sentence in below:
+        paragraph(sentence)
+    colon = word("colon", lang)
+    for line in lines:
+        console.print(f"{line.rank}. {line.title}{colon}{line.reason}", soft_wrap=True)
+    for _, label, why in rejected:
+        console.print(f"{NO_NUMBER}  {colon.join((label, word('not_possible', lang), why))}", soft_wrap=True)
+    for note in notes:
+        console.print(note, soft_wrap=True)
     if verdict.motions == 1:
-        paragraph(text("one_motion"))
+        paragraph(word("one_motion", lang))
     if not verdict.precise:
-        paragraph(text("not_precise"))
-    paragraph(simulations(verdict, lang))
+        paragraph(word("not_precise", lang))
+    paragraph(end)
+
+
+def _width(table: Table, console: Console) -> int:
+    """Return the width of a table whose lines do not break [cells]."""
+    return console.measure(table, options=console.options.update(max_width=10_000)).maximum
 
 
 def _print_room(verdict: RoomVerdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes."""
     from rich.padding import Padding
-    from rich.table import Table
 
     from stayput.report.room.tables import sentences, simulations_of_room, tables
 
-    console, paragraph = _titled(verdict.scenario.title, lang)
+    console, paragraph = terminal(lang, verdict.scenario.title)
     for sentence in sentences(verdict, lang):
         paragraph(sentence)
     listed = _listed(verdict)
     for each in tables(replace(verdict, changes=listed), lang):
         if not each.rows:
             continue
-        table = Table(box=None, padding=(0, 1, 0, 0))
-        for number, heading in enumerate(each.headings):
-            table.add_column(heading, justify="left" if number == 0 else "right", overflow="fold")
-        for row in each.rows:
-            table.add_row(*row)
-        # a table whose lines would break becomes a list
-        if console.measure(table, options=console.options.update(max_width=10_000)).maximum <= console.width:
+        table = plain_table(each.headings, each.rows, gap=1, justify="right", overflow="fold")
+        if _width(table, console) <= console.width:
             console.print(table)
-        else:
-            for row in each.rows:
-                label, *values = row
+        else:  # whose lines would break: a list instead
+            for label, *values in each.rows:
                 named = zip(each.headings[1:], values, strict=True)
                 said = say("common.listed", lang).join(
                     f"{heading} {value}" for heading, value in named if value

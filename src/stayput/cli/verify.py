@@ -8,20 +8,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.completion import intensity_measures, measures, words
 from stayput.cli.flags import (
+    OF_LOCALE,
     SHAKING,
     FlagValues,
+    LanguageOption,
     QuietOption,
     ThreadsOption,
-    changed,
     chosen_measures,
-    motion_files,
-    scenario_data,
-    scenario_of,
+    opened,
     takes,
+    words,
 )
-from stayput.cli.language import OF_LOCALE, LanguageOption
 from stayput.cli.messages import compiling, note, tell_written
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
 from stayput.cli.verdicts import print_verdict
@@ -43,7 +41,11 @@ def verify(
     said: FlagValues,
     measure: Annotated[
         list[str] | None,
-        typer.Option(metavar="TYPE|NAME", help="cli_help.only_measure", autocompletion=words(measures)),
+        typer.Option(
+            metavar="TYPE|NAME",
+            help="cli_help.only_measure",
+            autocompletion=words("measures:MEASURES"),
+        ),
     ] = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.report")] = None,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
@@ -55,7 +57,7 @@ def verify(
         typer.Option(
             metavar="JMA|MMI|PGA|PGV|SA(T)|PFA|PFV",
             help="cli_help.im",
-            autocompletion=words(intensity_measures),
+            autocompletion=words("fragility:INTENSITY_MEASURES"),
         ),
     ] = None,
     plan: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plan")] = None,
@@ -73,7 +75,10 @@ def verify(
 ) -> None:
     """Run ``stayput verify``."""
     from stayput.errors import within
-    from stayput.files import check_apart, check_target
+    from stayput.files import check_target
+    from stayput.rooms.verdict import RoomVerdict
+    from stayput.scenario import RoomScenario, Scenario
+    from stayput.verification import SLIDE_LIMIT, Verdict
 
     for page in (report, plan):
         if page is not None:
@@ -84,42 +89,43 @@ def verify(
     if report is not None and plan is not None and report.resolve() == plan.resolve():
         value = repr(str(plan))
         raise InputError("cli.same_file", "--plan", flag="--report", other="--plan", value=value)
-    if slide_limit is not None:
-        within("--slide-limit", slide_limit, 0.0, 100.0, "m")
-    home = (no_drilling, tatami, plasterboard, dropped_ceiling)
-    if plan is None and any(home):
-        raise InputError("cli.home_without_plan")
+    limit = SLIDE_LIMIT if slide_limit is None else within("--slide-limit", slide_limit, 0.0, 100.0, "m")
+    home: dict[str, Any] = {
+        "no_drilling": no_drilling,
+        "tatami": tatami,
+        "plasterboard": plasterboard,
+        "dropped_ceiling": dropped_ceiling,
+    }
+    if plan is None and any(home.values()):
+        flags = ", ".join(f"--{name}".replace("_", "-") for name, given in home.items() if given)
+        raise InputError("cli.flag_without", "--plan", flag=flags, other="--plan")
     over = _over(curves, im)
-    given = scenario_data(scenario)
-    if plan is not None and "plan" not in given:
+    of_one = {"--measure": measure, "--curves": curves}
+    checked = opened(scenario, said, (report, markdown, csv, plan), of_one=of_one)
+    if plan is not None and not isinstance(checked, RoomScenario):
         raise InputError("cli.plan_of_a_room", "--plan").at(called(scenario))
-    data = changed(given, said, scenario)
-    read = [*motion_files(given, scenario), *motion_files(data, scenario)]
-    check_apart((report, markdown, csv, plan), [scenario, *read])
-    checked = _only(scenario_of(data, given, scenario), measure, curves)
-    verdict = _verified(checked, over, slide_limit, every_run, threads)
+    if measure and isinstance(checked, Scenario):
+        checked = _only(checked, measure)
+    verdict = _verified(checked, over, limit, every_run, threads)
     if json:
         typer.echo(verdict.to_json(), nl=False)
     elif not instead:
         print_verdict(verdict, lang)
-    written = _write(verdict, report, markdown, csv, lang)  # what was found is told even if this fails
-    from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification import Verdict
+    written = [path for path in (report, markdown, csv) if path is not None and not is_stream(path)]
+    if report is not None:
+        verdict.report(report, lang)
+    if markdown is not None:
+        write_text(markdown, verdict.to_markdown(lang))
+    if csv is not None:
+        from stayput.spreadsheets import CSV_ENCODING
 
+        write_text(csv, verdict.to_csv(), CSV_ENCODING)
     if curves is not None and isinstance(verdict, Verdict):
         written += _write_curves(verdict, over[0], curves, lang, aside=instead or json)
     if plan is not None and isinstance(verdict, RoomVerdict):
         from stayput.rooms.planning import action_plan
 
-        made = action_plan(
-            verdict,
-            no_drilling=no_drilling,
-            tatami=tatami,
-            plasterboard=plasterboard,
-            dropped_ceiling=dropped_ceiling,
-            threads=threads,
-        )
-        written.append(made.report(plan, lang))
+        written.append(action_plan(verdict, **home, threads=threads).report(plan, lang))
     if not json:
         tell_written(lang, *written, aside=instead)
 
@@ -136,7 +142,7 @@ def _over(curves: Path | None, im: str | None) -> list[IntensityMeasure]:
 
     if curves is None:
         if im is not None:
-            raise InputError("cli.im_without_curves", "--im", value=repr(im))
+            raise InputError("cli.flag_without", "--im", flag="--im", other="--curves")
         return []
     if curves.exists() and not curves.is_dir():
         raise InputError("cli.folder_is_file", "--curves", folder=repr(str(curves)))
@@ -145,72 +151,38 @@ def _over(curves: Path | None, im: str | None) -> list[IntensityMeasure]:
     return [intensity_measure(im or "JMA", "--im")]
 
 
-def _only(
-    scenario: Scenario | AssemblyScenario, names: list[str] | None, curves: Path | None
-) -> Scenario | AssemblyScenario:
+def _only(scenario: Scenario, names: list[str]) -> Scenario:
     """Return the scenario with only these of its measures, or with these types of measure.
 
     Raises
     ------
     InputError
-        A name that is neither; flags of one piece beside several.
+        A name that is neither.
     """
-    from stayput.scenario import Scenario
-
-    if not isinstance(scenario, Scenario):
-        for flag, wanted in (("--measure", names), ("--curves", curves)):
-            if wanted:
-                raise InputError("scenario.flag_of_one", flag, flag=flag)
-        return scenario
-    if not names:
-        return scenario
     chosen_measures(scenario, names)  # refuses unknown names
     tables = scenario.model_dump(by_alias=True, exclude_unset=True)
     stated_names = (measure_set.name for measure_set in scenario.measures)
     stated = dict(zip(stated_names, tables.get("measures") or (), strict=True))
     tables["measures"] = [stated.get(name, {"type": name}) for name in dict.fromkeys(names)]
-    return Scenario.parse(tables, scenario.folder)
+    return type(scenario).parse(tables, scenario.folder)
 
 
 def _verified(
     scenario: Scenario | AssemblyScenario,
     over: list[IntensityMeasure],
-    slide_limit: float | None,
+    slide_limit: float,
     every_run: bool,
     threads: int | None,
 ) -> Verdict | AssemblyVerdict | RoomVerdict:
+    from stayput.rooms.verify import verify_room
     from stayput.scenario import RoomScenario
-    from stayput.verification import SLIDE_LIMIT
+    from stayput.verification import verify as compare
 
-    limit = SLIDE_LIMIT if slide_limit is None else slide_limit
     with scenario.naming_file(), compiling():
         if isinstance(scenario, RoomScenario):
-            from stayput.rooms.verify import verify_room
-
-            return verify_room(scenario, slide_limit=limit, threads=threads)
-
-        from stayput.verification import verify as compare
-
+            return verify_room(scenario, slide_limit=slide_limit, threads=threads)
         options: dict[str, Any] = {"intensity_measures": over} if over else {}
-        return compare(scenario, slide_limit=limit, every_run=every_run, threads=threads, **options)
-
-
-def _write(
-    verdict: Verdict | AssemblyVerdict | RoomVerdict,
-    report: Path | None,
-    markdown: Path | None,
-    csv: Path | None,
-    lang: str,
-) -> list[Path]:
-    if report is not None:
-        verdict.report(report, lang)
-    if markdown is not None:
-        write_text(markdown, verdict.to_markdown(lang))
-    if csv is not None:
-        from stayput.spreadsheets import CSV_ENCODING
-
-        write_text(csv, verdict.to_csv(), CSV_ENCODING)
-    return [path for path in (report, markdown, csv) if path is not None and not is_stream(path)]
+        return compare(scenario, slide_limit=slide_limit, every_run=every_run, threads=threads, **options)
 
 
 def _write_curves(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from stayput.contents.contents import Contents
-from stayput.contents.kinds import CONTENTS, ContentsKind
+from stayput.contents.contents import CONTENTS, Contents, ContentsKind
 
 __all__ = ["CONTENTS", "Contents", "ContentsKind"]

@@ -10,8 +10,14 @@ import numpy as np
 
 from stayput.contents.carrier import Carrier
 from stayput.contents.contents import STOPPED, Contents
-from stayput.contents.fronts import opening_samples, slide_of_a_leaf
-from stayput.contents.items import items_of, out_of_shelf, toppled, uncovered
+from stayput.contents.items import (
+    items_of,
+    opening_samples,
+    out_of_shelf,
+    slide_of_a_leaf,
+    toppled,
+    uncovered,
+)
 from stayput.errors import InputError, instance_of
 from stayput.measures import element_rows, hold
 from stayput.mechanics import columns as col
@@ -108,7 +114,7 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     """Follow what is in a piece of furniture, item by item, as the piece moves.
 
     The items feel the motion of their shelf and do not act back on the piece: see
-    `stayput.contents.weight` for bounds of what that is worth.
+    `stayput.contents.contents.emptied` for bounds of what that is worth.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, has_control, within
+from stayput.errors import InputError, has_control, whole_within
 from stayput.inventory.columns import UNITS
 from stayput.vocabulary import LONGEST_WORD, WORDS, plain_word
 
@@ -210,9 +210,7 @@ def whole_of(name: str, cell: Cell, low: int, high: int) -> int | None:
     value = number_of(name, cell)
     if value is None:
         return None
-    if not value.is_integer():
-        raise InputError("common.not_whole", name, name=name, value=value)
-    return int(within(name, value, low, high, field=name))
+    return whole_within(name, value, low, high, field=name)
 
 
 def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:

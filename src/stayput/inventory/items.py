@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from stayput.catalogue import phrase
 from stayput.contents import Contents
-from stayput.contents.weight import emptied
+from stayput.contents.contents import emptied
 from stayput.errors import InputError, unknown, visible, within
 from stayput.inventory.cells import (
     ROOF,
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
-    from stayput.scenario.building import BuildingTable
+    from stayput.scenario.tables import BuildingTable
 
 MOST_CACHED = 100_000
 """Bodies, and rooms with their measures, that are cached for rows with the same values."""

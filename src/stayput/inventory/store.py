@@ -22,7 +22,7 @@ from stayput.inventory.shakemap import GroundLevel
 from stayput.measures import MEASURES, parameters
 from stayput.model.state import State
 from stayput.montecarlo.counting import EVENTS
-from stayput.scenario.building import BuildingTable
+from stayput.scenario.tables import BuildingTable
 from stayput.simulation.flat_fields import flat_fields, from_flat_fields
 
 if TYPE_CHECKING:

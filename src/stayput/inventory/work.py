@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.room import Room
     from stayput.montecarlo.sampling import DrawTable, Rows
-    from stayput.scenario.building import BuildingTable
+    from stayput.scenario.tables import BuildingTable
 
 SECONDS = 1.0
 """Wanted time of a task [s]: long beside the cost of handing it on, short beside the wait for the last."""

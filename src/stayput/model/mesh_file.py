@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, reason_of, unknown
-from stayput.extras import absent
+from stayput.errors import InputError, absent, instance_of, reason_of, unknown
 from stayput.model.polyhedron import (
     check_filled,
     check_size,

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
-    from stayput.scenario.building import BuildingTable
+    from stayput.scenario.tables import BuildingTable
 
 
 def growth(measure: IntensityMeasure) -> float:

@@ -318,7 +318,7 @@ def _warn_of_choice(x: Channel, channels: Sequence[Channel]) -> None:
     """Warn of the channel that became x where the caller named none and the file does not say either."""
     horizontal = list(_horizontal(channels).values())
     if not horizontal:
-        warn(InputWarning("motion.vertical_alone", "component", label=x.label))
+        warn(InputWarning("motion.vertical_alone", "component", label=x.label, option="component"))
     elif len(horizontal) > 1 and {_direction(label) for label in horizontal} != {"X", "Y"}:
         taken = (x.label, f"「{x.label}」") if x.label else phrase("motion.the_first")
         listing = labels_phrase(horizontal)

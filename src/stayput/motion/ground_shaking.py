@@ -33,7 +33,7 @@ from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.spectrum import DAMPING, response_spectrum
-from stayput.randomness import random_bits
+from stayput.uncertainty import random_bits
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase

@@ -226,10 +226,14 @@ def acceleration_unit(
         if stated is not None:
             raise unknown_unit(stated)
         if mentioned is not None:
-            raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES)
+            raise InputError(
+                "motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES, option="unit"
+            )
         if step_missing:
-            raise InputError("motion.no_unit_nor_step", "unit", known=UNIT_NAMES)
-        raise InputError("motion.no_unit", "unit", known=UNIT_NAMES)
+            raise InputError(
+                "motion.no_unit_nor_step", "unit", known=UNIT_NAMES, option="unit", other_option="dt"
+            )
+        raise InputError("motion.no_unit", "unit", known=UNIT_NAMES, option="unit")
     factor = unit_factor(known or given or "")
     if not known and mentioned and ACCELERATION_UNITS.get(known_unit(mentioned) or "") != factor:
         warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=mentioned))
@@ -245,7 +249,7 @@ def unknown_unit(unit: str) -> InputError:
 def time_step(stated: float | None, given: float | None) -> float:
     """Return the time step of a file's samples [s]; arguments and errors as for `acceleration_unit`."""
     if stated is None and given is None:
-        raise InputError("motion.no_time_step", "dt")
+        raise InputError("motion.no_time_step", "dt", option="dt")
     if stated is not None and given is not None and not math.isclose(stated, given, rel_tol=_STEP_TOLERANCE):
         raise InputError("motion.another_time_step", "dt", given=given, stated=stated)
     step = stated if stated is not None else given or 0.0

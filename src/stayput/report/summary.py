@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import LANGUAGES, phrase, say
-from stayput.catalogue.names import ANY_PIECE, PIECES
+from stayput.catalogue.names import ANY_PIECE, OUTCOMES, PIECES
 from stayput.report.history import history
 from stayput.report.names import motion_place, place_named
 from stayput.simulation.outcome import Event, EventKind, Outcome
@@ -201,7 +201,7 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
 
 def outcome_named(outcome: Outcome, language: str) -> str:
     """Return an outcome in a word: in English by its own name, as `Run.outcome` has it."""
-    return outcome.value if language == "en" else say(f"runs.outcome_{outcome.name.lower()}", language)
+    return outcome.value if language == "en" else say(OUTCOMES[outcome.value], language)
 
 
 def place_called(device: DeviceResult, members: Sequence[str], language: str = "en") -> str:

@@ -2,50 +2,69 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from contextlib import contextmanager
-from functools import cache, partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from functools import partial
+from itertools import product
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, cast
 
-import tomli_w
-from pydantic import Field, ValidationError, model_validator
+import numpy as np
+from pydantic import Field, model_validator
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of, list_of
+from stayput.execution import Pool
+from stayput.measures.element import utilisation
 from stayput.measures.measure import refuse_conflicts
+from stayput.mechanics.columns import RESULT
+from stayput.mechanics.devices.columns import HOLDS
 from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.scenario.assembly_options import (
+from stayput.progress import bar
+from stayput.scenario.fields import between, checked, refuse_same_names
+from stayput.scenario.origin import FromFile, Gravity, Title
+from stayput.scenario.pieces import (
     NOTHING,
     AssemblyOption,
     AssemblyUncertaintyTable,
+    JointTable,
     OptionTable,
+    StandingTable,
     in_place,
-)
-from stayput.scenario.fields import Text, between, checked
-from stayput.scenario.messages import refusal_of
-from stayput.scenario.origin import FromFile
-from stayput.scenario.pieces import (
-    JointTable,  # noqa: TC001 - pydantic reads the annotations
-    StandingTable,  # noqa: TC001 - pydantic reads the annotations
 )
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import RoomTable, floor_of
-from stayput.scenario.toml import read_toml
 from stayput.simulation.case import simulate
+from stayput.simulation.results import QUANTITIES, fill_columns
+from stayput.simulation.space import trace_assembly
+from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
 from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping
+    from collections.abc import Generator
     from os import PathLike
 
     import xarray as xr
+    from numpy.typing import NDArray
 
     from stayput.model.room import Floor, Room
     from stayput.model.solid import Solid
-    from stayput.motion import Motion
-    from stayput.motion.suites import Suite
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Joint
+
+
+_PART = re.compile(r"([^\[\]]+)(?:\[(\d+)\])?")
+"""A part of a path: a key, and which item of its list; without that, all items."""
+
+ABOUT = {column.name: column for column in QUANTITIES}
+COLUMNS = {
+    name: ABOUT[name]
+    for name in (
+        *("outcome", "overturned", "overturn_time", "peak_slide", "residual_slide"),
+        *("peak_tilt", "residual_tilt", "floor_impacts", "wall_impacts"),
+    )
+}
+"""Results of each piece."""
 
 
 class AssemblyScenario(FromFile):
@@ -61,7 +80,7 @@ class AssemblyScenario(FromFile):
     Television on a stand ('stand', 'rocked') ('television', 'fell off')
     """
 
-    title: Text | None = Field(default=None, description="What the scenario is about.")
+    title: Title = None
     furniture: Annotated[list[StandingTable], Field(min_length=1, max_length=MOST_BODIES)] = Field(
         description="What stands."
     )
@@ -80,9 +99,7 @@ class AssemblyScenario(FromFile):
         description="Where they stand; the gaps of the walls are from the outermost of all pieces.",
     )
     shaking: ShakingTable = Field(default_factory=ShakingTable, description="How the floor is shaken.")
-    gravity: Annotated[float, between(0.1, 100.0, "m/s²")] = Field(
-        default=STANDARD_GRAVITY, description="Acceleration of gravity."
-    )
+    gravity: Gravity = STANDARD_GRAVITY
     option_tables: Annotated[list[OptionTable], Field(min_length=1, max_length=100)] | None = Field(
         default=None, alias="options", description="What a verification compares; by default the usual."
     )
@@ -93,13 +110,10 @@ class AssemblyScenario(FromFile):
     @model_validator(mode="after")
     def _named_apart(self) -> Self:
         names = self.names
+        refuse_same_names("furniture", names)
         for number, piece in enumerate(self.furniture):
-            if piece.name in names[:number]:
-                name, other = f"furniture[{number}].name", f"furniture[{names.index(piece.name)}]"
-                raise InputError("scenario.same_name", name, name=name, value=repr(piece.name), other=other)
             if piece.on is not None and piece.on not in names[:number]:
-                name = f"furniture[{number}].on"
-                raise InputError("scenario.stands_on", name, name=name, value=repr(piece.on))
+                raise InputError("scenario.stands_on", f"furniture[{number}].on", value=repr(piece.on))
         try:
             friction_between((self.static_friction, self.kinetic_friction))
         except InputError as error:
@@ -109,38 +123,24 @@ class AssemblyScenario(FromFile):
                 if getattr(joint, key) not in names:
                     name = f"joints[{number}].{key}"
                     value = repr(getattr(joint, key))
-                    raise InputError("scenario.no_such_piece", name, name=name, value=value)
+                    raise InputError("scenario.no_such_piece", name, value=value)
         self._joints()
         self._check_options()
         return self
 
     def _check_options(self) -> None:
-        names = self.names
-        taken = [NOTHING, *(option.name for option in self.option_tables or ())]
-        for number, option in enumerate(self.option_tables or ()):
-            if option.name in taken[: number + 1]:
-                name = f"options[{number}].name"
-                first = taken.index(option.name) - 1
-                other = f"options[{first}]" if first >= 0 else phrase("scenario.option_of_nothing")
-                raise InputError("scenario.same_name", name, name=name, value=repr(option.name), other=other)
+        names, options = self.names, self.option_tables or []
+        taken = {NOTHING: phrase("scenario.option_of_nothing")}
+        refuse_same_names("options", [option.name for option in options], taken)
+        for number, option in enumerate(options):
             for place, piece in enumerate(option.pieces):
                 name = f"options[{number}].pieces[{place}].name"
                 if piece.name not in names:
-                    raise InputError("scenario.no_such_piece", name, name=name, value=repr(piece.name))
+                    raise InputError("scenario.no_such_piece", name, value=repr(piece.name))
                 if not self.furniture[names.index(piece.name)].is_furniture:
                     raise InputError("scenario.measures_on_solid", name, name=piece.name)
             for name in names:
                 checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
-
-    @classmethod
-    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
-        """Make a scenario from the keys and values of its file; see `Scenario.parse`."""
-        try:
-            scenario = cls.model_validate(dict(data))
-        except ValidationError as error:
-            raise refusal_of(error.errors(), _schema(cls)) from None
-        scenario._folder, scenario._file = folder, file
-        return scenario
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -225,8 +225,11 @@ class AssemblyScenario(FromFile):
             Its body.
         """
         if piece.against is not None:
-            name = f"furniture[{self.names.index(piece.name)}].against"
-            raise InputError("rooms.against_without_plan", name, name=name, value=repr(piece.against))
+            raise InputError(
+                "rooms.against_without_plan",
+                f"furniture[{self.names.index(piece.name)}].against",
+                value=repr(piece.against),
+            )
         x, y, *up = piece.at
         return (x, y, up[0] if up else 0.0), piece.heading
 
@@ -274,22 +277,6 @@ class AssemblyScenario(FromFile):
         """Make the room; the gaps of its walls are from the outermost of all pieces."""
         return self.room.room()
 
-    def motion(self) -> Motion:
-        """Make the motion of the floor: of a suite, that of its ``member``."""
-        with self.naming_file("shaking"):
-            return self.shaking.motion(self._folder)
-
-    def ground(self) -> Suite:
-        """Make the motions of the ground, not scaled, with all components."""
-        with self.naming_file("shaking"):
-            return self.shaking.ground(self._folder)
-
-    def to_toml(self) -> str:
-        """Return the scenario as a file's text; see `Scenario.to_toml`."""
-        return tomli_w.dumps(
-            self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
-        )
-
     def run(self) -> SpaceRun:
         """Simulate the pieces as the file states them."""
         assembly, motion = self.assembly(), self.motion()
@@ -316,14 +303,88 @@ class AssemblyScenario(FromFile):
         InputError
             A key that there is not, or a value that the file may not have.
         """
-        from stayput.scenario.assembly_sweep import sweep_assembly
+        import xarray as xr
 
-        return sweep_assembly(self, axes, threads=threads, progress=progress)
+        instance_of("axes", axes, Mapping)
+        lists = {path: list_of(path, values) for path, values in axes.items()}
+        for path, values in lists.items():
+            if not values:
+                raise InputError("simulation.no_values", path, path=path)
+        stated = self.stated_keys()
+        cases = [
+            _changed(self, stated, dict(zip(lists, values, strict=True)))
+            for values in product(*lists.values())
+        ]
+        results = np.zeros((len(cases), len(self.names)), RESULT)
+        devices = {
+            "device_failures": np.zeros(len(cases), np.int32),
+            "device_utilisation": np.zeros(len(cases)),
+        }
+
+        def run(number: int) -> None:
+            results[number], *of_devices = _run(cases[number])
+            for values, value in zip(devices.values(), of_devices, strict=True):
+                values[number] = value
+
+        with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
+            for _ in pool.as_completed(partial(run, number) for number in range(len(cases))):
+                advance(1)
+        pieces = {name: np.zeros(results.size, about.dtype) for name, about in COLUMNS.items()}
+        fill_columns(pieces, 0, results.ravel())
+        data = xr.Dataset(
+            coords={**{path: [*values] for path, values in lists.items()}, "piece": [*self.names]}
+        )
+        shape = tuple(map(len, lists.values()))
+        for name, values in {**pieces, **devices}.items():
+            dims = (*lists, "piece") if name in pieces else tuple(lists)
+            data[name] = (dims, values.reshape(*shape, *(-1,) * (name in pieces)), ABOUT[name].attributes)
+        return data
 
 
-@cache
-def _schema(kind: type[AssemblyScenario]) -> dict[str, Any]:
-    return kind.model_json_schema()
+def _changed(scenario: AssemblyScenario, stated: dict[str, Any], values: dict[str, Any]) -> AssemblyScenario:
+    """Return a scenario with other values at paths."""
+    data = stated
+    for path, value in values.items():
+        data = _with(data, path.split("."), value, path)
+    return type(scenario).parse(data, scenario.folder)
+
+
+def _with(node: Any, parts: list[str], value: Any, path: str) -> Any:
+    """Return a node with another value at a path below it; the node itself stays as it is."""
+    if not parts:
+        return value
+    found = _PART.fullmatch(parts[0])
+    if found is None or not isinstance(node, dict):
+        raise InputError("scenario.no_such_path", path, path=path)
+    table, (key, place) = cast("dict[str, Any]", node), found.groups()
+    below: Any = table.get(key, {} if len(parts) > 1 else None)
+    if isinstance(below, list) and (place is not None or len(parts) > 1):
+        items = cast("list[Any]", below)
+        if place is not None and int(place) >= len(items):
+            raise InputError("scenario.no_such_path", path, path=path)
+        chosen = range(len(items)) if place is None else (int(place),)
+        return {
+            **table,
+            key: [
+                _with(item, parts[1:], value, path) if number in chosen else item
+                for number, item in enumerate(items)
+            ],
+        }
+    return {**table, key: _with(below, parts[1:], value, path)}
+
+
+def _run(scenario: AssemblyScenario) -> tuple[NDArray[np.void], int, float]:
+    """Return what became of each piece, how many devices failed, and the largest utilisation."""
+    motion = scenario.motion()
+    shaking = SpaceShaking(acceleration_of(motion), motion.dt)
+    assembly = scenario.assembly()
+    with scenario.naming_pieces():
+        traced = trace_assembly(assembly, scenario.surroundings(), shaking, scenario.gravity)
+    devices = traced.trace.devices
+    failed = int((devices["failure"] != HOLDS).sum())
+    standing = [one.standing for one in traced.bodies]
+    results = results_of(standing, traced.trace, shaking.times)
+    return results, failed, float(utilisation(traced.trace.springs, devices).max(initial=0.0))
 
 
 def read_assembly(path: str | PathLike[str]) -> AssemblyScenario:
@@ -346,8 +407,4 @@ def read_assembly(path: str | PathLike[str]) -> AssemblyScenario:
     >>> scenario.title
     'Dresser with a joined upper part'
     """
-    file = Path(path)
-    try:
-        return AssemblyScenario.parse(read_toml(file), file.parent, file.name)
-    except InputError as error:
-        raise error.at(file.name) from None
+    return AssemblyScenario.read(path)

@@ -1,24 +1,26 @@
 """Kinds of field that the tables of a scenario have; ranges and units go into the JSON Schema.
 
 What a field of a table has in common with the field of the value that the table makes stands with the latter:
-`stayput.model.parameters`. `of` reads it.
+`stayput.model.parameters`. `fields_of` and `of` read it.
 """
 
 from __future__ import annotations
 
 from dataclasses import MISSING
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, cast
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, create_model
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, has_control
-from stayput.model.body import Body
-from stayput.model.parameters import parameter_of
+from stayput.model.parameters import parameter_of, parameters
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator
+    from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+
+    from stayput.catalogue import Phrase
+    from stayput.model.parameters import Parameter
 
 Made = TypeVar("Made")
 
@@ -34,6 +36,17 @@ class Table(BaseModel):
     def __repr_args__(self) -> Iterator[tuple[str | None, Any]]:
         """Yield what was said, and nothing that was left to its default."""
         return (pair for pair in super().__repr_args__() if pair[0] in self.model_fields_set)
+
+
+class ValueTable(Table):
+    """A table with the fields of the value that it makes: see `fields_of`."""
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
+
+
+AnyTable = TypeVar("AnyTable", bound=Table)
 
 
 def between(low: float, high: float, unit: str = "", **about: Any) -> Any:
@@ -53,7 +66,7 @@ def each(of: Any, name: str) -> Any:
     return between(about.low, about.high, about.unit)
 
 
-def of(kind: Any, name: str, *, listed: bool = False, **changed: Any) -> Any:
+def of(kind: Any, name: str, **changed: Any) -> Any:
     """Return the field of a table with the default, unit, range and meaning of the one that it is for.
 
     Parameters
@@ -62,18 +75,62 @@ def of(kind: Any, name: str, *, listed: bool = False, **changed: Any) -> Any:
         The dataclass or the function that the table makes its value with.
     name : str
         The field or the argument.
-    listed : bool
-        Whether it is a list, whose items have their bounds by `each`.
     **changed
         What is otherwise in the table: default, description.
     """
-    about = parameter_of(kind, name)
-    own: dict[str, Any] = {
-        "default": ... if about.default is MISSING else about.default,
-        "description": about.meaning,
-    }
-    own |= changed
-    return Field(**own) if listed else between(about.low, about.high, about.unit, **own)
+    return _field(parameter_of(kind, name), **changed)
+
+
+def fields_of(
+    kind: Any, *, but: Collection[str] = (), optional: Collection[str] = (), **meanings: str
+) -> Callable[[type[AnyTable]], type[AnyTable]]:
+    """Return a decorator that gives a table, after its own fields, those of the value that it makes.
+
+    Parameters
+    ----------
+    kind : type or function
+        The dataclass or the function that the table makes its value with.
+    but : collection of str
+        Fields and arguments that a file does not say.
+    optional : collection of str
+        Those that a file may leave out: the table knows what they are then.
+    **meanings
+        What a file says of a field in other words.
+    """
+
+    def with_fields(table: type[AnyTable]) -> type[AnyTable]:
+        fields: dict[str, Any] = {
+            about.name: typed_field(about, meanings.get(about.name), optional=about.name in optional)
+            for about in parameters(kind)
+            if about.name not in (*but, *table.model_fields)
+        }
+        return create_model(
+            table.__name__, __base__=table, __doc__=table.__doc__, __module__=table.__module__, **fields
+        )
+
+    return with_fields
+
+
+def typed_field(about: Parameter, meaning: str | None = None, *, optional: bool = False) -> tuple[Any, Any]:
+    """Return the type and the field of a table for a field of a value: of a number, a word or a pair."""
+    pair = isinstance(about.default, tuple)
+    default = None if optional or pair else about.default
+    changed: dict[str, Any] = {"default": default, "description": meaning or about.meaning}
+    kind: Any = int if about.whole else float
+    field = _field(about, **changed)
+    if about.choices:
+        kind, field = Literal[about.choices], Field(**changed)
+    elif pair:
+        number = Annotated[float, between(about.low, about.high, about.unit)]
+        kind, field = Annotated[list[number], Field(min_length=2, max_length=2)], Field(**changed)
+    return (kind | None if default is None else kind), field
+
+
+def _field(about: Parameter, **changed: Any) -> Any:
+    own: dict[str, Any] = {"default": about.default, "description": about.meaning} | changed
+    if own["default"] is MISSING:
+        own["default"] = ...
+    return between(about.low, about.high, about.unit, **own)
 
 
 def one_of(names: Collection[str], kind: str | None = None) -> Any:
@@ -96,6 +153,26 @@ def named(names: Collection[str]) -> Any:
     return Field(json_schema_extra={"enum": list(names)})
 
 
+def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phrase] | None = None) -> None:
+    """Refuse two items of a list that have one name, or one that has a name which is taken already.
+
+    Parameters
+    ----------
+    place : str
+        The list's key.
+    names : sequence of str
+        What its items are called.
+    taken : mapping, optional
+        Names of others, and what these are called in sentences.
+    """
+    seen: dict[str, str | Phrase] = {**(taken or {})}
+    for number, name in enumerate(names):
+        if name in seen:
+            key = f"{place}[{number}].name"
+            raise InputError("scenario.same_name", key, value=repr(name), other=seen[name])
+        seen[name] = f"{place}[{number}]"
+
+
 def _without_control(text: str) -> str:
     if has_control(text):
         raise ValueError
@@ -103,7 +180,6 @@ def _without_control(text: str) -> str:
 
 
 Text = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_without_control)]
-Pair = Annotated[list[Annotated[float, each(Body, "cg_offset")]], Field(min_length=2, max_length=2)]
 
 
 def kind_of(value: object) -> str:

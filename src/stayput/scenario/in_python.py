@@ -83,7 +83,7 @@ def scenario_of(
     for name, value, kind in (("building", building, (Building, ShearModel)), ("storey", storey, int)):
         if value is not None:
             if name in stated:
-                raise InputError("scenario.only_one", name, name=name, other=f"shaking.{name}")
+                raise InputError("scenario.only_one", name, other=f"shaking.{name}")
             stated[name] = instance_of(name, _plain(value), kind)
     data["shaking"] = stated
     sets = named_sets(() if measures is None else measures)
@@ -163,7 +163,7 @@ def _motions(shaking: StatedShaking) -> Suite | None:
     if isinstance(shaking, str | float | int | Mapping):
         return None
     if hasattr(shaking, "__array__"):
-        raise InputError("motion.only_samples", "shaking", name="shaking", value=shown(shaking))
+        raise InputError("motion.only_samples", "shaking", value=shown(shaking))
     return Suite(list_of("shaking", shaking, Motion))
 
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self, cas
 
 from pydantic import BaseModel, Discriminator, Field, PrivateAttr, Tag, create_model, model_validator
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown
-from stayput.measures import MEASURES, Measure, Parameter, parameters
+from stayput.measures import MEASURES, Measure, parameters
 from stayput.measures.measure import refuse_conflicts
 from stayput.scenario.fields import (
     NAME,
@@ -19,9 +20,10 @@ from stayput.scenario.fields import (
     checked,
     name_or_number,
     named,
-    of,
     one_of,
+    typed_field,
 )
+from stayput.scenario.messages import shown
 from stayput.uncertainty import QUANTITIES, USUAL, Uncertainty
 
 COMBINE = "combine"
@@ -71,21 +73,13 @@ class MeasureTable(Table):
         return (self.measure(),)
 
 
-def _kind_of(about: Parameter) -> Any:
-    if about.choices:
-        return Literal[about.choices]
-    kind = int if about.whole else float
-    return kind if about.default is not None else kind | None
-
-
 def _table_of(kind: str, measure: type[Measure]) -> type[MeasureTable]:
     """Return the table of one kind of measure."""
     fields: dict[str, Any] = {"type": (Literal[kind], Field(description=measure.label[0] + "."))}
     for about in parameters(measure):
         text = about.label[0]
         words = f"{text[0].upper()}{text[1:]} (default, {about.confidence} confidence)."
-        field = of(measure, about.name, listed=bool(about.choices), description=words)
-        fields[about.name] = (_kind_of(about), field)
+        fields[about.name] = typed_field(about, words)
     name = f"{measure.__name__}Table"
     return create_model(name, __base__=MeasureTable, __doc__=measure.about[0], **fields)
 
@@ -155,33 +149,23 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
     InputError
         What is wrong.
     """
-    if not isinstance(given, list):
-        return
-    for number, one in enumerate(cast("list[object]", given)):
+    for number, one in enumerate(cast("list[object]", given) if isinstance(given, list) else ()):
         name = f"{place}[{number}]"
         if isinstance(one, BaseModel):
             continue
         if not isinstance(one, dict):
-            code = "scenario.not_a_measure" if nested else "scenario.not_a_measure_or_several"
-            raise InputError(code, name, name=name, value=repr(one))
-        table = cast("dict[str, object]", one)
+            allowed = phrase("scenario.table_with_type" if nested else "scenario.one_of_tables")
+            raise InputError("common.not_allowed", name, value=shown(one), hint="", allowed=allowed)
+        table, of_type = cast("dict[str, object]", one), f"{name}.type"
         if COMBINE in table and not nested:
             if "type" in table:
-                of_type, other = f"{name}.type", f"{name}.{COMBINE}"
-                raise InputError("scenario.beside", of_type, name=of_type, other=other)
+                raise InputError("scenario.beside", of_type, other=f"{name}.{COMBINE}")
             refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
-        elif str(table.get("type")) not in MEASURES:
-            raise _wrong_type(f"{name}.type", table.get("type"))
-
-
-def _wrong_type(name: str, value: object) -> InputError:
-    if value is None:
-        return InputError("scenario.no_type", name, name=name, known=", ".join(MEASURES))
-    if isinstance(value, str):
-        return unknown(name, value, MEASURES, name)
-    return InputError(
-        "common.not_one_of", name, name=name, value=repr(value), hint="", known=", ".join(MEASURES)
-    )
+        elif table.get("type") is None:
+            known = phrase("scenario.one_of", names=", ".join(MEASURES))
+            raise InputError("scenario.missing", of_type, allowed=known)
+        elif table["type"] not in list(MEASURES):  # what cannot be hashed neither
+            raise unknown(of_type, table["type"], MEASURES, of_type)
 
 
 WELL, USUALLY = "well", "as people install it"
@@ -194,15 +178,14 @@ Installation = Annotated[
 """A word, or the share of all measures that is badly installed."""
 
 
+Samples = Annotated[int, between(1, 1_000_000)]
 DrawnQuantity = Annotated[str, one_of(USUAL), named(USUAL)]
 
 
 class UncertaintyTable(Table):
     """How much of what is not known is tried out."""
 
-    samples: Annotated[int, between(1, 1_000_000)] = Field(
-        default=400, description="Most samples of each set of measures."
-    )
+    samples: Samples = Field(default=400, description="Most samples of each set of measures.")
     seed: Annotated[int, between(0, 2**53)] = Field(default=1, description="Seed of the draws.")
     precision: Annotated[float, between(0.001, 0.5)] | None = Field(
         default=None,

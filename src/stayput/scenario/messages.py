@@ -42,9 +42,9 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
         return _in_its_list(raised, name)
     allowed = _allowed(_node(place, schema), schema, error["input"])
     if error["type"] == "missing":
-        return InputError("scenario.missing", name, name=name, allowed=allowed)
+        return InputError("scenario.missing", name, allowed=allowed)
     hint, value = _hint(error["input"], place, schema), shown(error["input"])
-    return InputError("scenario.not_allowed", name, name=name, value=value, hint=hint, allowed=allowed)
+    return InputError("common.not_allowed", name, value=value, hint=hint, allowed=allowed)
 
 
 def _in_its_list(error: InputError, place: str) -> InputError:
@@ -60,7 +60,7 @@ def _unknown_key(name: str, place: Sequence[str | int], schema: dict[str, Any]) 
     table = name.rpartition(".")[0]
     where = phrase("scenario.key_of_table", table=table) if table else phrase("scenario.top_level_key")
     hint = near_miss(str(place[-1]), known)
-    return InputError("scenario.unknown_key", name, name=name, hint=hint, where=where, known=", ".join(known))
+    return InputError("scenario.unknown_key", name, hint=hint, where=where, known=", ".join(known))
 
 
 def _hint(value: object, place: Sequence[str | int], schema: dict[str, Any]) -> str | Phrase:

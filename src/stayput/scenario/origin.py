@@ -1,26 +1,106 @@
-"""Where a scenario comes from: the folder where its relative paths begin, and the file that refusals name."""
+"""What all kinds of scenario have in common: how one is read and written, and the motions of its floor."""
 
 from __future__ import annotations
 
 from contextlib import contextmanager
+from functools import cache
+from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import PrivateAttr
+import tomli_w
+from pydantic import Field, PrivateAttr, ValidationError
+from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
-from stayput.scenario.fields import Table
+from stayput.errors import InputError, instance_of
+from stayput.motion.suites import Suite
+from stayput.scenario.fields import Table, Text, between
+from stayput.scenario.messages import refusal_of
+from stayput.scenario.toml import read_toml
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
+    from collections.abc import Generator, Mapping
+
+    from stayput.motion import Motion
+    from stayput.scenario.shaking import ShakingTable
+
+Title = Annotated[Text | None, Field(description="What the scenario is about.")]
+Gravity = Annotated[float, between(0.1, 100.0, "m/s²", description="Acceleration of gravity.")]
 
 
 class FromFile(Table):
     """A scenario that may come from a file."""
 
+    if TYPE_CHECKING:
+        shaking: ShakingTable
+
     _folder: Path = PrivateAttr(default=Path())
     _file: str = PrivateAttr(default="")
+
+    @classmethod
+    def read(cls, path: str | PathLike[str]) -> Self:
+        """Read a file, in TOML.
+
+        Raises
+        ------
+        InputError
+            The file cannot be read, is not TOML, or says something that is not allowed.
+        """
+        instance_of("path", path, (str, PathLike))
+        file = Path(path)
+        try:
+            return cls.parse(read_toml(file), file.parent, file.name)
+        except InputError as error:
+            raise error.at(file.name) from None
+
+    @classmethod
+    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
+        """Make a scenario from the keys and values of its file.
+
+        Parameters
+        ----------
+        data : mapping
+            As a TOML reader returns it.
+        folder : Path
+            Where the relative path of a record begins.
+        file : str
+            The file's name, for what is refused later: a record that cannot be read.
+
+        Raises
+        ------
+        InputError
+            The first thing that is wrong: the key's dotted name, its value, and what is allowed.
+        """
+        try:
+            scenario = cls.model_validate(dict(data))
+        except ValidationError as error:
+            raise refusal_of(error.errors(), _schema(cls)) from None
+        scenario._folder, scenario._file = folder, file
+        return scenario
+
+    @classmethod
+    def schema(cls, by_alias: bool = True, ref_template: str = DEFAULT_REF_TEMPLATE) -> dict[str, Any]:
+        """Return the JSON Schema of a scenario file, for editors and other programs."""
+        return cls.model_json_schema(by_alias=by_alias, ref_template=ref_template)
+
+    def stated_keys(self) -> dict[str, Any]:
+        """Return the keys and values of its file: what was said, and nothing that was left to its default."""
+        return self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
+
+    def to_toml(self) -> str:
+        """Return the scenario as a file's text: what was said, and nothing that was left to its default.
+
+        `Scenario.parse` reads it back as the same scenario.
+
+        Examples
+        --------
+        >>> from stayput import Scenario
+        >>> print(Scenario.parse({"furniture": {"preset": "chest"}}).to_toml(), end="")
+        [furniture]
+        preset = "chest"
+        """
+        return tomli_w.dumps(self.stated_keys())
 
     @property
     def folder(self) -> Path:
@@ -37,3 +117,36 @@ class FromFile(Table):
                 raise
             in_table = error.at(phrase("scenario.in_table", table=table)) if table else error
             raise in_table.at(self._file) from None
+
+    def motion(self) -> Motion:
+        """Make the motion of the floor, along the axes of a lone piece: of a suite, that of its ``member``.
+
+        Raises
+        ------
+        InputError
+            The record cannot be read, or the suite has no such member.
+        """
+        with self.naming_file("shaking"):
+            return self._turned(self.shaking.motion(self._folder))
+
+    def ground(self) -> Suite:
+        """Make the motions of the ground along the same axes, not scaled, with all components.
+
+        Raises
+        ------
+        InputError
+            A record cannot be read.
+        """
+        with self.naming_file("shaking"):
+            given = self.shaking.ground(self._folder)
+        return Suite(tuple(self._turned(motion) for motion in given), given.name)
+
+    def _turned(self, motion: Motion) -> Motion:
+        """Return a motion along the axes of what stands."""
+        return motion
+
+
+@cache
+def _schema(kind: type[FromFile]) -> dict[str, Any]:
+    """Return the JSON Schema that sentences about errors are made from; it takes its time."""
+    return kind.schema()

@@ -1,27 +1,36 @@
-"""The tables of a file of several pieces: a piece and where it stands, and what joins two."""
+"""The tables of a file of several pieces: where each stands, what joins two, and what may hold them."""
 
 from __future__ import annotations
 
-import math
+from dataclasses import dataclass
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
-from typing import TYPE_CHECKING, Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, field_validator, model_validator
 
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
-from stayput.model.furniture import FURNITURE
 from stayput.model.room import WALLS_AROUND
 from stayput.model.solid import Solid
-from stayput.scenario.assembly_options import MeasuresInPlace, in_place
 from stayput.scenario.fields import Table, Text, between, checked, named, one_of
-from stayput.scenario.measures import refuse_wrong_type
-from stayput.scenario.tables import Kind  # noqa: TC001 - pydantic reads the annotations
+from stayput.scenario.measures import Samples, SingleChoice, UncertaintyTable, refuse_wrong_type
+from stayput.scenario.tables import Heading, Kind, usual_of
 from stayput.simulation.standing import Joint
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from stayput.measures import Measure
+
+NOTHING = "none"
+"""Name of the option without joints and measures, which every verification has."""
+
+if TYPE_CHECKING:
+    MeasuresInPlace = list[SingleChoice]
+else:
+    MeasuresInPlace = Annotated[list[SingleChoice], Field(min_length=1, max_length=20)]
+"""Measures that are in place together."""
 
 _SIZES = ("width", "length", "height", "diameter", "bottom", "top")
 _SHAPES = {
@@ -41,6 +50,11 @@ PlaceInPlan = Annotated[
 PointOfRoom = Annotated[
     list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=3, max_length=3)
 ]
+
+
+def in_place(tables: Sequence[SingleChoice] | None) -> tuple[Measure, ...]:
+    """Make the measures that are in place together."""
+    return tuple(one.measure() for one in tables or ())
 
 
 class StandingTable(Table):
@@ -63,9 +77,7 @@ class StandingTable(Table):
         "stands on; and how high it stands above the floor.",
     )
     on: Text | None = Field(default=None, description="The piece on whose top it stands.")
-    heading: Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")] = Field(
-        default=0.0, description="Direction in which it faces: from x towards y."
-    )
+    heading: Heading = Field(default=0.0, description="Direction in which it faces: from x towards y.")
     against: Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)] | None = Field(
         default=None, description="In a room with a plan: the wall to which its back stands."
     )
@@ -93,9 +105,11 @@ class StandingTable(Table):
         if sum(ways) != 1 or (given and given not in _SHAPES.values()):
             raise InputError("scenario.one_shape", "furniture", name=self.name)
         if self.mass is None and self.preset is None:
-            raise InputError("scenario.no_mass", "furniture.mass", name=self.name)
+            raise InputError("scenario.no_preset", "furniture.mass", preset="preset")
         if (self.mesh is None) != (self.unit is None):
-            raise InputError("scenario.mesh_and_unit", "furniture.unit", name=self.name)
+            name, other = "furniture.unit", "furniture.mesh"
+            name, other = (name, other) if self.mesh is None else (other, name)
+            raise InputError("scenario.needs_both", name, other=other)
         if self.on is not None and len(self.at) == 3:
             raise InputError("scenario.on_and_height", "furniture.at", name=self.name)
         if self.measures is not None and not self.is_furniture:
@@ -110,17 +124,16 @@ class StandingTable(Table):
 
     def body(self) -> Body:
         """Make a preset or a box as a body that measures can hold."""
-        if self.preset is not None:
-            piece = FURNITURE[self.preset]
-            mass = piece.mass if self.mass is None else self.mass
-            return Body(piece.width, piece.height, mass, length=piece.length)
-        assert self.mass is not None
-        sizes = self._sizes
-        return Body(sizes["width"], sizes["height"], self.mass, length=sizes["length"])
+        return Body(**self._shape)
 
     @property
     def _sizes(self) -> dict[str, float]:
         return {size: getattr(self, size) for size in _SIZES if getattr(self, size) is not None}
+
+    @property
+    def _shape(self) -> dict[str, Any]:
+        mass = {} if self.mass is None else {"mass": self.mass}
+        return usual_of(self.preset) | self._sizes | mass
 
     def solid(self, folder: Path) -> Solid:
         """Make the body.
@@ -130,16 +143,11 @@ class StandingTable(Table):
         InputError
             A body that is not possible, or a mesh that cannot be read.
         """
-        if self.preset is not None:
-            piece = FURNITURE[self.preset]
-            mass = piece.mass if self.mass is None else self.mass
-            return Solid.box(piece.width, piece.length, piece.height, mass)
-        assert self.mass is not None
+        shape = self._shape
         if self.mesh is not None:
-            return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", mass=self.mass)
-        sizes = self._sizes
-        shape = next(shape for shape, names in _SHAPES.items() if names == sizes.keys())
-        return getattr(Solid, shape)(**sizes, mass=self.mass)
+            return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", **shape)
+        kind = next(kind for kind, sizes in _SHAPES.items() if sizes | {"mass"} == shape.keys())
+        return getattr(Solid, kind)(**shape)
 
 
 class JointTable(Table):
@@ -167,15 +175,73 @@ class JointTable(Table):
         InputError
             One that is not possible.
         """
-        x, y, z = self.at
-        return Joint(
-            names.index(self.first),
-            names.index(self.second),
-            (x, y, z),
-            None if self.to is None else (self.to[0], self.to[1], self.to[2]),
-            self.stiffness,
-            math.inf if self.strength is None else self.strength,
-            math.inf if self.shear is None else self.shear,
-            self.slack,
-            self.damping,
-        )
+        given = self.model_dump(exclude={"first", "second"}, exclude_none=True)
+        return Joint(names.index(self.first), names.index(self.second), **given)
+
+
+@dataclass(frozen=True, slots=True)
+class AssemblyOption:
+    """What may hold several pieces: their joints, and measures on each.
+
+    Parameters
+    ----------
+    name : str
+        What it is called; unique.
+    joined : bool
+        Whether the joints are in place.
+    measures : tuple of tuple of Measure
+        Of each piece.
+    """
+
+    name: str
+    joined: bool
+    measures: tuple[tuple[Measure, ...], ...]
+
+    @property
+    def count(self) -> int:
+        """How many things are put in place: measures, and the joints together."""
+        return sum(map(len, self.measures)) + self.joined
+
+
+class HeldPieceTable(Table):
+    """Measures on one of the pieces."""
+
+    name: Text = Field(description="The piece.")
+    measures: MeasuresInPlace = Field(description="The measures on it, each a table with its type.")
+
+    @field_validator("measures", mode="before")
+    @classmethod
+    def _typed(cls, given: object) -> object:
+        refuse_wrong_type(given, "options.pieces.measures", nested=True)
+        return given
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        checked("options.pieces", lambda: refuse_conflicts(in_place(self.measures)))
+        return self
+
+
+class OptionTable(Table):
+    """One way to hold the pieces, which a verification compares with the others."""
+
+    name: Text = Field(description="What it is called.")
+    joined: bool = Field(default=True, description="Whether the joints of the file are in place.")
+    pieces: Annotated[list[HeldPieceTable], Field(min_length=0, max_length=100)] = Field(
+        default=[], description="The pieces that measures hold."
+    )
+
+    def on(self, name: str) -> tuple[Measure, ...]:
+        """Make the measures on a piece."""
+        return tuple(one for held in self.pieces if held.name == name for one in in_place(held.measures))
+
+
+class AssemblyUncertaintyTable(UncertaintyTable):
+    """How much of what is not known is tried out; runs of several pieces take long."""
+
+    samples: Samples = Field(default=20, description="Most samples of each option.")
+
+    @model_validator(mode="after")
+    def _well_installed(self) -> Self:
+        if self.badly(1.0) > 0.0:
+            raise InputError("scenario.installed_well", "uncertainty.installation")
+        return self

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Self
 
 import numpy as np
@@ -22,16 +20,17 @@ from stayput.model.floor_plan import (
     PersonPlace,
     Window,
 )
-from stayput.model.room import WALLS_AROUND, Ceiling, Room, Wall
+from stayput.model.room import WALLS_AROUND, Room, Wall
 from stayput.scenario.assembly import AssemblyScenario
-from stayput.scenario.assembly_options import AssemblyUncertaintyTable
-from stayput.scenario.fields import Table, Text, between, named, of, one_of
+from stayput.scenario.fields import Table, Text, ValueTable, between, fields_of, named, of, one_of
+from stayput.scenario.measures import Samples  # noqa: TC001 - pydantic reads the annotations
+from stayput.scenario.pieces import AssemblyUncertaintyTable
 from stayput.scenario.tables import (
     CeilingTable,  # noqa: TC001 - pydantic reads the annotations
     FloorChoice,  # noqa: TC001 - pydantic reads the annotations
+    Heading,  # noqa: TC001 - pydantic reads the annotations
     WallConstruction,  # noqa: TC001 - pydantic reads the annotations
 )
-from stayput.scenario.toml import read_toml
 from stayput.simulation.placing import bare
 from stayput.simulation.standing import Standing
 
@@ -44,20 +43,15 @@ if TYPE_CHECKING:
     from stayput.scenario.pieces import StandingTable
     from stayput.simulation.space_run import SpaceRun
 
-OUTSIDE = 1e-6
-"""How far a piece may stand in a wall, by rounding [m]."""
-
 WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
 PointInPlan = Annotated[
     list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=2, max_length=2)
 ]
 
 
-class PlanTable(Table):
+@fields_of(FloorPlan)
+class PlanTable(ValueTable):
     """The size of a room, which goes from the left wall to the right one and from the near to the far one."""
-
-    width: float = of(FloorPlan, "width")
-    length: float = of(FloorPlan, "length")
 
 
 class DoorTable(Table):
@@ -83,7 +77,8 @@ class WindowTable(Table):
     sill: float = of(Window, "sill")
 
 
-class PlaceTable(Table):
+@fields_of(PersonPlace, optional=("width", "length", "low", "high", "day", "night"))
+class PlaceTable(ValueTable):
     """Where a person is: a bed, a desk, or a box of one's own."""
 
     name: Text | None = Field(default=None, description="What it is called; default its kind.")
@@ -91,13 +86,6 @@ class PlaceTable(Table):
         default="bed", description="What gives the sizes, heights and shares that are not given."
     )
     at: PointInPlan = Field(description="Its middle, along x and y.")
-    heading: float = of(PersonPlace, "heading")
-    width: float | None = of(PersonPlace, "width", default=None)
-    length: float | None = of(PersonPlace, "length", default=None)
-    low: float | None = of(PersonPlace, "low", default=None)
-    high: float | None = of(PersonPlace, "high", default=None)
-    day: float | None = of(PersonPlace, "day", default=None)
-    night: float | None = of(PersonPlace, "night", default=None)
 
     def place(self) -> PersonPlace:
         """Make the place."""
@@ -119,7 +107,7 @@ class RoomSurfacesTable(Table):
 class RoomUncertaintyTable(AssemblyUncertaintyTable):
     """How much of what is not known is tried out."""
 
-    samples: Annotated[int, between(1, 1_000_000)] = Field(default=60, description="Runs of the room.")
+    samples: Samples = Field(default=60, description="Runs of the room.")
 
 
 class RoomScenario(AssemblyScenario):
@@ -146,7 +134,7 @@ class RoomScenario(AssemblyScenario):
     places: Annotated[list[PlaceTable], Field(max_length=MOST_PLACES)] = Field(
         default=[], description="Where people are."
     )
-    direction: Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")] | None = Field(
+    direction: Heading | None = Field(
         default=None,
         description="Where the motion's x points in plan, from x towards y; by default it is drawn.",
     )
@@ -167,8 +155,9 @@ class RoomScenario(AssemblyScenario):
             raise InputError("rooms.options_in_a_room", "options")
         for number, piece in enumerate(self.furniture):
             if piece.against is not None and piece.along is None:
-                name = f"furniture[{number}].along"
-                raise InputError("rooms.against_without_along", name, name=name, wall=piece.against)
+                raise InputError(
+                    "rooms.against_without_along", f"furniture[{number}].along", wall=piece.against
+                )
         return self
 
     def floor_plan(self) -> FloorPlan:
@@ -216,7 +205,7 @@ class RoomScenario(AssemblyScenario):
         InputError
             A piece that stands in a wall.
         """
-        ceiling = None if self.room.ceiling is None else Ceiling(**self.room.ceiling.model_dump())
+        ceiling = self.room.ceiling and self.room.ceiling.ceiling()
         x, y = (
             np.array([one.along(axis) for one in standing]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
         )
@@ -249,8 +238,4 @@ def read_room(path: str | PathLike[str]) -> RoomScenario:
     >>> {piece.name: piece.against for piece in scenario.furniture}
     {'bookcase': 'left_wall', 'wardrobe': 'far_side_wall', 'chest': 'near_side_wall'}
     """
-    file = Path(path)
-    try:
-        return RoomScenario.parse(read_toml(file), file.parent, file.name)
-    except InputError as error:
-        raise error.at(file.name) from None
+    return RoomScenario.read(path)

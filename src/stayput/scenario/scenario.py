@@ -3,43 +3,35 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
-from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
-import tomli_w
-from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
-from pydantic.json_schema import DEFAULT_REF_TEMPLATE
+from pydantic import Field, PrivateAttr, field_validator, model_validator
 
 from stayput.catalogue import say
-from stayput.contents.weight import emptied
-from stayput.errors import InputError, instance_of
+from stayput.contents.contents import emptied
+from stayput.errors import InputError
 from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.motion.suites import Suite
-from stayput.scenario.contents import ContentsTable  # noqa: TC001 - pydantic reads the annotation
-from stayput.scenario.fields import Text, between
+from stayput.scenario.fields import between, refuse_same_names
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
-from stayput.scenario.messages import refusal_of
-from stayput.scenario.origin import FromFile
+from stayput.scenario.origin import FromFile, Gravity, Title
 from stayput.scenario.shaking import ShakingTable
-from stayput.scenario.tables import EverydayTable, FurnitureTable, InitialTable, RoomTable
-from stayput.scenario.toml import read_toml
+from stayput.scenario.tables import (
+    ContentsTable,
+    EverydayTable,
+    FurnitureTable,
+    InitialTable,
+    RoomTable,
+)
 from stayput.simulation.case import Case
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
     from stayput.contents import Contents
     from stayput.measures import Measure
     from stayput.motion import Motion
-
-
-@cache
-def _schema() -> dict[str, Any]:
-    """Return the JSON Schema that sentences about errors are made from; it takes its time."""
-    return Scenario.schema()
 
 
 class Scenario(FromFile):
@@ -58,7 +50,7 @@ class Scenario(FromFile):
     1.0 overturned
     """
 
-    title: Text | None = Field(default=None, description="What the scenario is about.")
+    title: Title = None
     furniture: FurnitureTable = Field(description="What stands.")
     room: RoomTable = Field(default_factory=RoomTable, description="Where it stands.")
     shaking: ShakingTable = Field(default_factory=ShakingTable, description="How the floor is shaken.")
@@ -67,9 +59,7 @@ class Scenario(FromFile):
         description="2: in the plane of the piece's depth, under the component along it; 3: in space, under "
         "all components.",
     )
-    gravity: Annotated[float, between(0.1, 100.0, "m/s²")] = Field(
-        default=STANDARD_GRAVITY, description="Acceleration of gravity."
-    )
+    gravity: Gravity = STANDARD_GRAVITY
     initial: InitialTable = Field(default_factory=InitialTable, description="The initial state.")
     everyday: EverydayTable = Field(
         default_factory=EverydayTable, description="What people do to it without an earthquake."
@@ -101,7 +91,7 @@ class Scenario(FromFile):
                 raise InputError("scenario.contents_in_space", "contents")
             if self.furniture.body().length is None:
                 name, other = "furniture.length", "dimensions"
-                raise InputError("scenario.no_length", name, name=name, other=other)
+                raise InputError("scenario.no_length", name, other=other)
         return self
 
     @model_validator(mode="after")
@@ -112,69 +102,28 @@ class Scenario(FromFile):
 
     @model_validator(mode="after")
     def _named_apart(self) -> Self:
-        _refuse_same_names(self.measures)
+        refuse_same_names("measures", [one.name for one in self.measures])
         return self
 
     @classmethod
-    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Scenario:
-        """Make a scenario from the keys and values of its file.
-
-        Parameters
-        ----------
-        data : mapping
-            As a TOML reader returns it.
-        folder : Path
-            Where the relative path of a record begins.
-        file : str
-            The file's name, for what is refused later: a record that cannot be read.
-
-        Raises
-        ------
-        InputError
-            The first thing that is wrong: the key's dotted name, its value, and what is allowed.
-        """
+    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
+        """Make a scenario from the keys and values of its file; see `FromFile.parse`."""
         if isinstance(data.get("furniture"), list):
-            of_room = "plan" in data
-            raise InputError("scenario.of_a_room" if of_room else "scenario.of_several", "furniture")
-        try:
-            scenario = cls.model_validate(dict(data))
-        except ValidationError as error:
-            raise refusal_of(error.errors(), _schema()) from None
-        scenario._folder, scenario._file = folder, file
-        return scenario
-
-    @classmethod
-    def schema(cls, by_alias: bool = True, ref_template: str = DEFAULT_REF_TEMPLATE) -> dict[str, Any]:
-        """Return the JSON Schema of a scenario file, for editors and other programs."""
-        return cls.model_json_schema(by_alias=by_alias, ref_template=ref_template)
+            raise InputError("scenario.of_several", "furniture")
+        return super().parse(data, folder, file)
 
     def to_toml(self) -> str:
-        """Return the scenario as a file's text: what was said, and nothing that was left to its default.
-
-        `Scenario.parse` reads it back as the same scenario.
-
-        Examples
-        --------
-        >>> from stayput import Scenario
-        >>> print(Scenario.parse({"furniture": {"preset": "chest"}}).to_toml(), end="")
-        [furniture]
-        preset = "chest"
-        """
-        text = tomli_w.dumps(
-            self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
-        )
-        return "".join((text, *(f"# {say(key, 'en')}\n" for key in self._beyond_a_file())))
-
-    def _beyond_a_file(self) -> Iterator[str]:
-        """Yield what was given in Python and a file cannot say, as the ids of sentences."""
-        if self.shaking.in_python is not None:
-            yield "scenario.motions_in_python"
-        if self.shaking.building is not None and self.shaking.building.in_python is not None:
-            yield "scenario.building_in_python"
-        if self._own_measures is not None:
-            yield "scenario.measures_in_python"
-        if self.uncertainty.quantities is not QUANTITIES:
-            yield "scenario.uncertainty_in_python"
+        """Return the scenario as a file's text; what was given in Python is named in a comment."""
+        building = self.shaking.building
+        given = {
+            "shaking": self.shaking.in_python,
+            "shaking.building": building and building.in_python,
+            "measures": self._own_measures,
+            "uncertainty": None if self.uncertainty.quantities is QUANTITIES else True,
+        }
+        what = ", ".join(key for key, value in given.items() if value is not None)
+        comment = f"# {say('scenario.in_python', what=what)}\n" if what else ""
+        return super().to_toml() + comment
 
     _own_measures: tuple[NamedMeasures, ...] | None = PrivateAttr(default=None)
 
@@ -188,7 +137,7 @@ class Scenario(FromFile):
         """
         copy = self.model_copy()
         copy._own_measures = tuple(measures)
-        _refuse_same_names(copy.measures)
+        refuse_same_names("measures", [one.name for one in measures])
         return copy
 
     def kept(self) -> dict[str, Any]:
@@ -196,7 +145,7 @@ class Scenario(FromFile):
         quantities, stated = self.uncertainty.quantities, self.uncertainty.as_stated
         drawn = {name: one for name, one in quantities.marginals.items() if name not in stated}
         return {
-            "data": self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True),
+            "data": self.stated_keys(),
             "folder": self._folder.resolve(),
             "file": self._file,
             "motions": self.shaking.in_python,
@@ -262,29 +211,6 @@ class Scenario(FromFile):
             dimensions=3 if self.dimensions == 3 else 2,
         )
 
-    def motion(self) -> Motion:
-        """Make the motion under the furniture along its own axes: of a suite, that of its ``member``.
-
-        Raises
-        ------
-        InputError
-            The record cannot be read, or the suite has no such member.
-        """
-        with self.naming_file("shaking"):
-            return self._turned(self.shaking.motion(self._folder))
-
-    def ground(self) -> Suite:
-        """Make the motions of the ground along the axes of the furniture, not scaled, with all components.
-
-        Raises
-        ------
-        InputError
-            A record cannot be read.
-        """
-        with self.naming_file("shaking"):
-            given = self.shaking.ground(self._folder)
-        return Suite(tuple(self._turned(motion) for motion in given), given.name)
-
     def _turned(self, motion: Motion) -> Motion:
         """Return a motion as the piece feels it: its depth along x, wherever it faces."""
         heading = self.furniture.heading
@@ -292,16 +218,6 @@ class Scenario(FromFile):
             return motion
         both = motion if motion.y is not None else replace(motion, y=0.0 * motion.x)
         return both.rotated(heading)
-
-
-def _refuse_same_names(measures: Sequence[NamedMeasures]) -> None:
-    seen: dict[str, int] = {}
-    for number, one in enumerate(measures):
-        if one.name in seen:
-            name, other = f"measures[{number}].name", f"measures[{seen[one.name]}]"
-            value = repr(one.name)
-            raise InputError("scenario.same_name", name, name=name, value=value, other=other)
-        seen[one.name] = number
 
 
 def read_scenario(path: str | Path) -> Scenario:
@@ -329,9 +245,4 @@ def read_scenario(path: str | Path) -> Scenario:
     l_bracket: rocked
     stopper and poles: rocked
     """
-    instance_of("path", path, (str, PathLike))
-    file = Path(path)
-    try:
-        return Scenario.parse(read_toml(file), file.parent, file.name)
-    except InputError as error:
-        raise error.at(file.name) from None
+    return Scenario.read(path)

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Literal, Self, cast
+from typing import TYPE_CHECKING, Annotated, Literal, Self, TypeVar, cast
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from stayput.building.model import MOST_STOREYS
-from stayput.errors import InputError
+from stayput.errors import InputError, within
 from stayput.motion import Motion, near_fault, sine
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import (
-    EARTHQUAKE_TERMS,
     EarthquakeSource,
     GroundStrength,
     strength_of_earthquake,
@@ -26,37 +25,35 @@ from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
 from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, chosen_columns
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
-from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import (
     NAME,
     NUMBER,
     TABLE,
     Table,
     Text,
+    ValueTable,
     between,
     checked,
+    fields_of,
     kind_of,
     name_or_number,
     named,
     of,
     one_of,
 )
+from stayput.scenario.tables import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.motion.readers.columns import ReadingOptions
 
+Shaken = TypeVar("Shaken", Motion, Suite)
 
-class SineTable(Table):
+
+@fields_of(sine)
+class SineTable(ValueTable):
     """A harmonic motion."""
-
-    amplitude: float = of(sine, "amplitude")
-    frequency: float = of(sine, "frequency")
-    duration: float = of(sine, "duration")
-    phase: float = of(sine, "phase")
-    dt: float = of(sine, "dt")
-    quiet: float = of(sine, "quiet")
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -90,40 +87,21 @@ Intensity = Annotated[
 ]
 
 
-EarthquakeKind = Annotated[str, one_of(EARTHQUAKE_TERMS), named(EARTHQUAKE_TERMS)]
-
-
-class SpectralTable(Table):
+@fields_of(strength_of_sa)
+class SpectralTable(ValueTable):
     """A spectral acceleration, to which every motion is scaled."""
 
-    period: float = of(strength_of_sa, "period")
-    value: float = of(strength_of_sa, "value")
 
-
-class EarthquakeTable(Table):
+@fields_of(EarthquakeSource)
+class EarthquakeTable(ValueTable):
     """An earthquake and the ground where it is felt; a ground-motion model gives how strongly it shakes."""
 
-    magnitude: float = of(EarthquakeSource, "magnitude")
-    distance: float = of(EarthquakeSource, "distance")
-    depth: float = of(EarthquakeSource, "depth")
-    kind: EarthquakeKind = of(EarthquakeSource, "kind", listed=True)
-    vs30: float = of(EarthquakeSource, "vs30")
 
-    def source(self) -> EarthquakeSource:
-        """Make the earthquake."""
-        return EarthquakeSource(**self.model_dump())
-
-
-class SuiteTable(Table):
+@fields_of(synthetic_suite)
+class SuiteTable(ValueTable):
     """A suite of synthetic motions."""
 
     family: FamilyName = Field(default=MIXED, description="Kind of earthquake.")
-    count: int = of(synthetic_suite, "count")
-    seed: int = of(synthetic_suite, "seed")
-
-    def suite(self) -> Suite:
-        """Make the suite."""
-        return synthetic_suite(self.family, self.count, self.seed)
 
 
 SuiteOrFolder = Annotated[
@@ -221,15 +199,12 @@ class ShakingTable(Table):
         given = [key for key in SOURCES if getattr(self, key) is not None]
         if len(given) > 1:
             first, second = (f"shaking.{key}" for key in given[:2])
-            raise InputError("scenario.only_one", second, name=second, other=first)
+            raise InputError("scenario.only_one", second, other=first)
         if self.record is None:
-            for key in ("component", "unit", *sorted(OPTIONS)):
-                said = getattr(self, key)
-                if said is not None and said is not False and not isinstance(self.suite, str):
-                    name = f"shaking.{key}"
-                    raise InputError("scenario.without_record", name, name=name)
-            if self.across is not None:
-                raise InputError("scenario.without_record", "shaking.across", name="shaking.across")
+            of_folders = () if isinstance(self.suite, str) else ("component", "unit", *sorted(OPTIONS))
+            for key in (*of_folders, "across"):
+                if getattr(self, key) not in (None, False):
+                    raise InputError("scenario.without_record", f"shaking.{key}")
             if isinstance(self.vertical, str):
                 value = repr(self.vertical)
                 raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
@@ -238,9 +213,7 @@ class ShakingTable(Table):
         if len(stated) > 1:
             raise InputError("scenario.only_one", stated[1], name=stated[1], other=stated[0])
         if self.scale is not None and stated:
-            raise InputError(
-                "scenario.scale_and_strength", "shaking.scale", value=self.scale, other=stated[0]
-            )
+            raise InputError("scenario.only_one", "shaking.scale", other=stated[0])
         if self.member is not None and not self.of_a_suite:
             raise InputError("scenario.member_of_one", "shaking.member")
         self._check_building()
@@ -250,12 +223,9 @@ class ShakingTable(Table):
         if (self.building is None) != (self.storey is None):
             given, missing = ("storey", "building") if self.building is None else ("building", "storey")
             name, other = f"shaking.{given}", f"shaking.{missing}"
-            raise InputError("scenario.needs_both", name, name=name, other=other)
-        if self.building is not None and self.storey is not None and self.storey > self.building.highest():
-            roof = self.building.highest()
-            raise InputError(
-                "scenario.storey", "shaking.storey", name="shaking.storey", value=self.storey, roof=roof
-            )
+            raise InputError("scenario.needs_both", name, other=other)
+        if self.building is not None and self.storey is not None:
+            within("shaking.storey", self.storey, 1, self.building.highest(), "", "shaking.storey")
 
     _in_python: Suite | None = PrivateAttr(default=None)
 
@@ -291,7 +261,8 @@ class ShakingTable(Table):
         InputError
             A record cannot be read, or the suite has no such member.
         """
-        return self._under_furniture(self._ground(folder))
+        ground = self._scaled(self._member(folder) if self.of_a_suite else self._single(folder))
+        return self._with_vertical(self._on_floor(ground))
 
     def motions(self, folder: Path) -> Suite:
         """Make all motions under the furniture: the suite's, or the one motion.
@@ -301,14 +272,9 @@ class ShakingTable(Table):
         InputError
             A record cannot be read.
         """
-        if self.of_a_suite:
-            given = self._suite(folder)
-            ground = Suite(tuple(self._scaled(motion) for motion in given), given.name)
-        else:
-            ground = Suite((self._ground(folder),))
-        if self.building is not None and self.storey is not None:
-            ground = self.building.building().floor_motion(ground, self.storey)
-        return Suite(tuple(self._with_vertical(motion) for motion in ground), ground.name)
+        given = self._given(folder)
+        floor = self._on_floor(Suite(tuple(map(self._scaled, given)), given.name))
+        return Suite(tuple(map(self._with_vertical, floor)), floor.name)
 
     def ground(self, folder: Path) -> Suite:
         """Make the motions of the ground with all their components, not scaled.
@@ -322,8 +288,7 @@ class ShakingTable(Table):
             A record cannot be read, or is of an upper floor where the strength of the ground is stated, or
             others are of the ground.
         """
-        given = self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
-        strength = self.strength
+        given, strength = self._given(folder), self.strength
         if strength is not None or not all(motion.floor for motion in given):
             for motion in given:
                 of_the_ground(motion, "suite" if strength is None else "strength")
@@ -340,22 +305,18 @@ class ShakingTable(Table):
     @property
     def strength(self) -> GroundStrength | None:
         """What the ground is scaled to; None where the motions keep their own strength."""
-        if isinstance(self.intensity, str):
-            return strength_of_intensity(intensity_of_class(self.intensity))
         if self.intensity is not None:
-            return strength_of_intensity(self.intensity)
-        if self.pga is not None:
-            return strength_of_pga(self.pga)
-        if self.pgv is not None:
-            return strength_of_pgv(self.pgv)
+            given = self.intensity
+            return strength_of_intensity(intensity_of_class(given) if isinstance(given, str) else given)
         if self.sa is not None:
             return strength_of_sa(self.sa.period, self.sa.value)
-        if self.mmi is not None:
-            return strength_of_mercalli(self.mmi)
-        return None if self.earthquake is None else strength_of_earthquake(self.earthquake.source())
+        if self.earthquake is not None:
+            return strength_of_earthquake(EarthquakeSource(**self.earthquake.model_dump()))
+        makers = {"pga": strength_of_pga, "pgv": strength_of_pgv, "mmi": strength_of_mercalli}
+        return makers[self.stated](getattr(self, self.stated)) if self.stated else None
 
-    def _ground(self, folder: Path) -> Motion:
-        return self._scaled(self._member(folder) if self.of_a_suite else self._single(folder))
+    def _given(self, folder: Path) -> Suite:
+        return self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
 
     def _single(self, folder: Path) -> Motion:
         if self._in_python is not None:
@@ -371,10 +332,10 @@ class ShakingTable(Table):
             return motion.scaled(self.strength.factor(motion))
         return motion if self.scale is None or self.scale == 1.0 else motion.scaled(self.scale)
 
-    def _under_furniture(self, ground: Motion) -> Motion:
-        if self.building is not None and self.storey is not None:
-            ground = self.building.building().floor_motion(ground, self.storey)
-        return self._with_vertical(ground)
+    def _on_floor(self, ground: Shaken) -> Shaken:
+        if self.building is None or self.storey is None:
+            return ground
+        return self.building.building().floor_motion(ground, self.storey)
 
     def _with_vertical(self, motion: Motion) -> Motion:
         return motion if self.vertical else replace(motion, z=None)
@@ -384,13 +345,11 @@ class ShakingTable(Table):
             return self._in_python
         if isinstance(self.suite, str):
             return read_suite(folder / self.suite, self.component, self.unit, **self._reading)
-        return (self.suite or SuiteTable()).suite()
+        return synthetic_suite(**(self.suite or SuiteTable()).model_dump())
 
     def _member(self, folder: Path) -> Motion:
-        number = 1 if self.member is None else self.member
-        suite = self._suite(folder)
-        if number > len(suite):
-            raise InputError("scenario.member", "shaking.member", value=number, most=len(suite))
+        number, suite = self.member or 1, self._suite(folder)
+        within("shaking.member", number, 1, len(suite), "", "shaking.member")
         return suite[number - 1]
 
     @property
@@ -417,4 +376,4 @@ def _refuse_vertical(motion: Motion, key: str, file: str) -> None:
     listing = motion.listing
     if listing is not None and listing.vertical[listing.used]:
         name, label = f"shaking.{key}", listing.names[listing.used]
-        raise InputError("scenario.vertical_across", name, name=name, file=repr(file), label=label)
+        raise InputError("scenario.vertical_across", name, file=repr(file), label=label)

@@ -1,28 +1,34 @@
-"""The tables of a scenario: furniture, room, initial state; their keys, ranges, and what they make."""
+"""The tables of a scenario: furniture, contents, room, initial state, building; what they accept and make."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
-from typing import Annotated, Self
+from dataclasses import asdict, replace
+from typing import Annotated, Any, Self
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, ModelWrapValidatorHandler, PrivateAttr, Tag, model_validator
 
+from stayput.building import STRUCTURES, Building, ShearModel
+from stayput.building.model import MOST_STOREYS
+from stayput.catalogue import phrase
+from stayput.contents.contents import CONTENTS, DOORS, DRAWERS, Contents
 from stayput.errors import InputError
 from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
 from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE
-from stayput.model.room import CEILINGS, SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall
+from stayput.model.parameters import parameter_of
+from stayput.model.room import SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
 from stayput.scenario.fields import (
     NAME,
     TABLE,
-    Pair,
     Table,
     Text,
+    ValueTable,
     between,
     checked,
     each,
+    fields_of,
     kind_of,
     named,
     of,
@@ -31,50 +37,43 @@ from stayput.scenario.fields import (
 
 Surface = Annotated[str, one_of(SURFACES, "floor"), named(SURFACES)]
 WallConstruction = Annotated[str, one_of(WALLS), named(WALLS)]
-CeilingConstruction = Annotated[str, one_of(CEILINGS), named(CEILINGS)]
 Loads = Annotated[list[Annotated[float, each(Part, "mass")]], Field(min_length=1, max_length=100)]
 Kind = Annotated[str, one_of(FURNITURE, "preset"), named(FURNITURE)]
+Heading = Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")]
 
 
-class FurnitureTable(Table):
+def usual_of(preset: str | None, *, loaded: bool = True) -> dict[str, Any]:
+    """Return the sizes and the mass of a preset, loaded or as an empty carcass; nothing of none."""
+    usual: dict[str, Any] = {} if preset is None else asdict(FURNITURE[preset])
+    carcass = usual.pop("carcass_mass", None)
+    return usual if loaded else usual | {"mass": carcass}
+
+
+@fields_of(Body, optional=("width", "height", "mass"), mass="Mass; with shelves, that of the empty carcass.")
+class FurnitureTable(ValueTable):
     """What stands: a preset, any field of which may be overridden, or a body of one's own."""
 
     name: Text | None = Field(default=None, description="What the piece is called.")
     preset: Kind | None = Field(
         default=None, description="A common piece of furniture; a default, not a citation."
     )
-    width: float | None = of(Body, "width", default=None)
-    height: float | None = of(Body, "height", default=None)
-    length: float | None = of(Body, "length")
-    heading: Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")] = Field(
-        default=0.0,
-        description="Direction in which it faces: from the motion's x towards its y.",
-    )
-    mass: float | None = of(
-        Body, "mass", default=None, description="Mass; with shelves, that of the empty carcass."
-    )
-    cg_offset: Pair | None = of(Body, "cg_offset", listed=True, default=None)
-    inertia: float | None = of(Body, "inertia")
-    base_heights: Pair | None = of(Body, "base_heights", listed=True, default=None)
-    base_insets: Pair | None = of(Body, "base_insets", listed=True, default=None)
     shelves: Loads | None = Field(
         default=None, description="Load on each shelf from the lowest up; mass, centre and inertia follow."
+    )
+    heading: Heading = Field(
+        default=0.0, description="Direction in which it faces: from the motion's x towards its y."
     )
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        if self.preset is None:
-            for key in ("width", "height", "mass"):
-                if getattr(self, key) is None:
-                    name = f"furniture.{key}"
-                    raise InputError("scenario.no_preset", name, name=name, preset="preset")
-        if self.shelves is not None:
-            for key in ("cg_offset", "inertia"):
-                if getattr(self, key) is not None:
-                    name = f"furniture.{key}"
-                    raise InputError("scenario.follows_from_shelves", name, name=name)
-            if self._mass is None:
-                raise InputError("scenario.no_carcass", "furniture.mass")
+        for key in () if self.preset else ("width", "height", "mass"):
+            if getattr(self, key) is None:
+                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
+        for key in ("cg_offset", "inertia") if self.shelves else ():
+            if getattr(self, key) is not None:
+                raise InputError("scenario.only_one", f"furniture.{key}", other="furniture.shelves")
+        if self.shelves and self.mass is None and usual_of(self.preset, loaded=False)["mass"] is None:
+            raise InputError("scenario.no_carcass", "furniture.mass")
         checked("furniture", self.body)
         return self
 
@@ -83,45 +82,65 @@ class FurnitureTable(Table):
         """What the piece is called."""
         return self.name or self.preset or "body"
 
-    @property
-    def _mass(self) -> float | None:
-        if self.mass is not None or self.preset is None:
-            return self.mass
-        preset = FURNITURE[self.preset]
-        return preset.mass if self.shelves is None else preset.carcass_mass
-
     def body(self) -> Body:
         """Make the body."""
-        preset = None if self.preset is None else FURNITURE[self.preset]
-        width = self.width if self.width is not None or preset is None else preset.width
-        height = self.height if self.height is not None or preset is None else preset.height
-        length = self.length if self.length is not None or preset is None else preset.length
-        assert width is not None
-        assert height is not None
-        assert self._mass is not None
-        base, insets = _pair(self.base_heights), _pair(self.base_insets)
-        if self.shelves is not None:
-            loaded = Body.bookcase(width, height, self._mass, self.shelves)
-            return replace(loaded, base_heights=base, base_insets=insets, length=length)
-        return Body(width, height, self._mass, _pair(self.cg_offset), self.inertia, base, insets, length)
+        values = usual_of(self.preset, loaded=not self.shelves)
+        values |= self.model_dump(exclude={"name", "preset", "shelves", "heading"}, exclude_none=True)
+        for key in ("cg_offset", "base_heights", "base_insets"):
+            if key in values:
+                values[key] = tuple(values[key])
+        if self.shelves is None:
+            return Body(**values)
+        width, height, mass = (values.pop(key) for key in ("width", "height", "mass"))
+        return replace(Body.bookcase(width, height, mass, self.shelves), **values)
 
 
-class FloorTable(Table):
+@fields_of(
+    Contents,
+    mass_share="Without loads: mass of the contents, of the furniture's.",
+    width="Depth of an item.",
+    height="Height of an item.",
+    static_friction="Static friction on the shelf; of drawers on their runners.",
+    kinetic_friction="The same while it slides.",
+    setback="Distance from the front edge of the shelf to the items.",
+    catch="Force at which a catch lets go; default: by kind.",
+)
+class ContentsTable(ValueTable):
+    """What is in the furniture, and what keeps it there: a kind, any number of which may be overridden."""
+
+    kind: Annotated[str, one_of(CONTENTS, "contents"), named(CONTENTS)] = Field(
+        default="books", description="Kind of contents; a default, not a citation."
+    )
+    loads: Loads | None = Field(
+        default=None, description="Mass on each shelf from the lowest up; default the furniture's shelves."
+    )
+    back: bool = Field(default=True, description="Whether a board or a wall is behind the items.")
+    doors: Annotated[str, one_of(DOORS), named(DOORS)] = Field(
+        default="none", description="What is in front of the shelves."
+    )
+    drawers: Annotated[str, one_of(DRAWERS), named(DRAWERS)] = Field(
+        default="none", description="Which drawers the contents are in, if any."
+    )
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        checked("contents", self.contents)
+        return self
+
+    def contents(self, furniture: FurnitureTable | None = None) -> Contents:
+        """Make the contents; loads that are not given are those of the furniture's shelves."""
+        loads = self.loads
+        if loads is None and furniture is not None and not {"shelves", "mass_share"} & self.model_fields_set:
+            loads = furniture.shelves
+        given = self.model_dump(exclude={"loads"})
+        return Contents(**given, loads=None if loads is None else tuple(loads))
+
+
+@fields_of(Floor, optional=("static_friction", "kinetic_friction", "settlement"))
+class FloorTable(ValueTable):
     """The floor: a surface preset, coefficients of one's own, or both, the latter overriding."""
 
     surface: Surface | None = Field(default=None, description="A surface preset; a default, not a citation.")
-    static_friction: float | None = of(Floor, "static_friction", default=None)
-    kinetic_friction: float | None = of(Floor, "kinetic_friction", default=None)
-    edge_static_friction: float | None = of(Floor, "edge_static_friction")
-    edge_kinetic_friction: float | None = of(Floor, "edge_kinetic_friction")
-    left_edge_static_friction: float | None = of(Floor, "left_edge_static_friction")
-    left_edge_kinetic_friction: float | None = of(Floor, "left_edge_kinetic_friction")
-    right_edge_static_friction: float | None = of(Floor, "right_edge_static_friction")
-    right_edge_kinetic_friction: float | None = of(Floor, "right_edge_kinetic_friction")
-    restitution: float = of(Floor, "restitution")
-    normal_restitution: float = of(Floor, "normal_restitution")
-    landing_place: float = of(Floor, "landing_place")
-    settlement: float | None = of(Floor, "settlement", default=None)
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -139,22 +158,18 @@ def floor_of(given: str | FloorTable) -> Floor:
     return Floor.of(given) if isinstance(given, str) else given.floor()
 
 
-class WallTable(Table):
+@fields_of(Wall)
+class WallTable(ValueTable):
     """A wall beside the body."""
 
-    gap: float = of(Wall, "gap")
-    restitution: float = of(Wall, "restitution")
-    friction: float = of(Wall, "friction")
-    construction: WallConstruction = of(Wall, "construction", listed=True)
 
-
-class CeilingTable(Table):
+@fields_of(Ceiling)
+class CeilingTable(ValueTable):
     """A ceiling above the body."""
 
-    height: float = of(Ceiling, "height")
-    restitution: float = of(Ceiling, "restitution")
-    friction: float = of(Ceiling, "friction")
-    construction: CeilingConstruction = of(Ceiling, "construction", listed=True)
+    def ceiling(self) -> Ceiling:
+        """Make the ceiling."""
+        return Ceiling(**self.model_dump())
 
 
 FloorChoice = Annotated[
@@ -182,62 +197,140 @@ class RoomTable(Table):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         if self.left_wall is not None and self.back_wall is not None:
-            raise InputError("scenario.two_back_walls", "room.back_wall")
+            name, other = "room.back_wall", "room.left_wall"
+            raise InputError("scenario.only_one", name, other=other)
         return self
 
     def room(self) -> Room:
         """Make the room."""
-        floor = floor_of(self.floor)
         walls = {name: getattr(self, name) for name in WALLS_AROUND}
         walls["left_wall"] = self.left_wall or self.back_wall
         made = {name: Wall(**wall.model_dump()) for name, wall in walls.items() if wall is not None}
-        return Room(
-            floor, ceiling=None if self.ceiling is None else Ceiling(**self.ceiling.model_dump()), **made
-        )
+        return Room(floor_of(self.floor), ceiling=self.ceiling and self.ceiling.ceiling(), **made)
 
 
-class EverydayTable(Table):
+@fields_of(
+    Everyday,
+    optional=("drawers", "carpet"),
+    drawers="Drawers that can be open at once; default the preset's.",
+    carpet="By how much the back stands higher than the front; default 11 mm on carpet, else 0.",
+)
+class EverydayTable(ValueTable):
     """What people do to the piece without an earthquake."""
-
-    drawers: int | None = of(
-        Everyday,
-        "drawers",
-        default=None,
-        description="Drawers that can be open at once; default the preset's.",
-    )
-    drawer_share: float = of(Everyday, "drawer_share")
-    drawer_extension: float = of(Everyday, "drawer_extension")
-    load: float = of(Everyday, "load")
-    pull: float = of(Everyday, "pull")
-    pull_height: float = of(Everyday, "pull_height")
-    carpet: float | None = of(
-        Everyday,
-        "carpet",
-        default=None,
-        description="By how much the back stands higher than the front; default 11 mm on carpet, else 0.",
-    )
 
     def everyday(self, preset: str | None, surface: str = "") -> Everyday:
         """Make the value for a piece of a preset, or of none, on a floor of a surface."""
-        drawers = PRESET_DRAWERS.get(preset or "", 0) if self.drawers is None else self.drawers
-        lifted = CARPET if surface == "carpet" else 0.0
-        carpet = lifted if self.carpet is None else self.carpet
-        given = self.model_dump(exclude={"drawers", "carpet"})
-        return Everyday(drawers=drawers, carpet=carpet, **given)
+        usual: dict[str, Any] = {
+            "drawers": PRESET_DRAWERS.get(preset or "", 0),
+            "carpet": CARPET if surface == "carpet" else 0.0,
+        }
+        return Everyday(**usual | self.model_dump(exclude_none=True))
 
 
-class InitialTable(Table):
+@fields_of(State)
+class InitialTable(ValueTable):
     """How the body stands and moves at the beginning."""
-
-    tilt: float = of(State, "tilt")
-    tilt_rate: float = of(State, "tilt_rate")
-    slide: float = of(State, "slide")
-    slide_rate: float = of(State, "slide_rate")
 
     def state(self) -> State:
         """Make the initial state."""
         return State(**self.model_dump())
 
 
-def _pair(values: list[float] | None) -> tuple[float, float]:
-    return (0.0, 0.0) if values is None else (values[0], values[1])
+StructureName = Annotated[str, one_of(STRUCTURES, "structure"), named(STRUCTURES)]
+Masses = Annotated[
+    list[Annotated[float, each(ShearModel, "masses")]], Field(min_length=1, max_length=MOST_STOREYS)
+]
+Stiffnesses = Annotated[
+    list[Annotated[float, each(ShearModel, "stiffnesses")]], Field(min_length=1, max_length=MOST_STOREYS)
+]
+REGULAR = ["storeys", "structure", "period", "storey_height", "nonlinear", "yield_coefficient", "post_yield"]
+
+
+@fields_of(Building)
+class BuildingTable(ValueTable):
+    """The building: what people know of it, or masses and stiffnesses of one's own."""
+
+    storeys: int | None = of(Building, "storeys", default=None)
+    structure: StructureName | None = Field(default=None, description='Structure; "RC" where it is not said.')
+    nonlinear: bool = Field(
+        default=True,
+        description="Whether the storeys yield under strong shaking; below that nothing changes.",
+    )
+    masses: Masses | None = Field(
+        default=None, description="Masses of the floors, bottom to top: a model of one's own."
+    )
+    stiffnesses: Stiffnesses | None = Field(
+        default=None, description="Shear stiffness of the storey below each."
+    )
+
+    _in_python: Building | ShearModel | None = PrivateAttr(default=None)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _of_python(cls, value: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        return cls.of(value) if isinstance(value, Building | ShearModel) else handler(value)
+
+    @classmethod
+    def of(cls, building: Building | ShearModel) -> Self:
+        """Return the table of a building, which makes it again; of one that no file can say, it is kept."""
+        fields: dict[str, Any] = {name: getattr(building, name, None) for name in cls.model_fields}
+        if isinstance(building, ShearModel):
+            fields = {name: [*getattr(building, name)] for name in ("masses", "stiffnesses", "damping")}
+            fields |= {
+                "damping": fields["damping"][0],
+                "vertical_amplification": building.vertical_amplification,
+            }
+        usual = {name: about.default for name, about in cls.model_fields.items()}
+        table = cls.model_validate({key: value for key, value in fields.items() if value != usual[key]})
+        if table.building() != building:
+            table._in_python = building
+        return table
+
+    @property
+    def in_python(self) -> Building | ShearModel | None:
+        """The building that was given as a Python object and that a file cannot say."""
+        return self._in_python
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        own = self.masses is not None or self.stiffnesses is not None
+        if own and (self.masses is None or self.stiffnesses is None):
+            given, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
+            name, other = f"shaking.building.{given}", f"shaking.building.{missing}"
+            raise InputError("scenario.needs_both", name, other=other)
+        for key in REGULAR if own else ():
+            if key in self.model_fields_set and getattr(self, key) not in (None, False):
+                raise InputError(
+                    "scenario.beside", f"shaking.building.{key}", other="shaking.building.masses"
+                )
+        if not own and self.storeys is None:
+            name, allowed = "shaking.building.storeys", parameter_of(Building, "storeys")
+            words = phrase("scenario.whole_number", low=allowed.low, high=allowed.high, unit="")
+            raise InputError("scenario.missing", name, allowed=words)
+        checked("shaking.building", self.building)
+        return self
+
+    def building(self) -> Building | ShearModel:
+        """Make the building."""
+        if self._in_python is not None:
+            return self._in_python
+        if self.masses is not None and self.stiffnesses is not None:
+            return ShearModel(
+                self.masses,
+                self.stiffnesses,
+                0.05 if self.damping is None else self.damping,
+                vertical_amplification=self.vertical_amplification,
+                name=f"{len(self.masses)}-mass building",
+            )
+        given = self.model_dump(exclude={"masses", "stiffnesses"}, exclude_none=True)
+        return Building(**given)
+
+    @property
+    def yields(self) -> bool:
+        """Whether the floors' motion does not scale with the ground's."""
+        building = self.building()
+        return building.yields if isinstance(building, ShearModel) else building.nonlinear
+
+    def highest(self) -> int:
+        """Return the number of the highest floor: the roof's."""
+        return 1 + self.building().storeys

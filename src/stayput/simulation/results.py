@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -52,6 +52,15 @@ class ResultColumn:
     dtype: str
     unit: str
     meaning: str
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What a dataset says of it; of the outcome also what its flags mean."""
+        about: dict[str, Any] = {"long_name": self.meaning} | ({"units": self.unit} if self.unit else {})
+        if self.name == "outcome":
+            meanings = " ".join(outcome.replace(" ", "_") for outcome in OUTCOMES)
+            about |= {"flag_values": np.arange(len(OUTCOMES), dtype=np.int8), "flag_meanings": meanings}
+        return about
 
 
 QUANTITIES = (

@@ -16,7 +16,7 @@ from stayput.simulation.axes import make_grid
 from stayput.simulation.case import trace_held
 from stayput.simulation.flat_fields import unit_of
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
-from stayput.simulation.results import HISTORIES, OUTCOMES, QUANTITIES
+from stayput.simulation.results import HISTORIES, QUANTITIES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -98,13 +98,7 @@ def sweep(
     data = _frame(grid, case)
     dims = [axis.name for axis in grid.axes]
     for column in QUANTITIES:
-        attributes: dict[str, Any] = {"long_name": column.meaning}
-        if column.unit:
-            attributes["units"] = column.unit
-        if column.name == "outcome":
-            attributes |= {"flag_values": np.arange(len(OUTCOMES), dtype=np.int8)}
-            attributes |= {"flag_meanings": " ".join(outcome.replace(" ", "_") for outcome in OUTCOMES)}
-        data[column.name] = (dims, columns[column.name].reshape(grid.shape), attributes)
+        data[column.name] = (dims, columns[column.name].reshape(grid.shape), column.attributes)
     if times is not None:
         data = data.assign_coords(time=("time", times, {"units": "s"}))
         for name, (values, attributes) in traced.items():

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.catalogue import Phrase, phrase
-from stayput.errors import InputError, numbers
+from stayput.catalogue import Phrase
+from stayput.errors import InputError, not_allowed, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.fragility.intensity_measures import FLOOR_JMA
 from stayput.measures import Element, Held, hold
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.scenario import AssemblyScenario, Scenario
-    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.scenario.pieces import AssemblyOption
     from stayput.simulation.standing import Assembly
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
@@ -84,7 +84,7 @@ def compare(
         levels = curve_levels(scenario.dimensions)
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
-        raise InputError("common.not_a_list", "levels", name=phrase("fragility.level"), value=repr(levels))
+        raise not_allowed("fragility.level", repr(levels), "common.list", "levels")
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
     (options, impossible), shaking = compared_options(scenario), scenario.shaking

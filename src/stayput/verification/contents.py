@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.contents.carrier import Carrier
+from stayput.contents.contents import emptied, opened
 from stayput.contents.spill import Spill, spill_of
-from stayput.contents.weight import emptied, opened
 from stayput.errors import InputError
 from stayput.execution import Pool
 from stayput.fragility import Probability, probability

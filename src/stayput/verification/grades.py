@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
-    from stayput.scenario.building import BuildingTable
-    from stayput.scenario.tables import FurnitureTable
+    from stayput.scenario.tables import BuildingTable, FurnitureTable
     from stayput.verification.options import Option
 
 

@@ -9,7 +9,7 @@ from stayput.catalogue import Phrase, phrase, say
 from stayput.errors import InputError
 from stayput.measures import MEASURES, BadlyInstalled, Measure, hold
 from stayput.model.state import refuse_bad_start
-from stayput.scenario.assembly_options import NOTHING, AssemblyOption
+from stayput.scenario.pieces import NOTHING, AssemblyOption
 from stayput.simulation.placing import placed
 
 if TYPE_CHECKING:

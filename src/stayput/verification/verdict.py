@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
     from stayput.measures.measure import Grade
     from stayput.scenario import AssemblyScenario, Scenario
-    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.scenario.pieces import AssemblyOption
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible, Option

@@ -17,7 +17,7 @@ from stayput.wording import FAR, inside, is_open, with_aside
 if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.scenario.assembly_options import AssemblyOption
+    from stayput.scenario.pieces import AssemblyOption
     from stayput.verification.verdict import AssemblyOptionVerdict, AssemblyVerdict, OptionVerdict, Verdict
 
     Ranked = Verdict | AssemblyVerdict

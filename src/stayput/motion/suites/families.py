@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.motion.suites.ground_motion import PointSource, SoilLayer
-from stayput.randomness import random_bits, uniforms
+from stayput.uncertainty import random_bits, uniforms
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -8,9 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.completion import families, words
-from stayput.cli.flags import GROUND, FlagValues, QuietOption, numbers, tables_of_motion, takes
-from stayput.cli.language import OF_LOCALE, LanguageOption
+from stayput.cli.flags import (
+    GROUND,
+    OF_LOCALE,
+    FlagValues,
+    LanguageOption,
+    QuietOption,
+    numbers,
+    tables_of_motion,
+    takes,
+    words,
+)
 from stayput.cli.messages import note
 from stayput.errors import InputError, unknown
 
@@ -39,7 +47,9 @@ COLUMNS = (
 @takes(GROUND)
 def suite(
     out: Annotated[Path, typer.Option(metavar="DIR", help="cli_help.suite_out")],
-    family: Annotated[str, typer.Option(help="cli_help.family", autocompletion=words(families))] = "mixed",
+    family: Annotated[
+        str, typer.Option(help="cli_help.family", autocompletion=words("catalogue.names:FAMILIES"))
+    ] = "mixed",
     count: Annotated[int, typer.Option(help="cli_help.count")] = 40,
     seed: Annotated[int, typer.Option(help="cli_help.seed")] = 1,
     records: Annotated[Path | None, typer.Option(metavar="DIR", help="cli_help.records")] = None,
@@ -47,7 +57,7 @@ def suite(
     said: FlagValues,
     target: Annotated[str | None, typer.Option(help="cli_help.target")] = None,
     band: Annotated[str, typer.Option(metavar="T1,T2", help="cli_help.band")] = "0.1,5",
-    fit: Annotated[str, typer.Option(help="cli_help.fit", autocompletion=words(lambda: FITS))] = "scale",
+    fit: Annotated[str, typer.Option(help="cli_help.fit", autocompletion=words("cli.suite:FITS"))] = "scale",
     select: Annotated[int | None, typer.Option(metavar="N", help="cli_help.select")] = None,
     lang: LanguageOption = OF_LOCALE,
     quiet: QuietOption = False,
@@ -58,9 +68,10 @@ def suite(
     if fit not in FITS:
         raise unknown("--fit", fit, FITS, "--fit")
     if target is not None and "intensity" in said:
-        raise InputError("cli.target_and_intensity", "--target", target=repr(target), value=said["intensity"])
-    if target is None and (select is not None or fit != "scale"):
-        raise InputError("cli.of_a_target", "--target")
+        raise InputError("scenario.only_one", "--target", other="--intensity")
+    for flag, given in (("--select", select is not None), ("--fit", fit != "scale")):
+        if target is None and given:
+            raise InputError("cli.flag_without", "--target", flag=flag, other="--target")
     wanted = None if target is None else _target_of(target)
     first, last = numbers("--band", band, band.split(","), (2,), "0.1,5")
     periods = first, last

@@ -1,9 +1,9 @@
-"""``stayput motion info``, ``plot``, ``spectrum`` and ``convert``: commands on one motion."""
+"""``stayput motion``: look at a motion, or at the floors of a building under it, or write it anew."""
 
 from __future__ import annotations
 
 import math
-from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -11,26 +11,35 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.flags import (
     GROUND,
+    OF_LOCALE,
     FlagValues,
+    LanguageOption,
     MotionArgument,
     QuietOption,
     motion_of,
     numbers,
+    table_of,
     tables_of_motion,
     takes,
 )
-from stayput.cli.language import OF_LOCALE, LanguageOption
-from stayput.cli.messages import folded, note, print_json, tell_written
-from stayput.cli.motion.floors import print_floors, respond
+from stayput.cli.help import HelpfulCommand, HelpfulGroup
+from stayput.cli.messages import note, plain_table, print_json, tell_written, terminal
 from stayput.cli.streams import check_output, is_stream, to_output, write_text
+from stayput.cli.suite import suite
 from stayput.errors import InputError, InputWarning, unknown, warn
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from collections.abc import Mapping
 
-    from stayput.motion import Motion, Peaks
-    from stayput.motion.measures import DisplacementPeak, Intensities, SpectralMeasures
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from stayput.building.response import FloorResponse
+    from stayput.motion import Motion
+    from stayput.motion.measures import DisplacementPeak
     from stayput.motion.spectrum import ResponseSpectrum
+
+app = typer.Typer(cls=HelpfulGroup, help="cli_help.motion", no_args_is_help=True, rich_markup_mode=None)
 
 TABLE_PERIODS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)
 """Periods of the table that is printed [s]."""
@@ -46,29 +55,30 @@ def info(
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput motion info``."""
-    from stayput.motion.measures import Intensities, SpectralMeasures
-
     tables = tables_of_motion(motion, said)
     if (response := respond(tables)) is not None:
-        print_floors(response, lang, json=json)
+        if json:
+            print_json(_floors_record(response))
+        else:
+            _print_floors(response, lang)
         return
     record = motion_of(tables)
-    intensities = Intensities.of(record)
-    rows = {name: (peaks, SpectralMeasures.of(record, name)) for name, peaks in record.peaks().items()}
     if json:
-        print_json(_info_record(record, intensities, rows))
+        print_json(_measures(record))
     else:
-        _print_info(record, intensities, rows, lang)
+        _print_info(record, lang)
 
 
 def _number(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def _info_record(
-    motion: Motion, intensities: Intensities, rows: dict[str, tuple[Peaks, SpectralMeasures]]
-) -> dict[str, Any]:
-    moved = _displacements(motion)
+def _measures(motion: Motion) -> dict[str, Any]:
+    """Return how strong a motion is, as one JSON object."""
+    from stayput.motion.measures import Intensities, SpectralMeasures
+
+    about, moved = Intensities.of(motion), _displacements(motion)
+    parts = {name: (peaks, SpectralMeasures.of(motion, name)) for name, peaks in motion.peaks().items()}
     return {
         "name": motion.name,
         "source": motion.source,
@@ -76,11 +86,11 @@ def _info_record(
         "dt_s": motion.dt,
         "samples": len(motion),
         "duration_s": motion.duration,
-        "jma_intensity": _number(intensities.intensity),
-        "jma_class": None if motion.floor else intensities.intensity_class,
-        "long_period_sva_m_s": intensities.long_period_response,
-        "long_period_class": None if motion.floor else intensities.long_period_class,
-        "modified_mercalli": _number(intensities.mercalli),
+        "jma_intensity": _number(about.intensity),
+        "jma_class": None if motion.floor else about.intensity_class,
+        "long_period_sva_m_s": about.long_period_response,
+        "long_period_class": None if motion.floor else about.long_period_class,
+        "modified_mercalli": _number(about.mercalli),
         "floor": motion.floor or None,
         "components": {
             name: {
@@ -97,57 +107,57 @@ def _info_record(
                 "predominant_period_s": _number(spectral.predominant_period),
                 "mean_period_s": _number(spectral.mean_period),
             }
-            for name, (peaks, spectral) in rows.items()
+            for name, (peaks, spectral) in parts.items()
         },
     }
 
 
-def _print_info(
-    motion: Motion, intensities: Intensities, rows: dict[str, tuple[Peaks, SpectralMeasures]], lang: str
-) -> None:
-    from rich.console import Console
-    from rich.table import Table
+LINES = {
+    "cli.pga": ("pga_m_s2", 1.0),
+    "cli.pgv": ("pgv_m_s", 100.0),
+    "cli.pgd": ("pgd_m", 100.0),
+    "cli.arias": ("arias_m_s", 1.0),
+    "cli.cav": ("cav_m_s", 1.0),
+    "cli.d5_95": ("significant_duration_s", 1.0),
+    "cli.housner": ("housner_intensity_m", 1.0),
+    "cli.si": ("spectrum_intensity_m_s", 100.0),
+    "cli.largest_sa": ("predominant_period_s", 1.0),
+    "cli.mean_period": ("mean_period_s", 1.0),
+}
+"""Lines of the table of a motion: label, key in JSON, and factor from there to the unit of the table."""
 
+
+def _print_info(motion: Motion, lang: str) -> None:
     from stayput.catalogue.names import INTENSITIES
     from stayput.motion.floors import floor_phrase
+    from stayput.motion.measures import Intensities
     from stayput.report.names import given_name, motion_label
 
-    console = Console(highlight=False, markup=False)
-    console.print(motion_label(motion, lang), style="bold")
+    console, paragraph = terminal(lang, motion_label(motion, lang))
     console.print(given_name(motion.source, lang))
     console.print(say("cli.samples", lang, count=len(motion), dt=motion.dt, duration=motion.duration))
+    about = Intensities.of(motion)
     strong = say(
         "cli.intensities_of_floor" if motion.floor else "cli.intensities",
         lang,
-        intensity=intensities.published,
-        name=floor_phrase(motion.floor) if motion.floor else INTENSITIES[intensities.intensity_class],
-        long_period=intensities.long_period_class,
-        sva=100.0 * intensities.long_period_response,
-        mmi=intensities.mercalli,
+        intensity=about.published,
+        name=floor_phrase(motion.floor) if motion.floor else INTENSITIES[about.intensity_class],
+        long_period=about.long_period_class,
+        sva=100.0 * about.long_period_response,
+        mmi=about.mercalli,
     )
-    console.print(folded(strong, console.width) if lang == "ja" else strong)
-    moved = _displacements(motion)
+    paragraph(strong)
+    parts = _measures(motion)["components"]
+    rows: list[list[str]] = []
+    for label, (key, factor) in LINES.items():
+        values = (
+            None if key == "pgd_m" and part["displacement_drifts"] else part[key] for part in parts.values()
+        )
+        told = ("–" if value is None else f"{factor * value:.3g}" for value in values)
+        rows.append([say(label, lang), *told])
     names = {"x": "cli.along", "y": "cli.across", "z": "cli.up"}
-    table = Table(box=None, padding=(0, 2, 0, 0))
-    table.add_column("")
-    for name in rows:
-        table.add_column(say(names[name], lang), justify="right")
-    lines = (
-        ("cli.pga", [peaks.pga for peaks, _ in rows.values()]),
-        ("cli.pgv", [100.0 * peaks.pgv for peaks, _ in rows.values()]),
-        ("cli.pgd", [math.nan if one.drifts else 100.0 * one.pgd for one in moved.values()]),
-        ("cli.arias", [peaks.arias for peaks, _ in rows.values()]),
-        ("cli.cav", [peaks.cav for peaks, _ in rows.values()]),
-        ("cli.d5_95", [peaks.significant_duration for peaks, _ in rows.values()]),
-        ("cli.housner", [spectral.housner_intensity for _, spectral in rows.values()]),
-        ("cli.si", [100.0 * spectral.spectrum_intensity for _, spectral in rows.values()]),
-        ("cli.largest_sa", [spectral.predominant_period for _, spectral in rows.values()]),
-        ("cli.mean_period", [spectral.mean_period for _, spectral in rows.values()]),
-    )
-    for label, values in lines:
-        told = (f"{value:.3g}" if math.isfinite(value) else "–" for value in values)
-        table.add_row(say(label, lang), *told)
-    console.print(table)
+    headings = ["", *(say(names[part], lang) for part in parts)]
+    console.print(plain_table(headings, rows, justify="right"))
     _warn_of_drift(motion)
 
 
@@ -163,6 +173,93 @@ def _warn_of_drift(motion: Motion) -> None:
         if peak.drifts:
             pgd, corrected = 100.0 * peak.pgd, 100.0 * peak.corrected
             warn(InputWarning("motion.drifts", "motion", component=name, pgd=pgd, corrected=corrected))
+
+
+def respond(tables: Mapping[str, Any]) -> FloorResponse | None:
+    """Return what the floors of a building do of which no storey is named; None where there is no such one.
+
+    Parameters
+    ----------
+    tables : mapping
+        Tables of a scenario, whose ``[shaking]`` may have a building.
+
+    Raises
+    ------
+    InputError
+        A value that is not allowed, or a record that cannot be read.
+    """
+    from stayput.scenario import Scenario
+
+    shaking = table_of(tables, "shaking")
+    if "building" not in shaking or "storey" in shaking:
+        return None
+    table = Scenario.parse({**tables, "shaking": {**shaking, "storey": 1}}).shaking
+    assert table.building is not None
+    ground = table.model_copy(update={"building": None, "storey": None})
+    return table.building.building().respond(ground.motion(Path()))
+
+
+def _floors_record(response: FloorResponse) -> dict[str, Any]:
+    import numpy as np
+
+    model = response.model
+    return {
+        "building": model.name,
+        "periods_s": model.periods.tolist(),
+        "damping": np.atleast_1d(model.damping).tolist(),
+        "nonlinear": model.yields,
+        "motion": {"name": response.motion.name, "synthetic": response.motion.synthetic},
+        "dt_s": response.dt,
+        "storeys": response.storeys.tolist(),
+        "components": {
+            name: {
+                "peak_floor_acceleration_m_s2": response.peak_acceleration(name).tolist(),
+                "peak_floor_velocity_m_s": response.peak_velocity(name).tolist(),
+                "peak_drift_m": response.peak_drift(name).tolist(),
+            }
+            for name in response.acceleration
+        },
+        "energy": {
+            name: {
+                "input_j": float(energy.input[-1]),
+                "damping_j": float(energy.damping[-1]),
+                "plastic_j": float(energy.plastic[-1]),
+                "imbalance": energy.imbalance,
+            }
+            for name, energy in response.energy.items()
+        },
+    }
+
+
+def _print_floors(response: FloorResponse, lang: str) -> None:
+    """Print the peaks of all floors, and where the energy went."""
+    from stayput.report.names import given_name, motion_label
+
+    model = response.model
+    kind = say("plots.yielding" if model.yields else "plots.linear", lang)
+    name = given_name(model.name, lang)
+    heading = say("cli.building", lang, name=name, period=model.periods[0], kind=kind)
+    console, paragraph = terminal(lang, heading)
+    console.print(say("cli.building_ground", lang, motion=motion_label(response.motion, lang)))
+    headings, ground = [say("cli.building_floor", lang)], list[float]()
+    columns: list[NDArray[np.float64]] = []
+    for name in response.acceleration:
+        peaks = response.motion.peaks()[name]
+        headings += [f"PFA {name} [m/s²]", f"PFV {name} [cm/s]"]
+        ground += [peaks.pga, 100.0 * peaks.pgv]
+        columns += [response.peak_acceleration(name), 100.0 * response.peak_velocity(name)]
+    floors = [(model.place(s), [column[s - 1] for column in columns]) for s in response.storeys.tolist()]
+    rows = [
+        [given_name(label, lang), *(f"{value:.3g}" for value in values)]
+        for label, values in (*reversed(floors), ("ground", ground))
+    ]
+    console.print(plain_table(headings, rows, justify="right"))
+    for name, energy in response.energy.items():
+        if not energy.input[-1] > 0.0:
+            console.print(say("cli.building_no_energy", lang, component=name))
+            continue
+        share = 100.0 * energy.plastic[-1] / energy.input[-1]
+        paragraph(say("cli.building_energy", lang, component=name, share=share, imbalance=energy.imbalance))
 
 
 @takes(GROUND)
@@ -250,24 +347,18 @@ def _spectra_csv(spectra: dict[str, ResponseSpectrum]) -> str:
 
 
 def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: str) -> None:
-    from rich.console import Console
-    from rich.table import Table
-
     from stayput.report.names import motion_label
 
-    console = Console(highlight=False, markup=False)
     damping = 100.0 * next(iter(spectra.values())).damping
-    heading = say("cli.spectra", lang, motion=motion_label(motion, lang), damping=damping)
-    console.print(heading, style="bold")
-    table = Table(box=None, padding=(0, 2, 0, 0))
-    table.add_column(say("cli.period", lang), justify="right")
+    console, _ = terminal(lang, say("cli.spectra", lang, motion=motion_label(motion, lang), damping=damping))
+    headings = [say("cli.period", lang)]
     for name in spectra:
-        for label in (f"Sa {name} [m/s²]", f"ω·Sd {name} [cm/s]"):
-            table.add_column(label, justify="right")
-    for i, period in enumerate(TABLE_PERIODS):
-        values = [v for s in spectra.values() for v in (s.sa[i], 100.0 * s.psv[i])]
-        table.add_row(f"{period:g}", *(f"{value:.3g}" for value in values))
-    console.print(table)
+        headings += [f"Sa {name} [m/s²]", f"ω·Sd {name} [cm/s]"]
+    rows = [
+        [f"{period:g}", *(f"{v:.3g}" for s in spectra.values() for v in (s.sa[i], 100.0 * s.psv[i]))]
+        for i, period in enumerate(TABLE_PERIODS)
+    ]
+    console.print(plain_table(headings, rows, justify="right"))
 
 
 @takes(GROUND)
@@ -312,3 +403,12 @@ def _ending(out: Path, form: str | None) -> str:
     if form is not None and f".{form}" != out.suffix.lower():
         raise InputError("cli.other_format", "--format", value=repr(form), out=repr(str(out)))
     return out.suffix.lower()
+
+
+for run in (info, plot, spectrum, convert, suite):
+    app.command(run.__name__, cls=HelpfulCommand, help=f"cli_help.{run.__name__}")(run)
+
+
+@app.callback()
+def _options(lang: LanguageOption = OF_LOCALE) -> None:  # pyright: ignore[reportUnusedFunction] - Typer calls it
+    """Take the flags that stand before a command."""
