@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.catalogue import Phrase
 from stayput.errors import InputError, not_allowed, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.fragility.intensity_measures import FLOOR_JMA
@@ -45,6 +44,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.pieces import AssemblyOption
