@@ -20,8 +20,8 @@ import pytest
 from serving import COMPILING, SCENE
 from typer.testing import CliRunner
 
-from stayput.app.addresses import address_of, bind
 from stayput.app.pages import words
+from stayput.app.server import address_of, bind
 from stayput.cli import app
 from stayput.errors import InputError
 from waiting import PATIENCE, wait_until

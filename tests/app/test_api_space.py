@@ -157,6 +157,7 @@ def test_a_verification_in_space(client: httpx.Client) -> None:
 def test_curves_in_space_have_the_levels_of_verify(client: httpx.Client) -> None:
     scene = {**SPACE, "shaking": {"suite": {"count": 2}, "intensity": 6.5}, "uncertainty": {"samples": 2}}
     job = finished(client, {"scene": scene, "measures": [], "compare_usual": False})
+    assert job["state"] == "done", job["error"]
     curve = next(one["curve"] for one in job["result"]["options"] if one["curve"])
     assert len(curve["observed"]) == 7
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from raw import connected
 from serving import COMPILING, SCENE, Running, client_of, running
 
-from stayput.app import action_plan_api, api, jobs, turns
+from stayput.app import api, jobs, room_api, turns
 from stayput.app.limits import Limits
 from stayput.app.turns import CLIENT_HEADER, NOBODY, Client, StoppedError, Turn, Turns, first_to_go
 from stayput.rooms.verdict import RoomVerdict
@@ -202,14 +202,14 @@ def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest
 
 def test_a_plan_lets_another_pass_and_ends_when_its_client_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(turns, "SLICE", 0.02)
-    monkeypatch.setattr(action_plan_api, "plan_html", lambda *_: "made")
+    monkeypatch.setattr(room_api, "plan_html", lambda *_: "made")
 
     def plan(job: jobs.Job, *_: object) -> None:
         *_, note_progress = _
         while job.id == endless.id:
             note_progress(1)
 
-    monkeypatch.setattr(action_plan_api, "_plan", plan)
+    monkeypatch.setattr(room_api, "_plan", plan)
     verdict = object.__new__(RoomVerdict)  # at which nothing looks
     endless, short = (jobs.Job(name * 32, 1, NOBODY, state="done", verdict=verdict) for name in "ab")
     with running() as server:

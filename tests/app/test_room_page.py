@@ -26,7 +26,7 @@ from room_judge import (
 )
 
 from stayput.app import room_api
-from stayput.app.room_replies import RoomVerdictReply
+from stayput.app.verdict_replies import RoomVerdictReply
 from waiting import wait_until
 
 if TYPE_CHECKING:
