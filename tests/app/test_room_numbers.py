@@ -15,7 +15,7 @@ from room_editing import ROOM, editing
 import stayput as sp
 from long_cases import long
 from stayput.app.pages import words
-from stayput.catalogue import room_plan
+from stayput.catalogue import room_page as texts
 from stayput.fragility.probabilities import percent
 from stayput.scenario.pieces import StandingTable
 from stayput.scenario.room import DoorTable, PlaceTable, WindowTable
@@ -183,7 +183,7 @@ def test_every_word_of_the_editor_is_there_and_the_japanese_has_no_english_left(
     for name, text in sources.items():
         assert len(text.splitlines()) < 300, name
         assert "http://" not in text.replace("http://www.w3.org/2000/svg", ""), name
-    for key, (_, japanese) in room_plan.TEXTS.items():
+    for key, (_, japanese) in texts.TEXTS.items():
         plain = re.sub(r"\{\w+\}|〔.*?〕|\bc?m\b", "", japanese)
         assert re.search(r"[A-Za-z]", plain) is None, key
 

@@ -233,7 +233,7 @@ class Jobs:
                 self._end(job, "cancelled")
                 return
             _log.exception("A verification failed")
-            self._end(job, "failed", error=InputError("app.verification_failed"))
+            self._end(job, "failed", error=InputError("app.failed"))
         else:
             self._end(job, "done", verdict=verdict)
 
@@ -243,7 +243,8 @@ class Jobs:
         """Let a job's thread go; a job that was cancelled meanwhile stays so."""
         with self._lock:
             if job.ended is None:
-                job.state, job.verdict, job.error, job.ended = state, verdict, error, time.monotonic()
+                job.verdict, job.error, job.ended = verdict, error, time.monotonic()
+                job.state = state
 
     def _cancel(self, job: Job) -> None:
         """Mark a job that has not ended as cancelled; called with the lock held."""

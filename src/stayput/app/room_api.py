@@ -88,7 +88,7 @@ def add_rooms(router: APIRouter, service: Service) -> None:
     def finished(name: str) -> tuple[Job, RoomVerdict]:
         job = service.jobs.get(name)
         if job.state != "done" or not isinstance(job.verdict, RoomVerdict):
-            raise refused(409, "app.no_plan_yet", state=job.state)
+            raise refused(409, "app.no_report_yet", state=job.state)
         return job, job.verdict
 
     @router.get(

@@ -130,6 +130,7 @@ def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
     """
     return JobReply.from_attributes(
         job,
+        state=job.state,  # before the verdict, which is the final one when the job is done
         progress=1.0 if job.state == "done" else min(1.0, job.done / max(1, job.total)),
         seconds=round(job.seconds, 3),
         error=None if job.error is None else problem(job.error.rewritten(rewrite)),
