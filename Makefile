@@ -23,7 +23,7 @@ help:
 	@echo "make test     every test, of a matrix one case (ten minutes on two cores)"
 	@echo "make test-all every test with all of its cases, as continuous integration runs them"
 	@echo "make soak     input made to break what reads it, for MINUTES=10 or as long as asked"
-	@echo "make coverage every test, and which lines of Python and of the page they run (out/coverage)"
+	@echo "make coverage every test, and which lines of Python they run (out/coverage)"
 	@echo "make peers    pelicun and OpenQuake read our fragility curves, in an environment of their own (out/peers)"
 	@echo "make lint     ruff, formatting, types"
 	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices, verifications, starts"
@@ -47,13 +47,11 @@ test test-all: $(STAMP)-test
 	@$(BIN)/python tests/prerequisites.py
 	$(BIN)/python -m pytest -n auto --dist worksteal $(QUICK) $(PYTEST_ARGS)
 
-# The page's own coverage is written by the tests that open it, and counted afterwards.
 coverage: $(STAMP)-test
 	@$(BIN)/python tests/prerequisites.py
-	@rm -rf out/coverage && mkdir -p out/coverage/page
-	PAGE_COVERAGE="$(CURDIR)/out/coverage/page" $(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-report=term:skip-covered \
+	@rm -rf out/coverage && mkdir -p out/coverage
+	$(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-report=term:skip-covered \
 	  --cov-report=html $(PYTEST_ARGS)
-	$(BIN)/python tests/app/page_coverage.py out/coverage/page
 
 # Each round tries other examples; the round in which the time ends is finished.
 soak: $(STAMP)-test

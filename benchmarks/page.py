@@ -14,8 +14,7 @@ from itertools import pairwise
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from stayput.app.addresses import address_of, bind
-from stayput.app.server import create_app, server_of
+from stayput.app.server import address_of, bind, create_app, server_of
 
 FLAGS = ["--no-sandbox"]
 FRAMES = """() => new Promise(done => {

@@ -72,8 +72,7 @@ PICTURES = (
 
 @contextmanager
 def _served() -> Iterator[str]:
-    from stayput.app.addresses import address_of, bind
-    from stayput.app.server import create_app, server_of
+    from stayput.app.server import address_of, bind, create_app, server_of
 
     bound = bind("127.0.0.1", 0)
     server = server_of(create_app(warming=False))

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
 
 import prerequisites
@@ -219,8 +218,7 @@ def opened(
     with ExitStack() as ending:
         ending.callback(page.close)
         ending.callback(page.unroute_all, behavior="ignoreErrors")
-        ending.enter_context(recorded(page))
-        page.goto(f"{server.address}/{start()}{address}")
+        page.goto(f"{server.address}/{address}")
         found.settle()
         yield found
     strangers = [

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from browsing import DESK, new_page
-from page_coverage import recorded
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -148,13 +147,12 @@ def editing(
         page.on("console", lambda one: wrong.append(one.text) if one.type == "error" else None)
         for path in ("room", "simulate"):
             page.route(f"**/api/v1/{path}", lambda route: None)  # it is never answered
-        with recorded(page):
-            # where each module is loaded by itself, so that a test can ask it
-            page.goto(f"{server.address}/room/index.html")
-            page.wait_for_selector("#plan .thing", state="attached")
-            editor = Editor(page)
-            editor.take(room)
-            yield editor
+        # where each module is loaded by itself, so that a test can ask it
+        page.goto(f"{server.address}/room/index.html")
+        page.wait_for_selector("#plan .thing", state="attached")
+        editor = Editor(page)
+        editor.take(room)
+        yield editor
         assert [one for one in wrong if refused is None or f"status of {refused}" not in one] == []
     finally:
         page.unroute_all(behavior="ignoreErrors")

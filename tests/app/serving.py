@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import httpx
 
 from stayput.app import api
-from stayput.app.addresses import address_of, bind
-from stayput.app.server import create_app, server_of
+from stayput.app.server import address_of, bind, create_app, server_of
 from waiting import wait_until
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ import socket
 import subprocess
 import sys
 
-from stayput.app.addresses import bind, own_addresses, warning_of
+from stayput.app.server import bind, own_addresses, warning_of
 
 START = "from stayput.cli import main; main()"
 

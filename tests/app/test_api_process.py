@@ -18,11 +18,9 @@ from urllib.parse import urljoin
 import httpx
 import pytest
 from serving import COMPILING, SCENE
-from typer.testing import CliRunner
 
-from stayput.app.addresses import address_of, bind
 from stayput.app.pages import words
-from stayput.cli import app
+from stayput.app.server import address_of, bind
 from stayput.errors import InputError
 from waiting import PATIENCE, wait_until
 
@@ -144,12 +142,6 @@ def test_an_address_of_version_6_is_in_brackets() -> None:
             assert address_of(bound).startswith("http://[::1]:")
     except InputError:
         pytest.skip("this machine has no IPv6 loopback")
-
-
-def test_the_command_says_what_it_takes() -> None:
-    text = CliRunner().invoke(app, ["app", "--help"]).output
-    for option in ("--host", "--port", "--name", "--no-browser"):
-        assert option in text
 
 
 @pytest.mark.skipif(find_spec("hatchling") is None, reason="hatchling, which builds the wheel, is absent")

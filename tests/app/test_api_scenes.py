@@ -16,7 +16,7 @@ from stayput.model.room import SURFACES
 if TYPE_CHECKING:
     from serving import Running
 
-EXAMPLES = 60
+EXAMPLES = 30
 
 few = settings(
     max_examples=EXAMPLES,

@@ -6,7 +6,6 @@ import base64
 import csv
 import gzip
 import io
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -93,6 +92,8 @@ def test_a_run_in_space_is_that_of_the_scenario(client: httpx.Client) -> None:
         assert len(told["devices"]) == len(run.devices)
         assert all(len(one["pull_n"]) == len(tilts) for one in told["devices"])
     assert {"x", "y", "z"} == set(answer["floor"]["acceleration_m_s2"])
+    one, other = (answer[which]["scene"]["view"] for which in ("without", "with"))
+    assert one == other  # both are drawn to one scale
     assert "refrigerator" in answer["without"]["sentence"]["en"]
     assert "冷蔵庫" in answer["without"]["sentence"]["ja"]
 
@@ -120,25 +121,10 @@ def test_the_plane_follows_the_heading_too(client: httpx.Client) -> None:
     assert ahead["motion"]["pga_m_s2"] != answer["motion"]["pga_m_s2"]
 
 
-def test_a_building_sways_at_the_times_of_the_poses(client: httpx.Client) -> None:
-    shaking = {**SPACE["shaking"], "building": {"storeys": 6}, "storey": 4}
-    answer = simulated(client, {**SPACE, "shaking": shaking})
-    count = answer["without"]["scene"]["poses"]["count"]
-    assert len(answer["building"]["roof_x_m"]) == len(answer["building"]["ground_x_m"]) == count
-    assert answer["motion"]["floor_intensity"] > answer["motion"]["ground_intensity"]
-
-
 def test_the_reply_is_small(client: httpx.Client) -> None:
     answer = client.post("/api/v1/simulate", json={"scene": SPACE, "measures": BELT})
     assert answer.headers["content-encoding"] == "gzip"
     assert len(gzip.compress(answer.content)) < 250_000  # 30 s, twice
-
-
-def test_both_runs_are_drawn_to_one_scale(client: httpx.Client) -> None:
-    answer = simulated(client, SPACE, BELT)
-    one, other = (answer[which]["scene"]["view"] for which in ("without", "with"))
-    assert one == other
-    assert answer["with"]["pieces"][0]["peak_tilt_rad"] != answer["without"]["pieces"][0]["peak_tilt_rad"]
 
 
 def test_a_verification_in_space(client: httpx.Client) -> None:
@@ -157,6 +143,7 @@ def test_a_verification_in_space(client: httpx.Client) -> None:
 def test_curves_in_space_have_the_levels_of_verify(client: httpx.Client) -> None:
     scene = {**SPACE, "shaking": {"suite": {"count": 2}, "intensity": 6.5}, "uncertainty": {"samples": 2}}
     job = finished(client, {"scene": scene, "measures": [], "compare_usual": False})
+    assert job["state"] == "done", job["error"]
     curve = next(one["curve"] for one in job["result"]["options"] if one["curve"])
     assert len(curve["observed"]) == 7
 
@@ -263,13 +250,6 @@ def test_what_is_not_offered_in_space(client: httpx.Client) -> None:
     inside = {**SPACE, "contents": {"kind": "books"}}
     for path in ("simulate", "verify"):
         refused(client, path, {"scene": inside}, "scene.contents")
-
-
-def test_presets_have_their_lengths(client: httpx.Client) -> None:
-    found = client.get("/api/v1/presets").json()
-    assert all(one["length_m"] > 0.0 for one in found["furniture"])
-    assert found["numbers"]["furniture.length"]["unit"] == "m"
-    assert math.isfinite(found["numbers"]["furniture.length"]["high"])
 
 
 def test_the_server_prints_no_warning_of_what_it_is_asked(

@@ -13,9 +13,10 @@ from raw import answer, connected, is_closed, request
 from serving import SCENE, client_of, running
 from test_api_space import PIECES
 
-from stayput.app import downloads, space_running
+from stayput.app import downloads
+from stayput.app import running as scene_runs
 from stayput.app.limits import Limits
-from stayput.app.space_running import pieces_run
+from stayput.app.running import pieces_run
 from waiting import PATIENCE, wait_until
 
 if TYPE_CHECKING:
@@ -77,7 +78,7 @@ def test_several_pieces_are_given_up_when_their_client_leaves(
             pass
         return found
 
-    monkeypatch.setattr(space_running, "pieces_run", run)
+    monkeypatch.setattr(scene_runs, "pieces_run", run)
     monkeypatch.setattr(downloads, "pieces_run", run)
     body = json.dumps({"scene": PIECES}).encode()
     with running() as server, client_of(server) as client:

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from raw import connected
 from serving import COMPILING, SCENE, Running, client_of, running
 
-from stayput.app import action_plan_api, api, jobs, turns
+from stayput.app import api, jobs, room_api, turns
 from stayput.app.limits import Limits
 from stayput.app.turns import CLIENT_HEADER, NOBODY, Client, StoppedError, Turn, Turns, first_to_go
 from stayput.rooms.verdict import RoomVerdict
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 FEW = {**SCENE, "uncertainty": {"samples": 1}}
 ASKED = {"scene": FEW, "measures": [{"type": "anti_slip_sheet"}], "compare_usual": False, "curves": False}
-RECORD = "\n".join(f"{0.01 * i:.2f},{i % 7 - 3}" for i in range(300))
 
 
 def page(server: Running, name: str, address: str = "127.0.0.1") -> httpx.Client:
@@ -137,24 +136,6 @@ def test_requests_of_one_page_let_another_pass(monkeypatch: pytest.MonkeyPatch) 
     assert order.index("other") <= 2
 
 
-def test_many_uploads_of_one_client_leave_the_records_of_others() -> None:
-    with running(replace(Limits(), motions=3)) as server:
-
-        def upload(name: str, address: str) -> str:
-            with page(server, name, address) as own:
-                answer = own.post("/api/v1/motions", files={"file": ("a", RECORD)}, data={"unit": "gal"})
-            assert answer.status_code == 201, answer.text
-            return answer.json()["id"]
-
-        def there(name: str) -> bool:
-            with page(server, "anybody") as own:
-                return own.get(f"/api/v1/motions/{name}").status_code == 200
-
-        first = upload("modest", "192.0.2.1"), upload("modest", "192.0.2.2")
-        greedy = [upload("greedy", "192.0.2.1") for _ in range(4)]
-        assert [there(name) for name in (*first, *greedy)] == [True] * 2 + [False] * 3 + [True]
-
-
 @dataclass(eq=False)
 class Record:
     client: Client
@@ -202,14 +183,14 @@ def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest
 
 def test_a_plan_lets_another_pass_and_ends_when_its_client_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(turns, "SLICE", 0.02)
-    monkeypatch.setattr(action_plan_api, "plan_html", lambda *_: "made")
+    monkeypatch.setattr(room_api, "plan_html", lambda *_: "made")
 
     def plan(job: jobs.Job, *_: object) -> None:
         *_, note_progress = _
         while job.id == endless.id:
             note_progress(1)
 
-    monkeypatch.setattr(action_plan_api, "_plan", plan)
+    monkeypatch.setattr(room_api, "_plan", plan)
     verdict = object.__new__(RoomVerdict)  # at which nothing looks
     endless, short = (jobs.Job(name * 32, 1, NOBODY, state="done", verdict=verdict) for name in "ab")
     with running() as server:

@@ -43,9 +43,3 @@ def test_the_headline_says_what_comes_out_and_how_it_is_as_people_install_it(
         it.speak("ja")
         assert re.search(r"本(の.*が飛び出します|は飛び出しません)。", it.text("#also"))
         assert "実際の取付けでは" in it.text("#also")
-
-
-def test_a_link_brings_the_contents_back(browser: Browser, server: Running) -> None:
-    with opened(browser, server, "#piece=bookcase&contents=books&doors=sliding") as it:
-        assert it.page.get_by_label("What may come out").input_value() == "books"
-        assert it.page.get_by_label("Doors").input_value() == "sliding"

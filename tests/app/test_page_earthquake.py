@@ -11,6 +11,7 @@ import stayput as sp
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from browsing import Opened
     from playwright.sync_api import Browser
     from serving import Running
 
@@ -18,45 +19,44 @@ AMOUNTS = "() => /intensity \\d/.test(document.querySelector('#entry .amounts').
 """Whether the page says what the entry amounts to."""
 
 
-def test_an_earthquake_by_magnitude_and_distance(browser: Browser, server: Running) -> None:
-    with opened(browser, server) as it:
-        way = it.page.get_by_label("What do you know of it?")
-        assert it.page.locator("#strength").is_visible()
-        asked, answer = it.simulated(lambda: way.select_option("earthquake"))
-        shaking = asked["scene"]["shaking"]
-        assert "intensity" not in shaking
-        assert shaking["earthquake"] == {
-            "magnitude": 7,
-            "distance": 20,
-            "depth": 10,
-            "kind": "crustal",
-            "vs30": 300,
-        }
-        it.wait(AMOUNTS)
-        weak = it.text("#entry .amounts")
-        assert "About JMA intensity" in weak
-        assert "±" in weak
-        assert "Si and Midorikawa (1999)" in it.text("#entry")
-        assert "not the seismic hazard at your site" in it.text("#entry")
-        assert not it.page.locator("#strength").is_visible()  # another way to say it, at one time
-        assert not it.page.locator("#meaning").is_visible()
-        field = it.page.get_by_label("Shortest distance to the fault (km)")
-        asked, nearer = it.simulated(lambda: field.fill("5"))
-        assert asked["scene"]["shaking"]["earthquake"]["distance"] == 5
-        assert nearer["motion"]["ground_intensity"] > answer["motion"]["ground_intensity"]
-        it.wait("before => document.querySelector('#entry .amounts').textContent !== before", weak)
-        it.wait(AMOUNTS)
-        asked, _ = it.simulated(lambda: it.page.get_by_label("Ground", exact=True).select_option("180"))
-        assert asked["scene"]["shaking"]["earthquake"]["vs30"] == 180
-        field.fill("1000")
-        assert "From 3 to 300 km." in it.text("#entry")  # as far as the model goes
-        it.kept("entry=earthquake%3A7%3B300%3B10%3Bcrustal%3B180")
-        it.page.reload()
-        it.settle()
-        assert field.input_value() == "300"
-        asked, _ = it.simulated(lambda: way.select_option("intensity"))
-        assert asked["scene"]["shaking"]["intensity"] == 6.25
-        assert it.page.locator("#strength").is_visible()
+def test_an_earthquake_by_magnitude_and_distance(it: Opened) -> None:
+    way = it.page.get_by_label("What do you know of it?")
+    assert it.page.locator("#strength").is_visible()
+    asked, answer = it.simulated(lambda: way.select_option("earthquake"))
+    shaking = asked["scene"]["shaking"]
+    assert "intensity" not in shaking
+    assert shaking["earthquake"] == {
+        "magnitude": 7,
+        "distance": 20,
+        "depth": 10,
+        "kind": "crustal",
+        "vs30": 300,
+    }
+    it.wait(AMOUNTS)
+    weak = it.text("#entry .amounts")
+    assert "About JMA intensity" in weak
+    assert "±" in weak
+    assert "Si and Midorikawa (1999)" in it.text("#entry")
+    assert "not the seismic hazard at your site" in it.text("#entry")
+    assert not it.page.locator("#strength").is_visible()  # another way to say it, at one time
+    assert not it.page.locator("#meaning").is_visible()
+    field = it.page.get_by_label("Shortest distance to the fault (km)")
+    asked, nearer = it.simulated(lambda: field.fill("5"))
+    assert asked["scene"]["shaking"]["earthquake"]["distance"] == 5
+    assert nearer["motion"]["ground_intensity"] > answer["motion"]["ground_intensity"]
+    it.wait("before => document.querySelector('#entry .amounts').textContent !== before", weak)
+    it.wait(AMOUNTS)
+    asked, _ = it.simulated(lambda: it.page.get_by_label("Ground", exact=True).select_option("180"))
+    assert asked["scene"]["shaking"]["earthquake"]["vs30"] == 180
+    field.fill("1000")
+    assert "From 3 to 300 km." in it.text("#entry")  # as far as the model goes
+    it.kept("entry=earthquake%3A7%3B300%3B10%3Bcrustal%3B180")
+    it.page.reload()
+    it.settle()
+    assert field.input_value() == "300"
+    asked, _ = it.simulated(lambda: way.select_option("intensity"))
+    assert asked["scene"]["shaking"]["intensity"] == 6.25
+    assert it.page.locator("#strength").is_visible()
 
 
 def test_other_ways_to_say_it_in_japanese_on_a_phone(browser: Browser, server: Running) -> None:
@@ -146,36 +146,3 @@ def test_a_vertical_record_is_taken_as_one(browser: Browser, server: Running, tm
         it.page.reload()
         it.settle()
         assert "Vertical component: up.csv." in it.text("#uploaded")
-
-
-def test_a_vertical_channel_is_not_offered_as_the_one_that_shakes(
-    browser: Browser, server: Running, tmp_path: Path
-) -> None:
-    file = tmp_path / "own.csv"
-    waves = [
-        f"{0.01 * i:.2f},{100 * (i % 7 - 3)},{100 * (i % 5 - 2)},{10 * (i % 3 - 1)}" for i in range(1500)
-    ]
-    file.write_text("t (s),NS (gal),EW (gal),UD (gal)\n" + "\n".join(waves), encoding="utf-8")
-    with opened(browser, server) as it:
-        it.simulated(lambda: it.page.set_input_files("#file", file))  # its unit stands in the columns' names
-        which = it.page.get_by_label("Component that shakes the piece (horizontal ones in the file: 2)")
-        assert which.locator("option").all_inner_texts() == ["NS", "EW"]
-        assert "Vertical component: UD." in it.text("#uploaded")
-        asked, _ = it.simulated(lambda: which.select_option("EW"))
-        assert asked["scene"]["shaking"]["component"] == "EW"
-        assert "Vertical component: UD." in it.text("#uploaded")
-
-
-def test_the_unit_that_is_asked_for_starts_at_what_the_file_mentions(
-    browser: Browser, server: Running, tmp_path: Path
-) -> None:
-    file = tmp_path / "own.csv"
-    rows = "\n".join(f"{0.01 * i:.2f},{100 * (i % 7 - 3)}" for i in range(1500))
-    file.write_text(f"# accelerations in gal\n{rows}", encoding="utf-8")
-    with opened(browser, server, allowed=("422",)) as it:
-        it.page.set_input_files("#file", file)
-        it.page.wait_for_selector("#unit")
-        assert it.page.input_value("#unit") == "gal"
-        assert it.page.locator("#step").count() == 0  # there is a column of times
-        _, answer = it.simulated(lambda: it.page.click("text=Send again"))
-        assert abs(answer["motion"]["pga_m_s2"] - 3.0) < 1e-6

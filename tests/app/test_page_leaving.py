@@ -11,6 +11,7 @@ from serving import hold_verifications
 from waiting import wait_until
 
 if TYPE_CHECKING:
+    from browsing import Opened
     from playwright.sync_api import Browser, Route
     from serving import Running
 
@@ -33,19 +34,6 @@ def test_a_page_that_is_left_takes_its_verification_along(
         it.asked.remove("about:blank") if "about:blank" in it.asked else None
         wait_until(lambda: service.jobs.get(job["id"]).state != "running")
         assert service.jobs.get(job["id"]).state == "cancelled"
-
-
-def test_what_was_asked_for_comes_before_what_was_not(browser: Browser, server: Running) -> None:
-    with opened(browser, server, verify=True) as it:
-        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-        asked: list[bool] = []
-        it.page.on(
-            "request",
-            lambda one: one.url.endswith("/verify") and asked.append(one.post_data_json["compare_usual"]),
-        )
-        it.page.click("#verify", timeout=COMPILING)
-        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-        assert asked == [False, True]  # the verdict, the ranking
 
 
 def test_a_job_that_the_server_has_lost_is_begun_again(browser: Browser, server: Running) -> None:
@@ -83,26 +71,25 @@ def test_the_page_goes_on_by_itself_when_the_server_is_back(browser: Browser, se
         assert it.page.get_attribute("#see", "data-old") == "false"
 
 
-def test_back_takes_a_change_back(browser: Browser, server: Running) -> None:
-    with opened(browser, server) as it:
-        height = it.page.get_by_label("Height (cm)")
-        first = height.input_value()
-        it.simulated(lambda: it.page.click("#presets button:has-text('Chest')"))
-        it.kept("piece=chest")
-        # what goes on with the same field, and soon, has one place: here as soon as can be
-        it.page.evaluate("(now => { performance.now = () => now; })(performance.now())")
-        it.simulated(lambda: height.fill("150"))
-        it.kept("height=1.5")
-        height.fill("151")
-        it.kept("height=1.51")
-        it.simulated(lambda: it.page.go_back())
-        assert it.text("#presets [aria-pressed=true]") == "Chest of drawers"
-        assert height.input_value() not in ("150", "151")
-        it.simulated(lambda: it.page.go_back())
-        assert it.text("#presets [aria-pressed=true]") == "Bookcase, full"
-        assert height.input_value() == first
-        it.simulated(lambda: it.page.go_forward())
-        assert it.text("#presets [aria-pressed=true]") == "Chest of drawers"
+def test_back_takes_a_change_back(it: Opened) -> None:
+    height = it.page.get_by_label("Height (cm)")
+    first = height.input_value()
+    it.simulated(lambda: it.page.click("#presets button:has-text('Chest')"))
+    it.kept("piece=chest")
+    # what goes on with the same field, and soon, has one place: here as soon as can be
+    it.page.evaluate("(now => { performance.now = () => now; })(performance.now())")
+    it.simulated(lambda: height.fill("150"))
+    it.kept("height=1.5")
+    height.fill("151")
+    it.kept("height=1.51")
+    it.simulated(lambda: it.page.go_back())
+    assert it.text("#presets [aria-pressed=true]") == "Chest of drawers"
+    assert height.input_value() not in ("150", "151")
+    it.simulated(lambda: it.page.go_back())
+    assert it.text("#presets [aria-pressed=true]") == "Bookcase, full"
+    assert height.input_value() == first
+    it.simulated(lambda: it.page.go_forward())
+    assert it.text("#presets [aria-pressed=true]") == "Chest of drawers"
 
 
 def test_back_shows_the_screen_before_on_a_phone(browser: Browser, server: Running) -> None:
@@ -116,19 +103,18 @@ def test_back_shows_the_screen_before_on_a_phone(browser: Browser, server: Runni
         assert it.page.get_attribute("#steps [aria-current]", "data-screen") == "see"
 
 
-def test_care_speed_and_building_are_remembered(browser: Browser, server: Running) -> None:
-    with opened(browser, server) as it:
-        it.page.select_option("#samples", "400")
-        it.page.select_option("#speed", "0.25")
-        it.simulated(lambda: it.page.get_by_label("In a building").check())
-        it.simulated(lambda: it.page.get_by_role("slider", name="Storeys of the building").fill("14"))
-        it.simulated(lambda: it.page.get_by_role("slider", name="On storey").fill("9"))
-        it.simulated(lambda: it.page.get_by_label("On the ground").check())
-        it.kept("storeys=0")
-        it.page.reload()
-        it.settle()
-        assert it.page.input_value("#samples") == "400"
-        assert it.page.input_value("#speed") == "0.25"
-        asked, _ = it.simulated(lambda: it.page.get_by_label("In a building").check())
-        assert asked["scene"]["shaking"]["storey"] == 9
-        assert asked["scene"]["shaking"]["building"]["storeys"] == 14
+def test_care_speed_and_building_are_remembered(it: Opened) -> None:
+    it.page.select_option("#samples", "400")
+    it.page.select_option("#speed", "0.25")
+    it.simulated(lambda: it.page.get_by_label("In a building").check())
+    it.simulated(lambda: it.page.get_by_role("slider", name="Storeys of the building").fill("14"))
+    it.simulated(lambda: it.page.get_by_role("slider", name="On storey").fill("9"))
+    it.simulated(lambda: it.page.get_by_label("On the ground").check())
+    it.kept("storeys=0")
+    it.page.reload()
+    it.settle()
+    assert it.page.input_value("#samples") == "400"
+    assert it.page.input_value("#speed") == "0.25"
+    asked, _ = it.simulated(lambda: it.page.get_by_label("In a building").check())
+    assert asked["scene"]["shaking"]["storey"] == 9
+    assert asked["scene"]["shaking"]["building"]["storeys"] == 14

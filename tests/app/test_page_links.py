@@ -73,40 +73,6 @@ def forget(server: Running) -> None:
     wait_until(all_gone)
 
 
-def test_a_small_record_travels_in_the_link(browser: Browser, server: Running, tmp_path: Path) -> None:
-    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
-        sent(it, small_record(tmp_path))
-        it.kept("dt=0.02")
-        it.simulated(lambda: it.page.get_by_label("Make the record as strong").check())
-        it.kept("scaled=1")
-        summary = it.text("#says-without"), it.text("#summary")
-        address = it.page.input_value("#address")
-        assert it.page.locator("#link-record").is_hidden()
-    assert len(address) < 5500
-    forget(server)
-    with opened(browser, server, address.removeprefix(f"{server.address}/"), allowed=LOST) as it:
-        assert (it.text("#says-without"), it.text("#summary")) == summary
-        assert "my town.csv" in it.text("#uploaded")
-        assert it.page.locator("#notices").is_hidden()
-        it.page.reload()
-        it.settle()
-        assert (it.text("#says-without"), it.text("#summary")) == summary
-
-
-def test_a_small_record_that_the_server_forgets_is_sent_again(
-    browser: Browser, server: Running, tmp_path: Path
-) -> None:
-    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
-        sent(it, small_record(tmp_path))
-        forget(server)
-        with it.page.expect_response(lambda answer: answer.url.endswith("/motions")):
-            it.page.get_by_label("Height (cm)").fill("140")
-        it.wait("() => document.getElementById('uploaded').textContent.includes('my town.csv')")
-        it.settle()
-        assert it.page.locator("#notices").is_hidden()
-        assert "my town.csv" in it.text("#summary")
-
-
 def test_a_small_vertical_record_travels_with_the_horizontal_one(
     browser: Browser, server: Running, tmp_path: Path
 ) -> None:
@@ -148,28 +114,6 @@ def test_a_vertical_record_that_does_not_fit_is_said_to_be_missing(
         assert said.count("without a vertical component") == 1
         assert "my town.csv" in it.text("#uploaded")
         assert "Vertical component" not in it.text("#uploaded")
-
-
-def test_a_record_that_is_too_large_for_the_link_is_said_to_be(
-    browser: Browser, server: Running, tmp_path: Path
-) -> None:
-    path = tmp_path / "large.csv"
-    sp.near_fault().write(path)
-    with opened(browser, server, "#piece=chest") as it:
-        it.simulated(lambda: it.page.set_input_files("#file", path))
-        it.go("keep")
-        it.page.locator("#link-record", has_text="“large.csv” is too large for the link").wait_for()
-        address = it.page.input_value("#address")
-        assert "wave=" not in address
-    forget(server)
-    with opened(browser, server, address.removeprefix(f"{server.address}/"), allowed=LOST) as it:
-        assert "“large.csv” is no longer on the server" in it.text("#notices")
-
-
-def test_a_damaged_record_in_a_link_is_said_to_be_missing(browser: Browser, server: Running) -> None:
-    link = f"#piece=chest&record={32 * '0'}&name=town.csv&wave=abc*"
-    with opened(browser, server, link, allowed=LOST) as it:
-        assert "“town.csv” is no longer on the server" in it.text("#notices")
 
 
 def test_back_and_forward_bring_records_and_screens_back(

@@ -43,8 +43,16 @@ def _ranked(answer) -> bool:
 
 @pytest.fixture(scope="module")
 def verified(browser: Browser, server: Running) -> Iterator[tuple[Opened, dict]]:
+    asked: list[bool] = []
     with opened(browser, server, verify=True) as it:
-        yield it, finished(it)
+        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+        it.page.on(
+            "request",
+            lambda one: one.url.endswith("/verify") and asked.append(one.post_data_json["compare_usual"]),
+        )
+        verdict = finished(it)
+        assert asked == [False, True]  # the verdict that was asked for comes before the ranking
+        yield it, verdict
 
 
 def shown(share: float) -> str:
@@ -76,6 +84,9 @@ def test_the_curves_say_where_the_scene_is(verified: tuple[Opened, dict]) -> Non
     it, verdict = verified
     assert "you are here" in it.page.text_content("#fragility svg.chart")
     assert it.page.locator("#fragility .curve.c0").count() >= 1
+    assert it.page.locator("#estimates dt").count() == 8
+    for words in ("Kaneko and Hayashi", "class S, ground floor", "AC156", "ASCE 43-05", "Peak tilt, median"):
+        assert words in it.text("#estimates")
     assert f"{verdict['intensity']:.2f}" in it.page.get_attribute("#fragility svg.chart", "aria-label")
 
 

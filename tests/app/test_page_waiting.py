@@ -11,10 +11,9 @@ if TYPE_CHECKING:
     from serving import Running
 
 
-@pytest.mark.parametrize("address", ["", "room/"])
 @pytest.mark.parametrize(
-    ("ready", "said"),
-    [(True, "The first picture is being computed."), (False, "The server is getting ready.")],
+    ("address", "ready", "said"),
+    [("", True, "The first picture is being computed."), ("room/", False, "The server is getting ready.")],
 )
 def test_the_server_is_said_to_compile_only_while_it_does(
     browser: Browser, server: Running, address: str, ready: bool, said: str

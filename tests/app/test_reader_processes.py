@@ -14,9 +14,9 @@ from serving import client_of, running
 from test_api_uploads import RECORD, folder_of, upload
 
 import stayput as sp
-from stayput.app import reader, readers
+from stayput.app import motions, reader
 from stayput.app.limits import MEBIBYTE, Limits
-from stayput.app.readers import Readers
+from stayput.app.motions import Readers
 from stayput.errors import InputError, warn
 from waiting import wait_until
 
@@ -95,7 +95,7 @@ def test_the_app_goes_on_while_a_file_is_stuck(monkeypatch: pytest.MonkeyPatch) 
     """A process that sleeps stands for one that computes for ever; it is ended with the server."""
     with running(replace(Limits(), reading_seconds=1e4)) as server, client_of(server) as client:
         service: Service = server.app.state.service
-        monkeypatch.setattr(readers, "START", "import time; time.sleep(1e5)")
+        monkeypatch.setattr(motions, "START", "import time; time.sleep(1e5)")
         with ThreadPoolExecutor(1) as pool:
             answer = pool.submit(upload, client, RECORD, unit="gal")
             wait_until(lambda: service.readers._process)
@@ -125,7 +125,7 @@ def test_a_process_that_dies_is_the_end_of_its_file_alone(
 ) -> None:
     with running() as server, client_of(server) as client:
         with monkeypatch.context() as patched:
-            patched.setattr(readers, "START", program)
+            patched.setattr(motions, "START", program)
             answer = upload(client, RECORD, unit="gal")
         assert answer.status_code == 422
         assert "was ended" in answer.json()["message"]

@@ -42,9 +42,15 @@ def ended(client: httpx.Client, job: dict[str, Any]) -> dict[str, Any]:
     return client.get(f"/api/v1/jobs/{job['id']}").json()
 
 
-def test_a_verdict_is_that_of_the_library(room_client: httpx.Client) -> None:
-    job = ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM}).json())
-    assert job["state"] == "done", job["error"]
+@pytest.fixture(scope="module")
+def job(room_client: httpx.Client) -> dict[str, Any]:
+    """The verification of the room with its changes, which is done."""
+    found = ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM}).json())
+    assert found["state"] == "done", found["error"]
+    return found
+
+
+def test_a_verdict_is_that_of_the_library(room_client: httpx.Client, job: dict[str, Any]) -> None:
     result = job["result"]
     verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), progress=False)
     assert result["complete"] is True
@@ -65,8 +71,9 @@ def test_a_verdict_is_that_of_the_library(room_client: httpx.Client) -> None:
     assert everyday.status_code == 409
 
 
-def test_the_run_that_is_proposed_is_one_of_what_happens_most(room_client: httpx.Client) -> None:
-    job = ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM, "changes": False}).json())
+def test_the_run_that_is_proposed_is_one_of_what_happens_most(
+    room_client: httpx.Client, job: dict[str, Any]
+) -> None:
     result = job["result"]
     assert result["hit"]["estimate"] > 0.5
     run = result["typical"]
@@ -83,8 +90,7 @@ def test_the_run_that_is_proposed_is_one_of_what_happens_most(room_client: httpx
     assert shown == {"hits": [], "blocked": [], "shut_in": []}
 
 
-def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client) -> None:
-    job = ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM}).json())
+def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client, job: dict[str, Any]) -> None:
     changes = job["result"]["changes"]
     assert {one["table"] for one in changes} == {"furniture", "places"}
     fixed = next(one for one in changes if one["measures"])

@@ -8,6 +8,7 @@ from room_judge import Judge, chance, change, made, room_page
 
 if TYPE_CHECKING:
     import pytest
+    from browsing import Opened
     from playwright.sync_api import Browser
     from serving import Running
 
@@ -36,13 +37,6 @@ def test_the_changes_that_help_come_first_and_the_others_are_asked_for(
         assert it.page.locator("#all-changes").is_hidden()
 
 
-def test_few_changes_are_all_there(browser: Browser, server: Running) -> None:
-    with room_page(browser, server, Judge()) as it:
-        assert it.page.locator("#ranking > li").count() == 3
-        assert it.page.locator("#all-changes").is_hidden()
-
-
-def test_runs_of_the_room_and_of_pieces_are_told_apart(browser: Browser, server: Running) -> None:
-    with room_page(browser, server, Judge()) as it:
-        assert it.text("#basis").startswith("Runs of the room: 40 = 20 earthquakes × 2, ")
-        assert "Runs of single pieces for that and for all changes: 360." in it.text("#basis")
+def test_runs_of_the_room_and_of_pieces_are_told_apart(it: Opened, judge: Judge) -> None:
+    assert it.text("#basis").startswith("Runs of the room: 40 = 20 earthquakes × 2, ")
+    assert "Runs of single pieces for that and for all changes: 360." in it.text("#basis")

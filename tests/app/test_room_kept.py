@@ -54,18 +54,11 @@ def test_a_short_film_of_a_room_says_the_verdict(
     assert "家具を支えません" in page
 
 
-def test_the_file_of_a_room_gives_the_page_s_numbers_to_the_bit(
-    client: httpx.Client, job: dict[str, Any]
-) -> None:
+def test_the_file_of_a_room_gives_the_page_s_numbers_to_the_bit(client: httpx.Client) -> None:
     asked = {"scene": ROOM, "measures": []}
     file = sp.RoomScenario.parse(tomllib.loads(client.post("/api/v1/scenario/toml", json=asked).text))
     told = client.post("/api/v1/simulate", json=asked).json()["without"]["pieces"]
     assert [one["peak_tilt_rad"] for one in told] == file.run().peak_tilt.tolist()
-    verdict = sp.verify_room(file, progress=False)
-    for key, mine in (("places", verdict.places), ("changes", verdict.changes)):
-        for shown, one in zip(job["result"][key], mine, strict=True):
-            hit = (one.hit.estimate, one.hit.low, one.hit.high)
-            assert (shown["hit"]["estimate"], shown["hit"]["low"], shown["hit"]["high"]) == hit
 
 
 def test_the_page_keeps_the_film(browser: Browser, server: Running) -> None:
@@ -89,27 +82,6 @@ def sent(it: Opened, judge: Judge, path: Path) -> dict[str, Any]:
     it.page.set_input_files("#file", path)
     it.page.fill("#step", "0.02")
     return after(it, judge, lambda: it.page.get_by_role("button", name="Send again").click())
-
-
-def test_a_small_record_travels_in_a_room_s_link(browser: Browser, server: Running, tmp_path: Path) -> None:
-    judge = Judge()
-    with room_page(browser, server, judge, allowed=LOST) as it:
-        room = sent(it, judge, small_record(tmp_path))
-        it.wait("() => location.hash.includes('wave=')")
-        assert it.page.locator("#link-record").is_hidden()
-        link = it.page.input_value("#address")
-    forget(server)
-    with room_page(browser, server, judge, "#" + link.split("#")[1], allowed=LOST) as it:
-        it.wait("() => document.getElementById('uploaded').textContent.includes('my town.csv')")
-        it.wait("() => location.hash.includes('wave=')")
-        judged(it)
-        again = judge.scene["shaking"]
-        assert again["record"] != room["shaking"]["record"]
-        assert again == {**room["shaking"], "record": again["record"]}
-        assert it.page.locator("#notices").is_hidden()
-        it.page.reload()
-        judged(it)
-        assert judge.scene["shaking"] == again
 
 
 def test_the_computed_earthquake_is_the_same_again_after_a_record(

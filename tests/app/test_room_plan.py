@@ -15,87 +15,81 @@ from long_cases import long
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
+    from room_editing import Editor
     from serving import Running
 
 
-def test_a_piece_is_dragged_and_turns_its_back_to_a_wall_that_it_comes_near(
-    browser: Browser, server: Running
-) -> None:
-    with editing(browser, server) as it:
-        it.drag((2.0, 1.0), (2.3, 1.7))
-        chest = it.room()["furniture"][1]
-        assert chest["at"] == pytest.approx([2.3, 1.7], abs=0.02)
-        assert chest["heading"] == 0.0
-        assert "against" not in chest
-        it.drag((2.3, 1.7), (2.5, 0.2), drop=False)
-        assert it.room()["furniture"][1] == chest  # the room changes when it is dropped
-        it.page.mouse.up()
-        chest = it.room()["furniture"][1]
-        assert chest["against"] == "near_side_wall"
-        assert chest["along"] == pytest.approx(2.5, abs=0.02)
-        assert "at" not in chest
-        assert "heading" not in chest
-        assert it.said.startswith("Chest of drawers, at the near wall, 2.5")
+def test_a_piece_is_dragged_and_turns_its_back_to_a_wall_that_it_comes_near(editor: Editor) -> None:
+    editor.drag((2.0, 1.0), (2.3, 1.7))
+    chest = editor.room()["furniture"][1]
+    assert chest["at"] == pytest.approx([2.3, 1.7], abs=0.02)
+    assert chest["heading"] == 0.0
+    assert "against" not in chest
+    editor.drag((2.3, 1.7), (2.5, 0.2), drop=False)
+    assert editor.room()["furniture"][1] == chest  # the room changes when it is dropped
+    editor.page.mouse.up()
+    chest = editor.room()["furniture"][1]
+    assert chest["against"] == "near_side_wall"
+    assert chest["along"] == pytest.approx(2.5, abs=0.02)
+    assert "at" not in chest
+    assert "heading" not in chest
+    assert editor.said.startswith("Chest of drawers, at the near wall, 2.5")
 
 
-def test_edges_and_corners_draw_with_a_line_and_not_with_alt(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.drag((2.0, 1.0), (3.5, 0.24))  # its side 6 cm from the right wall, along the near one
-        assert it.room()["furniture"][1]["along"] == pytest.approx(4.0 - 0.885 / 2)
-        it.press("Control+z")
-        it.drag((2.0, 1.0), (2.54, 1.0), drop=False)  # its front 5 cm from the side of the bed
-        assert it.page.locator("#plan .guide").count() >= 1
-        it.page.mouse.up()
-        assert it.page.locator("#plan .guide").count() == 0
-        assert it.room()["furniture"][1]["at"][0] == pytest.approx(2.8 - 0.21)
-        it.press("Control+z")
-        it.page.keyboard.down("Alt")
-        it.drag((2.0, 1.0), (2.54, 1.0))
-        it.page.keyboard.up("Alt")
-        assert it.room()["furniture"][1]["at"][0] == pytest.approx(2.54, abs=0.02)
+def test_edges_and_corners_draw_with_a_line_and_not_with_alt(editor: Editor) -> None:
+    editor.drag((2.0, 1.0), (3.5, 0.24))  # its side 6 cm from the right wall, along the near one
+    assert editor.room()["furniture"][1]["along"] == pytest.approx(4.0 - 0.885 / 2)
+    editor.press("Control+z")
+    editor.drag((2.0, 1.0), (2.54, 1.0), drop=False)  # its front 5 cm from the side of the bed
+    assert editor.page.locator("#plan .guide").count() >= 1
+    editor.page.mouse.up()
+    assert editor.page.locator("#plan .guide").count() == 0
+    assert editor.room()["furniture"][1]["at"][0] == pytest.approx(2.8 - 0.21)
+    editor.press("Control+z")
+    editor.page.keyboard.down("Alt")
+    editor.drag((2.0, 1.0), (2.54, 1.0))
+    editor.page.keyboard.up("Alt")
+    assert editor.room()["furniture"][1]["at"][0] == pytest.approx(2.54, abs=0.02)
 
 
-def test_escape_gives_up_a_drag(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        before = it.room()
-        it.drag((2.0, 1.0), (1.0, 0.2), drop=False)
-        it.press("Escape")
-        it.page.mouse.up()
-        assert it.room() == before
-        assert it.page.locator("#plan-undo").is_disabled()
+def test_escape_gives_up_a_drag(editor: Editor) -> None:
+    before = editor.room()
+    editor.drag((2.0, 1.0), (1.0, 0.2), drop=False)
+    editor.press("Escape")
+    editor.page.mouse.up()
+    assert editor.room() == before
+    assert editor.page.locator("#plan-undo").is_disabled()
 
 
-def test_undo_and_redo_go_through_all_changes(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        states = [it.room()]
-        it.drag((2.0, 1.0), (2.4, 1.2))
-        states.append(it.room())
-        it.press("r")
-        states.append(it.room())
-        it.press("Delete")
-        states.append(it.room())
-        assert len(states[-1]["furniture"]) == 1
-        it.press("Control+z", "Control+z")
-        assert it.room() == states[1]
-        it.press("Control+Shift+z")
-        assert it.room() == states[2]
-        it.press("Control+y")
-        assert it.room() == states[3]
-        assert it.page.locator("#plan-redo").is_disabled()
-        for _ in range(3):
-            it.page.click("#plan-undo")
-        assert it.room() == states[0]
-        assert it.page.locator("#plan-undo").is_disabled()
+def test_undo_and_redo_go_through_all_changes(editor: Editor) -> None:
+    states = [editor.room()]
+    editor.drag((2.0, 1.0), (2.4, 1.2))
+    states.append(editor.room())
+    editor.press("r")
+    states.append(editor.room())
+    editor.press("Delete")
+    states.append(editor.room())
+    assert len(states[-1]["furniture"]) == 1
+    editor.press("Control+z", "Control+z")
+    assert editor.room() == states[1]
+    editor.press("Control+Shift+z")
+    assert editor.room() == states[2]
+    editor.press("Control+y")
+    assert editor.room() == states[3]
+    assert editor.page.locator("#plan-redo").is_disabled()
+    for _ in range(3):
+        editor.page.click("#plan-undo")
+    assert editor.room() == states[0]
+    assert editor.page.locator("#plan-undo").is_disabled()
 
 
-def test_what_follows_quickly_is_one_change(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.page.evaluate("() => { performance.now = () => 0; }")  # all at once, however slow the machine is
-        it.select("furniture-1")
-        it.press(*["ArrowRight"] * 4)
-        assert it.room()["furniture"][1]["at"] == pytest.approx([2.2, 1.0])
-        it.press("Control+z")
-        assert it.room() == ROOM
+def test_what_follows_quickly_is_one_change(editor: Editor) -> None:
+    editor.page.evaluate("() => { performance.now = () => 0; }")  # all at once, however slow the machine is
+    editor.select("furniture-1")
+    editor.press(*["ArrowRight"] * 4)
+    assert editor.room()["furniture"][1]["at"] == pytest.approx([2.2, 1.0])
+    editor.press("Control+z")
+    assert editor.room() == ROOM
 
 
 def test_a_finger_drags_a_piece(browser: Browser, server: Running) -> None:
@@ -120,35 +114,34 @@ def test_a_finger_drags_a_kind_into_the_plan(browser: Browser, server: Running, 
         assert wardrobe["at"] == pytest.approx([2.0, 1.6], abs=0.1)
 
 
-def test_the_keyboard_moves_turns_doubles_and_removes(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.select("furniture-1")
-        it.press("ArrowRight", "ArrowUp", "Shift+ArrowLeft")
-        assert it.room()["furniture"][1]["at"] == pytest.approx([2.04, 1.05])
-        assert "from the left wall" in it.said
-        it.press("r")
-        assert it.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
-        it.press("d")
-        assert [one["name"] for one in it.room()["furniture"]][1:] == ["chest", "chest 2"]
-        assert it.page.evaluate("document.activeElement.dataset.thing") == "furniture-2"
-        assert it.wrong == ""
-        it.press("Delete")
-        assert len(it.room()["furniture"]) == 2
-        assert it.said == "Removed: Chest of drawers 2"
-        it.select("furniture-0")  # along its wall, then away from it
-        it.press("ArrowDown")
-        assert it.room()["furniture"][0]["along"] == pytest.approx(1.95)
-        it.press("ArrowRight")
-        assert it.room()["furniture"][0]["at"] == pytest.approx([0.22, 1.95])
-        it.press("ArrowLeft")
-        assert it.room()["furniture"][0]["against"] == "left_wall"
-        it.select("doors-0")
-        it.press("ArrowUp")
-        assert it.room()["doors"][0]["start"] == pytest.approx(0.15)
-        it.press("ArrowLeft")
-        assert it.room()["doors"][0]["wall"] == "left_wall"
-        it.press("r")
-        assert it.room()["doors"][0]["wall"] == "near_side_wall"
+def test_the_keyboard_moves_turns_doubles_and_removes(editor: Editor) -> None:
+    editor.select("furniture-1")
+    editor.press("ArrowRight", "ArrowUp", "Shift+ArrowLeft")
+    assert editor.room()["furniture"][1]["at"] == pytest.approx([2.04, 1.05])
+    assert "from the left wall" in editor.said
+    editor.press("r")
+    assert editor.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
+    editor.press("d")
+    assert [one["name"] for one in editor.room()["furniture"]][1:] == ["chest", "chest 2"]
+    assert editor.page.evaluate("document.activeElement.dataset.thing") == "furniture-2"
+    assert editor.wrong == ""
+    editor.press("Delete")
+    assert len(editor.room()["furniture"]) == 2
+    assert editor.said == "Removed: Chest of drawers 2"
+    editor.select("furniture-0")  # along its wall, then away from it
+    editor.press("ArrowDown")
+    assert editor.room()["furniture"][0]["along"] == pytest.approx(1.95)
+    editor.press("ArrowRight")
+    assert editor.room()["furniture"][0]["at"] == pytest.approx([0.22, 1.95])
+    editor.press("ArrowLeft")
+    assert editor.room()["furniture"][0]["against"] == "left_wall"
+    editor.select("doors-0")
+    editor.press("ArrowUp")
+    assert editor.room()["doors"][0]["start"] == pytest.approx(0.15)
+    editor.press("ArrowLeft")
+    assert editor.room()["doors"][0]["wall"] == "left_wall"
+    editor.press("r")
+    assert editor.room()["doors"][0]["wall"] == "near_side_wall"
 
 
 @pytest.mark.parametrize("size", [PHONE, *long(DESK)], ids=["phone", "desk"])
@@ -173,15 +166,14 @@ def test_what_is_selected_is_turned_and_removed_under_the_plan(
         assert it.said == "Removed: Chest of drawers"
 
 
-def test_the_room_is_emptied_and_everything_brought_back(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.page.click("#plan-empty")
-        room = it.room()
-        assert all(room[table] == [] for table in ("furniture", "places", "doors", "windows"))
-        assert room["plan"] == ROOM["plan"]
-        assert it.page.locator("#plan-empty").is_disabled()
-        it.page.click("#plan-undo")
-        assert it.room() == ROOM
+def test_the_room_is_emptied_and_everything_brought_back(editor: Editor) -> None:
+    editor.page.click("#plan-empty")
+    room = editor.room()
+    assert all(room[table] == [] for table in ("furniture", "places", "doors", "windows"))
+    assert room["plan"] == ROOM["plan"]
+    assert editor.page.locator("#plan-empty").is_disabled()
+    editor.page.click("#plan-undo")
+    assert editor.room() == ROOM
 
 
 def test_a_door_and_a_window_are_taken_beside_their_lines(browser: Browser, server: Running) -> None:
@@ -285,183 +277,170 @@ def test_names_stand_beside_their_own_things(
         )
 
 
-def test_tab_goes_through_everything_and_out(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.page.focus("#palette button >> nth=-1")
-        names = list[str]()
-        for _ in range(40):
-            it.press("Tab")
-            name = it.page.evaluate(
-                "document.activeElement.closest('#plan') && document.activeElement.ariaLabel"
-            )
-            if name:
-                names.append(name.replace("\u00a0", " "))
-            elif names:
-                break
-        assert names == [
-            "Bed, 3.30 m from the left wall, 1.90 m from the near wall, head towards the near wall",
-            "Bookcase, at the left wall, 2.00 m from the near wall",
-            "Chest of drawers, 2.00 m from the left wall, 1.00 m from the near wall, facing the right wall",
-            "Window, in the far wall, from 1.00 m to 2.20 m",
-            "Door, in the right wall, from 0.10 m to 0.80 m, opens inwards",
-        ]
-        assert it.page.evaluate("document.activeElement.closest('#plan')") is None
-
-
-def test_a_press_in_the_palette_puts_things_into_free_spots(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        for kind in ("bookcase", "refrigerator", "cot", "desk", "sofa"):
-            it.page.focus(f"#palette [data-kind='{kind}']")
-            it.press("Enter")
-            assert it.wrong == ""
-        room = it.room()
-        assert [one["name"] for one in room["furniture"]][2:] == ["bookcase 2", "refrigerator"]
-        assert all(one["against"] for one in room["furniture"][2:])
-        assert [one["kind"] for one in room["places"]] == ["bed", "cot", "desk", "sofa"]
-        it.page.click("#palette [data-table=doors]")
-        it.page.click("#palette [data-table=windows]")
-        room = it.room()
-        assert len({one.get("name", "door") for one in room["doors"]}) == 2
-        sp.RoomScenario.parse(room)  # the server takes it as it is
-
-
-def test_a_kind_is_dragged_from_the_palette_to_where_it_shall_stand(
-    browser: Browser, server: Running
-) -> None:
-    with editing(browser, server) as it:
-        end = it.at(2.0, 2.85)
-        box = it.page.locator("#palette [data-kind=television]").bounding_box()
-        assert box is not None
-        start = box["x"] + 20, box["y"] + 20
-        it.pull(start, end)
-        made = it.room()["furniture"][2]
-        assert (made["preset"], made["against"]) == ("television", "far_side_wall")
-        assert made["along"] == pytest.approx(2.0, abs=0.03)
-        before = it.room()
-        it.pull(start, (start[0] + 3.0, start[1] + 30.0))  # and dropped beside the plan
-        assert it.room() == before
-
-
-def test_sides_are_pulled_and_a_wall_stays_at_the_back(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        scale = it.at(1.0, 0.0)[0] - it.at(0.0, 0.0)[0]
-        it.select("furniture-0")
-        assert it.page.locator("[data-handle=back]").count() == 0
-        x, y = it.handle("front")
-        it.pull((x, y), (x + 0.2 * scale, y))
-        bookcase = it.room()["furniture"][0]
-        assert bookcase["width"] == pytest.approx(0.5, abs=0.02)
-        assert (bookcase["against"], bookcase["along"]) == ("left_wall", 2.0)
-        assert (bookcase["height"], bookcase["mass"]) == (1.8, 200)
-        assert "preset" not in bookcase  # which is a box of its own sizes now
-        it.select("places-0")
-        x, y = it.handle("left")  # the foot of the bed, at the far wall
-        it.pull((x, y), (x, y + 0.3 * scale))
-        bed = it.room()["places"][0]
-        assert bed["length"] == pytest.approx(1.7, abs=0.02)
-        assert bed["at"][1] - bed["length"] / 2 == pytest.approx(0.9, abs=0.02)  # the head stays
-        it.select("doors-0")
-        x, y = it.handle("end")
-        it.pull((x, y), (x, y - 0.2 * scale))
-        assert it.room()["doors"][0]["width"] == pytest.approx(0.9, abs=0.02)
-        assert it.room()["doors"][0]["start"] == 0.1
-
-
-def test_a_piece_is_turned_in_steps_of_15_degrees(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.at(2.0, 1.0)  # which scrolls
-        it.select("furniture-1")
-        angle = math.radians(50)
-        it.pull(it.handle("turn"), it.at(2.0 + 0.8 * math.cos(angle), 1.0 + 0.8 * math.sin(angle)))
-        assert it.room()["furniture"][1]["heading"] == pytest.approx(math.radians(45))
-        it.pull(it.handle("turn"), it.at(2.0 + 0.8 * math.cos(1.5), 1.0 + 0.8 * math.sin(1.5)))
-        assert it.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
-
-
-def test_the_left_and_the_near_wall_are_pulled_and_what_stands_there_stays(
-    browser: Browser, server: Running
-) -> None:
-    with editing(browser, server) as it:
-        it.page.evaluate("async () => (await import('/room/room.js')).select(null)")
-        scale = it.at(1.0, 0.0)[0] - it.at(0.0, 0.0)[0]  # which scrolls
-        chest = it.at(2.0, 1.0)
-        x, y = it.handle("room-left")
-        it.pull((x, y), (x - 0.5 * scale, y), drop=False)
-        drawn = it.page.locator("[data-thing=furniture-1] .standing").bounding_box()
-        assert drawn is not None
-        middle = drawn["x"] + drawn["width"] / 2, drawn["y"] + drawn["height"] / 2
-        assert middle == pytest.approx(chest, abs=2.0)  # on the screen
-        it.page.mouse.up()
-        room = it.room()
-        width = room["plan"]["width"]
-        assert width == pytest.approx(4.5, abs=0.03)
-        moved = width - 4.0
-        assert room["furniture"][0] == {
-            **ROOM["furniture"][0],
-            "gap": 0.02,
-        }  # its back stays at the left wall
-        assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0])
-        assert room["places"][0]["at"] == pytest.approx([3.3 + moved, 1.9])
-        assert room["windows"][0]["start"] == pytest.approx(1.0 + moved)
-        assert room["doors"][0]["start"] == 0.1  # in the right wall
-        scale = it.at(1.0, 0.0)[0] - it.at(0.0, 0.0)[0]
-        x, y = it.handle("room-near")
-        it.pull((x, y), (x, y + 0.4 * scale))
-        room = it.room()
-        moved_up = room["plan"]["length"] - 3.0
-        assert moved_up == pytest.approx(0.4, abs=0.03)
-        assert room["furniture"][0]["along"] == pytest.approx(2.0 + moved_up)
-        assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0 + moved_up])
-        assert room["doors"][0]["start"] == pytest.approx(0.1 + moved_up)
-        it.press("Control+z", "Control+z")
-        assert it.room() == ROOM
-
-
-def test_a_smaller_room_takes_everything_with_it(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.page.evaluate("async () => (await import('/room/room.js')).select(null)")
-        left, _ = it.at(3.0, 0.0)  # which scrolls
-        x, y = it.handle("room-width")
-        it.pull((x, y), (left, y))
-        room = it.room()
-        assert room["plan"]["width"] == pytest.approx(3.0, abs=0.05)
-        assert room["places"][0]["at"][0] == pytest.approx(room["plan"]["width"] - 0.5)
-        it.field("From the near to the far wall", "2.2")
-        room = it.room()
-        assert room["plan"]["length"] == 2.2
-        assert room["furniture"][0]["along"] == pytest.approx(1.8)
-        it.press("Control+z")
-        assert it.page.locator("#plan").get_attribute("aria-label") is not None
-
-
-def test_nothing_is_dragged_out_of_the_room(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        for start, end in (((2.0, 1.0), (9.0, 1.5)), ((3.3, 1.9), (5.0, -3.0)), ((1.6, 3.02), (7.0, 3.0))):
-            it.pull(it.at(*start), it.at(*end))
-        room = it.room()
-        assert room["furniture"][1]["against"] == "right_wall"
-        assert room["places"][0]["at"] == pytest.approx([3.5, 1.0])
-        window = room["windows"][0]
-        assert window["start"] + window["width"] <= (4.0 if "side" in window["wall"] else 3.0) + 1e-9
-        sp.RoomScenario.parse(room)
-
-
-def test_what_stands_in_something_else_is_said_at_once(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.drag((2.0, 1.0), (3.1, 1.9), drop=False)
-        assert re.fullmatch(r"Chest of drawers and Bed stand \d+ cm in each other\.", it.wrong)
-        assert it.page.locator("#plan .thing.wrong").count() == 2
-        it.page.mouse.up()
-        assert it.page.locator("#plan .thing.wrong").count() == 2
-        it.press("Control+z")
-        assert it.wrong == ""
-        it.take({**ROOM, "furniture": []})
-        assert it.wrong == "The room is empty; put at least one piece of furniture into it."
-        it.ask()
-        it.page.evaluate(
-            """async () => (await import("/room/editor.js")).tellRefusal(
-              new (await import("/api.js")).Refused(
-                { message: "It must not.", field: "scene.doors[0].width" }, 422))"""
+def test_tab_goes_through_everything_and_out(editor: Editor) -> None:
+    editor.page.focus("#palette button >> nth=-1")
+    names = list[str]()
+    for _ in range(40):
+        editor.press("Tab")
+        name = editor.page.evaluate(
+            "document.activeElement.closest('#plan') && document.activeElement.ariaLabel"
         )
-        assert it.wrong.endswith("It must not.")
-        assert "wrong" in (it.page.get_attribute("[data-thing=doors-0]", "class") or "")
+        if name:
+            names.append(name.replace("\u00a0", " "))
+        elif names:
+            break
+    assert names == [
+        "Bed, 3.30 m from the left wall, 1.90 m from the near wall, head towards the near wall",
+        "Bookcase, at the left wall, 2.00 m from the near wall",
+        "Chest of drawers, 2.00 m from the left wall, 1.00 m from the near wall, facing the right wall",
+        "Window, in the far wall, from 1.00 m to 2.20 m",
+        "Door, in the right wall, from 0.10 m to 0.80 m, opens inwards",
+    ]
+    assert editor.page.evaluate("document.activeElement.closest('#plan')") is None
+
+
+def test_a_press_in_the_palette_puts_things_into_free_spots(editor: Editor, server: Running) -> None:
+    for kind in ("bookcase", "refrigerator", "cot", "desk", "sofa"):
+        editor.page.focus(f"#palette [data-kind='{kind}']")
+        editor.press("Enter")
+        assert editor.wrong == ""
+    room = editor.room()
+    assert [one["name"] for one in room["furniture"]][2:] == ["bookcase 2", "refrigerator"]
+    assert all(one["against"] for one in room["furniture"][2:])
+    assert [one["kind"] for one in room["places"]] == ["bed", "cot", "desk", "sofa"]
+    editor.page.click("#palette [data-table=doors]")
+    editor.page.click("#palette [data-table=windows]")
+    room = editor.room()
+    assert len({one.get("name", "door") for one in room["doors"]}) == 2
+    sp.RoomScenario.parse(room)  # the server takes it as it is
+
+
+def test_a_kind_is_dragged_from_the_palette_to_where_it_shall_stand(editor: Editor) -> None:
+    end = editor.at(2.0, 2.85)
+    box = editor.page.locator("#palette [data-kind=television]").bounding_box()
+    assert box is not None
+    start = box["x"] + 20, box["y"] + 20
+    editor.pull(start, end)
+    made = editor.room()["furniture"][2]
+    assert (made["preset"], made["against"]) == ("television", "far_side_wall")
+    assert made["along"] == pytest.approx(2.0, abs=0.03)
+    before = editor.room()
+    editor.pull(start, (start[0] + 3.0, start[1] + 30.0))  # and dropped beside the plan
+    assert editor.room() == before
+
+
+def test_sides_are_pulled_and_a_wall_stays_at_the_back(editor: Editor) -> None:
+    scale = editor.at(1.0, 0.0)[0] - editor.at(0.0, 0.0)[0]
+    editor.select("furniture-0")
+    assert editor.page.locator("[data-handle=back]").count() == 0
+    x, y = editor.handle("front")
+    editor.pull((x, y), (x + 0.2 * scale, y))
+    bookcase = editor.room()["furniture"][0]
+    assert bookcase["width"] == pytest.approx(0.5, abs=0.02)
+    assert (bookcase["against"], bookcase["along"]) == ("left_wall", 2.0)
+    assert (bookcase["height"], bookcase["mass"]) == (1.8, 200)
+    assert "preset" not in bookcase  # which is a box of its own sizes now
+    editor.select("places-0")
+    x, y = editor.handle("left")  # the foot of the bed, at the far wall
+    editor.pull((x, y), (x, y + 0.3 * scale))
+    bed = editor.room()["places"][0]
+    assert bed["length"] == pytest.approx(1.7, abs=0.02)
+    assert bed["at"][1] - bed["length"] / 2 == pytest.approx(0.9, abs=0.02)  # the head stays
+    editor.select("doors-0")
+    x, y = editor.handle("end")
+    editor.pull((x, y), (x, y - 0.2 * scale))
+    assert editor.room()["doors"][0]["width"] == pytest.approx(0.9, abs=0.02)
+    assert editor.room()["doors"][0]["start"] == 0.1
+
+
+def test_a_piece_is_turned_in_steps_of_15_degrees(editor: Editor) -> None:
+    editor.at(2.0, 1.0)  # which scrolls
+    editor.select("furniture-1")
+    angle = math.radians(50)
+    editor.pull(editor.handle("turn"), editor.at(2.0 + 0.8 * math.cos(angle), 1.0 + 0.8 * math.sin(angle)))
+    assert editor.room()["furniture"][1]["heading"] == pytest.approx(math.radians(45))
+    editor.pull(editor.handle("turn"), editor.at(2.0 + 0.8 * math.cos(1.5), 1.0 + 0.8 * math.sin(1.5)))
+    assert editor.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
+
+
+def test_the_left_and_the_near_wall_are_pulled_and_what_stands_there_stays(editor: Editor) -> None:
+    editor.page.evaluate("async () => (await import('/room/room.js')).select(null)")
+    scale = editor.at(1.0, 0.0)[0] - editor.at(0.0, 0.0)[0]  # which scrolls
+    chest = editor.at(2.0, 1.0)
+    x, y = editor.handle("room-left")
+    editor.pull((x, y), (x - 0.5 * scale, y), drop=False)
+    drawn = editor.page.locator("[data-thing=furniture-1] .standing").bounding_box()
+    assert drawn is not None
+    middle = drawn["x"] + drawn["width"] / 2, drawn["y"] + drawn["height"] / 2
+    assert middle == pytest.approx(chest, abs=2.0)  # on the screen
+    editor.page.mouse.up()
+    room = editor.room()
+    width = room["plan"]["width"]
+    assert width == pytest.approx(4.5, abs=0.03)
+    moved = width - 4.0
+    assert room["furniture"][0] == {
+        **ROOM["furniture"][0],
+        "gap": 0.02,
+    }  # its back stays at the left wall
+    assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0])
+    assert room["places"][0]["at"] == pytest.approx([3.3 + moved, 1.9])
+    assert room["windows"][0]["start"] == pytest.approx(1.0 + moved)
+    assert room["doors"][0]["start"] == 0.1  # in the right wall
+    scale = editor.at(1.0, 0.0)[0] - editor.at(0.0, 0.0)[0]
+    x, y = editor.handle("room-near")
+    editor.pull((x, y), (x, y + 0.4 * scale))
+    room = editor.room()
+    moved_up = room["plan"]["length"] - 3.0
+    assert moved_up == pytest.approx(0.4, abs=0.03)
+    assert room["furniture"][0]["along"] == pytest.approx(2.0 + moved_up)
+    assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0 + moved_up])
+    assert room["doors"][0]["start"] == pytest.approx(0.1 + moved_up)
+    editor.press("Control+z", "Control+z")
+    assert editor.room() == ROOM
+
+
+def test_a_smaller_room_takes_everything_with_it(editor: Editor) -> None:
+    editor.page.evaluate("async () => (await import('/room/room.js')).select(null)")
+    left, _ = editor.at(3.0, 0.0)  # which scrolls
+    x, y = editor.handle("room-width")
+    editor.pull((x, y), (left, y))
+    room = editor.room()
+    assert room["plan"]["width"] == pytest.approx(3.0, abs=0.05)
+    assert room["places"][0]["at"][0] == pytest.approx(room["plan"]["width"] - 0.5)
+    editor.field("From the near to the far wall", "2.2")
+    room = editor.room()
+    assert room["plan"]["length"] == 2.2
+    assert room["furniture"][0]["along"] == pytest.approx(1.8)
+    editor.press("Control+z")
+    assert editor.page.locator("#plan").get_attribute("aria-label") is not None
+
+
+def test_nothing_is_dragged_out_of_the_room(editor: Editor) -> None:
+    for start, end in (((2.0, 1.0), (9.0, 1.5)), ((3.3, 1.9), (5.0, -3.0)), ((1.6, 3.02), (7.0, 3.0))):
+        editor.pull(editor.at(*start), editor.at(*end))
+    room = editor.room()
+    assert room["furniture"][1]["against"] == "right_wall"
+    assert room["places"][0]["at"] == pytest.approx([3.5, 1.0])
+    window = room["windows"][0]
+    assert window["start"] + window["width"] <= (4.0 if "side" in window["wall"] else 3.0) + 1e-9
+    sp.RoomScenario.parse(room)
+
+
+def test_what_stands_in_something_else_is_said_at_once(editor: Editor) -> None:
+    editor.drag((2.0, 1.0), (3.1, 1.9), drop=False)
+    assert re.fullmatch(r"Chest of drawers and Bed stand \d+ cm in each other\.", editor.wrong)
+    assert editor.page.locator("#plan .thing.wrong").count() == 2
+    editor.page.mouse.up()
+    assert editor.page.locator("#plan .thing.wrong").count() == 2
+    editor.press("Control+z")
+    assert editor.wrong == ""
+    editor.take({**ROOM, "furniture": []})
+    assert editor.wrong == "The room is empty; put at least one piece of furniture into editor."
+    editor.ask()
+    editor.page.evaluate(
+        """async () => (await import("/room/editor.js")).tellRefusal(
+          new (await import("/api.js")).Refused(
+            { message: "It must not.", field: "scene.doors[0].width" }, 422))"""
+    )
+    assert editor.wrong.endswith("It must not.")
+    assert "wrong" in (editor.page.get_attribute("[data-thing=doors-0]", "class") or "")

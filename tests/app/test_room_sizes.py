@@ -170,20 +170,6 @@ def test_on_its_side_the_player_is_in_sight(
         assert player["y"] + player["height"] <= it.box("#steps")["y"]
 
 
-@pytest.mark.parametrize("size", [PHONE, *long(SIDE)], ids=["upright", "on its side"])
-def test_a_phone_shows_one_step_at_a_time(browser: Browser, server: Running, size: dict[str, int]) -> None:
-    with room_page(browser, server, Judge(), size=size) as it:
-        for screen in SCREENS:
-            it.go(screen)
-            assert it.page.locator(".screen:visible").evaluate_all("all => all.map(one => one.id)") == [
-                screen
-            ]
-            assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-            assert it.page.locator("#verdict").is_visible() == (screen in ("see", "understand"))
-        it.page.go_back()
-        it.page.wait_for_selector("body[data-screen=understand]")
-
-
 @pytest.mark.parametrize("language", ["ja", *long("en")])
 def test_nothing_is_beside_a_phone(
     browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch, language: str

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from room_editing import editing
-from room_judge import Judge, after, judged, room_page
+from room_judge import Judge, after, judged
 
 if TYPE_CHECKING:
     from browsing import Opened
@@ -26,41 +26,34 @@ def reload(it: Opened) -> None:
     judged(it)
 
 
-def test_the_history_goes_on_after_loading_again(browser: Browser, server: Running) -> None:
-    judge = Judge()
-    with room_page(browser, server, judge) as it:
-        first = judge.scene
-        before = it.page.evaluate("location.hash")
-        moved = after(it, judge, lambda: it.page.click("#best button"))
-        it.wait("before => location.hash !== before", before)
-        reload(it)
-        assert after(it, judge, lambda: it.page.click("#plan-undo")) == first
-        assert it.page.is_disabled("#plan-undo")
-        it.wait("before => location.hash === before", before)
-        reload(it)
-        assert after(it, judge, lambda: it.page.click("#plan-redo")) == moved
+def test_the_history_goes_on_after_loading_again(it: Opened, judge: Judge) -> None:
+    first = judge.scene
+    before = it.page.evaluate("location.hash")
+    moved = after(it, judge, lambda: it.page.click("#best button"))
+    it.wait("before => location.hash !== before", before)
+    reload(it)
+    assert after(it, judge, lambda: it.page.click("#plan-undo")) == first
+    assert it.page.is_disabled("#plan-undo")
+    it.wait("before => location.hash === before", before)
+    reload(it)
+    assert after(it, judge, lambda: it.page.click("#plan-redo")) == moved
 
 
-@pytest.mark.parametrize(
-    "kept", ["", "{", '{"past": [null], "future": []}', '{"past": [{"room": {}}], "future": []}']
-)
-def test_a_damaged_history_is_none(browser: Browser, server: Running, kept: str) -> None:
-    with room_page(browser, server, Judge()) as it:
-        it.page.add_init_script(f"sessionStorage.setItem('stayput-history', {kept!r});")
-        reload(it)
-        assert it.page.is_disabled("#plan-undo")
+@pytest.mark.parametrize("kept", ["{", '{"past": [null], "future": []}'])
+def test_a_damaged_history_is_none(it: Opened, judge: Judge, kept: str) -> None:
+    it.page.add_init_script(f"sessionStorage.setItem('stayput-history', {kept!r});")
+    reload(it)
+    assert it.page.is_disabled("#plan-undo")
 
 
-def test_storage_that_is_full_or_refused_is_no_error(browser: Browser, server: Running) -> None:
-    judge = Judge()
-    with room_page(browser, server, judge) as it:
-        before = it.page.evaluate("location.hash")
-        it.page.evaluate(REFUSING)
-        moved = after(it, judge, lambda: it.page.click("#best button"))
-        it.wait("before => location.hash !== before", before)
-        reload(it)
-        assert judge.scene == moved
-        assert it.page.is_disabled("#plan-undo")
+def test_storage_that_is_full_or_refused_is_no_error(it: Opened, judge: Judge) -> None:
+    before = it.page.evaluate("location.hash")
+    it.page.evaluate(REFUSING)
+    moved = after(it, judge, lambda: it.page.click("#best button"))
+    it.wait("before => location.hash !== before", before)
+    reload(it)
+    assert judge.scene == moved
+    assert it.page.is_disabled("#plan-undo")
 
 
 def test_a_long_history_is_cut_at_its_beginning(browser: Browser, server: Running) -> None:

@@ -11,8 +11,8 @@ import pytest
 
 import stayput as sp
 from stayput.app.refusals import RefusedError
+from stayput.app.running import shaking_reply
 from stayput.app.server import create_app
-from stayput.app.shaking import shaking_reply
 from stayput.catalogue import say
 from stayput.fragility import (
     INTENSITY_MEASURES,

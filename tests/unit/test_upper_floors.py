@@ -15,7 +15,7 @@ from test_rooms import BEDROOM
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.app.shaking import shaking_reply
+from stayput.app.running import shaking_reply
 from stayput.cli import app
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, spectral_acceleration
 from stayput.fragility.exports import in_openquake

@@ -9,9 +9,7 @@ from fastapi import APIRouter, Form, Query, Request
 from starlette.responses import Response
 
 import stayput
-from stayput.app.action_plan_api import add_action_plan
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
-from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
 from stayput.app.replies import (
     MotionReply,
@@ -32,13 +30,10 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
     VerifyRequest,
 )
 from stayput.app.room_api import add_rooms
-from stayput.app.run_replies import SimulateReply
-from stayput.app.running import simulated
+from stayput.app.run_replies import SimulateReply, SpaceSimulateReply
+from stayput.app.running import shaking_reply, simulated
 from stayput.app.scenes import several_pieces
 from stayput.app.service import Service, json_response, problems
-from stayput.app.shaking import shaking_reply
-from stayput.app.space_replies import SpaceSimulateReply
-from stayput.app.space_running import simulated_in_space, simulated_pieces
 from stayput.app.turns import StoppedError
 from stayput.app.verdict_replies import EverydayReply, JobReply
 from stayput.app.verification import everyday_reply, runs_of, with_everyday, with_options
@@ -58,29 +53,29 @@ if TYPE_CHECKING:
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 
-FILMS = {"html": "text/html; charset=utf-8", "gif": "image/gif", "mp4": "video/mp4"}
-"""Media types of films."""
+Which = Annotated[Literal["without", "with"], Query()]
+"""Which run of a scene is meant, without or with the measures."""
 
 
 def api(service: Service) -> APIRouter:
     """Return the routes under /api/v1."""
     router = APIRouter(prefix="/api/v1")
-    _add_general(router, service)
-    _add_runs(router, service)
-    _add_jobs(router, service)
-    add_rooms(router, service)
-    add_action_plan(router, service)
-    _add_motions(router, service)
+    parts = {"general": (_add_general,), "runs": (_add_runs,), "verification": (_add_jobs, add_rooms)}
+    for tag, added in {**parts, "motions": (_add_motions,)}.items():
+        routes = APIRouter(tags=[tag])
+        for add in added:
+            add(routes, service)
+        router.include_router(routes)
     return router
 
 
 def _add_general(router: APIRouter, service: Service) -> None:
-    @router.get("/ping", response_model=PingReply, tags=["general"])
+    @router.get("/ping", response_model=PingReply)
     async def ping() -> Response:
         """Say whether the server is there."""
         return json_response(PingReply(ready=service.ready, version=stayput.__version__))
 
-    @router.get("/presets", response_model=PresetsReply, tags=["general"], responses=problems(503))
+    @router.get("/presets", response_model=PresetsReply, responses=problems(503))
     async def all_presets() -> Response:
         """Return everything that can be chosen."""
         return await service.workers.run(lambda: json_response(presets(service.limits)))
@@ -88,23 +83,18 @@ def _add_general(router: APIRouter, service: Service) -> None:
     @router.post(
         "/scenario/toml",
         response_class=Response,
-        tags=["general"],
-        responses={200: {"content": {"application/toml": {}}}, **problems(400, 413, 422, 503)},
+        responses=problems(400, 413, 422, 503, file="application/toml"),
     )
     async def toml(body: TomlRequest) -> Response:
         """Return a scene as a scenario file."""
 
         def work() -> Response:
             scenario = service.stated(body.scene, body.measures)
-            return attachment(
-                scene_toml(scenario, service.motions), "scenario.toml", "application/toml; charset=utf-8"
-            )
+            return attachment(scene_toml(scenario, service.motions), "scenario.toml")
 
         return await service.workers.run(work)
 
-    @router.post(
-        "/scenario/read", response_model=SceneReply, tags=["general"], responses=problems(400, 413, 422, 503)
-    )
+    @router.post("/scenario/read", response_model=SceneReply, responses=problems(400, 413, 422, 503))
     async def read(body: ReadRequest) -> Response:
         """Return a scenario file as a scene."""
 
@@ -120,19 +110,12 @@ def _add_general(router: APIRouter, service: Service) -> None:
 def _add_runs(router: APIRouter, service: Service) -> None:
     refusals = problems(400, 413, 422, 503)
 
-    @router.post(
-        "/simulate", response_model=SimulateReply | SpaceSimulateReply, tags=["runs"], responses=refusals
-    )
+    @router.post("/simulate", response_model=SimulateReply | SpaceSimulateReply, responses=refusals)
     async def simulate(request: Request, body: SimulateRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work(_left: Stop) -> Response:
-            scenario = service.shaken(body.scene, body.measures)
-            if isinstance(scenario, AssemblyScenario):
-                reply = simulated_pieces(scenario)
-            else:
-                run = simulated if scenario.dimensions == 2 else simulated_in_space
-                reply = run(scenario)
+            reply = simulated(service.shaken(body.scene, body.measures))
             reply.motion.name = service.motions.named(reply.motion.name)
             return json_response(reply)
 
@@ -142,29 +125,26 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post(
         "/simulate/csv",
         response_class=Response,
-        tags=["runs"],
-        responses={200: {"content": {"text/csv": {}}}, **refusals},
+        responses=problems(400, 413, 422, 503, file="text/csv"),
     )
     async def simulate_csv(
         request: Request,
         body: SimulateRequest,
-        which: Annotated[Literal["without", "with"], Query()] = "without",
+        which: Which = "without",
     ) -> Response:
         """Run a scene without or with measures; return its histories at the record's samples."""
 
         def work(_left: Stop) -> Response:
             scenario = service.shaken(body.scene, body.measures)
-            text = run_csv(scenario, held=which == "with")
-            return attachment(text, f"run_{which}.csv", "text/csv; charset=utf-8")
+            return attachment(run_csv(scenario, held=which == "with"), f"run_{which}.csv")
 
         return await service.while_awaited(service.slow, request, work)
 
     @router.post(
         "/simulate/film",
         response_class=Response,
-        tags=["runs"],
         responses={
-            200: {"content": {media.partition(";")[0]: {} for media in FILMS.values()}},
+            200: {"content": {kind: {} for kind in ("text/html", "image/gif", "video/mp4")}},
             **refusals,
             **problems(404, 409),
         },
@@ -172,7 +152,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     async def simulate_film(
         request: Request,
         body: SimulateRequest,
-        which: Annotated[Literal["without", "with"], Query()] = "without",
+        which: Which = "without",
         kind: Annotated[Literal["html", "gif", "mp4"], Query()] = "html",
         lang: Annotated[Language, Query()] = "en",
         seconds: Annotated[float | None, Query(ge=2.0, le=60.0, description="How much of it.")] = None,
@@ -186,27 +166,22 @@ def _add_runs(router: APIRouter, service: Service) -> None:
                 if left.is_set():
                     raise StoppedError
 
-            scenario = service.shaken(body.scene, body.measures)
-            held = which == "with"
-            named = service.motions.named
             content = film(
-                scenario,
+                service.shaken(body.scene, body.measures),
                 kind,
                 lang,
                 service.limits,
-                held=held,
+                held=which == "with",
                 seconds=seconds,
                 note=note,
-                named=named,
+                named=service.motions.named,
                 progress=go_on,
             )
-            answer = attachment(content, f"run_{which}.{kind}", FILMS[kind])
-            answer.headers["Content-Security-Policy"] = REPORT_POLICY
-            return answer
+            return attachment(content, f"run_{which}.{kind}")
 
         return await service.while_awaited(service.slow, request, work)
 
-    @router.post("/shaking", response_model=ShakingReply, tags=["runs"], responses=refusals)
+    @router.post("/shaking", response_model=ShakingReply, responses=refusals)
     async def strength(body: ShakingRequest) -> Response:
         """Return how strongly the ground shakes in a scene, as a JMA intensity with its scatter."""
 
@@ -221,7 +196,6 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         "/verify",
         status_code=202,
         response_model=JobReply,
-        tags=["verification"],
         responses=problems(400, 413, 422, 429, 503),
     )
     async def start(body: VerifyRequest) -> Response:
@@ -248,17 +222,13 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 
         return service.begun(work, runs, scenario, body.lease_s)
 
-    @router.get(
-        "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
-    )
+    @router.get("/jobs/{name}", response_model=JobReply, responses=problems(404, 422, 503))
     async def get_job(name: Name) -> Response:
         """Return how a job stands, and its verdict once it is done."""
         job = service.jobs.get(name)
         return await service.workers.run(lambda: json_response(service.reply_of(job)))
 
-    @router.delete(
-        "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
-    )
+    @router.delete("/jobs/{name}", response_model=JobReply, responses=problems(404, 422, 503))
     async def cancel_job(name: Name) -> Response:
         """Stop a job; forget one that has ended."""
         job = service.jobs.cancel(name)
@@ -267,7 +237,6 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     @router.put(
         "/jobs/{name}/everyday",
         response_model=EverydayReply,
-        tags=["verification"],
         responses=problems(400, 404, 409, 413, 422, 503),
     )
     async def put_everyday(name: Name, body: EverydayRequest) -> Response:
@@ -282,8 +251,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     @router.get(
         "/jobs/{name}/report",
         response_class=Response,
-        tags=["verification"],
-        responses={200: {"content": {"text/html": {}}}, **problems(404, 409, 422, 503)},
+        responses=problems(404, 409, 422, 503, file="text/html"),
     )
     async def report(request: Request, name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
         """Return the report of a job: one HTML file."""
@@ -293,17 +261,14 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         def work(_left: Stop) -> Response:
             if lang not in reports:
                 reports[lang] = report_page(verdict, lang, service.motions)
-            answer = attachment(reports[lang], "stayput_report.html", "text/html; charset=utf-8")
-            answer.headers["Content-Security-Policy"] = REPORT_POLICY
-            return answer
+            return attachment(reports[lang], "stayput_report.html")
 
         return await service.while_awaited(service.slow, request, work)
 
     @router.get(
         "/jobs/{name}/csv",
         response_class=Response,
-        tags=["verification"],
-        responses={200: {"content": {"text/csv": {}}}, **problems(404, 409, 422, 503)},
+        responses=problems(404, 409, 422, 503, file="text/csv"),
     )
     async def table(name: Name) -> Response:
         """Return the ranking of a job as a table."""
@@ -311,10 +276,8 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 
         def work() -> Response:
             if isinstance(verdict, Verdict):
-                text, file = verdict_csv(verdict), "stayput_ranking.csv"
-            else:
-                text, file = verdict.to_csv(), "stayput_room.csv"
-            return attachment(text.encode(CSV_ENCODING), file, "text/csv; charset=utf-8")
+                return attachment(verdict_csv(verdict).encode(CSV_ENCODING), "stayput_ranking.csv")
+            return attachment(verdict.to_csv().encode(CSV_ENCODING), "stayput_room.csv")
 
         return await service.workers.run(work)
 
@@ -324,7 +287,6 @@ def _add_motions(router: APIRouter, service: Service) -> None:
         "/motions",
         status_code=201,
         response_model=MotionReply,
-        tags=["motions"],
         responses=problems(400, 413, 422, 429, 503),
     )
     async def add(upload: Annotated[Upload, Form(media_type="multipart/form-data")]) -> Response:
@@ -332,9 +294,7 @@ def _add_motions(router: APIRouter, service: Service) -> None:
         name = await service.motions.add(upload)
         return await service.workers.run(lambda: json_response(service.motions.about(name), 201))
 
-    @router.get(
-        "/motions/{name}", response_model=MotionReply, tags=["motions"], responses=problems(404, 422, 503)
-    )
+    @router.get("/motions/{name}", response_model=MotionReply, responses=problems(404, 422, 503))
     async def about(name: Name, component: ComponentQuery = None) -> Response:
         """Return what is known of an uploaded motion."""
         stored = await service.motions.with_component(name, component)
@@ -343,7 +303,6 @@ def _add_motions(router: APIRouter, service: Service) -> None:
     @router.get(
         "/motions/{name}/preview",
         response_model=PreviewReply,
-        tags=["motions"],
         responses=problems(404, 422, 503),
     )
     async def preview(name: Name, component: ComponentQuery = None) -> Response:
@@ -354,7 +313,6 @@ def _add_motions(router: APIRouter, service: Service) -> None:
     @router.delete(
         "/motions/{name}",
         status_code=204,
-        tags=["motions"],
         responses=problems(404, 409, 422),
         response_class=Response,
     )

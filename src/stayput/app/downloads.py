@@ -9,23 +9,24 @@ import tempfile
 import threading
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from starlette.responses import Response
 
+from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import refused
-from stayput.app.running import own_measures, run_of
-from stayput.app.space_running import name_in, pieces_run, space_run_of
+from stayput.app.running import name_in, own_measures, pieces_run, run_of
 from stayput.report.animation import animate_run
 from stayput.report.history import history
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.words import names_in
-from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario import AssemblyScenario
 from stayput.scenario.shaking import RECORD_FILES
+from stayput.simulation.run import Run
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from numpy.typing import NDArray
 
@@ -34,17 +35,24 @@ if TYPE_CHECKING:
     from stayput.app.motions import Motions
     from stayput.catalogue import Language
     from stayput.motion import Motion
-    from stayput.simulation.run import Run
+    from stayput.scenario import Scenario
     from stayput.simulation.space_run import SpaceRun
 
-AnyRun = TypeVar("AnyRun", "Run", "SpaceRun")
+KINDS = {
+    ".csv": {"Content-Type": "text/csv; charset=utf-8"},
+    ".gif": {"Content-Type": "image/gif"},
+    ".html": {"Content-Type": "text/html; charset=utf-8", "Content-Security-Policy": REPORT_POLICY},
+    ".mp4": {"Content-Type": "video/mp4"},
+    ".toml": {"Content-Type": "application/toml; charset=utf-8"},
+}
+"""Headers of files by the ends of their names."""
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time
 
 
-def attachment(content: str | bytes, name: str, kind: str) -> Response:
+def attachment(content: str | bytes, name: str) -> Response:
     """Return a file to be saved."""
-    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Content-Type": kind}
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', **KINDS[Path(name).suffix]}
     return Response(content, headers=headers)
 
 
@@ -82,54 +90,53 @@ def run_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
     held : bool
         Whether the user's measures are in place.
     """
-    if not isinstance(scenario, Scenario) or scenario.dimensions == 3:
-        return _space_csv(scenario, held=held)
-    motion = scenario.motion()
-    run = run_of(scenario, motion, own_measures(scenario) if held else ())
-    histories = history(run)
-    columns = {
-        "time_s": histories.time,
-        "x_m": histories.x,
-        "z_m": histories.z,
-        "tilt_rad": histories.tilt,
-        "slide_m": histories.slide,
-        **_floor(motion, histories.time),
-        **_forces(run, histories.time),
-    }
+    run, names = _shown(scenario, held=held)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([*columns, "mode"])
-    for *values, mode in zip(*(column.tolist() for column in columns.values()), histories.mode, strict=True):
-        writer.writerow([*(f"{value:.9g}" for value in values), mode.value])
-    return text.getvalue()
-
-
-def _space_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
-    run, names = _shown_in_space(scenario, held=held)
-    motion, slides = run.motion, run.slide
-    floor = {
-        f"floor_{axis}_acceleration_m_s2": np.interp(run.time, motion.time, values)
-        for axis, values in motion.components.items()
-    }
-    devices, text = _forces(run, run.time), io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    for number, name in enumerate(names("en")):
+    if isinstance(run, Run):
+        histories = history(run)
         columns = {
-            "time_s": run.time,
-            **dict(zip(("x_m", "y_m", "z_m"), run.place[number].T, strict=True)),
-            **{f"q{part}": values for part, values in zip("wxyz", run.attitude[number].T, strict=True)},
-            "tilt_rad": run.tilt[number],
-            "yaw_rad": run.yaw[number],
-            "slide_x_m": slides[number, :, 0],
-            "slide_y_m": slides[number, :, 1],
-            **floor,
-            **devices,
+            "time_s": histories.time,
+            "x_m": histories.x,
+            "z_m": histories.z,
+            "tilt_rad": histories.tilt,
+            "slide_m": histories.slide,
+            **_floor(run.motion, histories.time),
+            **_forces(run, histories.time),
         }
+        writer.writerow([*columns, "mode"])
+        writer.writerows([*row, mode.value] for row, mode in zip(_rows(columns), histories.mode, strict=True))
+        return text.getvalue()
+    for number, name in enumerate(names("en")):
+        columns = _of_body(run, number)
         if number == 0:
             writer.writerow(["body", *columns])
-        for values in zip(*(column.tolist() for column in columns.values()), strict=True):
-            writer.writerow([name, *(f"{value:.9g}" for value in values)])
+        writer.writerows([name, *row] for row in _rows(columns))
     return text.getvalue()
+
+
+def _of_body(run: SpaceRun, number: int) -> dict[str, NDArray[np.float64]]:
+    """Return the histories of a body in space, by the names of their columns."""
+    slides, motion = run.slide[number], run.motion
+    return {
+        "time_s": run.time,
+        **dict(zip(("x_m", "y_m", "z_m"), run.place[number].T, strict=True)),
+        **dict(zip(("qw", "qx", "qy", "qz"), run.attitude[number].T, strict=True)),
+        "tilt_rad": run.tilt[number],
+        "yaw_rad": run.yaw[number],
+        "slide_x_m": slides[:, 0],
+        "slide_y_m": slides[:, 1],
+        **{
+            f"floor_{axis}_acceleration_m_s2": np.interp(run.time, motion.time, values)
+            for axis, values in motion.components.items()
+        },
+        **_forces(run, run.time),
+    }
+
+
+def _rows(columns: dict[str, NDArray[np.float64]]) -> Iterator[list[str]]:
+    for values in zip(*(column.tolist() for column in columns.values()), strict=True):
+        yield [f"{value:.9g}" for value in values]
 
 
 def film_kinds() -> tuple[str, ...]:
@@ -185,31 +192,19 @@ def film(
     told: dict[str, Any] = {"language": language, "seconds": seconds, "note": note, "progress": progress}
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
-        if isinstance(scenario, Scenario) and scenario.dimensions == 2:
-            measures = own_measures(scenario) if held else ()
-            name = name_in(scenario, language)
-            run = _of_named_motion(run_of(scenario, motion, measures), named)
-            animate_run(run, path, names=[name], **told)
-        else:
-            shown, names = _shown_in_space(scenario, held=held)
-            run = _of_named_motion(shown, named)
-            animate_run(run, path, names=names(language), **told)
+        shown, names = _shown(scenario, held=held)
+        run = replace(shown, motion=replace(shown.motion, name=named(shown.motion.name)))
+        animate_run(run, path, names=names(language), **told)
         return path.read_bytes()
 
 
-def _of_named_motion(run: AnyRun, named: Callable[[str], str]) -> AnyRun:
-    """Return a run whose motion is called as its user calls its file."""
-    return replace(run, motion=replace(run.motion, name=named(run.motion.name)))
-
-
-def _shown_in_space(
+def _shown(
     scenario: Scenario | AssemblyScenario, *, held: bool
-) -> tuple[SpaceRun, Callable[[Language], tuple[str, ...]]]:
-    """Return the run of a scene in space, and what its bodies are called in a language."""
+) -> tuple[Run | SpaceRun, Callable[[Language], tuple[str, ...]]]:
+    """Return the run of a scene, and what its bodies are called in a language."""
     if isinstance(scenario, AssemblyScenario):
         return pieces_run(scenario), lambda language: names_in(scenario, language)
-    measures = own_measures(scenario) if held else ()
-    run = space_run_of(scenario, scenario.motion(), measures)
+    run = run_of(scenario, scenario.motion(), own_measures(scenario) if held else ())
     return run, lambda language: (name_in(scenario, language),)
 
 

@@ -86,6 +86,11 @@ class Job:
         return (time.monotonic() if self.ended is None else self.ended) - self.began
 
     @property
+    def position(self) -> int | None:
+        """How many have their turn before it; None once it has begun."""
+        return self.turn.position if self.state == "waiting" else None
+
+    @property
     def wanted(self) -> bool:
         """Whether it is to go on: it is not cancelled, and its lease has not run out."""
         abandoned = self.lease is not None and time.monotonic() - self.last_used > self.lease
@@ -154,10 +159,6 @@ class Jobs:
             job.turn = Turn(self._turns, lambda: job.wanted)
         threading.Thread(target=self._run, args=(job, work), name="stayput-job").start()
         return job
-
-    def position(self, job: Job) -> int | None:
-        """Return how many have their turn before a job that has not begun; None of another."""
-        return job.turn.position if job.state == "waiting" else None
 
     def motions(self) -> set[str]:
         """Return the uploaded motions that jobs at work or waiting read."""
@@ -232,7 +233,7 @@ class Jobs:
                 self._end(job, "cancelled")
                 return
             _log.exception("A verification failed")
-            self._end(job, "failed", error=InputError("app.verification_failed"))
+            self._end(job, "failed", error=InputError("app.failed"))
         else:
             self._end(job, "done", verdict=verdict)
 
@@ -242,7 +243,8 @@ class Jobs:
         """Let a job's thread go; a job that was cancelled meanwhile stays so."""
         with self._lock:
             if job.ended is None:
-                job.state, job.verdict, job.error, job.ended = state, verdict, error, time.monotonic()
+                job.verdict, job.error, job.ended = verdict, error, time.monotonic()
+                job.state = state
 
     def _cancel(self, job: Job) -> None:
         """Mark a job that has not ended as cancelled; called with the lock held."""

@@ -1,12 +1,19 @@
-"""Uploaded motions: kept for a while in the server's own folder, under names that nobody can guess."""
+"""Uploaded motions: read in a process of their own, kept for a while under names that nobody can guess.
+
+The process is a plain child with pipes, which all systems have; it is ended when it takes too long. Ctrl-C
+does not reach it, and it ends with the server.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import os
+import pickle
 import re
 import secrets
 import shutil
+import subprocess
+import sys
 import threading
 import time
 from dataclasses import dataclass, field, replace
@@ -14,10 +21,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.app.reader import ReadingResult, ReadingTask
 from stayput.app.refusals import RefusedError, problem, refused
 from stayput.app.replies import ChannelReply, DoubtReply, MotionReply, PreviewReply
 from stayput.app.requests import ID
-from stayput.app.turns import CLIENT, Client, first_to_go
+from stayput.app.turns import CLIENT, Client, Workers, first_to_go
 from stayput.errors import InputError
 from stayput.motion.floors import upper_floor
 from stayput.motion.intensity import EXCEEDED, intensity_class
@@ -28,7 +36,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.app.limits import Limits
-    from stayput.app.readers import Readers
     from stayput.app.requests import Upload
     from stayput.errors import InputWarning
     from stayput.motion import Motion
@@ -36,8 +43,81 @@ if TYPE_CHECKING:
 MOST_INTERVALS = 1000
 """Most intervals of a preview, each with its lowest and highest value."""
 
+START = "import sys; sys.path[:] = sys.argv[1:]; from stayput.app.reader import main; main()"
+"""What the process runs; it finds the package where this one does."""
+
+OF_WINDOWS = ("CREATE_NEW_PROCESS_GROUP", "CREATE_NO_WINDOW")
+"""How Windows starts it."""
+
 _NAME = re.compile(rf"\b{ID}\b")
 _UNSAFE = re.compile(r"[^\w .,()+-]", re.ASCII)
+
+
+class Readers:
+    """Processes that run `stayput.app.reader`, one after the other.
+
+    Parameters
+    ----------
+    limits : Limits
+        How many uploads may wait, and what one may take.
+    """
+
+    def __init__(self, limits: Limits) -> None:
+        self._limits = limits
+        self._workers = Workers(1, limits.reading_waiting)
+        self._process: subprocess.Popen[bytes] | None = None
+
+    async def read(
+        self,
+        path: Path,
+        component: str | None = None,
+        unit: str | None = None,
+        dt: float | None = None,
+        *,
+        remove_mean: bool = False,
+    ) -> tuple[Motion, tuple[InputWarning, ...]]:
+        """Read a record; see `read_shaking`. Return it with the warnings about it.
+
+        Raises
+        ------
+        InputError
+            It is no record, or takes too much.
+        RefusedError
+            Too many are waiting.
+        """
+        task = ReadingTask(str(path), component, unit, dt, remove_mean, self._limits)
+        result = await self._workers.run(self._read, task)
+        if result.motion is None:
+            raise result.refusal or InputError("app.reading_died")
+        return result.motion, result.warnings
+
+    def close(self) -> None:
+        """End the process."""
+        self._workers.close()
+        if self._process is not None:
+            self._process.kill()
+
+    def _read(self, task: ReadingTask) -> ReadingResult:
+        with subprocess.Popen(
+            [sys.executable, "-c", START, *map(str, sys.path)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            # a group of its own: the terminal's Ctrl-C is for the server, which ends it
+            creationflags=sum(getattr(subprocess, name, 0) for name in OF_WINDOWS),
+            start_new_session=os.name == "posix",
+        ) as process:
+            self._process = process
+            try:
+                told, _ = process.communicate(pickle.dumps(task), task.limits.reading_seconds)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                error = InputError("app.reading_slow", seconds=task.limits.reading_seconds)
+                return ReadingResult(None, error)
+        try:
+            return pickle.loads(told)
+        except (EOFError, pickle.UnpicklingError):  # it ended without its whole answer
+            return ReadingResult(None, None)
 
 
 @dataclass(slots=True)
@@ -183,26 +263,16 @@ class Motions:
         stored = self._get(name) if stored is None else stored
         motion = stored.motion
         intensity = intensity_of(motion)
-        return MotionReply(
+        return MotionReply.from_attributes(
+            motion,
             id=name,
-            name=motion.name,
-            source=motion.source,
-            synthetic=motion.synthetic,
-            duration_s=motion.duration,
-            dt_s=motion.dt,
             samples=len(motion),
             components=list(motion.components),
             channels=_channels(motion),
-            pga_m_s2=motion.pga,
-            pgv_m_s=motion.pgv,
             intensity=intensity,
             intensity_class=None if motion.floor else class_of(intensity),
             expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - stored.last_used)),
-            floor=motion.floor,
-            warnings=[
-                DoubtReply(**problem(warning).model_dump(include=set(DoubtReply.model_fields)))
-                for warning in stored.warnings
-            ],
+            warnings=[DoubtReply.from_attributes(problem(warning)) for warning in stored.warnings],
             shaking=stored.shaking,
         )
 

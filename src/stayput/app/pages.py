@@ -14,7 +14,7 @@ from starlette.responses import RedirectResponse, Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
-from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page, page_keep, room_page, room_plan
+from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page, room_page
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -31,7 +31,7 @@ FOLDERS = {
 }
 """The folders of the pages' files in the package, by their paths on the server."""
 
-SHARED = (*page.SHARED, *room_page.SHARED, *room_plan.SHARED)
+SHARED = (*page.SHARED, *room_page.SHARED)
 """Texts of other modules that the pages say too; the last parts of their ids are their keys."""
 
 PAGES = ("", "room")
@@ -88,7 +88,7 @@ def words(language: Language) -> str:
     """Return the texts of both pages in a language by their keys, as JSON."""
     place = LANGUAGES.index(language)
     texts = {name.rpartition(".")[2]: TEXTS[name] for name in SHARED}
-    for part in (page, page_keep, earthquake, room_page, room_plan):
+    for part in (page, earthquake, room_page):
         texts |= part.TEXTS
     return json.dumps({key: text[place] for key, text in texts.items()}, ensure_ascii=False)
 

@@ -63,9 +63,11 @@ from stayput.report.palette import MODE_COLOURS
 from stayput.verification.options import USUAL
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from stayput.app.limits import Limits
+    from stayput.catalogue import Phrase
     from stayput.measures import Measure, Parameter
-    from stayput.model.floor_plan import PlacePreset
     from stayput.model.furniture import Preset
 
 SHELVES = 5
@@ -134,16 +136,11 @@ def presets(limits: Limits) -> PresetsReply:
         version=stayput.__version__,
         furniture=[_furniture(name, preset) for name, preset in PIECES.items()],
         surfaces=[
-            SurfaceReply(
-                id=name,
-                label=Words.of(SURFACES[name]),
-                static_friction=surface.static_friction,
-                kinetic_friction=surface.kinetic_friction,
-            )
+            SurfaceReply.from_attributes(surface, id=name, label=Words.of(SURFACES[name]))
             for name, surface in FRICTIONS.items()
         ],
-        contents=[NamedReply(id=name, label=Words.of(label)) for name, label in CONTENTS.items()],
-        doors=[NamedReply(id=name, label=Words.of(label)) for name, label in DOORS.items()],
+        contents=_named(CONTENTS),
+        doors=_named(DOORS),
         structures=[
             StructureReply(
                 id=name,
@@ -165,41 +162,30 @@ def presets(limits: Limits) -> PresetsReply:
             ModeReply(id=mode.value, label=Words.of(MODES[mode]), colour=colour)
             for mode, colour in MODE_COLOURS.items()
         ],
-        outcomes=[NamedReply(id=name, label=Words.of(label)) for name, label in OUTCOMES.items()],
-        events=[NamedReply(id=name, label=Words.of(label)) for name, label in EVENTS.items()],
+        outcomes=_named(OUTCOMES),
+        events=_named(EVENTS),
         scene=SCENE,
         measures_shown=SCENE_MEASURES,
-        places=[_place(name, preset) for name, preset in PLACES.items()],
+        places=[
+            PlaceReply.from_attributes(place, id=name, label=Words.of(phrase(f"rooms.{name}")))
+            for name, place in PLACES.items()
+        ],
         room_scene=ROOM_SCENE,
         films=list(film_kinds()),
-        limits=_limits(limits),
+        limits=LimitsReply.from_attributes(limits),
     )
 
 
-def _place(name: str, preset: PlacePreset) -> PlaceReply:
-    return PlaceReply(
-        id=name,
-        label=Words.of(phrase(f"rooms.{name}")),
-        width_m=preset.width,
-        length_m=preset.length,
-        low_m=preset.low,
-        high_m=preset.high,
-        day=preset.day,
-        night=preset.night,
-        blocks=preset.blocks,
-    )
+def _named(labels: Mapping[str, Phrase]) -> list[NamedReply]:
+    return [NamedReply(id=name, label=Words.of(label)) for name, label in labels.items()]
 
 
 def _furniture(name: str, preset: Preset) -> FurnitureReply:
     body = Body(preset.width, preset.height, preset.mass)
-    return FurnitureReply(
+    return FurnitureReply.from_attributes(
+        preset,
         id=name,
         label=Words.of(FURNITURE[name]),
-        width_m=preset.width,
-        height_m=preset.height,
-        length_m=preset.length,
-        mass_kg=preset.mass,
-        carcass_mass_kg=preset.carcass_mass,
         shelves=None if preset.carcass_mass is None else SHELVES,
         drawers=PRESET_DRAWERS.get(name, 0),
         centre_of_gravity_m=body.centre_of_gravity,
@@ -251,29 +237,11 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
 
 
 def _parameter(parameter: Parameter, usual: float | None = None) -> ParameterReply:
-    return ParameterReply(
-        name=parameter.name,
+    return ParameterReply.from_attributes(
+        parameter,
         default=None if parameter.default is MISSING else parameter.default,
         usual=usual,
-        unit=parameter.unit,
-        low=parameter.low,
-        high=parameter.high,
         confidence=str(parameter.confidence),
         label=Words.of(parameter.label),
         choices=list(parameter.choices),
-        whole=parameter.whole,
-    )
-
-
-def _limits(limits: Limits) -> LimitsReply:
-    return LimitsReply(
-        body_bytes=limits.body,
-        upload_bytes=limits.upload,
-        duration_s=limits.duration,
-        suite_count=limits.suite,
-        samples=limits.samples,
-        jobs_running=limits.jobs_running,
-        jobs_waiting=limits.jobs_waiting,
-        motions=limits.motions,
-        storeys=limits.storeys,
     )

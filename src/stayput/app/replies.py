@@ -2,17 +2,34 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+import re
+from typing import Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field
 
 TwoNumbers = tuple[float, float]
+
+_UNIT = re.compile("_(bytes|count|kg|m|m_s|m_s2|n|rad|s)$")
 
 
 class Reply(BaseModel):
     """An answer; what is not finite is null."""
 
     model_config = ConfigDict(ser_json_inf_nan="null")
+
+    @classmethod
+    def from_attributes(cls, source: object, **known: Any) -> Self:
+        """Make it of an object's attributes, which are named like its fields, without their units.
+
+        Parameters
+        ----------
+        source : object
+            The object.
+        **known
+            Values of fields that are no such attributes.
+        """
+        others = [name for name in cls.model_fields if name not in known]
+        return cls(**{name: getattr(source, _UNIT.sub("", name)) for name in others}, **known)
 
 
 class Words(Reply):
@@ -52,11 +69,16 @@ class SceneReply(Reply):
     pieces: list[str] = Field(description="What its pieces are called, where it is of several; else none.")
 
 
-class FurnitureReply(Reply):
-    """A preset of furniture."""
+class NamedReply(Reply):
+    """A name that is shown."""
 
     id: str
     label: Words
+
+
+class FurnitureReply(NamedReply):
+    """A preset of furniture."""
+
     width_m: float
     height_m: float
     length_m: float = Field(description="Across its depth.")
@@ -67,38 +89,30 @@ class FurnitureReply(Reply):
     centre_of_gravity_m: TwoNumbers
 
 
-class SurfaceReply(Reply):
+class SurfaceReply(NamedReply):
     """A preset of a surface."""
 
-    id: str
-    label: Words
     static_friction: float
     kinetic_friction: float
 
 
-class StructureReply(Reply):
+class StructureReply(NamedReply):
     """A structure of buildings."""
 
-    id: str
-    label: Words
     storey_height_m: float
     damping: float
     most_storeys: int
 
 
-class FamilyReply(Reply):
+class FamilyReply(NamedReply):
     """A family of earthquakes."""
 
-    id: str
-    label: Words
     about: Words
 
 
-class IntensityReply(Reply):
+class IntensityReply(NamedReply):
     """A class of JMA's intensity."""
 
-    id: str
-    label: Words
     from_: float | None = Field(serialization_alias="from", description="Where it begins.")
     middle: float
     about: Words = Field(description="What people meet.")
@@ -132,19 +146,10 @@ class MeasureReply(Reply):
     parameters: list[ParameterReply]
 
 
-class ModeReply(Reply):
+class ModeReply(NamedReply):
     """A way in which a body moves."""
 
-    id: str
-    label: Words
     colour: str
-
-
-class NamedReply(Reply):
-    """A name that is shown."""
-
-    id: str
-    label: Words
 
 
 class LimitsReply(Reply):
@@ -161,11 +166,9 @@ class LimitsReply(Reply):
     storeys: int
 
 
-class PlaceReply(Reply):
+class PlaceReply(NamedReply):
     """A common place of a person in a room."""
 
-    id: str
-    label: Words
     width_m: float
     length_m: float
     low_m: float = Field(description="Height above the floor from which the person is.")

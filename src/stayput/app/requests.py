@@ -1,14 +1,23 @@
-"""Request bodies of the API."""
+"""Request bodies of the API, and its description (OpenAPI 3.1) with the schemas of scenes and measures."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from functools import cache
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from fastapi import Path as InPath
 from fastapi import UploadFile
-from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, WithJsonSchema
 
 from stayput.montecarlo.counting import SLIDE_LIMIT
+from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario.measures import MeasureTable, SingleChoice
+from stayput.scenario.room import RoomScenario
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from fastapi import FastAPI
 
 STANDS_FOR = "x-stands-for"
 """Mark, in a schema, of what stands in the description of the API under a name of its own."""
@@ -118,3 +127,52 @@ class Upload(BaseModel):
     dt: float | None = Field(default=None, description="Time step [s], where the file states none.")
     component: str | None = Field(default=None, max_length=60, description="Channel of x.")
     remove_mean: bool = Field(default=False, description="Whether the mean of each component is taken off.")
+
+
+REFERENCE = "#/components/schemas/{model}"
+"""Where a schema stands."""
+
+UNUSED = ("HTTPValidationError", "ValidationError")
+"""FastAPI's own form of errors, which this server does not use."""
+
+
+def described(app: FastAPI) -> Callable[[], dict[str, Any]]:
+    """Return the function that makes the description of an app, once."""
+    generate = app.openapi
+
+    @cache
+    def description() -> dict[str, Any]:
+        document = generate()
+        schemas = document["components"]["schemas"]
+        found = {
+            "AssemblyScenario": AssemblyScenario.model_json_schema(ref_template=REFERENCE),
+            "Scenario": Scenario.schema(ref_template=REFERENCE),
+            "RoomScenario": RoomScenario.model_json_schema(ref_template=REFERENCE),
+        }
+        for name, schema in found.items():
+            schemas |= {**schema.pop("$defs"), name: schema}
+        either = [
+            {"$ref": REFERENCE.format(model=name)}
+            for name in ("Scenario", "AssemblyScenario", "RoomScenario")
+        ]
+        schemas["AnyScene"] = {"anyOf": either}
+        measure = TypeAdapter[MeasureTable](SingleChoice).json_schema(ref_template=REFERENCE)
+        measure.pop("$defs", None)
+        schemas["Measure"] = measure
+        for name in UNUSED:
+            schemas.pop(name, None)
+        return _placed(document)
+
+    return description
+
+
+def _placed(node: Any) -> Any:
+    """Return a schema with references in place of marks."""
+    if isinstance(node, list):
+        return [_placed(item) for item in cast("list[Any]", node)]
+    if not isinstance(node, dict):
+        return node
+    table = cast("dict[str, Any]", node)
+    if STANDS_FOR in table:
+        return {"$ref": REFERENCE.format(model=table[STANDS_FOR])}
+    return {key: _placed(value) for key, value in table.items()}

@@ -1,39 +1,64 @@
-"""Route of rooms: a verdict as a job, which gets better while it runs."""
+"""Routes of rooms: a verdict as a job, which gets better while it runs, and its plan to buy and do."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
+from fastapi import Depends, Query, Request
+from starlette.responses import Response
+
+from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import RefusedError, refused
-from stayput.app.requests import RoomRequest  # noqa: TC001 - FastAPI reads the annotations
+from stayput.app.requests import Name, RoomRequest  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.scenes import motions_of, read_room_scene, refusal
-from stayput.app.service import problems
-from stayput.app.verdict_replies import JobReply
+from stayput.app.service import json_response, problems
+from stayput.app.turns import Turn
+from stayput.app.verdict_replies import JobReply, PlanProgressReply
+from stayput.catalogue import LANGUAGES, Language
 from stayput.errors import InputError
+from stayput.report.room.card import plan_html
+from stayput.rooms.decisions import changes_between
+from stayput.rooms.planning import action_plan
 from stayput.rooms.runs import groups_of
+from stayput.rooms.steps import Home
+from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.verify import refuse_what_stands_wrong, verify_room
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from fastapi import APIRouter
-    from starlette.responses import Response
 
+    from stayput.app.jobs import Job
     from stayput.app.limits import Limits
     from stayput.app.service import Service
-    from stayput.rooms.verdict import RoomVerdict
+    from stayput.rooms.steps import ActionPlan
     from stayput.scenario.room import RoomScenario
+    from stayput.simulation.space_engine import Stop
+
+
+def _asked_home(
+    *,
+    no_drilling: Annotated[bool, Query(description="Nothing may be screwed to a wall.")] = False,
+    tatami: Annotated[bool, Query(description="The floor is tatami.")] = False,
+    plasterboard: Annotated[bool, Query(description="The walls have no studs to screw to.")] = False,
+    dropped_ceiling: Annotated[bool, Query(description="The ceiling hangs on wires.")] = False,
+) -> Home:
+    return Home(no_drilling, tatami, plasterboard, dropped_ceiling)
+
+
+AskedHome = Annotated[Home, Depends(_asked_home)]
+"""What the home of a plan is like, by the query."""
 
 
 def add_rooms(router: APIRouter, service: Service) -> None:
-    """Add the route of rooms to those of the API."""
+    """Add the routes of rooms to those of the API."""
 
     @router.post(
         "/room",
         status_code=202,
         response_model=JobReply,
-        tags=["verification"],
         responses=problems(400, 413, 422, 429, 503),
     )
     async def start(body: RoomRequest) -> Response:
@@ -59,6 +84,54 @@ def add_rooms(router: APIRouter, service: Service) -> None:
             )
 
         return service.begun(work, runs, scenario, body.lease_s, before)
+
+    def finished(name: str) -> tuple[Job, RoomVerdict]:
+        job = service.jobs.get(name)
+        if job.state != "done" or not isinstance(job.verdict, RoomVerdict):
+            raise refused(409, "app.no_report_yet", state=job.state)
+        return job, job.verdict
+
+    @router.get(
+        "/jobs/{name}/plan",
+        response_class=Response,
+        responses=problems(404, 409, 422, 503, file="text/html"),
+    )
+    async def plan(
+        request: Request,
+        name: Name,
+        home: AskedHome,
+        lang: Annotated[Language, Query()] = "en",
+    ) -> Response:
+        """Return what to buy and do in the room of a job: one page to print."""
+        job, verdict = finished(name)
+        reports, key = job.reports, _key(lang, home)
+
+        def work(left: Stop) -> Response:
+            def note_progress(runs: int) -> None:
+                job.plan_runs[str(home)] += runs
+                turn.go_on()
+
+            if key not in reports:
+                job.plan_runs[str(home)] = 0
+                with Turn(service.turns, lambda: not left.is_set()) as turn:
+                    made = _plan(job, verdict, home, service.limits.threads, note_progress)
+                for language in LANGUAGES:  # the page's language may be changed
+                    reports[_key(language, home)] = plan_html(made, language).encode("utf-8")
+            headers = {"Content-Security-Policy": REPORT_POLICY}
+            return Response(reports[key], headers=headers, media_type="text/html; charset=utf-8")
+
+        return await service.while_awaited(service.planners, request, work)
+
+    @router.get(
+        "/jobs/{name}/plan/progress",
+        response_model=PlanProgressReply,
+        responses=problems(404, 409, 422),
+    )
+    async def progress(name: Name, home: AskedHome) -> Response:
+        """Return how far a plan has come that another request is waiting for, or whether it is there."""
+        job, _ = finished(name)
+        made = _key(LANGUAGES[0], home) in job.reports
+        return json_response(PlanProgressReply(made=made, runs=job.plan_runs.get(str(home), 0)))
 
 
 def _before(body: RoomRequest, scenario: RoomScenario, service: Service) -> RoomScenario | None:
@@ -109,3 +182,38 @@ def _checked(scenario: RoomScenario, limits: Limits) -> int:
     if runs > limits.runs_of_room:
         raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=limits.runs_of_room)
     return runs
+
+
+def _plan(
+    job: Job, verdict: RoomVerdict, home: Home, threads: int | None, on_progress: Callable[[int], None]
+) -> ActionPlan:
+    """Return the plan of a room; changes that are tried in it are its steps.
+
+    Raises
+    ------
+    RefusedError
+        The room cannot have been as it is said to have been before these changes.
+    """
+    before = verdict.scenario if job.before is None else job.before
+    try:
+        return action_plan(
+            replace(verdict, scenario=before),
+            decided=changes_between(before, verdict.scenario),
+            no_drilling=home.no_drilling,
+            tatami=home.tatami,
+            plasterboard=home.plasterboard,
+            dropped_ceiling=home.dropped_ceiling,
+            threads=threads,
+            progress=False,
+            on_progress=on_progress,
+        )
+    except InputError as error:
+        if job.before is None:
+            raise
+        told = error.told("en"), error.told("ja")
+        raise RefusedError(422, InputError("app.before_refused", "before", why=told)) from None
+
+
+def _key(language: Language, home: Home) -> str:
+    """Return the name under which a job keeps the page of a plan."""
+    return f"{language} {home}"

@@ -1,37 +1,63 @@
-"""Runs of a scene in the plane without and with measures, their histories at the frame rate of a screen."""
+"""What happens in a scene: its runs without and with measures, and how strongly the ground shakes."""
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stayput.app.motions import class_of, intensity_of
-from stayput.app.refusals import RefusedError
-from stayput.app.replies import Words
+from stayput.app.refusals import RefusedError, refused
+from stayput.app.replies import ShakingReply, Words
 from stayput.app.run_replies import (
     BuildingReply,
     EventReply,
     FloorReply,
+    HitReply,
     MotionOfRun,
+    RunInRoomReply,
     RunReply,
     SimulateReply,
+    SpaceEventReply,
+    SpaceRunReply,
+    SpaceSimulateReply,
     ViewReply,
 )
+from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.model.room import WALLS_AROUND
+from stayput.montecarlo.hazard import Ground
+from stayput.motion.intensity import intensity_class, published_intensity
+from stayput.report.history import slid
 from stayput.report.scene import TIME_DIGITS, frames, ground_displacement, rounded, scene_of
-from stayput.report.summary import piece_sentences
+from stayput.report.space.scene import space_scene
+from stayput.report.space.summary import became, piece_became, space_summary
+from stayput.report.summary import device_results, number, piece_name, piece_sentences, place_called
+from stayput.rooms.events import happens_in
+from stayput.rooms.words import names_in
+from stayput.scenario import AssemblyScenario
+from stayput.scenario.room import RoomScenario
 from stayput.simulation.case import simulate
+from stayput.simulation.outcome import EventKind
+from stayput.simulation.run import Run
+from stayput.simulation.space_fate import ROCKED, SLID
 from stayput.verification.options import YOURS
+from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.measures import Measure
+    from stayput.measures.element import DeviceResult
     from stayput.motion import Motion
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.report.space.scene import SpaceScene
+    from stayput.scenario import Scenario
     from stayput.scenario.shaking import ShakingTable
-    from stayput.simulation.run import Run
+    from stayput.simulation.space_run import SpaceRun
 
 RATE = 60.0
 """Frames a second."""
@@ -40,13 +66,22 @@ MOST_EVENTS = 2000
 """Events of a run that are sent: the first ones, and the last."""
 
 
+HITS = {"floor": EventKind.FLOOR_IMPACT, "ceiling": EventKind.CEILING_IMPACT} | dict.fromkeys(
+    WALLS_AROUND, EventKind.WALL_IMPACT
+)
+"""Kinds of hits on the room."""
+
+ALIKE = 0.05
+"""A standard deviation of intensities that is not mentioned."""
+
+
 def own_measures(scenario: Scenario) -> tuple[Measure, ...]:
     """Return the user's own set of measures."""
     return next((measure_set.measures for measure_set in scenario.measures if measure_set.name == YOURS), ())
 
 
-def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) -> Run:
-    """Run a scene under a motion.
+def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) -> Run | SpaceRun:
+    """Run a scene under a motion, in the plane or in space.
 
     Raises
     ------
@@ -58,8 +93,8 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
             scenario.furniture.body(),
             scenario.room.room(),
             motion,
-            measures=measures,
-            dimensions=2,
+            measures,
+            dimensions=3 if scenario.dimensions == 3 else 2,
             initial=scenario.initial.state(),
             gravity=scenario.gravity,
             most_events=MOST_EVENTS,
@@ -68,32 +103,58 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
         raise RefusedError(422, error.about("measures" if measures else "scene")) from None
 
 
-def simulated(scenario: Scenario) -> SimulateReply:
-    """Run a scene without and with the user's measures.
+def pieces_run(scenario: AssemblyScenario) -> SpaceRun:
+    """Run several pieces.
 
     Raises
     ------
     RefusedError
-        As `run_of`.
+        Pieces that are not possible.
     """
-    measures, (ground, motion) = own_measures(scenario), ground_and_floor(scenario)
-    runs = [run_of(scenario, motion, measures) for measures in ([(), measures] if measures else [()])]
+    try:
+        return scenario.run()
+    except InputError as error:
+        raise RefusedError(422, error.about("scene")) from None
+
+
+def simulated(scenario: Scenario | AssemblyScenario) -> SimulateReply | SpaceSimulateReply:
+    """Run a scene: one piece without and with the user's measures, or several pieces.
+
+    Raises
+    ------
+    RefusedError
+        As `run_of` and `pieces_run`.
+    """
+    ground, motion = ground_and_floor(scenario)
+    if isinstance(scenario, AssemblyScenario):
+        return _pieces_reply(scenario, ground)
+    measures, piece = own_measures(scenario), scenario.furniture
+    runs = [run_of(scenario, motion, in_place) for in_place in ([(), measures] if measures else [()])]
+    if plane := [run for run in runs if isinstance(run, Run)]:
+        return _plane_reply(scenario, plane, ground)
+    in_space = [run for run in runs if not isinstance(run, Run)]
+    told = [piece_became(run, piece.preset, piece.name) for run in in_space]
+    scenes = [space_scene(run, (name_in(scenario, "en"),), in_space) for run in in_space]
+    return _space_reply(scenario, scenes, told, ground)
+
+
+def _plane_reply(scenario: Scenario, runs: list[Run], ground: Motion) -> SimulateReply:
+    motion = runs[0].motion
     scene = scene_of(runs, end=motion.duration)
     data = scene.data(RATE)
-    replies = [run_reply(run, run_data, scenario) for run, run_data in zip(runs, data["runs"], strict=True)]
+    replies = [_run_reply(run, run_data, scenario) for run, run_data in zip(runs, data["runs"], strict=True)]
+    times = frames(0.0, motion.duration, RATE)
     return SimulateReply(
-        motion=motion_of_run(ground, motion),
+        motion=_motion_of_run(ground, motion),
         floor=FloorReply(**data["floor"]),
         view=ViewReply(**data["view"]),
-        building=building_reply(
-            scenario.shaking, ground, frames(0.0, motion.duration, RATE), scene.shift_scale
-        ),
+        building=_building_reply(scenario.shaking, ground, times, scene.shift_scale),
         without=replies[0],
-        with_=replies[1] if measures else None,
+        with_=replies[1] if len(replies) > 1 else None,
     )
 
 
-def run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> RunReply:
+def _run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> RunReply:
     """Return a run as arrays for a picture: its data in a scene, and what happened."""
     return RunReply(
         **data,
@@ -117,16 +178,11 @@ def ground_and_floor(scenario: Scenario | AssemblyScenario) -> tuple[Motion, Mot
     return scenario.model_copy(update={"shaking": bare}).motion(), scenario.motion()
 
 
-def motion_of_run(ground: Motion, motion: Motion) -> MotionOfRun:
+def _motion_of_run(ground: Motion, motion: Motion) -> MotionOfRun:
     """Return the motion under the furniture, beside that of the ground."""
     ground_intensity, floor_intensity = intensity_of(ground), intensity_of(motion)
-    return MotionOfRun(
-        name=motion.name,
-        synthetic=motion.synthetic,
-        duration_s=motion.duration,
-        dt_s=motion.dt,
-        pga_m_s2=motion.pga,
-        pgv_m_s=motion.pgv,
+    return MotionOfRun.from_attributes(
+        motion,
         ground_intensity=ground_intensity,
         ground_class=class_of(ground_intensity),
         floor_intensity=floor_intensity,
@@ -134,7 +190,7 @@ def motion_of_run(ground: Motion, motion: Motion) -> MotionOfRun:
     )
 
 
-def building_reply(
+def _building_reply(
     shaking: ShakingTable, ground: Motion, times: NDArray[np.float64], scale: float
 ) -> BuildingReply | None:
     """Return how the building of a scene moves in a picture, if there is one.
@@ -167,3 +223,121 @@ def building_reply(
 def _shift(motion: Motion, times: NDArray[np.float64], scale: float) -> list[float]:
     """Return a displacement for a picture at some times [m]."""
     return rounded(scale * np.interp(times, motion.time, ground_displacement(motion)))
+
+
+def name_in(scenario: Scenario, language: str) -> str:
+    """Return what the piece of a scene is called in pictures."""
+    piece = scenario.furniture
+    english, japanese = piece_name(piece.preset, piece.name)
+    return japanese if language == "ja" else english
+
+
+def _pieces_reply(scenario: AssemblyScenario, ground: Motion) -> SpaceSimulateReply:
+    run = pieces_run(scenario)
+    told = became(run, names_in(scenario, "en"))[0], became(run, names_in(scenario, "ja"))[1]
+    reply = _space_reply(scenario, [space_scene(run, scenario.names)], [told], ground)
+    if isinstance(scenario, RoomScenario):
+        hits, blocked, shut_in = happens_in(run, scenario)
+        each = [HitReply(piece=piece, place=place) for piece, place in hits]
+        reply.in_room = RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
+    return reply
+
+
+def _space_reply(
+    scenario: Scenario | AssemblyScenario,
+    scenes: Sequence[SpaceScene],
+    sentences: Sequence[Phrase],
+    ground: Motion,
+) -> SpaceSimulateReply:
+    """Return the reply about a run without measures, and about one with them where there is one."""
+    data = [scene.data() for scene in scenes]
+    floor, *_ = [each.pop("floor") for each in data]  # which all runs share
+    replies = [_space_run_reply(*each) for each in zip(scenes, data, sentences, strict=True)]
+    return SpaceSimulateReply(
+        motion=_motion_of_run(ground, scenes[0].run.motion),
+        floor=floor,
+        building=_building_reply(scenario.shaking, ground, scenes[0].time, scenes[0].shift_scale),
+        without=replies[0],
+        with_=replies[1] if len(replies) > 1 else None,
+    )
+
+
+def _space_run_reply(scene: SpaceScene, data: dict[str, Any], sentence: Phrase) -> SpaceRunReply:
+    run = scene.run
+    return SpaceRunReply(
+        outcome=run.outcome.value,
+        sentence=Words.of(sentence),
+        overturned=bool(run.overturned.any()),
+        overturn_time_s=number(float(np.fmin.reduce(run.overturn_time))),
+        pieces=space_summary(run, scene.names)["bodies"],
+        events=_events(run),
+        devices=[_device(device, run, scene) for device in run.devices],
+        scene=data,
+    )
+
+
+def _device(device: DeviceResult, run: SpaceRun, scene: SpaceScene) -> Any:
+    forces = {"pull_n": device.pull, "shear_n": device.shear}
+    at_poses = {name: rounded(np.interp(scene.time, run.time, values), 1) for name, values in forces.items()}
+    return {**device_results(device), "name": place_called(device, scene.names), **at_poses}
+
+
+def _events(run: SpaceRun) -> list[SpaceEventReply]:
+    """Return when each piece first slides and lifts an edge, its hits on the room, and when it overturns."""
+    found: list[tuple[float, EventKind, int]] = [
+        (hit.time, HITS[hit.surface], hit.body) for hit in run.hits[:MOST_EVENTS] if hit.surface
+    ]
+    slides, tilts = slid(run), run.tilt
+    for piece, fell in enumerate(run.overturn_time.tolist()):
+        first = {
+            EventKind.SLIP: _first(run.time, slides[piece] > SLID),
+            EventKind.UPLIFT: _first(run.time, tilts[piece] > ROCKED),
+            EventKind.OVERTURNED: fell,
+        }
+        found += [(time, kind, piece) for kind, time in first.items() if not math.isnan(time)]
+    found.sort(key=lambda event: event[0])
+    return [
+        SpaceEventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)
+        for time, kind, piece in found
+    ]
+
+
+def _first(time: NDArray[np.float64], moves: NDArray[np.bool_]) -> float:
+    """Return the first time at which something is so [s]; else nan."""
+    return float(time[moves.argmax()]) if moves.any() else math.nan
+
+
+def shaking_reply(scenario: Scenario | AssemblyScenario) -> ShakingReply:
+    """Return how strongly the ground shakes in a scene.
+
+    Raises
+    ------
+    RefusedError
+        A motion that is still.
+    """
+    ground = Ground(scenario.ground())
+    shaking, strength = scenario.shaking, scenario.shaking.strength
+    factors = ground.stated(strength, shaking.scale, scenario.uncertainty.seed)
+    intensities = ground.intensities(factors)
+    if not np.isfinite(intensities).all():
+        raise refused(422, "motion.still_floor", "scene.shaking")
+    middle, deviation = float(np.median(intensities)), float(np.std(intensities))
+    told = None if strength is None else phrase("verification.strength", strength=strength.told(len(factors)))
+    return ShakingReply(
+        intensity=middle,
+        deviation=deviation,
+        intensity_class=None if ground.motions.floor else intensity_class(middle),
+        sentence=Words.of(_sentence(middle, deviation, ground.motions.floor)),
+        about=None if told is None else Words.of(told),
+    )
+
+
+def _sentence(middle: float, deviation: float, floor: str) -> Phrase:
+    """Return an intensity in words, with the classes within a standard deviation."""
+    at = published_intensity(middle)
+    low, high = class_phrase(middle - deviation, floor), class_phrase(middle + deviation, floor)
+    if deviation < ALIKE:
+        return phrase("earthquake.amounts", at=at, strength=class_phrase(middle, floor))
+    if low == high:
+        return phrase("earthquake.amounts_about", at=at, deviation=deviation, strength=low)
+    return phrase("earthquake.amounts_between", at=at, deviation=deviation, low=low, high=high)

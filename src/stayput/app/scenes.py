@@ -58,9 +58,7 @@ def read_scene(
     if measures:
         scene["measures"] = [{"name": YOURS, "combine": [dict(measure) for measure in measures]}]
     _check_texts_and_shaking(scene, limits, motions)
-    listed = scene.get("measures")
-    if isinstance(listed, list) and len(cast("list[Any]", listed)) > limits.options:
-        raise refused(422, "app.many_options", "scene.measures", most=limits.options)
+    _few_entries(scene.get("measures"), "measures", limits.options)
     try:
         scenario = Scenario.parse(scene, motions.folder)
     except InputError as error:
@@ -135,9 +133,7 @@ def _several(
     for number, piece in enumerate(scenario.furniture):
         if piece.mesh is not None:
             raise refused(422, "app.no_mesh", f"scene.furniture[{number}].mesh", name=piece.name)
-    count = len(scenario.furniture)
-    if count > limits.pieces:
-        raise refused(422, "app.many_pieces", "scene.furniture", count=count, most=limits.pieces)
+    _few_entries([*scenario.furniture], "furniture", limits.pieces)
     return scenario
 
 
@@ -191,12 +187,7 @@ def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) ->
     if isinstance(building, dict):
         table = cast("dict[str, Any]", building)
         _at_most(table, "shaking.building", "storeys", limits.storeys)
-        masses = table.get("masses")
-        if isinstance(masses, list) and len(cast("list[Any]", masses)) > limits.storeys:
-            place, count = "shaking.building.masses", len(cast("list[Any]", masses))
-            raise refused(
-                422, "app.many_masses", f"scene.{place}", name=place, value=count, most=limits.storeys
-            )
+        _few_entries(table.get("masses"), "shaking.building.masses", limits.storeys)
     harmonic = shaking.get("sine")
     if isinstance(harmonic, dict):
         _check_sine(cast("dict[str, Any]", harmonic), limits)
@@ -226,6 +217,11 @@ def _at_most(table: dict[str, Any], name: str, key: str, most: int) -> None:
     value = _number(table.get(key, 0))
     if value > most:
         raise _too_many(f"{name}.{key}", value, most)
+
+
+def _few_entries(value: object, name: str, most: int) -> None:
+    if isinstance(value, list) and (count := len(cast("list[Any]", value))) > most:
+        raise refused(422, "app.many_entries", f"scene.{name}", name=name, value=count, most=most)
 
 
 def _too_many(name: str, value: float, most: int) -> RefusedError:

@@ -1,18 +1,17 @@
-"""The server: the app made of its parts, its start and its end."""
+"""The server: the app made of its parts, the address that it is bound to, its start and its end."""
 
 from __future__ import annotations
 
-import contextlib
+import ipaddress
 import logging
 import os
+import socket
 import sys
-import tempfile
 import threading
 import time
 import warnings
 import webbrowser
-from contextlib import asynccontextmanager
-from pathlib import Path
+from contextlib import asynccontextmanager, suppress
 from typing import TYPE_CHECKING, cast
 
 import uvicorn
@@ -22,22 +21,17 @@ from starlette.exceptions import HTTPException
 from starlette.middleware.gzip import GZipMiddleware
 
 import stayput
-from stayput.app.addresses import address_of, bind, warning_of
 from stayput.app.api import api
-from stayput.app.description import described
-from stayput.app.jobs import Jobs
 from stayput.app.limits import Limits
 from stayput.app.middleware import Guard
-from stayput.app.motions import Motions
 from stayput.app.pages import page_routes
 from stayput.app.presets import SCENE, SCENE_MEASURES
-from stayput.app.readers import Readers
 from stayput.app.refusals import RefusedError, error_response, refusal_of_request
+from stayput.app.requests import described
 from stayput.app.running import simulated
 from stayput.app.service import Service
-from stayput.app.turns import Turns, Workers
-from stayput.catalogue import say
-from stayput.errors import InputError, InputWarning
+from stayput.catalogue import phrase, say
+from stayput.errors import InputError, InputWarning, reason_of
 from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.options import YOURS
@@ -53,6 +47,9 @@ ABOUT = (
     "a scene is a scenario file as JSON."
 )
 _log = logging.getLogger("stayput.app")
+
+_ELSEWHERE = {socket.AF_INET: "192.0.2.1", socket.AF_INET6: "2001:db8::1"}
+"""Addresses for documentation: nobody has them, and a socket of datagrams that is connected sends nothing."""
 
 REFUSED_BY_STARLETTE = {400: "app.body_not_read", 404: "app.no_such_address", 405: "app.wrong_method"}
 """What is said of a request that no function answers, by its status."""
@@ -70,15 +67,7 @@ def create_app(names: Sequence[str] = (), limits: Limits | None = None, *, warmi
     warming : bool
         Whether to compile in the background as it starts.
     """
-    allowed = Limits() if limits is None else limits
-    folder = Path(tempfile.mkdtemp(prefix="stayput-"))
-    quick = Workers(allowed.workers, allowed.waiting)
-    slow = Workers(allowed.slow_workers, allowed.slow_waiting)
-    planners = Workers(allowed.planners, allowed.slow_waiting)
-    readers, turns = Readers(allowed), Turns(allowed.jobs_running)
-    jobs = Jobs(allowed, turns)
-    motions = Motions(folder, allowed, readers, jobs.motions)
-    service = Service(allowed, quick, slow, planners, turns, readers, motions, jobs)
+    service = Service(Limits() if limits is None else limits)
 
     @asynccontextmanager
     async def life(_app: FastAPI) -> AsyncGenerator[None]:
@@ -102,7 +91,7 @@ def create_app(names: Sequence[str] = (), limits: Limits | None = None, *, warmi
     app.include_router(api(service))
     app.router.routes.extend(page_routes())
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=4)  # 9 takes thrice as long for 2 %
-    app.add_middleware(Guard, limits=allowed, names=names)
+    app.add_middleware(Guard, limits=service.limits, names=names)
     _add_refusals(app, service.motions.with_file_names)
     app.openapi = described(app)
     return app
@@ -143,7 +132,7 @@ def _add_refusals(app: FastAPI, with_file_names: Callable[[str], str]) -> None:
         if first["type"] == "json_invalid":
             return error_response(400, InputError("app.not_json"))
         if first["loc"][0] == "path":  # of no id that this server gave
-            return error_response(404, InputError("app.no_such_id"))
+            return error_response(404, InputError("app.no_such_job"))
         return error_response(422, refusal_of_request(first))
 
     async def http(_request: Request, error: Exception) -> Response:
@@ -170,6 +159,84 @@ def server_of(app: FastAPI) -> uvicorn.Server:
         ws="none",
     )
     return uvicorn.Server(config)
+
+
+def warning_of(bound: socket.socket, language: str = "en") -> str | None:
+    """Return the warning about a bound socket that other machines can reach, or None where none can.
+
+    Parameters
+    ----------
+    bound : socket
+        The socket.
+    language : str
+        "en" or "ja".
+    """
+    host, port = str(bound.getsockname()[0]), int(bound.getsockname()[1])
+    address = ipaddress.ip_address(host.partition("%")[0])
+    if address.is_loopback:
+        return None
+    reachable = own_addresses(bound.family) if address.is_unspecified else [host]
+    urls = [_url(ip, port) for ip in reachable]
+    where = ", ".join(urls) or phrase("app.every_address", port=port)
+    return say("app.reachable", language, where=where)
+
+
+def own_addresses(family: socket.AddressFamily | int) -> list[str]:
+    """Return this machine's addresses that others may know: the one that leads elsewhere first.
+
+    Parameters
+    ----------
+    family : socket.AddressFamily
+        AF_INET, or AF_INET6, which reaches both kinds.
+    """
+    addresses: list[str] = []
+    for kind in (socket.AF_INET, *((socket.AF_INET6,) if family == socket.AF_INET6 else ())):
+        with suppress(OSError), socket.socket(kind, socket.SOCK_DGRAM) as probe:
+            probe.connect((_ELSEWHERE[kind], 9))
+            addresses.append(str(probe.getsockname()[0]))
+        with suppress(OSError):
+            addresses += [str(info[4][0]) for info in socket.getaddrinfo(socket.gethostname(), None, kind)]
+
+    def known_elsewhere(address: str) -> bool:
+        ip = ipaddress.ip_address(address.partition("%")[0])
+        return not (ip.is_loopback or ip.is_link_local or ip.is_unspecified)
+
+    return [address for address in dict.fromkeys(addresses) if known_elsewhere(address)]
+
+
+def bind(host: str, port: int) -> socket.socket:
+    """Return a socket that is bound and listens.
+
+    Raises
+    ------
+    InputError
+        The address cannot be bound to.
+    """
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        listener = socket.socket(family, kind, protocol)
+        try:
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listener.bind(address)
+            listener.listen(128)
+        except OSError:
+            listener.close()
+            raise
+    except (OSError, UnicodeError, OverflowError) as error:
+        reason = reason_of(error)
+        raise InputError("app.not_served", host=host, port=port, reason=reason) from None
+    listener.setblocking(False)
+    return listener
+
+
+def address_of(bound: socket.socket) -> str:
+    """Return the address of a bound socket as a browser takes it."""
+    host, port = str(bound.getsockname()[0]), int(bound.getsockname()[1])
+    return _url({"0.0.0.0": "127.0.0.1", "::": "::1"}.get(host, host), port)
+
+
+def _url(host: str, port: int) -> str:
+    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
 
 
 def serve(
@@ -211,7 +278,7 @@ def serve(
         print(warning, file=sys.stderr, flush=True)
     if browser:
         threading.Thread(target=_open, args=(server, address), daemon=True).start()
-    with contextlib.suppress(KeyboardInterrupt):
+    with suppress(KeyboardInterrupt):
         server.run(sockets=[bound])
     if (
         not app.state.service.ready

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import asyncio
-from dataclasses import dataclass
+import tempfile
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from starlette.responses import Response
 
+from stayput.app.jobs import Jobs
+from stayput.app.motions import Motions, Readers
 from stayput.app.refusals import refused
 from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import (
@@ -27,10 +30,8 @@ if TYPE_CHECKING:
 
     from starlette.requests import Request
 
-    from stayput.app.jobs import AnyVerdict, Job, Jobs, JobWork
+    from stayput.app.jobs import AnyVerdict, Job, JobWork
     from stayput.app.limits import Limits
-    from stayput.app.motions import Motions
-    from stayput.app.readers import Readers
     from stayput.app.verdict_replies import JobReply
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.room import RoomScenario
@@ -40,8 +41,8 @@ POLL_INTERVAL = 0.5
 """How often a long request checks whether its client has left [s]."""
 
 
-def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """Return the entries of refusals in the description of the API."""
+def problems(*statuses: int, file: str = "") -> dict[int | str, dict[str, Any]]:
+    """Return the entries of refusals in the description of the API, and of an answer that is a file."""
     words = {
         400: "The body is not JSON.",
         404: "There is none of this id.",
@@ -51,53 +52,53 @@ def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
         429: "There are too many already.",
         503: "The server is busy.",
     }
-    return {status: {"model": Problem, "description": words[status]} for status in statuses}
+    found: dict[int | str, dict[str, Any]] = {200: {"content": {file: {}}}} if file else {}
+    return found | {status: {"model": Problem, "description": words[status]} for status in statuses}
 
 
-@dataclass(slots=True)
 class Service:
     """State of the server that the routes share.
 
-    Attributes
+    Parameters
     ----------
     limits : Limits
         What is accepted.
+
+    Attributes
+    ----------
     workers, slow, planners : Workers
         Threads that compute: what is short, what is not, and plans to buy and do, which take longest.
     turns : Turns
         Of verifications and plans.
+    jobs : Jobs
+        Verifications.
     readers : Readers
         What reads uploads.
     motions : Motions
         What was uploaded.
-    jobs : Jobs
-        Verifications.
     ready : bool
         Whether everything is compiled.
     closed : bool
         Whether the server ends.
     """
 
-    limits: Limits
-    workers: Workers
-    slow: Workers
-    planners: Workers
-    turns: Turns
-    readers: Readers
-    motions: Motions
-    jobs: Jobs
-    ready: bool = False
-    closed: bool = False
+    def __init__(self, limits: Limits) -> None:
+        self.limits = limits
+        self.workers = Workers(limits.workers, limits.waiting)
+        self.slow = Workers(limits.slow_workers, limits.slow_waiting)
+        self.planners = Workers(limits.planners, limits.slow_waiting)
+        self.turns = Turns(limits.jobs_running)
+        self.jobs = Jobs(limits, self.turns)
+        self.readers = Readers(limits)
+        folder = Path(tempfile.mkdtemp(prefix="stayput-"))
+        self.motions = Motions(folder, limits, self.readers, self.jobs.motions)
+        self.ready = self.closed = False
 
     def close(self) -> None:
         """Stop all jobs, let the threads go, and remove the folder."""
         self.closed = True
-        self.jobs.close()
-        self.workers.close()
-        self.slow.close()
-        self.planners.close()
-        self.readers.close()
-        self.motions.close()
+        for part in (self.jobs, self.workers, self.slow, self.planners, self.readers, self.motions):
+            part.close()
 
     async def while_awaited(
         self, workers: Workers, request: Request, work: Callable[[Stop], Response]
@@ -147,7 +148,7 @@ class Service:
 
     def reply_of(self, job: Job) -> JobReply:
         """Return how a job stands."""
-        return job_reply(job, self.jobs.position(job), self.motions.with_file_names)
+        return job_reply(job, self.motions.with_file_names)
 
     def begun(
         self,

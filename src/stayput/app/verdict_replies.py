@@ -1,4 +1,4 @@
-"""Replies about verifications: jobs and verdicts."""
+"""Replies about verifications, of a piece and of a room: jobs and verdicts."""
 
 from __future__ import annotations
 
@@ -7,24 +7,25 @@ from typing import Any, Literal
 from pydantic import Field
 
 from stayput.app.replies import Problem, Reply, Words
-from stayput.app.room_replies import RoomVerdictReply  # noqa: TC001 - pydantic reads the annotations
 
 
-class ChanceReply(Reply):
-    """A probability with its 95 % interval."""
-
-    estimate: float | None
-    low: float
-    high: float
-    text: str
-
-
-class ChangeReply(Reply):
-    """A probability less that without a measure."""
+class ShareReply(Reply):
+    """A probability with its 95 % interval, or a change of one."""
 
     estimate: float | None
     low: float | None
     high: float | None
+
+
+class ChanceReply(ShareReply):
+    """A probability, and its text."""
+
+    text: str
+
+
+class ChangeReply(ShareReply):
+    """A probability less that without a measure."""
+
     clear: bool
 
 
@@ -35,16 +36,13 @@ class QuantilesReply(Reply):
     p90: float | None
 
 
-class CapacityReply(Reply):
+class CapacityReply(ShareReply):
     """An intensity of the ground; null where the runs do not say.
 
     It lies above and below intensities that were run; low and high are the ends of its 95 % interval, of
     which there is none with one motion.
     """
 
-    estimate: float | None
-    low: float | None
-    high: float | None
     above: float | None
     below: float | None
     one_motion: bool
@@ -58,13 +56,10 @@ class CapacitiesReply(Reply):
     p50: CapacityReply
 
 
-class ObservedReply(Reply):
+class ObservedReply(ShareReply):
     """Share that overturned at a level."""
 
     intensity: float
-    estimate: float | None
-    low: float
-    high: float
 
 
 class CurveReply(Reply):
@@ -88,30 +83,6 @@ class DeviceSummaryReply(Reply):
     label: Words
     failed: ChanceReply
     peak_n: QuantilesReply
-
-
-class ContentsReply(Reply):
-    """What comes out of the furniture, and how often it overturns with its contents fixed and without."""
-
-    contents_out_share: float | None
-    contents_out_share_low: float | None
-    contents_out_share_high: float | None
-    contents_runs: int = Field(description="Runs in which the contents were followed.")
-    contents_toppled_share: float | None
-    contents_out_mass_kg: float | None
-    contents_leaving_height_m_median: float | None = Field(description="Of what leaves a piece that stands.")
-    contents_leaving_height_m_most: float | None
-    contents_leaving_speed_m_s_median: float | None = Field(description="Horizontal, beside the floor.")
-    contents_leaving_speed_m_s_p90: float | None
-    overturned_contents_fixed: float | None
-    overturned_contents_fixed_low: float | None
-    overturned_contents_fixed_high: float | None
-    overturned_without_contents: float | None
-    overturned_without_contents_low: float | None
-    overturned_without_contents_high: float | None
-    overturned_drawers_open: float | None
-    overturned_drawers_open_low: float | None
-    overturned_drawers_open_high: float | None
 
 
 class AsInstalledReply(Reply):
@@ -148,7 +119,10 @@ class OptionReply(Reply):
     as_installed: AsInstalledReply | None = Field(
         description="Where the scene asks for it, and it can be badly installed."
     )
-    contents: ContentsReply | None = Field(description="Where the scene says what is in the furniture.")
+    contents: dict[str, int | float | None] | None = Field(
+        description="Where the scene says what is in the furniture: what comes out, and how often it "
+        "overturns with its contents fixed and without, by the names of the table's columns."
+    )
     capacity: CapacitiesReply | None
     curve: CurveReply | None
 
@@ -240,6 +214,121 @@ class VerdictReply(Reply):
     everyday: EverydayReply
 
 
+class ZoneReply(Reply):
+    """A share of the runs on each cell of the floor."""
+
+    nx: int
+    ny: int
+    shares: str = Field(description="Base 64 of bytes, 255 being 1: all y of the first x, then the next.")
+
+
+class RoomHitReply(Reply):
+    """How a piece hits the place of a person."""
+
+    piece: str
+    mass_kg: float
+    probability: ShareReply
+    speed_m_s: QuantilesReply = Field(description="Of the part of the piece that comes into the place.")
+    energy_J: QuantilesReply = Field(description="Kinetic energy of the piece.")  # noqa: N815 - SI's letter
+
+
+class RoomPlaceReply(Reply):
+    """What happens at the place of a person."""
+
+    name: str
+    hit: ShareReply
+    hit_by_day: float | None = Field(description="That somebody is there by day and is hit.")
+    hit_at_night: float | None
+    shut_in: ShareReply
+    by: list[RoomHitReply]
+
+
+class RoomDoorReply(Reply):
+    """Whether a door can be used afterwards."""
+
+    name: str
+    blocked: ShareReply
+    blocked_at_rest: bool
+
+
+class RoomPieceReply(Reply):
+    """What becomes of a piece."""
+
+    name: str
+    engine: str
+    probabilities: dict[str, ShareReply]
+    peak_slide_m: QuantilesReply
+    falls: bool = Field(description="Whether it overturns so often that it is to be held.")
+    risk: float | None
+    outline_m: list[tuple[float, float]]
+    fell: ZoneReply = Field(description="Where it lies having overturned: its fall zone.")
+    stood: ZoneReply = Field(description="Where it ends without having overturned: its slide zone.")
+
+
+class CollisionReply(Reply):
+    """Two pieces that meet."""
+
+    pieces: tuple[str, str]
+    probability: ShareReply
+
+
+class RoomChangeReply(Reply):
+    """What a single change of the room brings."""
+
+    what: str
+    table: str = Field(description="Where it is in the scene: furniture or places.")
+    label: Words
+    sentence: Words
+    measure: str | None
+    drilled: bool = Field(description="Whether it takes holes in a wall.")
+    measures: list[dict[str, Any]] | None = Field(description="What is put on the piece, as in a scene.")
+    at_m: tuple[float, float] | None
+    heading_rad: float | None
+    hit: ShareReply
+    hit_change: ShareReply
+    shut_in: ShareReply
+    shut_in_change: ShareReply
+    overturned: ShareReply | None = Field(description="That the piece overturns with it; of a place, null.")
+    overturned_change: ShareReply | None
+    risk: float | None
+    helps: bool
+    better: list[str] = Field(description="What it clearly betters: hit, shut_in, blocked, overturned.")
+    worse: list[str]
+    tags: list[Words] = Field(description="The same in words; that nothing is clear, where nothing is.")
+
+
+class TypicalRunReply(Reply):
+    """A run in which what happens most often happens."""
+
+    member: int = Field(description="Which of the motions, from 1 on.")
+    direction_rad: float
+
+
+class RoomVerdictReply(Reply):
+    """The verdict on a room."""
+
+    complete: bool = Field(description="Whether it is final; else runs and changes are still to come.")
+    verdict: Words
+    best: Words
+    jma_intensity: float | None
+    intensity_class: str | None
+    motions: int
+    samples: int
+    runs: int
+    seed: int
+    seconds: float | None
+    hit: ShareReply
+    shut_in: ShareReply
+    risk: float | None
+    places: list[RoomPlaceReply]
+    doors: list[RoomDoorReply]
+    pieces: list[RoomPieceReply]
+    cell_m: float
+    collisions: list[CollisionReply]
+    changes: list[RoomChangeReply]
+    typical: TypicalRunReply | None = Field(description="A run to look at.")
+
+
 class JobReply(Reply):
     """A verification that is under way or done."""
 
@@ -254,3 +343,10 @@ class JobReply(Reply):
     result: VerdictReply | RoomVerdictReply | None = Field(
         description="As far as it is known; final once it is `complete`."
     )
+
+
+class PlanProgressReply(Reply):
+    """How far a plan to buy and do has come."""
+
+    made: bool = Field(description="Whether it is there, and comes at once.")
+    runs: int = Field(description="Runs of pieces made for it so far.")

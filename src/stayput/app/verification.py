@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +10,6 @@ import numpy as np
 
 from stayput.app.refusals import problem, refused
 from stayput.app.replies import Words
-from stayput.app.room_verdict import room_verdict_reply
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of
 from stayput.app.verdict_replies import (
@@ -18,11 +18,14 @@ from stayput.app.verdict_replies import (
     EverydayReply,
     JobReply,
     ObservedReply,
+    RoomVerdictReply,
     VerdictReply,
+    ZoneReply,
 )
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.measures import MEASURES, hold
+from stayput.report.room.data import room_data
 from stayput.report.verdict.data import everyday_data, verdict_data
 from stayput.report.verdict.tables import estimate_rows
 from stayput.rooms.verdict import RoomVerdict
@@ -41,7 +44,6 @@ if TYPE_CHECKING:
 
     from stayput.app.jobs import AnyVerdict, Job
     from stayput.app.limits import Limits
-    from stayput.app.room_replies import RoomVerdictReply
     from stayput.fragility import FragilityCurve
     from stayput.measures import Measure
     from stayput.scenario.tables import EverydayTable
@@ -116,33 +118,28 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     return runs
 
 
-def job_reply(job: Job, position: int | None, rewrite: Callable[[str], str]) -> JobReply:
+def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
     """Return the state of a job, with its verdict once it is done; that of a room as far as it is known.
 
     Parameters
     ----------
     job : Job
         The job.
-    position : int, optional
-        How many jobs have their turn before it.
     rewrite : callable
         Puts the users' names for their files into a sentence.
     """
-    return JobReply(
-        id=job.id,
-        state=job.state,
-        done=job.done,
-        total=job.total,
+    return JobReply.from_attributes(
+        job,
+        state=job.state,  # before the verdict, which is the final one when the job is done
         progress=1.0 if job.state == "done" else min(1.0, job.done / max(1, job.total)),
         seconds=round(job.seconds, 3),
-        position=position,
         error=None if job.error is None else problem(job.error.rewritten(rewrite)),
         result=None if job.verdict is None else _any_verdict_reply(job.verdict),
     )
 
 
 def _any_verdict_reply(verdict: AnyVerdict) -> VerdictReply | RoomVerdictReply:
-    return room_verdict_reply(verdict) if isinstance(verdict, RoomVerdict) else verdict_reply(verdict)
+    return _room_verdict_reply(verdict) if isinstance(verdict, RoomVerdict) else verdict_reply(verdict)
 
 
 def verdict_reply(verdict: Verdict) -> VerdictReply:
@@ -238,3 +235,24 @@ def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> CurveReply:
 
 def _shares(values: NDArray[np.float64]) -> list[float]:
     return np.round(values, 5).tolist()
+
+
+def _room_verdict_reply(verdict: RoomVerdict) -> RoomVerdictReply:
+    """Return a verdict on a room as plain data: that of its JSON file, as the page reads it."""
+    data = room_data(verdict)
+    data["complete"] = verdict.complete
+    run = verdict.typical
+    data["typical"] = None if run is None else {"member": run.member, "direction_rad": run.direction}
+    for piece, result in zip(data["pieces"], verdict.pieces, strict=True):
+        piece["fell"], piece["stood"] = _zone(result.fell), _zone(result.stood)
+    for change, result in zip(data["changes"], verdict.changes, strict=True):
+        measure = result.change.measure
+        change["measures"] = None if measure is None else [table_of(measure)]
+        change["table"] = "furniture" if result.change.what in verdict.scenario.names else "places"
+    return RoomVerdictReply.model_validate(data)
+
+
+def _zone(shares: NDArray[np.float64]) -> ZoneReply:
+    nx, ny = shares.shape
+    steps = np.round(255.0 * shares).astype(np.uint8)
+    return ZoneReply(nx=nx, ny=ny, shares=base64.b64encode(steps.tobytes()).decode("ascii"))

@@ -31,10 +31,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Measures are for one piece; a scene of several must have none.",
         "対策は1つの家具だけの条件で使えます。複数の家具の条件では指定できません。",
     ),
-    "many_pieces": (
-        "There are {count} pieces; this server allows {most}.",
-        "家具が{count}個あります。このサーバーでは{most}個までです。",
-    ),
     "long_for_pieces": (
         "The motion lasts {value:.0f} s; with {count} pieces this server allows {most:.0f} s.",
         "揺れの長さは{value:.0f}秒です。家具が{count}個のときは{most:.0f}秒まで計算できます。",
@@ -72,7 +68,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is not known here; it must be left out.",
         "{name}という項目はありません。取り除いてください。",
     ),
-    "no_such_id": ("There is nothing of this id on this server.", "このIDのものはサーバーにありません。"),
     "no_such_address": ("There is nothing at this address.", "このアドレスには何もありません。"),
     "wrong_method": (
         "This address does not take this method.",
@@ -100,8 +95,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "failed": ("The server failed; its log says why.", "サーバーでエラーが起きました。"),
     # Verifications
     "no_report_yet": (
-        "The job is {state}; there is a report once it is done.",
-        "報告書は、計算が終わってから開いてください。",
+        "The job is {state}; there is a report, or a plan of a room, once it is done.",
+        "報告書と「買う物とやること」（部屋だけ）は、計算が終わってから開いてください。",
     ),
     "of_a_room": (
         "The job is of a room; this is there for the verification of a single piece.",
@@ -115,30 +110,21 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The room as it was before the changes that are tried cannot be worked out: {why} Take them back, or say that they are already done.",
         "試している変更の前の部屋は計算できません。{why}変更を元に戻すか、「実施済み」を選んでください。",
     ),
-    "no_plan_yet": (
-        "The job is {state}; there is a plan to buy and do once it is done, of a room.",
-        "「買う物とやること」は、部屋の計算が終わってから開いてください。",
-    ),
     "no_such_job": (
-        "There is no such job; it may have expired.",
-        "その計算はありません。保存期間が過ぎた可能性があります。",
-    ),
-    "verification_failed": (
-        "The verification failed; the server's log says why.",
-        "計算に失敗しました。",
+        "There is nothing of this id on this server; it may have expired.",
+        "このIDのものはサーバーにありません。保存期間が過ぎた可能性があります。",
     ),
     "many_runs": (
         "This verification makes {runs} simulations; this server allows {most}.",
         "計算が多すぎます（{runs}回）。このサーバーで計算できるのは{most}回までです。",
     ),
-    "many_options": ("At most {most} measures can be compared.", "比較できる対策は{most}件までです。"),
+    "many_entries": (
+        "{name} has {value} entries; this server allows {most}.",
+        "{name}が{value}件あります。このサーバーでは{most}件までです。",
+    ),
     "many": (
         "{name} is {value:g}; this server allows {most}.",
         "{name}が{value:g}になっています。このサーバーでは{most}までです。",
-    ),
-    "many_masses": (
-        "{name} are {value}; this server allows {most}.",
-        "{name}が{value}個あります。このサーバーでは{most}個までです。",
     ),
     "no_such_record": (
         "{name} is not a motion that this server has; it must be uploaded (again).",
