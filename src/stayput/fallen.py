@@ -11,7 +11,7 @@ import numpy as np
 from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
 from stayput.fragility.fallen import estimate_from_counts
 from stayput.model.body import Body
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Room
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels

@@ -7,8 +7,8 @@ from numba import njit
 
 import stayput as sp
 from stayput.mechanics.columns import H_SLIDE_RATE
-from stayput.mechanics.devices import accelerations
-from stayput.mechanics.devices.runner import trace_with_devices
+from stayput.mechanics.devices import step
+from stayput.mechanics.runner import trace
 
 FLAT = sp.Body(1.0, 0.5, 100.0)
 
@@ -16,7 +16,7 @@ FLAT = sp.Body(1.0, 0.5, 100.0)
 @njit
 def shared(case, mu_a, mu_b, d, shift):
     a, b = (mu_a, -0.5, 0.25), (mu_b, 0.5, 0.25)
-    return accelerations.shared_friction(case, a, b, d, shift)
+    return step.shared_friction(case, a, b, d, shift)
 
 
 def test_a_centred_load_has_the_friction_of_the_base():
@@ -39,7 +39,7 @@ def test_a_sliding_body_feels_its_spring():
     rows["stiffness"][:, 0] = 0.0
     rows["stiffness"][:, 1] = 100.0
     rows["slack_plus"][:, 0] = rows["slack_minus"][:, 0] = np.inf
-    run = trace_with_devices(case, rows, steady(0.0, 0.1, dt=1e-3)).run
+    run = trace(case, steady(0.0, 0.1, dt=1e-3), rows)
     time = 1e-3 * np.arange(40)
     # x'' = μ'g − 100 x from x(0) = 0, x'(0) = −1
     omega, offset = 10.0, 0.2 * G / 100.0

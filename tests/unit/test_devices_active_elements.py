@@ -8,14 +8,14 @@ from mechanics_runs import case_of, plate, steady
 from numba import njit
 
 import stayput as sp
-from stayput.mechanics.devices import active_elements
-from stayput.mechanics.devices.runner import trace_with_devices
+from stayput.mechanics.devices import lines
+from stayput.mechanics.runner import trace
 
 
 @njit
 def weights(margin, slack):
-    weight = active_elements.event_weight(margin)
-    return active_elements.level_of(margin, slack), weight, active_elements.weighted_margin(margin, weight)
+    weight = lines.event_weight(margin)
+    return lines.level_of(margin, slack), weight, lines.weighted_margin(margin, weight)
 
 
 def test_a_margin_at_its_limit_must_pass_it_by_the_slack():
@@ -36,6 +36,6 @@ def test_the_peak_force_is_found_between_the_samples():
     rows["stiffness"][:, 0] = 0.0
     rows["slack_plus"][:, 0] = rows["slack_minus"][:, 0] = np.inf
     rows["stiffness"][:, 1] = 5.0
-    found = trace_with_devices(case_of(body, room, slide_rate=0.1), rows, steady(0.0, 1.2, dt=0.1))
+    found = trace(case_of(body, room, slide_rate=0.1), steady(0.0, 1.2, dt=0.1), rows)
     assert found.devices["peak_shear"][0] == pytest.approx(0.1 * math.sqrt(5.0), rel=1e-5)
     assert np.abs(found.forces[:, 0, 1]).max() < found.devices["peak_shear"][0]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from stayput.mechanics.devices.dormand_prince import (
+from stayput.mechanics.devices.step import (
     POSITIONS,
     POSITIONS_ERROR,
     RATES,

@@ -55,7 +55,7 @@ def test_a_tie_pulls_along_itself():
 
 
 def test_rows_of_no_kind_do_nothing():
-    from stayput.mechanics.devices.runner import no_elements
+    from stayput.mechanics.runner import no_elements
 
     wrench, none_left, _ = run(no_elements(3), x=0.1, tilt=0.1)
     assert wrench == (0.0, 0.0, 0.0)

@@ -6,8 +6,7 @@ from mechanics_runs import G, case_of, plate, tie
 
 import stayput as sp
 from stayput.mechanics.columns import H_TILT
-from stayput.mechanics.devices.runner import trace_with_devices
-from stayput.mechanics.runner import shaking
+from stayput.mechanics.runner import shaking, trace
 
 
 @pytest.mark.parametrize("stiffness", [10.0, 1000.0])
@@ -15,7 +14,7 @@ def test_rest_ends_where_the_load_leaves_the_cone_and_stretches_no_device(stiffn
     n = 400
     ramp = shaking(0.01 * np.arange(n), None, 0.01, 0)  # ẍ_G = t [m/s²]
     rows = tie((0.0, 0.8), (-0.5, 1.6), stiffness=np.array([[stiffness, 0.0]]))
-    run = trace_with_devices(case_of(), rows, ramp).run
+    run = trace(case_of(), ramp, rows)
     start = run.events[0]
     assert start.time == pytest.approx(0.25 * G, abs=1e-9)  # (b/h) g
     before = run.history[: int(start.time / 0.01), H_TILT]
@@ -30,5 +29,5 @@ def test_a_preload_adds_to_what_friction_holds():
     rows["slack_plus"], rows["stiffness"][:, 1] = np.inf, 0.0
     rows["slack_minus"][:, 0] = -preload / 1000.0
     ramp = shaking(0.01 * np.arange(400), None, 0.01, 0)
-    run = trace_with_devices(case_of(body, sp.Room(sp.Floor(mu, mu))), rows, ramp).run
+    run = trace(case_of(body, sp.Room(sp.Floor(mu, mu))), ramp, rows)
     assert run.events[0].time == pytest.approx(mu * (G + preload), rel=1e-9)

@@ -10,11 +10,10 @@ from numba import njit
 
 import stayput as sp
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.active_elements import evaluate_lines, line_force
 from stayput.mechanics.devices.device_law import SLIP_RATE_TIME
 from stayput.mechanics.devices.elements import evaluate_elements
-from stayput.mechanics.devices.lines import set_lines
-from stayput.mechanics.devices.runner import no_elements
+from stayput.mechanics.devices.lines import evaluate_lines, line_force, set_lines
+from stayput.mechanics.runner import no_elements
 from stayput.simulation.flat_fields import case_columns
 
 BRANCHES = (el.OPEN, el.PLUS, el.MINUS, el.BOND, el.SLIP_PLUS, el.SLIP_MINUS)

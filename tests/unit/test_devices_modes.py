@@ -5,7 +5,7 @@ import pytest
 from mechanics_runs import G, case_of, modes, plate, steady
 
 import stayput as sp
-from stayput.mechanics.devices.runner import trace_with_devices
+from stayput.mechanics.runner import trace
 
 
 @pytest.mark.parametrize(("stiffness", "mode"), [(0.0, sp.Mode.ROCK), (5000.0, sp.Mode.REST)])
@@ -19,7 +19,7 @@ def test_a_preloaded_pole_keeps_a_body_from_rocking(stiffness, mode):
         pole["stiffness"][:, 0] = stiffness
         pole["slack_minus"][:, 0] = -0.002
         poles.append(pole)
-    run = trace_with_devices(case_of(), np.concatenate(poles), steady(0.3 * G, 0.1)).run
+    run = trace(case_of(), steady(0.3 * G, 0.1), np.concatenate(poles))
     assert modes(run)[-1] is mode
 
 
@@ -28,5 +28,5 @@ def test_a_device_that_pulls_harder_than_the_weight_lifts_the_body():
     rows["stiffness"][:, 1] = 0.0
     rows["slack_minus"] = np.inf
     rows["slack_plus"][:, 0] = -1.5 * G / 1000.0
-    run = trace_with_devices(case_of(), rows, steady(0.0, 0.01)).run
+    run = trace(case_of(), steady(0.0, 0.01), rows)
     assert modes(run)[-1] is sp.Mode.FLIGHT

@@ -8,13 +8,13 @@ from mechanics_runs import G, case_of, steady, tie
 from scipy.integrate import solve_ivp
 
 from stayput.mechanics.columns import H_TILT, H_TILT_RATE
-from stayput.mechanics.devices.runner import trace_with_devices
+from stayput.mechanics.runner import trace
 
 
 def test_rocking_against_a_tie_agrees_with_a_numerical_solution():
     h, dt = 0.8, 0.01
     rows = tie((0.0, 0.8), (-0.5, 1.6), stiffness=np.array([[30.0, 0.0]]))
-    run = trace_with_devices(case_of(tilt=0.02, tilt_rate=0.5), rows, steady(0.0, 0.2), tolerance=1e-11).run
+    run = trace(case_of(tilt=0.02, tilt_rate=0.5), steady(0.0, 0.2), rows, error=1e-11)
     r, alpha = math.hypot(0.2, h), math.atan(0.25)
     inertia = 4.0 / 3.0 * r**2
     length = float(rows["length"][0])

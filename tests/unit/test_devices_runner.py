@@ -8,13 +8,14 @@ import pytest
 
 import stayput as sp
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.runner import (
+from stayput.mechanics.runner import (
     check_elements,
     no_elements,
+    run_cases,
     run_cases_with_devices,
-    trace_with_devices,
+    shaking,
+    trace,
 )
-from stayput.mechanics.runner import run_cases, shaking
 from stayput.model.state import State
 from stayput.simulation.flat_fields import case_columns
 
@@ -51,7 +52,7 @@ def test_bad_elements_are_refused(field, value, words):
     rows = bracket()
     rows[field] = value
     with pytest.raises(sp.InputError, match=words):
-        trace_with_devices(CASE[0], rows, MOTION)
+        trace(CASE[0], MOTION, rows)
 
 
 def test_combinations_that_the_laws_do_not_cover_are_refused():
@@ -72,7 +73,7 @@ def test_combinations_that_the_laws_do_not_cover_are_refused():
 def test_the_papers_law_has_no_elements():
     paper = shaking(MOTION.floor.ax, None, 0.01, 1)
     with pytest.raises(sp.InputError, match="'paper'; measures with force elements need 'coulomb'"):
-        trace_with_devices(CASE[0], bracket(), paper)
+        trace(CASE[0], paper, bracket())
 
 
 def test_no_more_elements_than_there_is_room_for_are_taken():
@@ -88,9 +89,9 @@ def test_there_is_a_row_of_elements_for_each_case():
 
 def test_rows_of_no_kind_fill_up():
     padded = np.concatenate((no_elements(1), bracket(), no_elements(2)))
-    alone = trace_with_devices(CASE[0], bracket(), MOTION)
-    found = trace_with_devices(CASE[0], padded, MOTION)
-    assert np.array_equal(found.run.history, alone.run.history)
+    alone = trace(CASE[0], MOTION, bracket())
+    found = trace(CASE[0], MOTION, padded)
+    assert np.array_equal(found.history, alone.history)
     assert found.devices[1].tobytes() == alone.devices[0].tobytes()
     assert np.isnan(found.devices["failure_time"][[0, 2, 3]]).all()
     assert not found.forces[:, [0, 2, 3]].any()
@@ -101,10 +102,10 @@ def test_batches_hold_what_traces_say():
     cases["scale"] = 0.5, 1.0, 1.5
     results, devices = run_cases_with_devices(cases, elements, MOTION)
     for n in range(3):
-        found = trace_with_devices(cases[n], elements[n], MOTION)
-        assert found.run.outcome == results["outcome"][n]
-        assert found.run.peak_tilt == results["peak_tilt"][n]
-        assert found.run.steps == results["steps"][n]
+        found = trace(cases[n], MOTION, elements[n])
+        assert found.result["outcome"] == results["outcome"][n]
+        assert found.result["peak_tilt"] == results["peak_tilt"][n]
+        assert found.result["steps"] == results["steps"][n]
         assert found.devices[0].tobytes() == devices[n, 0].tobytes()
         assert np.abs(found.forces[:, 0, 0]).max() <= devices["peak_pull"][n, 0] + devices["peak_push"][n, 0]
 
@@ -121,8 +122,8 @@ def test_a_failure_is_an_event():
     weak["limit_plus"] = 0.5
     weak["limit_minus"] = 0.5
     strong = case_columns(sp.Body(0.4, 1.8, 100.0), sp.Room(sp.Floor(0.2, 0.15)), State(), 9.80665)[0]
-    found = trace_with_devices(strong, weak, MOTION)
-    failure = next(event for event in found.run.events if list(sp.EventKind)[event.kind] == "device failure")
+    found = trace(strong, MOTION, weak)
+    failure = next(event for event in found.events if list(sp.EventKind)[int(event.kind)] == "device failure")
     assert failure.time == found.devices["failure_time"][0]
 
 

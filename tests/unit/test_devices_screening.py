@@ -5,8 +5,8 @@ import pytest
 from mechanics_runs import case_of, plate
 from numba import njit
 
-from stayput.mechanics.devices import active_elements, lines, screening
 from stayput.mechanics.devices import columns as el
+from stayput.mechanics.devices import lines, stepper
 
 GRID = np.linspace(0.0, 1.0, 41)
 
@@ -17,13 +17,13 @@ def screened(case, rows, links, works, start, end, h):
     work = works[0]
     work.slack_factor = 1.0
     lines.set_lines(rows, links, case, -1, 0.0, 0.0, work)
-    active_elements.evaluate_lines(work, 0.0, 1.0, True, start[0], 0.0, start[1], 0.0, 0.0)
-    active_elements.begin_step(work)
-    active_elements.evaluate_lines(work, 0.0, 1.0, True, end[0], 0.0, end[1], 0.0, 0.0)
-    skipped, _ = screening.no_line_event(work, h, 0.0)
+    lines.evaluate_lines(work, 0.0, 1.0, True, start[0], 0.0, start[1], 0.0, 0.0)
+    lines.begin_step(work)
+    lines.evaluate_lines(work, 0.0, 1.0, True, end[0], 0.0, end[1], 0.0, 0.0)
+    skipped, _ = stepper.no_line_event(work, h, 0.0)
     (x0, v0), (x1, v1) = start, end
     x, v = 0.5 * (x0 + x1) + 0.125 * h * (v0 - v1), 1.5 * (x1 - x0) / h - 0.25 * (v0 + v1)
-    candidate = active_elements.first_crossing_candidate(work, 0.0, 1.0, True, x, 0.0, v, 0.0, 0.0)
+    candidate = lines.first_crossing_candidate(work, 0.0, 1.0, True, x, 0.0, v, 0.0, 0.0)
     return skipped, h * candidate
 
 
@@ -34,7 +34,7 @@ def least(case, rows, links, works, x, v):
     lines.set_lines(rows, links, case, -1, 0.0, 0.0, work)
     for r in range(work.lines):
         work.line[r].low = work.line[r].high = 0.0
-    return active_elements.evaluate_lines(work, 0.0, 1.0, True, x, 0.0, v, 0.0, 0.0)[3]
+    return lines.evaluate_lines(work, 0.0, 1.0, True, x, 0.0, v, 0.0, 0.0)[3]
 
 
 def cubic(x0, v0, x1, v1, h):

@@ -21,7 +21,7 @@ from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.store import Store, piece_of
 from stayput.inventory.words import narrow_told
 from stayput.inventory.workspace import Workspace
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.vocabulary import WORDS
 

@@ -28,15 +28,15 @@ def test_events_follow_one_another_in_time_up_to_the_end():
     assert times == sorted(times)
     assert kinds(run)[0] is sp.EventKind.FLOOR_IMPACT
     assert modes(run)[-1] is sp.Mode.REST
-    assert run.floor_impacts == kinds(run).count(sp.EventKind.FLOOR_IMPACT)
+    assert run.result["floor_impacts"] == kinds(run).count(sp.EventKind.FLOOR_IMPACT)
 
 
 def test_overturning_ends_the_run_at_a_right_angle():
     run = traced(steady(0.5 * G, 5.0))
-    assert list(sp.Outcome)[run.outcome] is sp.Outcome.OVERTURNED
+    assert list(sp.Outcome)[run.result["outcome"]] is sp.Outcome.OVERTURNED
     assert kinds(run)[-1] is sp.EventKind.OVERTURNED
-    assert run.peak_tilt == pytest.approx(np.pi / 2, abs=1e-9)
-    assert run.end < 5.0
+    assert run.result["peak_tilt"] == pytest.approx(np.pi / 2, abs=1e-9)
+    assert run.result["end"] < 5.0
 
 
 @pytest.mark.parametrize("law", [0, 1])

@@ -22,7 +22,7 @@ def test_a_body_in_flight_falls_freely_and_turns_steadily():
 def test_a_flight_ends_where_a_corner_reaches_the_ceiling():
     room = sp.Room(sp.Floor(0.5, 0.5), ceiling=sp.Ceiling(1.7))
     run = traced(steady(0.0, 0.3, up=-2.0 * G), room=room)
-    hit = next(e for e in run.events if list(sp.EventKind)[e.kind] is sp.EventKind.CEILING_IMPACT)
+    hit = next(e for e in run.events if list(sp.EventKind)[int(e.kind)] is sp.EventKind.CEILING_IMPACT)
     assert hit.time == pytest.approx(math.sqrt(2.0 * 0.1 / G), abs=1e-8)
 
 
@@ -40,6 +40,6 @@ def test_a_frictionless_body_slides_down_a_wall_as_a_ladder_does():
 def test_a_body_leans_at_rest_where_friction_holds_it():
     room = sp.Room(sp.Floor(0.8, 0.8), right_wall=sp.Wall(0.2, 0.0, 0.8))
     run = traced(steady(0.0, 3.0), body=sp.Body(0.1, 2.0, 100.0), room=room, tilt=0.09)
-    assert list(sp.Outcome)[run.outcome] is sp.Outcome.LEANING
+    assert list(sp.Outcome)[run.result["outcome"]] is sp.Outcome.LEANING
     assert modes(run)[-1] is sp.Mode.LEAN
     assert np.ptp(run.history[-50:, H_TILT]) == 0.0

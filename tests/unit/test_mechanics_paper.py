@@ -22,14 +22,14 @@ def test_a_landing_follows_equation_3_14():
     room = sp.Room(sp.Floor(3.0, 3.0, restitution=0.7))
     run = run_paper(0.0, room, 1.0, tilt=1e-7, tilt_rate=-1.0)
     first = run.events[0]
-    assert list(sp.EventKind)[first.kind] is sp.EventKind.FLOOR_IMPACT
+    assert list(sp.EventKind)[int(first.kind)] is sp.EventKind.FLOOR_IMPACT
     assert first.tilt_rate == pytest.approx(-0.7 * 0.91176, abs=1e-5)
 
 
 def test_a_wall_reverses_the_rotation():
     room = sp.Room(sp.Floor(3.0, 3.0), right_wall=sp.Wall(0.05, 0.4, 0.0))
     run = run_paper(0.0, room, 0.5, tilt=0.02, tilt_rate=1.0)
-    hit = next(e for e in run.events if list(sp.EventKind)[e.kind] is sp.EventKind.WALL_IMPACT)
+    hit = next(e for e in run.events if list(sp.EventKind)[int(e.kind)] is sp.EventKind.WALL_IMPACT)
     assert hit.tilt_rate < 0.0
 
 

@@ -7,7 +7,7 @@ from numba import njit
 
 import stayput as sp
 from stayput.mechanics import columns as col
-from stayput.mechanics import geometry, impact, modes, pivot_impact, projection
+from stayput.mechanics import geometry, impact, modes
 from stayput.mechanics.records import Scratch
 
 
@@ -18,9 +18,9 @@ def both_ways(case, contacts, rows, states, rate):
     geometry.set_up(case, contacts, s)
     s.alpha = 0.0
     s.kind, s.i, s.j, s.closed, s.hit, s.omega = col.ROCK, 0, -1, 1, 2, rate
-    projection.set_pivot_velocity(contacts[0], s)
+    geometry.set_pivot_velocity(contacts[0], s)
     before = s.vx, s.vz, s.omega
-    applied = pivot_impact.pivot_on_landing(contacts, 3, case, s, 0.0, case.gravity)
+    applied = impact.pivot_on_landing(contacts, 3, case, s, 0.0, case.gravity)
     fast = s.vx, s.vz, s.omega, s.kind, s.i
     s.vx, s.vz, s.omega = before
     s.kind, s.i, s.closed = col.ROCK, 0, 1

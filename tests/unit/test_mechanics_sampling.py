@@ -6,20 +6,20 @@ from mechanics_runs import case_of, traced
 from numba import njit
 
 from stayput.mechanics import columns as col
-from stayput.mechanics import sampling
+from stayput.mechanics import records
 from stayput.mechanics.runner import shaking
 
 
 @njit
 def loads_at(case, ax, az, dt, k, tau):
-    return sampling.loads(case, ax, az, case.scale / dt, k, tau)
+    return records.loads(case, ax, az, case.scale / dt, k, tau)
 
 
 @njit
 def clock(states, dt, steps):
     s = states[0]
     s.k, s.tau = 0, 0.0
-    return [sampling.advance_clock(s, h, dt) for h in steps], s.k, s.tau
+    return [records.advance_clock(s, h, dt) for h in steps], s.k, s.tau
 
 
 def test_loads_are_linear_between_the_samples():
@@ -40,4 +40,4 @@ def test_the_history_ends_where_the_body_overturns():
     run = traced(shaking(np.full(1001, 6.0), None, 0.01, 0))
     assert len(run.history) < 1001
     assert run.history[:, col.H_REACHED].all()
-    assert len(run.history) == int(run.end / 0.01) + 1
+    assert len(run.history) == int(run.result["end"] / 0.01) + 1

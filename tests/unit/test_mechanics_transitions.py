@@ -4,7 +4,7 @@ import numpy as np
 from numba import njit
 
 from stayput.mechanics import columns as col
-from stayput.mechanics import transitions
+from stayput.mechanics import engine
 from stayput.mechanics.devices import columns as el
 
 
@@ -16,7 +16,7 @@ def factors(states, works, times):
     found = np.zeros(len(times))
     for n in range(len(times)):
         s.tau = times[n]
-        transitions.relax_event_thresholds(s, work, 0.01, before)
+        engine.relax_event_thresholds(s, work, 0.01, before)
         before, found[n] = times[n], work.slack_factor
     return found
 
@@ -27,10 +27,10 @@ def run(times):
 
 def test_thresholds_grow_tenfold_from_the_ninth_simultaneous_event_to_a_limit():
     found = run([1e-10 * n for n in range(40)])
-    first = transitions.CROWDED_EVENTS + 1
+    first = engine.CROWDED_EVENTS + 1
     assert (found[:first] == 1.0).all()
     assert found[first : first + 3].tolist() == [10.0, 100.0, 1000.0]
-    assert found.max() == transitions.MAX_SLACK_FACTOR
+    assert found.max() == engine.MAX_SLACK_FACTOR
 
 
 def test_an_event_well_apart_resets_them():

@@ -10,7 +10,7 @@ import pytest
 
 import stayput as sp
 from stayput.errors import InputError
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.scenario import Scenario, read_scenario
 
 SCHEMA = Scenario.schema()

@@ -17,7 +17,7 @@ import stayput as sp
 from stayput.model.parameters import parameters
 from stayput.simulation.grid import Grid
 from stayput.simulation.many import run_grid
-from stayput.simulation.results import OUTCOMES, QUANTITIES
+from stayput.simulation.outcome import OUTCOMES, QUANTITIES
 from waiting import PATIENCE
 
 WALLED = sp.Room(sp.Floor(0.4, 0.3), right_wall=sp.Wall(0.1))
@@ -235,7 +235,7 @@ def test_the_work_in_hand_does_not_grow_with_the_number_of_cases(monkeypatch):
         return block(grid, start, stop)
 
     axes = {"body.width": np.linspace(0.2, 0.6, 100), "motion.scale": np.linspace(0.01, 0.02, 100)}
-    from stayput.simulation.axes import make_grid
+    from stayput.simulation.grid import make_grid
 
     grid = make_grid(CASE, axes)
     monkeypatch.setattr(Grid, "block", counted)

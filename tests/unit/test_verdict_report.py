@@ -20,7 +20,7 @@ from stayput.catalogue import names, phrase, runs, say
 from stayput.catalogue.report import TEXTS
 from stayput.fragility import INTENSITY_MEASURES, Trials, fragility_curve, probability
 from stayput.measures import MEASURES, Belt
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.report.names import given_name

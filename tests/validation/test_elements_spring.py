@@ -29,8 +29,8 @@ def test_a_bonded_spring_makes_an_oscillator(zeta):
     )
     found = held(BODY, SMOOTH, still(5.0), spring, slide=0.05)
     time = 0.01 * np.arange(501)
-    assert found.run.history[:, SLIDE] == pytest.approx(oscillator(time, 0.05, zeta), abs=1e-8)
-    assert found.run.end == 5.0
+    assert found.history[:, SLIDE] == pytest.approx(oscillator(time, 0.05, zeta), abs=1e-8)
+    assert found.result["end"] == 5.0
 
 
 def test_a_tie_along_the_slide_is_the_same_both_ways():
@@ -39,13 +39,13 @@ def test_a_tie_along_the_slide_is_the_same_both_ways():
     strut = axial((0.0, 0.0), anchor, length=2.0, stiffness=K, slack_minus=0.0)
     time = 0.01 * np.arange(201)
     found = held(BODY, SMOOTH, still(2.0), strut, slide=0.05)
-    assert found.run.history[:, SLIDE] == pytest.approx(oscillator(time, 0.05, 0.0), abs=1e-8)
+    assert found.history[:, SLIDE] == pytest.approx(oscillator(time, 0.05, 0.0), abs=1e-8)
     belt = axial((0.0, 0.0), anchor, length=2.0, stiffness=K)
     found = held(BODY, SMOOTH, still(2.0), belt, slide=0.05)
     quarter = 0.5 * math.pi / math.sqrt(K)
     after = time > quarter
     free = -0.05 * math.sqrt(K) * (time[after] - quarter)
-    assert found.run.history[after, SLIDE] == pytest.approx(free, abs=1e-8)
+    assert found.history[after, SLIDE] == pytest.approx(free, abs=1e-8)
     assert found.devices["peak_pull"][0] == pytest.approx(K * 0.05, rel=1e-6)
     assert found.devices["peak_push"][0] == pytest.approx(0.0, abs=1e-7)
 
@@ -66,8 +66,8 @@ def test_slack_is_a_run_without_force():
         v * phase,
         np.where(into < math.pi / w, s + v / w * np.sin(w * into), s - v * (into - math.pi / w)),
     )
-    assert found.run.history[:, SLIDE] == pytest.approx(np.where(half, -x, x), abs=2e-8)
-    assert found.run.peak_slide == pytest.approx(s + v / w, abs=1e-8)
+    assert found.history[:, SLIDE] == pytest.approx(np.where(half, -x, x), abs=2e-8)
+    assert found.result["peak_slide"] == pytest.approx(s + v / w, abs=1e-8)
     assert found.devices["peak_pull"][0] == pytest.approx(K * v / w, rel=1e-5)
 
 
@@ -94,7 +94,7 @@ def test_a_damped_belt_never_pushes():
     time = 0.001 * np.arange(1001)
     after = time > free.t_events[0][0]
     on = x + rate * (time[after] - free.t_events[0][0])
-    assert found.run.history[after, SLIDE] == pytest.approx(on, abs=1e-8)
+    assert found.history[after, SLIDE] == pytest.approx(on, abs=1e-8)
     assert found.devices["peak_push"][0] == pytest.approx(0.0, abs=1e-7)
     assert found.forces[0, 0, 0] == 0.0
     assert found.devices["peak_pull"][0] == pytest.approx((K * free.y[0] + c * free.y[1]).max(), rel=1e-3)
@@ -110,10 +110,10 @@ def test_friction_and_a_spring():
     swings, x = 0, x0
     while abs(x) > mu * G / K:
         x, swings = -math.copysign(abs(x) - loss, x), swings + 1
-    assert found.run.slide == pytest.approx(x, abs=1e-9)
-    rest = [event for event in found.run.events if event.kind == 8]
+    assert found.result["residual_slide"] == pytest.approx(x, abs=1e-9)
+    rest = [event for event in found.events if event.kind == 8]
     assert rest[-1].time == pytest.approx(swings * math.pi / math.sqrt(K), abs=1e-7)
-    assert set(found.run.history[-100:, SLIDE_RATE]) == {0.0}
+    assert set(found.history[-100:, SLIDE_RATE]) == {0.0}
 
 
 def test_shear_of_a_ceiling_piece():
@@ -124,7 +124,7 @@ def test_shear_of_a_ceiling_piece():
     heavy = sp.Body(4.0, 0.5, 100.0)
     found = held(heavy, SMOOTH, still(2.0), spring, slide=0.05)
     time = 0.01 * np.arange(201)
-    assert found.run.history[:, SLIDE] == pytest.approx(oscillator(time, 0.05, 0.0), abs=1e-8)
+    assert found.history[:, SLIDE] == pytest.approx(oscillator(time, 0.05, 0.0), abs=1e-8)
     assert found.devices["peak_shear"][0] == pytest.approx(K * 0.05, rel=1e-6)
 
 
@@ -155,6 +155,6 @@ def test_a_hanging_body_swings_as_the_equations_say():
     times = 0.005 * np.arange(71)
     start = [0, 0.3, 0, 0, 0, 0]
     exact = solve_ivp(falling, (0, 0.4), start, t_eval=times, max_step=2e-4, rtol=1e-9, atol=1e-12).y
-    assert found.run.history[:, 0] == pytest.approx(exact[0], abs=1e-7)
-    assert found.run.history[:, 1] == pytest.approx(exact[1], abs=1e-7)
-    assert found.run.history[:, 2] == pytest.approx(exact[2], abs=1e-7)
+    assert found.history[:, 0] == pytest.approx(exact[0], abs=1e-7)
+    assert found.history[:, 1] == pytest.approx(exact[1], abs=1e-7)
+    assert found.history[:, 2] == pytest.approx(exact[2], abs=1e-7)

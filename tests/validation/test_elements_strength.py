@@ -11,8 +11,7 @@ from devices import FLOOR, LEFT, RIGHT, SLIDE, held, planar
 from stayput.measures import BaseIsolator, GelMats, LBracket, LBracketInBoard, element_rows, hold
 from stayput.mechanics.columns import H_SLIDE_RATE
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.runner import no_elements, trace_with_devices
-from stayput.mechanics.runner import shaking
+from stayput.mechanics.runner import no_elements, shaking, trace
 from stayput.simulation.flat_fields import case_columns
 
 SMOOTH = room(0.0)
@@ -32,8 +31,8 @@ def test_a_brittle_spring_breaks_when_its_force_is_there():
     assert device["failure_time"] == pytest.approx(time, abs=1e-9)
     assert device["peak_pull"] == pytest.approx(strength, rel=1e-7)
     left = v * math.cos(w * time)
-    assert found.run.slide == pytest.approx(strength / K + left * (1.0 - time), abs=1e-8)
-    assert [event.kind for event in found.run.events] == [11]
+    assert found.result["residual_slide"] == pytest.approx(strength / K + left * (1.0 - time), abs=1e-8)
+    assert [event.kind for event in found.events] == [11]
     # one that is a little stronger than the largest force holds
     spring["limit_plus"][:, 0] = K * v / w * 1.0001
     assert held(BODY, SMOOTH, still(1.0), spring, slide_rate=v).devices["failure"][0] == el.HOLDS
@@ -50,15 +49,15 @@ def test_a_ductile_spring_takes_energy_with_its_plastic_part():
     device = found.devices[0]
     assert device["failure"] == el.HOLDS
     assert device["plastic"][0] == pytest.approx(plastic, rel=1e-6)
-    assert found.run.peak_slide == pytest.approx(plastic + strength / K, rel=1e-6)
-    back = found.run.history[:, 5].min()
+    assert found.result["peak_slide"] == pytest.approx(plastic + strength / K, rel=1e-6)
+    back = found.history[:, 5].min()
     assert back == pytest.approx(-strength / math.sqrt(K), rel=1e-4)
     # it parts where the plastic elongation is used up, with the energy that is left
     spring["ultimate"][:, 0] = used = 0.5 * plastic
     found = held(BODY, SMOOTH, still(0.55, 0.001), spring, slide_rate=v)
     assert found.devices["failure"][0] == el.DRAWN_OUT
     rate = math.sqrt(v * v - strength**2 / K - 2 * strength * used)
-    assert found.run.history[-1, 5] == pytest.approx(rate, rel=1e-6)
+    assert found.history[-1, 5] == pytest.approx(rate, rel=1e-6)
 
 
 def pads(body, shear, pull, **fields):
@@ -102,7 +101,7 @@ def test_a_pad_holds_a_tall_body_to_its_pull_strength():
     def falls(a):
         ramp = sp.Motion(0.01, np.concatenate((np.linspace(0.0, a, 800), np.full(700, a))))
         found = held(body, room(3.0), ramp, *pads(body, 50.0, pull, damping=(150.0, 0.0)), tolerance=1e-8)
-        return found.run.outcome == 4
+        return found.result["outcome"] == 4
 
     limit = threshold(falls, 0.3 * G, 1.0 * G, halvings=10)
     assert limit == pytest.approx((G * b + 2 * b * pull) / h, rel=0.01)
@@ -147,22 +146,22 @@ def test_an_isolator_stops_at_the_end_of_its_stroke(gap):
     found = held(sp.Body(4.0, 0.5, 100.0), room(mu), still(1.0, 0.001), stop, slide_rate=v)
     rate = math.sqrt(v * v - 2 * mu * G * gap)
     deepest = (-mu * G + math.hypot(mu * G, rate * math.sqrt(k))) / k
-    assert found.run.peak_slide == pytest.approx(gap + deepest, rel=1e-6)
+    assert found.result["peak_slide"] == pytest.approx(gap + deepest, rel=1e-6)
     assert found.devices["peak_shear"][0] == pytest.approx(k * deepest, rel=1e-4)
     back = math.sqrt(rate**2 - 4 * mu * G * deepest)
-    assert -found.run.history[:, 5].min() == pytest.approx(back, abs=0.02)
+    assert -found.history[:, 5].min() == pytest.approx(back, abs=0.02)
 
 
 def test_devices_at_rest_bear_nothing_and_break_by_preload_alone():
     strong = planar((0.0, 0.0), RIGHT, stiffness=K, slack_plus=-0.01, limit_plus=1.0)
     found = held(BODY, room(0.4), constant(0.3 * G, 1.0), strong)
-    assert found.run.outcome == 0
+    assert found.result["outcome"] == 0
     assert found.devices["failure"][0] == el.HOLDS
     assert found.forces[:, 0, 0] == pytest.approx(0.4)
     weak = planar((0.0, 0.0), RIGHT, stiffness=K, slack_plus=-0.01, limit_plus=0.3)
     found = held(BODY, room(0.4), constant(0.3 * G, 1.0), weak)
     assert found.devices["failure_time"][0] == 0.0
-    assert found.run.history[-1, SLIDE] == 0.0
+    assert found.history[-1, SLIDE] == 0.0
 
 
 def furniture(rng):
@@ -220,6 +219,6 @@ def test_a_tie_yields_when_it_reaches_its_strength_while_the_base_shares_its_fri
     tie["length"], tie["slack_plus"] = math.dist(point, (-0.444, 1.194)), 0.0
     tie["stiffness"][0, 0], tie["limit_plus"][0, 0], tie["ultimate"][0, 0] = 914e3, 1.23, 0.0486
     floor_at_rest = shaking(np.zeros(4), None, dt, 0)
-    usual, fine = (trace_with_devices(case, tie, floor_at_rest, max_step=step) for step in (np.inf, dt / 200))
+    usual, fine = (trace(case, floor_at_rest, tie, max_step=step) for step in (np.inf, dt / 200))
     assert usual.forces[:, 0, 0].max() == pytest.approx(1.23, rel=1e-3)
-    assert usual.run.history[:, H_SLIDE_RATE] == pytest.approx(fine.run.history[:, H_SLIDE_RATE], abs=2e-5)
+    assert usual.history[:, H_SLIDE_RATE] == pytest.approx(fine.history[:, H_SLIDE_RATE], abs=2e-5)

@@ -12,18 +12,14 @@ from devices import bare, held
 BOTH = [pytest.param(bare, id="bare"), pytest.param(held, id="with elements")]
 
 
-def result(found):
-    return getattr(found, "run", found)
-
-
 @pytest.mark.parametrize("run", BOTH)
 def test_a_wedge_tilts_the_body_back_and_turns_its_limits(run):
     """With a wedge w under the front edge: tan θ₀ = −w/b; tipping at (b_f/h_G) of the tilted body."""
     b, h, w = 0.4, 1.8, 0.012
     body, place = sp.Body(b, h, 100.0, base_heights=(0.0, -w)), sp.Room(STICKING)
     assert body.resting_tilt == pytest.approx(-math.atan(w / b), rel=1e-12)
-    quiet = result(run(body, place, still(1.0)))
-    assert quiet.outcome == 0
+    quiet = run(body, place, still(1.0))
+    assert quiet.result["outcome"] == 0
     assert set(quiet.history[:, 2]) == {0.0}
 
     sin, cos = math.sin(body.resting_tilt), math.cos(body.resting_tilt)
@@ -31,7 +27,7 @@ def test_a_wedge_tilts_the_body_back_and_turns_its_limits(run):
         u, v = body.corners[corner]
         across, up = u * cos + v * sin, v * cos - u * sin
         limit = threshold(
-            lambda a, way=way: result(run(body, place, constant(way * a, 0.05))).outcome != 0,
+            lambda a, way=way: run(body, place, constant(way * a, 0.05)).result["outcome"] != 0,
             0.05 * G,
             0.6 * G,
             halvings=30,
@@ -57,12 +53,12 @@ def test_each_base_corner_has_its_own_friction(run, left, right):
         matrix = [[1.0, 1.0], [b / 2 + d * h / 2 * left, -b / 2 + d * h / 2 * right]]
         loads = np.linalg.solve(matrix, [1.0, 0.0])
         mu = loads @ [left, right]
-        found = result(run(sp.Body(b, h, 100.0), sp.Room(floor), still(2.0, 0.002), slide_rate=d))
-        assert d * found.peak_slide * d == pytest.approx(1.0 / (2 * mu * G), rel=1e-9)
+        found = run(sp.Body(b, h, 100.0), sp.Room(floor), still(2.0, 0.002), slide_rate=d)
+        assert d * found.result["peak_slide"] * d == pytest.approx(1.0 / (2 * mu * G), rel=1e-9)
         # it starts to slide at the same load, in the direction that the load pushes it
         limit = threshold(
             lambda a, d=d, floor=floor: (
-                result(run(sp.Body(b, h, 100.0), sp.Room(floor), constant(-d * a, 0.05))).outcome != 0
+                run(sp.Body(b, h, 100.0), sp.Room(floor), constant(-d * a, 0.05)).result["outcome"] != 0
             ),
             0.01 * G,
             0.9 * G,
@@ -76,10 +72,10 @@ def test_a_corner_alone_keeps_its_friction(run):
     """A body that rocks on its rubber edge sticks; on the bare one it slips."""
     body = sp.Body(0.4, 1.6, 100.0)
     rubber = sp.Floor(0.05, 0.05, right_edge_static_friction=1.0, right_edge_kinetic_friction=1.0)
-    sticks = result(run(body, sp.Room(rubber), still(0.2), tilt=0.1))
-    slips = result(run(body, sp.Room(rubber), still(0.2), tilt=-0.1))
-    assert sticks.peak_slide == 0.0
-    assert slips.peak_slide > 1e-3
+    sticks = run(body, sp.Room(rubber), still(0.2), tilt=0.1)
+    slips = run(body, sp.Room(rubber), still(0.2), tilt=-0.1)
+    assert sticks.result["peak_slide"] == 0.0
+    assert slips.result["peak_slide"] > 1e-3
 
 
 def test_own_frictions_equal_to_the_floors_change_nothing():

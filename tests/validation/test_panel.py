@@ -1,11 +1,20 @@
 """A wall that gives, beside two masses that are stepped in time: the piece, and the panel on its spring."""
 
 import itertools
+import math
 
 import numba
 import pytest
 
-from stayput.model.panel import panel_restitution
+
+
+def panel_restitution(effective: float, panel: float, damping: float) -> float:
+    """Return e_w, the part of its speed that a panel returns to a mass that hits it; see the theory page."""
+    together = effective + panel
+    zeta = damping * math.sqrt(panel / together)
+    root = math.sqrt(1.0 - zeta * zeta)
+    phase = math.pi - math.atan2(2.0 * zeta * root, 1.0 - 2.0 * zeta * zeta)
+    return effective / together * math.exp(-zeta * phase / root)
 
 
 @numba.njit

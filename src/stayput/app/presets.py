@@ -43,9 +43,9 @@ from stayput.catalogue.names import (
 from stayput.errors import InputError
 from stayput.everyday import PRESET_DRAWERS, Everyday
 from stayput.measures import MEASURES, hold, parameters
+from stayput.model.body import FURNITURE as PIECES
 from stayput.model.body import Body, Part
 from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
-from stayput.model.furniture import FURNITURE as PIECES
 from stayput.model.parameters import parameter_of
 from stayput.model.parameters import parameters as parameters_of
 from stayput.model.room import SURFACES as FRICTIONS
@@ -65,8 +65,8 @@ from stayput.verification.options import USUAL
 if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.measures import Measure, Parameter
+    from stayput.model.body import Preset
     from stayput.model.floor_plan import PlacePreset
-    from stayput.model.furniture import Preset
 
 SHELVES = 5
 """Shelves that a bookcase is drawn with."""

@@ -14,8 +14,7 @@ from stayput.building.model import AMPLIFICATION_RANGE, MOST_STOREYS, ShearModel
 from stayput.building.modes import natural_modes, strain_energy_damping
 from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
 from stayput.errors import InputError, instance_of
-from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.model.parameters import STANDARD_GRAVITY, check_fields, parameter, quantity
 from stayput.vocabulary import preset_meant
 from stayput.wording import brief
 

@@ -2,9 +2,6 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Parts of the labels of fields, and what other numbers are called
-    "effective_mass": ("Effective mass", "有効質量"),
-    "panel_mass": ("Mass of the panel", "壁の質量"),
-    "panel_damping": ("Damping ratio of the panel", "壁の減衰定数"),
     "load_width": ("load_width", "棚の荷物の奥行き（load_width）"),
     "static_friction": ("{surface} static friction", "{surface}の静止摩擦係数"),
     "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),

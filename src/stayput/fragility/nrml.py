@@ -16,7 +16,7 @@ from stayput.errors import InputError
 from stayput.files import check_target, draft
 from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PGA, PGV
 from stayput.fragility.labels import identifiers
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -17,7 +17,7 @@ import numpy as np
 from stayput.files import check_target, draft
 from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
 from stayput.fragility.labels import identifiers
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -11,7 +11,7 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, PGA, PGV, spectral_acceleration
 from stayput.fragility.intensity_measures import PERIODS
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.ground_shaking import MERCALLI_SCATTER
 from stayput.motion.intensity import mercalli_rise, pgv_of_mercalli
 from stayput.motion.units import unit_factor

@@ -155,7 +155,8 @@ REST_MODE, SLIDE_MODE, ROCK_MODE, SLIDE_ROCK_MODE, FLIGHT_MODE, LEAN_MODE, OVERT
 
 # columns of the event list, and event kinds in the order of `stayput.simulation.run.EventKind`
 E_TIME, E_KIND, E_MODE, E_TILT, E_TILT_RATE, E_SLIDE, E_SLIDE_RATE = range(7)
-EVENT = 7
+EVENT_FIELDS = ("time", "kind", "mode", "tilt", "tilt_rate", "slide", "slide_rate")
+EVENT = len(EVENT_FIELDS)
 (
     SLIP_EVENT,
     STICK_EVENT,

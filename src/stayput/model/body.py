@@ -1,4 +1,4 @@
-"""What stands: the body's section, mass, centre of gravity and moment of inertia."""
+"""What stands: section, mass, centre of gravity and moment of inertia of a body, and presets of furniture."""
 
 from __future__ import annotations
 
@@ -7,14 +7,21 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, finite, list_of, within
-from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
-from stayput.model.parameters import check_fields, parameter, parameter_of, quantity
+from stayput.model.parameters import (
+    GRAVITY,
+    STANDARD_GRAVITY,
+    check_fields,
+    parameter,
+    parameter_of,
+    quantity,
+)
 from stayput.wording import brief
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from matplotlib.axes import Axes
+
 
 SIZE_RANGE = (1e-3, 100.0)
 """Smallest and largest width and height that are accepted [m]."""
@@ -388,3 +395,43 @@ def _refuse_other_than_two(field: str, values: Sequence[float]) -> None:
     """Refuse what is no list of two; see `Body`."""
     if len(list_of(field, values)) != 2:
         raise InputError(f"model.{field}_not_two", field, value=repr(values))
+
+
+@dataclass(frozen=True, slots=True)
+class Preset:
+    """A common piece of furniture, seen from its side.
+
+    Parameters
+    ----------
+    width : float
+        Depth of the piece, which is its base length along the shaking [m].
+    height : float
+        Height [m].
+    length : float
+        Length across the shaking [m].
+    mass : float
+        Mass as it usually stands, with its load [kg].
+    carcass_mass : float, optional
+        Mass when it is empty [kg], for pieces whose loads may be given shelf by shelf.
+    """
+
+    width: float = field(metadata=quantity("m", *SIZE_RANGE, ("width (depth)", "奥行き")))
+    height: float = field(metadata=quantity("m", *SIZE_RANGE, ("height", "高さ")))
+    length: float = field(metadata=quantity("m", *SIZE_RANGE, ("length (across)", "幅")))
+    mass: float = field(metadata=quantity("kg", *MASS_RANGE, ("mass", "質量")))
+    carcass_mass: float | None = parameter(None, "kg", *MASS_RANGE, ("empty carcass", "空の本体の質量"))
+
+
+FURNITURE: dict[str, Preset] = {
+    "bookcase": Preset(0.30, 1.80, 0.80, 200.0, carcass_mass=35.0),
+    "empty bookcase": Preset(0.30, 1.80, 0.80, 35.0, carcass_mass=35.0),
+    "wardrobe": Preset(0.60, 1.90, 1.00, 115.0),
+    "cupboard": Preset(0.40, 1.80, 0.885, 100.0),
+    "chest": Preset(0.42, 1.365, 0.885, 81.0),
+    "refrigerator": Preset(0.68, 1.82, 0.65, 105.0),
+    "television": Preset(0.27, 0.76, 1.23, 18.0),
+    "vending machine": Preset(0.83, 1.83, 1.10, 350.0),
+    "server rack": Preset(1.00, 2.00, 0.70, 500.0),
+    "upright piano": Preset(0.62, 1.25, 1.50, 230.0),
+}
+"""Pieces of furniture by name: typical Japanese sizes; masses in the middle of the usual range."""

@@ -17,7 +17,7 @@ import numpy as np
 from stayput.measures.results import failures_of
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.montecarlo.runs import joined_rows
-from stayput.simulation.columns import run_columns
+from stayput.simulation.many import run_columns
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

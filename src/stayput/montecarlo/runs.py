@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.measures.results import failures_of, utilisation
-from stayput.mechanics.devices.runner import no_elements
+from stayput.mechanics.runner import no_elements
 from stayput.montecarlo.counting import Outcomes
-from stayput.simulation.columns import run_columns, run_rows
+from stayput.simulation.many import run_columns, run_rows
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

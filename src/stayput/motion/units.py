@@ -7,7 +7,7 @@ import unicodedata
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, excerpt
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase

@@ -13,7 +13,7 @@ from pydantic import Field, ValidationError, model_validator
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.scenario.assembly_options import (
     NOTHING,
     AssemblyOption,

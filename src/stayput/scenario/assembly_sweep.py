@@ -17,7 +17,7 @@ from stayput.measures.results import utilisation
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.progress import bar
-from stayput.simulation.results import OUTCOMES, QUANTITIES
+from stayput.simulation.outcome import OUTCOMES, QUANTITIES
 from stayput.simulation.space import trace_assembly
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
 
@@ -31,7 +31,7 @@ _PART = re.compile(r"([^\[\]]+)(?:\[(\d+)\])?")
 """A part of a path: a key, and which item of its list; without that, all items."""
 
 OF_PIECES = ("peak_slide", "residual_slide", "peak_tilt", "residual_tilt", "floor_impacts", "wall_impacts")
-"""Results of each piece that are columns of `stayput.simulation.results`, beside outcome and overturning."""
+"""Results of each piece that are columns of `stayput.simulation.outcome`, beside outcome and overturning."""
 
 
 def sweep_assembly(

@@ -10,8 +10,7 @@ from pydantic import Field, field_validator, model_validator
 
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE, MASS_RANGE, SIZE_RANGE, Body
 from stayput.model.room import WALLS_AROUND
 from stayput.model.solid import Solid
 from stayput.scenario.assembly_options import MeasuresInPlace, in_place

@@ -15,7 +15,7 @@ from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 from stayput.catalogue import say
 from stayput.contents.weight import emptied
 from stayput.errors import InputError, instance_of
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.suites import Suite
 from stayput.scenario.contents import ContentsTable  # noqa: TC001 - pydantic reads the annotation
 from stayput.scenario.fields import Text, between

@@ -10,8 +10,7 @@ from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.errors import InputError
 from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
-from stayput.model.body import Body, Part
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE, Body, Part
 from stayput.model.room import CEILINGS, SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
 from stayput.scenario.fields import (

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from stayput.errors import instance_of, within, word_of
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.processing import whole
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import Draws

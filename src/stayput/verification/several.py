@@ -16,9 +16,8 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import Settings, sample_until_precise
 from stayput.montecarlo.several import draws_of_several, run_several
 from stayput.progress import bar
-from stayput.simulation.placing import placed
+from stayput.simulation.placing import JOINT, placed
 from stayput.simulation.space import warn_of_settlement
-from stayput.simulation.space_devices import JOINT
 from stayput.verification.ranking import members, severity
 from stayput.verification.several_options import options_of_several
 from stayput.verification.several_verdict import (

@@ -12,7 +12,7 @@ import numpy as np
 from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceleration
 from stayput.execution import Pool
 from stayput.fragility import PFA, PFV
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.saved import InJson
 from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of

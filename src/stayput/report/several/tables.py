@@ -19,7 +19,7 @@ from stayput.report.verdict.assumptions import (
     shaking_assumptions,
 )
 from stayput.report.verdict.tables import device_cells
-from stayput.simulation.space_devices import JOINT, JOINT_LABEL
+from stayput.simulation.placing import JOINT, JOINT_LABEL
 from stayput.verification.several_options import brief_label
 from stayput.verification.several_words import is_own, reason_of_several, title_of_several
 

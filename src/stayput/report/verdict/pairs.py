@@ -9,7 +9,7 @@ import numpy as np
 
 from stayput.measures import element_rows, hold
 from stayput.measures.results import device_results
-from stayput.mechanics.runner import shaking
+from stayput.mechanics.runner import shaking, trace
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.suites import Suite
@@ -19,7 +19,7 @@ from stayput.report.summary import slides_off
 from stayput.report.verdict.numbers import peak_slide, peak_tilt
 from stayput.report.verdict.words import word
 from stayput.report.window import MOVED, window_of
-from stayput.simulation.case import Case, trace_held
+from stayput.simulation.case import Case
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.run import run_of
@@ -251,7 +251,7 @@ def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motio
     held, elements = drawn_piece(verdict, option, member)
     row = case_columns(held.body, held.room, initial, scenario.gravity)
     row["scale"] = scale
-    traced, devices, forces = trace_held(row[0], elements, shaking(motion.x, motion.z, motion.dt, 0))
+    traced = trace(row[0], shaking(motion.x, motion.z, motion.dt, 0), elements)
     case = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
-    results = device_results(held, elements, devices, forces, held.body.mass)
+    results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
     return run_of(case, traced, held, results, most_events=2)  # the pictures need the last one
