@@ -7,7 +7,6 @@ import numba
 import pytest
 
 
-
 def panel_restitution(effective: float, panel: float, damping: float) -> float:
     """Return e_w, the part of its speed that a panel returns to a mass that hits it; see the theory page."""
     together = effective + panel
