@@ -327,16 +327,21 @@ def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> t
     return items
 
 
-def numbers(name: str | Phrase, values: Any, field: str | None = None) -> NDArray[np.float64]:
-    """Return numbers as a new array of floats, of any shape, or raise `InputError`; see `finite`."""
+def numbers(
+    name: str | Phrase, values: Any, field: str | None = None, count: int | None = None
+) -> NDArray[np.float64]:
+    """Return numbers as a new array of floats, of any shape or so many in a row, or raise `InputError`."""
     import numpy as np  # which takes its time to load
 
     try:
         if isinstance(values, str | bytes):
             raise TypeError
-        return np.array(values, np.float64)
+        found = np.array(values, np.float64)
     except (TypeError, ValueError, OverflowError):
         raise InputError("common.not_numbers", field, name=_called(name), value=repr(values)) from None
+    if count is not None and found.shape != (count,):
+        raise InputError("common.not_so_many", field, name=_called(name), value=repr(values), count=count)
+    return found
 
 
 def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:

@@ -40,6 +40,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must be numbers.",
         "{name}が{value}になっています。数値の並びを指定してください。",
     ),
+    "not_so_many": (
+        "{name} is {value}; it must be {count} numbers.",
+        "{name}が{value}になっています。{count}個の数値を指定してください。",
+    ),
     "wrong_type": (
         "{name} is {value}; it must be of type {wanted}.",
         "{name}が{value}になっています。{wanted}型の値を指定してください。",

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, finite, list_of, within
+from stayput.errors import InputError, finite, list_of, numbers, within
 from stayput.model.parameters import (
     GRAVITY,
     STANDARD_GRAVITY,
@@ -18,7 +18,7 @@ from stayput.model.parameters import (
 from stayput.wording import brief
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable
 
     from matplotlib.axes import Axes
 
@@ -162,7 +162,8 @@ class Body:
 
     def __post_init__(self) -> None:
         check_fields(self, but=("cg_offset", "inertia", "base_heights", "base_insets"))
-        _refuse_other_than_two("cg_offset", self.cg_offset)
+        for name in ("cg_offset", "base_heights", "base_insets"):
+            numbers(parameter_of(Body, name).label, getattr(self, name), name, count=2)
         label = parameter_of(Body, "cg_offset").label
         e_x, e_z = (finite(label, value, "cg_offset") for value in self.cg_offset)
         if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
@@ -174,11 +175,9 @@ class Body:
             largest = 4.0 * self.mass * (self.width**2 + self.height**2)
             bounds = (1e-6 * self.uniform_inertia, largest)
             parameter_of(Body, "inertia").check(self.inertia, bounds=bounds)
-        _refuse_other_than_two("base_heights", self.base_heights)
         bounds = (-self.width / 2, min(self.width, self.height) / 4)
         for value in self.base_heights:
             parameter_of(Body, "base_heights").check(value, bounds=bounds)
-        _refuse_other_than_two("base_insets", self.base_insets)
         for value in self.base_insets:
             parameter_of(Body, "base_insets").check(value, bounds=(0.0, MOST_INSET * self.width))
         (left, _), (right, _), _, _ = self.corners
@@ -389,12 +388,6 @@ def _check_size(width: float, height: float) -> None:
     """Refuse a section that is not possible before anything is computed from it; see `Body`."""
     for name, size in (("width", width), ("height", height)):
         parameter_of(Body, name).check(size)
-
-
-def _refuse_other_than_two(field: str, values: Sequence[float]) -> None:
-    """Refuse what is no list of two; see `Body`."""
-    if len(list_of(field, values)) != 2:
-        raise InputError(f"model.{field}_not_two", field, value=repr(values))
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, near_miss
+from stayput.errors import numbers as array_of
 from stayput.measures.measure import element_rows, hold
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.measures import Measure
     from stayput.simulation.flat_fields import NumberOrColumn
 
@@ -360,7 +362,8 @@ def _columns(
     """
     if name in OBJECT_PATHS or name in (MOTION, LAW):
         items = list(list_of(name, values))
-        _refuse_empty(name, len(items))
+        if not items:
+            raise InputError("simulation.no_values", name, path=name)
         if name == LAW:
             return {LAW: np.array([law_number(item) for item in items])}, items
         if name == MOTION:
@@ -376,22 +379,20 @@ def _columns(
         known = sorted({*base, *OBJECT_PATHS})
         hint = near_miss(name, known)
         raise InputError("simulation.unknown_path", name, path=name, hint=hint, known=", ".join(known))
-    try:
-        numbers = np.array(values, np.float64)
-    except (TypeError, ValueError):
-        raise InputError("simulation.values_not_numbers", name, path=name) from None
-    if numbers.ndim != 1:
-        raise InputError("simulation.values_not_a_list", name, path=name, dimensions=numbers.ndim)
-    _refuse_empty(name, len(numbers))
-    if not np.isfinite(numbers).all():
-        bad = numbers[~np.isfinite(numbers)][0]
-        raise InputError("simulation.value_not_finite", name, path=name, value=bad)
-    return {name: numbers}, numbers
+    listed = finite_numbers(repr(name), values, name)
+    return {name: listed}, listed
 
 
-def _refuse_empty(name: str, count: int) -> None:
-    if count == 0:
-        raise InputError("simulation.no_values", name, path=name)
+def finite_numbers(name: str | Phrase, values: Any, field: str, least: int = 1) -> NDArray[np.float64]:
+    """Return a list of so many finite numbers or more as an array, or raise `InputError`."""
+    listed = array_of(name, values, field)
+    called = (name, name) if isinstance(name, str) else name
+    if listed.ndim != 1 or len(listed) < least:
+        raise InputError("simulation.not_a_list", field, name=called, shape=listed.shape, least=least)
+    if not np.isfinite(listed).all():
+        bad = listed[~np.isfinite(listed)][0]
+        raise InputError("simulation.value_not_finite", field, name=called, value=bad)
+    return listed
 
 
 def _refuse_other(name: str, items: list[Any], kind: type | tuple[type, ...]) -> None:
