@@ -19,7 +19,7 @@ from rich.table import Table
 
 import mujoco_block as mb
 import workload as work
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.report.figures import FONT, new_figure, saved, style
 
 if TYPE_CHECKING:

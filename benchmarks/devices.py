@@ -14,8 +14,7 @@ import numpy as np
 
 import workload
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.runner import no_elements, run_cases_with_devices
-from stayput.mechanics.runner import run_cases, shaking
+from stayput.mechanics.runner import no_elements, run_cases, run_cases_with_devices, shaking
 
 if TYPE_CHECKING:
     from collections.abc import Callable

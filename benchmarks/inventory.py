@@ -104,7 +104,7 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     from stayput.inventory.tables import open_table
     from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings, draws, rows_of
-    from stayput.simulation.columns import run_rows
+    from stayput.simulation.many import run_rows
 
     cities = read_scenarios(scenario)
     city = cities.all[0]

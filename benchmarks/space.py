@@ -24,8 +24,8 @@ import workload as work
 from mujoco_block import middles
 from start import program_seconds
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
-from stayput.mechanics.devices.runner import no_elements
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.mechanics.runner import no_elements
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import State
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of, trace_case

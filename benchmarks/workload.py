@@ -13,7 +13,7 @@ import numpy as np
 import stayput as sp
 from stayput.execution import cores as cores
 from stayput.mechanics.runner import run_cases, shaking
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import State
 from stayput.simulation.flat_fields import case_columns
 

@@ -21,7 +21,7 @@ from stayput.measures.fixing import (
     TOPS,
     panel,
 )
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.report.film import film_of
 from stayput.report.frames import Painter
 

@@ -20,12 +20,12 @@ import suite_pages
 import validation_run
 
 import stayput as sp
-from stayput.model.furniture import FURNITURE, Preset
+from stayput.model.body import FURNITURE, Preset
 from stayput.model.parameters import parameters
 from stayput.motion import seismogram
 from stayput.motion.readers import READERS
 from stayput.scenario.messages import kinds
-from stayput.simulation.results import QUANTITIES
+from stayput.simulation.outcome import QUANTITIES
 from stayput.vocabulary import also_called
 
 ROOT = Path(__file__).parents[1]

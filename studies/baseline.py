@@ -17,10 +17,9 @@ import xarray as xr
 from stayput.estimates import kaneko_hayashi_velocity
 from stayput.fragility import JMA_INTENSITY, PFV, Trials, fragility_curve
 from stayput.measures import Held
-from stayput.model.body import Body
-from stayput.model.furniture import FURNITURE
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.body import FURNITURE, Body
 from stayput.model.panel import panel_restitution
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level, run_levels

@@ -17,16 +17,15 @@ import xarray as xr
 from stayput.estimates import SCATTER, kaneko_hayashi_branch, kaneko_hayashi_median
 from stayput.fragility import FragilityCurve, IntensityMeasure, Trials, fragility_curve
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
-from stayput.model.body import Body
-from stayput.model.furniture import FURNITURE
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.body import FURNITURE, Body
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
 from stayput.model.state import State
 from stayput.motion.suites import Suite, TargetSpectrum, synthetic_suite
 from stayput.report.figures import plain_log
 from stayput.report.palette import INK, MUTED
-from stayput.simulation.columns import run_columns
 from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.many import run_columns
 from studies.study import COLOURS, Quantity, Study, claim, panels, span
 
 if TYPE_CHECKING:

@@ -17,9 +17,8 @@ import pandas as pd
 import xarray as xr
 
 from stayput.measures import TensionPole, WedgeStopper
-from stayput.model.body import Body
-from stayput.model.furniture import FURNITURE
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.body import FURNITURE, Body
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level

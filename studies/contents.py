@@ -14,7 +14,7 @@ from stayput.contents import CONTENTS, Contents
 from stayput.contents.spill import spill
 from stayput.measures import LBracket
 from stayput.model.body import Body
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
 from stayput.motion import near_fault, sine
 from stayput.report.palette import INK, MUTED

@@ -20,7 +20,7 @@ from scipy.optimize import curve_fit  # pyright: ignore[reportUnknownVariableTyp
 from scipy.stats import t
 
 from stayput.model.body import Body
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.motion import sine
 from stayput.report.palette import INK

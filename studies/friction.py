@@ -13,7 +13,7 @@ import pandas as pd
 import xarray as xr
 
 from stayput.model.body import Body
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.motion import sine
 from stayput.report.palette import ALARM, INK

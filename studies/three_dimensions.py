@@ -17,7 +17,7 @@ import xarray as xr
 from stayput.fragility import difference, probability
 from stayput.measures import GelMats, LBracket, TensionPole
 from stayput.model.body import Body
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.model.solid import Solid
 from stayput.montecarlo.hazard import Hazard

@@ -19,7 +19,7 @@ import xarray as xr
 
 from stayput.measures import GelMats, TensionPole, WedgeStopper
 from stayput.model.body import Body
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.montecarlo.hazard import FloorMotions
 from stayput.montecarlo.runs import run_level

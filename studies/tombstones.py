@@ -18,7 +18,7 @@ import xarray as xr
 from stayput.fragility import JMA_INTENSITY
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import Body
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.model.solid import Solid
 from stayput.montecarlo.hazard import factors_to_level_zero
@@ -26,7 +26,7 @@ from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
 from stayput.report.palette import ALARM, INK, MUTED
 from stayput.simulation.case import simulate
-from stayput.simulation.columns import run_columns
+from stayput.simulation.many import run_columns
 from stayput.uncertainty import USUAL, Lognormal, Normal, random_bits, uniforms
 from studies.study import Quantity, Study, claim, panels
 

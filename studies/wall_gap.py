@@ -20,8 +20,7 @@ from stayput.model.room import Floor, Room, Wall
 from stayput.motion import sine
 from stayput.report.palette import ALARM, INK
 from stayput.simulation.case import Case
-from stayput.simulation.outcome import Outcome
-from stayput.simulation.results import OUTCOMES
+from stayput.simulation.outcome import OUTCOMES, Outcome
 from stayput.simulation.run import LAWS
 from stayput.simulation.sweep import sweep
 from studies.study import Quantity, Study, label_edges, panels, span
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.motion import Motion
-    from stayput.simulation.axes import Axes
+    from stayput.simulation.grid import Axes
 
 RATIO, MASS, DURATION = 0.339, 100.0, 30.0
 """Aspect ratio b/h [–], mass [kg] and analysis time [s] of Table 4.2."""

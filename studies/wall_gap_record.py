@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.motion import Motion
-    from stayput.simulation.axes import Axes as Columns
+    from stayput.simulation.grid import Axes as Columns
 
 Range = tuple[float, float]
 """First and last distance to the wall that turns a body over [m]."""

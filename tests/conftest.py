@@ -33,14 +33,13 @@ def load_solvers() -> None:
     import numpy as np
 
     from stayput import Body, Motion, Room, State, simulate
-    from stayput.mechanics.devices.runner import no_elements, trace_with_devices
-    from stayput.mechanics.runner import shaking, trace
+    from stayput.mechanics.runner import no_elements, shaking, trace
     from stayput.simulation.flat_fields import case_columns
 
     (case,) = case_columns(Body(0.4, 1.6, 100.0), Room(), State(), 9.81)
     motion = shaking(np.zeros(2), None, 0.01, 0)
     trace(case, motion)
-    trace_with_devices(case, no_elements(1), motion)
+    trace(case, motion, no_elements(1))
     simulate(Body(0.4, 1.6, 100.0, length=0.8), Room(), Motion(dt=0.01, x=np.zeros(2)), dimensions=3)
 
 

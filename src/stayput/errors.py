@@ -338,16 +338,21 @@ def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> t
     return items
 
 
-def numbers(name: str | Phrase, values: Any, field: str | None = None) -> NDArray[np.float64]:
-    """Return numbers as a new array of floats, of any shape, or raise `InputError`; see `finite`."""
+def numbers(
+    name: str | Phrase, values: Any, field: str | None = None, count: int | None = None
+) -> NDArray[np.float64]:
+    """Return numbers as a new array of floats, of any shape or so many in a row, or raise `InputError`."""
     import numpy as np  # which takes its time to load
 
     try:
         if isinstance(values, str | bytes):
             raise TypeError
-        return np.array(values, np.float64)
+        found = np.array(values, np.float64)
     except (TypeError, ValueError, OverflowError):
         raise not_allowed(name, repr(values), "common.numbers", field) from None
+    if count is not None and found.shape != (count,):
+        raise not_allowed(name, repr(values), phrase("common.so_many_numbers", count=count), field)
+    return found
 
 
 def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:

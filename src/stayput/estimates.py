@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from stayput.errors import InputError, finite, instance_of, within
 from stayput.model.body import Body
-from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
+from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 
 LOSS_MODEL_RATIO = 0.79
 """Median velocities of unanchored furniture in FEMA P-58's fragility library over Kaneko and Hayashi's.

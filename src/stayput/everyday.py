@@ -13,8 +13,7 @@ from dataclasses import dataclass
 
 from stayput.errors import instance_of
 from stayput.model.body import Body
-from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
-from stayput.model.parameters import check_fields, parameter
+from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY, check_fields, parameter
 from stayput.uncertainty import Confidence
 
 PULL, LOAD, ONE_DRAWER, ALL_DRAWERS = "pull", "load", "one_drawer", "all_drawers"

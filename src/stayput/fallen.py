@@ -19,7 +19,7 @@ from scipy.special import betaln, gammaln
 
 from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
 from stayput.model.body import Body
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Room
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_levels

@@ -316,7 +316,7 @@ USUAL: Mapping[str, Marginal] = MappingProxyType(
 
 Most are factors on the stated values, the restitution's on Housner's. A wall returns 0.2 to 0.4 of the speed
 where gypsum board on something heavy is crushed, and 0.35 to 0.6 where studs with their board swing along
-(`stayput.model.panel`). A floor leans by some 3 mm in a metre; feet and a plinth stand inside the outline by
+(see the theory page). A floor leans by some 3 mm in a metre; feet and a plinth stand inside the outline by
 a part of the depth. Landings push between the edge and a third of the way to it: rocking over a region of
 contact loses less than Housner's corner in tests (Kalliontzis, Sritharan and Schultz 2016), and so do bodies
 on springs (`stayput.model.soft_base`); materials lose more (ElGawady).

@@ -10,7 +10,7 @@ from serving import client_of
 
 from stayput.building import STRUCTURES
 from stayput.measures import MEASURES
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 
 if TYPE_CHECKING:

@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 
 from stayput import Body, Ceiling, Floor, Motion, Room, State, Wall
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.runner import no_elements
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.mechanics.runner import no_elements
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import standing_corners
 from stayput.simulation.flat_fields import case_columns
 

@@ -28,8 +28,7 @@ from strategies import (
 
 from stayput import Motion
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.runner import run_cases_with_devices, trace_with_devices
-from stayput.mechanics.runner import shaking
+from stayput.mechanics.runner import run_cases_with_devices, shaking, trace
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -110,12 +109,10 @@ def check_same_bits(
     again, devices_again = run([cases[n] for n in order], elements[order], motion)
     assert again.tobytes() == results[order].tobytes()
     assert devices_again.tobytes() == devices[order].tobytes()
-    found = trace_with_devices(
-        cases[0].columns()[0], elements[0], shaking(motion.x, up(motion), motion.dt, 0)
-    )
-    assert found.run.outcome == results["outcome"][0]
-    if found.run.outcome != FAILED:
-        assert found.run.peak_tilt == results["peak_tilt"][0]
+    found = trace(cases[0].columns()[0], shaking(motion.x, up(motion), motion.dt, 0), elements[0])
+    assert found.result["outcome"] == results["outcome"][0]
+    if found.result["outcome"] != FAILED:
+        assert found.result["peak_tilt"] == results["peak_tilt"][0]
         assert found.devices.tobytes() == devices[0].tobytes()
 
 
@@ -146,8 +143,8 @@ def check_energy_never_grows(case: Standing, elements: NDArray[np.void]) -> None
     elements["damping"] = 0.0
     n, dt = 200, 0.01
     still = shaking(np.zeros(n), None, dt, 0)
-    found = trace_with_devices(case.columns()[0], elements, still, tolerance=1e-9)
-    h = found.run.history
+    found = trace(case.columns()[0], still, elements, error=1e-9)
+    h = found.history
     # G's rates, by central differences of its places, are too coarse where it hits; so at rest alone
     omega, inertia = h[:, 3], case.columns()["inertia"][0]
     potential = STANDARD_GRAVITY * h[:, 1] + stored(elements, found.forces)

@@ -24,7 +24,7 @@ from strategies import (
 
 from stayput import Floor, Motion, Room, State, Wall
 from stayput.mechanics.runner import run_cases, shaking
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -30,7 +30,7 @@ from strategies import (
 
 from stayput import Floor, Motion, Room, State, simulate
 from stayput.mechanics.runner import run_cases, shaking
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import standing_corners
 from stayput.simulation.outcome import Outcome
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import stayput as sp
 from stayput.errors import has_control
 from stayput.measures import MEASURES
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 
 names = st.text(st.characters(codec="utf-8"), min_size=1, max_size=200).filter(

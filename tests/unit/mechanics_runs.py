@@ -6,8 +6,7 @@ import numpy as np
 
 import stayput as sp
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.runner import no_elements
-from stayput.mechanics.runner import Shaking, Traced, shaking, trace
+from stayput.mechanics.runner import Shaking, Traced, no_elements, shaking, trace
 from stayput.simulation.flat_fields import case_columns
 
 G = 9.81
@@ -33,7 +32,7 @@ def traced(motion: Shaking, body: sp.Body = BLOCK, room: sp.Room = STICKING, **s
 
 def kinds(run: Traced) -> list[sp.EventKind]:
     """Return the kinds of the events in their order."""
-    return [list(sp.EventKind)[event.kind] for event in run.events]
+    return [list(sp.EventKind)[int(kind)] for kind in run.events.kind]
 
 
 def modes(run: Traced) -> list[sp.Mode]:

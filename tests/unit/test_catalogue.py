@@ -14,7 +14,7 @@ from stayput.catalogue import TEXTS, names, phrase, say
 from stayput.contents import CONTENTS
 from stayput.contents.contents import DOORS, DRAWERS
 from stayput.errors import InputError, InputWarning, within
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 
 SOURCES = sorted(Path(stayput.__file__).parent.rglob("*.py"))

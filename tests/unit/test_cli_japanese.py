@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 import stayput.progress as progress
 from stayput.cli import app
 from stayput.cli.messages import of_locale
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 
 if TYPE_CHECKING:
     from pathlib import Path

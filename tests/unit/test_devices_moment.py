@@ -11,8 +11,8 @@ from stayput.mechanics import columns as col
 from stayput.mechanics import geometry
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.devices import moment
-from stayput.mechanics.devices.active_elements import line_force
-from stayput.mechanics.devices.rocking_step import set_about_fulcrum
+from stayput.mechanics.devices.lines import line_force
+from stayput.mechanics.devices.step import set_about_fulcrum
 
 
 @njit

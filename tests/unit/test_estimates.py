@@ -15,7 +15,7 @@ from stayput.estimates import (
     kaneko_hayashi_median,
     rocking_acceleration,
 )
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 
 SIZES = [(0.3, 1.8), (0.4, 1.8), (0.6, 1.9), (0.68, 1.82), (1.0, 2.0)]
 

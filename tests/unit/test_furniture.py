@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.model.body import Body
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE, Body
 
 
 @pytest.mark.parametrize(

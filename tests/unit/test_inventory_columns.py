@@ -17,7 +17,7 @@ from stayput.inventory.header import header_of
 from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import ROWS_LOOKED_AT
 from stayput.inventory.words import narrow_told
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.vocabulary import WORDS
 

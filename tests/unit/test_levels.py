@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 import stayput as sp
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT, ROCKED
 from stayput.mechanics.devices.columns import DEVICE
-from stayput.mechanics.devices.runner import no_elements
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.mechanics.runner import no_elements
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import State
 from stayput.montecarlo import runs as module
 from stayput.montecarlo.hazard import FloorMotions

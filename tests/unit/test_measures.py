@@ -30,7 +30,7 @@ from stayput.measures import (
 )
 from stayput.measures.element import at_rest
 from stayput.mechanics.devices.columns import NORMAL, TANGENT
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.state import standing_corners, wall_faces
 
 ROOM = sp.Room(left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))

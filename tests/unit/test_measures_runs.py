@@ -20,9 +20,9 @@ from stayput.measures import (
 from stayput.measures.element import failures_of
 from stayput.report.scene import scene_of
 from stayput.report.summary import rows, summary
-from stayput.simulation.columns import run_columns
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.results import QUANTITIES
+from stayput.simulation.many import run_columns
+from stayput.simulation.outcome import QUANTITIES
 
 ROOM = sp.Room(left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
 BOOKCASE = sp.Body(0.3, 1.8, 200.0)

@@ -1,6 +1,4 @@
-"""Impacts: one landing by impulse and momentum, restitution, and energy."""
-
-import math
+"""Impacts: one landing by impulse and momentum, restitution, energy, and the fast path of a landing."""
 
 import numpy as np
 import pytest
@@ -9,6 +7,7 @@ from numba import njit
 import stayput as sp
 from stayput.mechanics import columns as col
 from stayput.mechanics import geometry, impact, modes
+from stayput.mechanics.records import Scratch
 from stayput.simulation.flat_fields import case_columns
 
 BODY = sp.Body(0.4, 1.6, 100.0)
@@ -68,12 +67,6 @@ def test_a_bounce_has_newtons_restitution_and_never_more_energy(restitution):
     assert rebound == pytest.approx(restitution * 0.4, rel=1e-9)
 
 
-def test_a_contact_that_opens_takes_no_impulse():
-    closing, rate, before, after, _ = landed(case_on(sp.Floor(0.6, 0.6)), *tables(), -1.0)
-    assert (closing, rate) == (0, -1.0)
-    assert math.isclose(before, after)
-
-
 def test_an_impact_without_collision_stops_the_slip():
     (contacts, _, states) = tables()
     assert stopped(case_on(sp.Floor(3.0, 3.0)), contacts, states, 0.2) == pytest.approx(0.0, abs=1e-15)
@@ -108,3 +101,42 @@ def test_no_impact_creates_energy():
         case = case_columns(body, room, sp.State(), 9.81)[0]
         velocity, closed = tuple(rng.normal(size=3)), int(rng.integers(1, 256))
         assert struck(case, *tables(), 0, closed, rng.uniform(-1.2, 1.2), velocity) <= 1.0 + 1e-9
+
+
+@njit
+def both_ways(case, contacts, rows, states, rate):
+    """Rates after a landing on B by the fast path and by the general case, and whether it applied."""
+    s = states[0]
+    geometry.set_up(case, contacts, s)
+    s.alpha = 0.0
+    s.kind, s.i, s.j, s.closed, s.hit, s.omega = col.ROCK, 0, -1, 1, 2, rate
+    geometry.set_pivot_velocity(contacts[0], s)
+    before = s.vx, s.vz, s.omega
+    applied = impact.pivot_on_landing(contacts, 3, case, s, 0.0, case.gravity)
+    fast = s.vx, s.vz, s.omega, s.kind, s.i
+    s.vx, s.vz, s.omega = before
+    s.kind, s.i, s.closed = col.ROCK, 0, 1
+    impact.land(rows, contacts, 1, 2, case, s)
+    load = 0.0, 0.0, case.gravity, 0.0
+    modes.choose_mode(Scratch(contacts, rows), 3, s.settle_rate, case, s, None, load, 0.0)
+    return applied, fast, (s.vx, s.vz, s.omega, s.kind, s.i)
+
+
+def landing(floor, rate):
+    return both_ways(case_on(floor), *tables(), rate)
+
+
+@pytest.mark.parametrize("restitution", [1.0, 0.6])
+def test_a_plain_landing_is_that_of_the_general_case(restitution):
+    applied, fast, general = landing(sp.Floor(0.6, 0.6, restitution=restitution), 1.0)
+    assert applied
+    assert fast == pytest.approx(general, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "floor", [sp.Floor(0.05, 0.05), sp.Floor(0.6, 0.6, normal_restitution=0.5)], ids=["slips", "bounces"]
+)
+def test_a_landing_that_slips_or_bounces_is_left_to_the_general_case(floor):
+    applied, fast, _ = landing(floor, 1.0)
+    assert not applied
+    assert fast[2:] == (1.0, col.ROCK, 0)  # the state is as it was

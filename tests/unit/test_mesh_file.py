@@ -11,8 +11,8 @@ import pytest
 
 from stayput import Solid
 from stayput.errors import InputError
-from stayput.model.mesh_file import UNITS
 from stayput.model.polyhedron import triangulated
+from stayput.model.solid_fields import UNITS
 
 trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed")
 
@@ -238,7 +238,7 @@ def test_a_file_that_cannot_be_opened_is_refused(tmp_path):
 
 def test_a_file_of_too_many_bytes_is_refused(tmp_path, monkeypatch):
     file = write_stl(tmp_path / "box.stl", BOX, TRIANGLES)
-    monkeypatch.setattr("stayput.model.mesh_file.MOST_BYTES", 1000)
+    monkeypatch.setattr("stayput.model.solid_fields.MOST_BYTES", 1000)
     with pytest.raises(InputError, match="at most 1000 are read"):
         Solid.from_mesh(file, unit="m", mass=10.0)
 

@@ -19,8 +19,7 @@ from stayput.building.building import Structure
 from stayput.contents import ContentsKind
 from stayput.errors import InputError
 from stayput.mechanics.columns import CASE
-from stayput.model.body import Part
-from stayput.model.furniture import FURNITURE, Preset
+from stayput.model.body import FURNITURE, Part, Preset
 from stayput.model.parameters import Parameter, check_fields, parameter_of, parameters
 from stayput.model.room import Floor
 from stayput.model.state import State

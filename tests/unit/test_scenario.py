@@ -9,7 +9,7 @@ import pytest
 
 import stayput as sp
 from stayput.errors import InputError
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.scenario import Scenario, read_scenario
 from stayput.scenario.messages import kinds
 

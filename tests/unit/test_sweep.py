@@ -17,7 +17,7 @@ import stayput as sp
 from stayput.model.parameters import parameters
 from stayput.simulation.grid import Grid
 from stayput.simulation.many import run_grid
-from stayput.simulation.results import OUTCOMES, QUANTITIES
+from stayput.simulation.outcome import OUTCOMES, QUANTITIES
 from waiting import PATIENCE
 
 WALLED = sp.Room(sp.Floor(0.4, 0.3), right_wall=sp.Wall(0.1))
@@ -180,9 +180,9 @@ def test_histories_are_those_of_single_runs_and_nan_after_the_end():
     ("axes", "words"),
     [
         ({"body.widht": [0.3]}, "did you mean 'body.width'"),
-        ({"body.width": []}, "has no values"),
-        ({"body.width": ["wide"]}, "must be a list of numbers"),
-        ({"body.width": [[0.3, 0.4]]}, "2 dimensions"),
+        ({"body.width": []}, "a list of 1 or more"),
+        ({"body.width": ["wide"]}, "must be numbers"),
+        ({"body.width": [[0.3, 0.4]]}, r"has the shape \(1, 2\)"),
         ({"body.width": [0.3, np.nan]}, "must be finite"),
         ({"body.width": [0.3, -0.4]}, "Case 1 of 2: Body width is -0.4 m"),
         ({"room.floor.kinetic_friction": [0.2, 0.41]}, "Case 1 of 2: Floor kinetic friction is 0.41"),
@@ -197,6 +197,7 @@ def test_histories_are_those_of_single_runs_and_nan_after_the_end():
         ({("body.width",): ([0.3],), "body.width": [0.4]}, "is on two axes"),
         ({"body": [sp.Body(1, 1, 100.0)], "body.width": [0.4]}, "is on two axes"),
         ({("body.width", "body.width"): ([0.3], [0.4])}, "twice"),
+        ({"motion": []}, "has no values"),
         ({"motion": [3]}, "of type Motion"),
         ({"room.right_wall": ["brick"]}, "of type Wall"),
         ({"contact": ["glue"]}, "'glue'"),
@@ -235,7 +236,7 @@ def test_the_work_in_hand_does_not_grow_with_the_number_of_cases(monkeypatch):
         return block(grid, start, stop)
 
     axes = {"body.width": np.linspace(0.2, 0.6, 100), "motion.scale": np.linspace(0.01, 0.02, 100)}
-    from stayput.simulation.axes import make_grid
+    from stayput.simulation.grid import make_grid
 
     grid = make_grid(CASE, axes)
     monkeypatch.setattr(Grid, "block", counted)

@@ -19,7 +19,7 @@ from stayput.catalogue import names, phrase, runs, say
 from stayput.catalogue.report import TEXTS
 from stayput.fragility import INTENSITY_MEASURES, Trials, fragility_curve, probability
 from stayput.measures import MEASURES, Belt
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.report.names import given_name
 from stayput.report.verdict import numbers

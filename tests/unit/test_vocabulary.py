@@ -11,7 +11,7 @@ from stayput.catalogue import names
 from stayput.cli import app
 from stayput.contents import CONTENTS, Contents
 from stayput.inventory.scenarios import stated_building
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.vocabulary import OTHER_NAMES, TATAMI, WORDS, meant, plain_word
 

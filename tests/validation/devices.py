@@ -10,8 +10,7 @@ from setups import G
 
 import stayput as sp
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.runner import TracedDevices, no_elements, trace_with_devices
-from stayput.mechanics.runner import Traced, shaking, trace
+from stayput.mechanics.runner import Traced, no_elements, shaking, trace
 from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
@@ -62,12 +61,12 @@ def held(
     tolerance: float = 1e-10,
     max_step: float = math.inf,
     **state: float,
-) -> TracedDevices:
+) -> Traced:
     """Run a body with elements, with the gravity of the reference numbers."""
     case = case_columns(body, place, sp.State(**state), G)[0]
     rows = np.concatenate(elements) if elements else no_elements(1)
     floor = shaking(motion.x, motion.z, motion.dt, 0)
-    return trace_with_devices(case, rows, floor, tolerance=tolerance, max_step=max_step)
+    return trace(case, floor, rows, error=tolerance, max_step=max_step)
 
 
 def bare(body: sp.Body, place: sp.Room, motion: sp.Motion, **state: float) -> Traced:

@@ -15,7 +15,7 @@ from scipy.optimize import linprog
 
 import stayput as sp
 from stayput.model.floor_plan import rectangle
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.rooms.contact import (
     ENTERS_BY,
     RoomContact,

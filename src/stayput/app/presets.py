@@ -43,9 +43,9 @@ from stayput.catalogue.names import (
 from stayput.errors import InputError
 from stayput.everyday import PRESET_DRAWERS, Everyday
 from stayput.measures import MEASURES, hold, parameters
+from stayput.model.body import FURNITURE as PIECES
 from stayput.model.body import Body, Part
 from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
-from stayput.model.furniture import FURNITURE as PIECES
 from stayput.model.parameters import parameter_of
 from stayput.model.parameters import parameters as parameters_of
 from stayput.model.room import SURFACES as FRICTIONS
@@ -68,7 +68,7 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.catalogue import Phrase
     from stayput.measures import Measure, Parameter
-    from stayput.model.furniture import Preset
+    from stayput.model.body import Preset
 
 SHELVES = 5
 """Shelves that a bookcase is drawn with."""

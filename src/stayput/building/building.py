@@ -20,8 +20,7 @@ from stayput.building.modes import (
     weight_above,
 )
 from stayput.errors import InputError, instance_of
-from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.model.parameters import STANDARD_GRAVITY, check_fields, parameter, quantity
 from stayput.vocabulary import preset_meant
 from stayput.wording import brief
 

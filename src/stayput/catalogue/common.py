@@ -38,6 +38,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "number": ("a number", "数値"),
     "numbers": ("numbers", "数値の並び"),
+    "so_many_numbers": ("{count} numbers", "{count}個の数値"),
     "finite_number": ("a finite number", "有限の数値"),
     "whole_number": ("a whole number", "整数"),
     "list": ("a list", "リスト"),

@@ -2,17 +2,10 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Parts of the labels of fields, and what other numbers are called
-    "effective_mass": ("Effective mass", "有効質量"),
-    "panel_mass": ("Mass of the panel", "壁の質量"),
-    "panel_damping": ("Damping ratio of the panel", "壁の減衰定数"),
     "load_width": ("load_width", "棚の荷物の奥行き（load_width）"),
     "static_friction": ("{surface} static friction", "{surface}の静止摩擦係数"),
     "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),
     # Bodies
-    "cg_offset_not_two": (
-        "Body cg_offset is {value}; it must be two numbers (e_x, e_z) [m].",
-        "重心のずれ（cg_offset）が{value}になっています。2つの数値 (e_x, e_z) [m] を指定してください。",
-    ),
     "cg_outside": (
         (
             "Body cg_offset is ({x:g}, {z:g}) m; the centre of gravity must lie inside the section, "
@@ -23,10 +16,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "横は{half_width:g} m未満、縦は{half_height:g} m未満にしてください。"
         ),
     ),
-    "base_insets_not_two": (
-        "Body base_insets is {value}; it must be two numbers (left, right) [m].",
-        "底の角の内側への距離（base_insets）が{value}になっています。2つの数値（左、右）[m] を指定してください。",
-    ),
     "cg_beside_base": (
         (
             "With base_insets {insets} the base of the body of {width:g} m does not carry its centre of gravity, "
@@ -36,10 +25,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "base_insets が{insets}のとき、幅{width:g} mの家具の底面は中央から{x:g} m右の重心を支えられません。"
             "より小さい値を指定してください。"
         ),
-    ),
-    "base_heights_not_two": (
-        "Body base_heights is {value}; it must be two numbers (left, right) [m].",
-        "底の角の高さ（base_heights）が{value}になっています。2つの数値（左、右）[m] を指定してください。",
     ),
     "no_mass": (
         "The parts' total mass is {mass:g} kg; it must be more than 0 kg.",

@@ -7,15 +7,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "tilt": ("Tilt", "傾き"),
     "velocity": ("Velocity", "速度"),
     "rotation_rate": ("Rotation rate", "回転速度"),
-    "not_three": (
-        "{name} has {count} numbers; it must have three, along x, y and z.",
-        "{name}の値は{count}個です。x、y、zの3つが必要です。",
-    ),
     "friction": ("Friction between bodies", "物体間の摩擦係数"),
-    "not_two": (
-        "Friction between bodies has {count} numbers; it must have two, static and kinetic.",
-        "物体間の摩擦係数は{count}個です。静止と動の2つが必要です。",
-    ),
     "kinetic_above_static": (
         "Kinetic friction between bodies is {kinetic:g}; it must not be above the static one, {static:g}.",
         "物体間の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
@@ -92,17 +84,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r} is no path of a case{hint}; it must be one of {known}.",
         "{path!r}というパスはありません{hint}。次から選んでください：{known}",
     ),
-    "values_not_numbers": (
-        "The values of {path!r} are not numbers; they must be a list of numbers.",
-        "{path!r}の値が数値ではありません。数値のリストを指定してください。",
-    ),
-    "values_not_a_list": (
-        "The values of {path!r} have {dimensions} dimensions; they must be a list.",
-        "{path!r}の値が{dimensions}次元になっています。1次元のリストを指定してください。",
+    "not_a_list": (
+        "{name} has the shape {shape}; it must be a list of {least} or more finite numbers.",
+        "{name}の配列の形が{shape}になっています。{least}個以上の有限の数値のリストを指定してください。",
     ),
     "value_not_finite": (
-        "{path!r} has the value {value}; its values must be finite numbers.",
-        "{path!r}の値に{value}が含まれています。有限の数値を指定してください。",
+        "{name} has the value {value}; its values must be finite numbers.",
+        "{name}の値に{value}が含まれています。有限の数値を指定してください。",
     ),
     "no_values": (
         "{path!r} has no values; it must have at least one.",
@@ -150,25 +138,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "時刻歴の数値が全部で{numbers:,}個になります。{most:,}個以下にしてください。",
     ),
     # Amplitudes of maps and boundaries
+    "amplitudes": ("The list of amplitudes", "振幅のリスト"),
+    "amplitudes_not_increasing": (
+        "The amplitude {value:g} comes after {before:g}; amplitudes must increase, from 0 or more.",
+        "振幅が{before:g}の次に{value:g}になっています。0以上の値を小さい順に指定してください。",
+    ),
     "scale_on_axis": (
         "{path!r} is among the axes; it must be given by the amplitudes only.",
         "{path!r}が軸に含まれています。振幅だけで指定してください。",
-    ),
-    "amplitudes_not_numbers": (
-        "The amplitudes are not numbers; they must be a list of numbers.",
-        "振幅が数値ではありません。数値のリストを指定してください。",
-    ),
-    "amplitudes_shape": (
-        "The amplitudes' shape is {shape}; they must be a list of two or more.",
-        "振幅の配列の形が{shape}になっています。2つ以上の値のリストを指定してください。",
-    ),
-    "amplitude_not_possible": (
-        "An amplitude is {value:g}; it must be a finite number, not negative.",
-        "振幅に{value:g}が含まれています。0以上の有限の数値を指定してください。",
-    ),
-    "amplitudes_not_increasing": (
-        "The amplitude {value:g} comes after {before:g}; amplitudes must increase.",
-        "振幅が{before:g}の次に{value:g}になっています。小さい順に指定してください。",
     ),
     "unknown_edge": (
         "Edge is {edge}; it must be one of {known}.",

@@ -27,9 +27,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.mechanics import columns as col
-from stayput.mechanics.runner import shaking
+from stayput.mechanics.runner import shaking, trace
 from stayput.motion.processing import refine
-from stayput.simulation.case import trace_held
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -113,7 +112,7 @@ class Carrier:
         parts = math.ceil(floor.dt / STEP * (1.0 - 1e-9))
         dt = floor.dt / parts
         along, up = refine(floor.ax, parts), refine(floor.az, parts)
-        traced, _, _ = trace_held(case, elements, shaking(along, up, dt, col.COULOMB))
+        traced = trace(case, shaking(along, up, dt, col.COULOMB), elements)
         history = traced.history
         (u_a, u_b, _, _), (v_a, v_b, v_top, _) = case["u"].tolist(), case["v"].tolist()
         reached, scale = len(history), float(case["scale"])
@@ -126,8 +125,8 @@ class Carrier:
             z=history[:, col.H_Z],
             tilt=history[:, col.H_TILT] + math.atan2(v_b - v_a, u_b - u_a),
             centre=(-0.5 * (u_a + u_b), height - v_top),
-            overturned=traced.outcome == col.OVERTURNED_OUTCOME,
-            failed=traced.outcome == col.FAILED_OUTCOME,
+            overturned=bool(traced.result["outcome"] == col.OVERTURNED_OUTCOME),
+            failed=bool(traced.result["outcome"] == col.FAILED_OUTCOME),
         )
 
     @cached_property

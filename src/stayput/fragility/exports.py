@@ -28,7 +28,7 @@ from stayput.errors import InputError, list_of
 from stayput.files import check_target, draft
 from stayput.fragility.curve import CurveState, FragilityCurve
 from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, near_miss, numbers, within
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

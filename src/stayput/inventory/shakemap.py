@@ -13,7 +13,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, within
 from stayput.fragility import JMA_INTENSITY, PGA, PGV, spectral_acceleration
 from stayput.fragility.intensity_measures import PERIODS
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.ground_shaking import MERCALLI_SCATTER
 from stayput.motion.intensity import mercalli_rise, pgv_of_mercalli
 from stayput.motion.spectrum import DAMPING

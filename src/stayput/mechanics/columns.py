@@ -4,48 +4,39 @@ from __future__ import annotations
 
 import numpy as np
 
+
+def floats(*names: str) -> list[tuple[str, str]]:
+    """Return the fields of a record that are numbers."""
+    return [(name, "f8") for name in names]
+
+
+def integers(*names: str) -> list[tuple[str, str]]:
+    """Return the fields of a record that are whole numbers."""
+    return [(name, "i8") for name in names]
+
+
 CASE = np.dtype(
     [
         ("inertia", "f8"),  # I = J_G/m [m²]
         ("u", "f8", (4,)),  # corners A, B, C, D relative to G, + right [m]
         ("v", "f8", (4,)),  # the same, + up [m]
-        ("gravity", "f8"),  # g [m/s²]
-        ("scale", "f8"),  # factor on the motion, all components
-        ("static_friction", "f8"),  # μ, flat base
-        ("kinetic_friction", "f8"),  # μ', flat base
-        ("edge_static_friction", "f8"),
-        ("edge_kinetic_friction", "f8"),
-        ("left_edge_static_friction", "f8"),  # of the corner A alone, tipped or flat; NaN: as above
-        ("left_edge_kinetic_friction", "f8"),
-        ("right_edge_static_friction", "f8"),  # of B
-        ("right_edge_kinetic_friction", "f8"),
-        ("restitution", "f8"),  # e, factor on the rate at a change of fulcrum
-        ("normal_restitution", "f8"),  # e_n of a landing corner
-        ("right_distance", "f8"),  # [m], inf where there is no wall
-        ("right_restitution", "f8"),
-        ("right_friction", "f8"),
-        ("left_distance", "f8"),
-        ("left_restitution", "f8"),
-        ("left_friction", "f8"),
-        ("ceiling_distance", "f8"),  # height above the floor
-        ("ceiling_restitution", "f8"),
-        ("ceiling_friction", "f8"),
-        ("tilt", "f8"),  # initial state [rad, rad/s, m, m/s]
-        ("tilt_rate", "f8"),
-        ("slide", "f8"),
-        ("slide_rate", "f8"),
-        # read in space alone
-        ("length", "f8"),  # across the section [m], NaN where the body has none
-        ("half_base", "f8"),  # half of what the feet span of it [m]
-        ("roll_inertia", "f8"),  # about the horizontal in the section and the vertical, over m [m²]
-        ("yaw_inertia", "f8"),
-        ("landing_place", "f8"),
-        ("near_side_distance", "f8"),  # across the section, to −y [m]
-        ("near_side_restitution", "f8"),
-        ("near_side_friction", "f8"),
-        ("far_side_distance", "f8"),  # to +y
-        ("far_side_restitution", "f8"),
-        ("far_side_friction", "f8"),
+        *floats("gravity", "scale"),  # g [m/s²], factor on the motion, all components
+        *floats("static_friction", "kinetic_friction"),  # μ and μ', flat base
+        *floats("edge_static_friction", "edge_kinetic_friction"),
+        # of the corners A and B alone, tipped or flat; NaN: as above
+        *floats("left_edge_static_friction", "left_edge_kinetic_friction"),
+        *floats("right_edge_static_friction", "right_edge_kinetic_friction"),
+        *floats("restitution", "normal_restitution"),  # e, factor on the rate at a change of fulcrum; e_n
+        # distances of walls, inf where there is none, and the height of the ceiling above the floor [m]
+        *floats("right_distance", "right_restitution", "right_friction"),
+        *floats("left_distance", "left_restitution", "left_friction"),
+        *floats("ceiling_distance", "ceiling_restitution", "ceiling_friction"),
+        *floats("tilt", "tilt_rate", "slide", "slide_rate"),  # initial state [rad, rad/s, m, m/s]
+        # read in space alone: across the section [m], NaN where the body has none; half of what the feet span
+        # of it; moments about the horizontal in the section and the vertical, over m [m²]; walls to −y and +y
+        *floats("length", "half_base", "roll_inertia", "yaw_inertia", "landing_place"),
+        *floats("near_side_distance", "near_side_restitution", "near_side_friction"),
+        *floats("far_side_distance", "far_side_restitution", "far_side_friction"),
     ],
     align=True,
 )
@@ -53,39 +44,22 @@ CASE = np.dtype(
 
 STATE = np.dtype(
     [
-        ("x", "f8"),  # G, right of where the middle of the base stood [m]
-        ("z", "f8"),  # G above the floor [m]
-        ("theta", "f8"),  # from the upright body's position, unlike the tilts that are reported [rad]
-        ("sin", "f8"),  # of θ
-        ("cos", "f8"),
-        ("vx", "f8"),
-        ("vz", "f8"),
-        ("omega", "f8"),
+        *floats("x", "z"),  # G, right of where the middle of the base stood, above the floor [m]
+        *floats("theta", "sin", "cos"),  # from the upright body's position, unlike reported tilts [rad]
+        *floats("vx", "vz", "omega"),
         ("alpha", "f8"),  # θ̈ just before the last event, for the look-ahead when a mode is chosen
         ("tau", "f8"),  # time since the sample k [s]
         ("k", "i8"),
-        ("kind", "i8"),  # the mode: one of the constants below, with its contacts and slip directions
-        ("i", "i8"),
-        ("j", "i8"),
-        ("d", "i8"),
-        ("dj", "i8"),
-        ("closed", "i8"),  # bits of the closed contacts
-        ("present", "i8"),  # bits of the contacts that exist in this room
-        ("low", "f8"),  # a body at rest stays there while the load (ẍ_G, G) lies between two rays:
-        ("low_up", "f8"),  # (low, low_up) and (high, high_up)
-        ("high", "f8"),
-        ("high_up", "f8"),
+        *integers("kind", "i", "j", "d", "dj"),  # the mode, with its contacts and slip directions
+        *integers("closed", "present"),  # bits of the closed contacts, and of those that exist in this room
+        # a body at rest stays there while the load (ẍ_G, G) lies between two rays
+        *floats("low", "low_up", "high", "high_up"),
         ("rest", "f8"),  # tilt with both base corners on the floor [rad]
-        ("foot_a", "f8"),  # x of corner A at rest with slide 0 [m]
-        ("foot_b", "f8"),
+        *floats("foot_a", "foot_b"),  # x of the corners A and B at rest with slide 0 [m]
         ("settle_rate", "f8"),  # a contact that opens no faster than this after an impact stays closed [m/s]
         ("hit", "i8"),  # bits of the contacts that closed in the last event
-        ("peak_tilt", "f8"),
-        ("peak_slide", "f8"),
-        ("floor_impacts", "i8"),
-        ("wall_impacts", "i8"),
-        ("events", "i8"),
-        ("steps", "i8"),
+        *floats("peak_tilt", "peak_slide"),
+        *integers("floor_impacts", "wall_impacts", "events", "steps"),
         ("moved", "i8"),  # bits: 1 slid, 2 rocked, 4 flew
     ],
     align=True,
@@ -101,14 +75,9 @@ CONTACTS = 8
 
 CONTACT = np.dtype(
     [
-        ("sigma", "f8"),  # r sin β and r cos β: the corner from G in the plane's axes, at θ = 0 [m]
-        ("kappa", "f8"),
-        ("offset", "f8"),  # of the plane, along its normal [m]
-        ("cos", "f8"),  # direction of the plane
-        ("sin", "f8"),
-        ("mu_static", "f8"),
-        ("mu_kinetic", "f8"),
-        ("restitution", "f8"),
+        *floats("sigma", "kappa"),  # r sin β and r cos β: the corner from G in the plane's axes, at θ = 0 [m]
+        *floats("offset", "cos", "sin"),  # of the plane, along its normal [m], and its direction
+        *floats("mu_static", "mu_kinetic", "restitution"),
         ("level", "f8"),  # gap [m], or rate of slip [m/s], at which the present step ends
     ],
     align=True,
@@ -117,20 +86,11 @@ CONTACT = np.dtype(
 
 ROW = np.dtype(
     [
-        ("nx", "f8"),  # unit normal, and its lever arm about G [m]
-        ("nz", "f8"),
-        ("nl", "f8"),
-        ("tx", "f8"),  # unit tangent, and its lever arm [m]
-        ("tz", "f8"),
-        ("tl", "f8"),
-        ("bias_n", "f8"),  # normal and tangential rates without contact forces
-        ("bias_t", "f8"),
+        *floats("nx", "nz", "nl", "tx", "tz", "tl"),  # unit normal and tangent, each with its lever arm [m]
+        *floats("bias_n", "bias_t"),  # normal and tangential rates without contact forces
         ("target", "f8"),  # normal rate that a pressing contact must have
-        ("mu_stick", "f8"),  # static and kinetic coefficients while this corner alone is in contact
-        ("mu_slip", "f8"),
-        ("flat_stick", "f8"),  # the same while the plane's other corner is closed too
-        ("flat_slip_right", "f8"),
-        ("flat_slip_left", "f8"),
+        *floats("mu_stick", "mu_slip"),  # static and kinetic coefficients of this corner alone in contact
+        *floats("flat_stick", "flat_slip_right", "flat_slip_left"),  # with the other corner of the plane
         ("slipping", "f8"),  # direction of slip, 0 where there is none
         ("index", "i8"),  # which contact
     ],
@@ -155,7 +115,8 @@ REST_MODE, SLIDE_MODE, ROCK_MODE, SLIDE_ROCK_MODE, FLIGHT_MODE, LEAN_MODE, OVERT
 
 # columns of the event list, and event kinds in the order of `stayput.simulation.run.EventKind`
 E_TIME, E_KIND, E_MODE, E_TILT, E_TILT_RATE, E_SLIDE, E_SLIDE_RATE = range(7)
-EVENT = 7
+EVENT_FIELDS = ("time", "kind", "mode", "tilt", "tilt_rate", "slide", "slide_rate")
+EVENT = len(EVENT_FIELDS)
 (
     SLIP_EVENT,
     STICK_EVENT,
@@ -187,14 +148,9 @@ RESULT = np.dtype(
     [
         ("outcome", "i8"),
         ("end", "f8"),  # s
-        ("peak_slide", "f8"),  # m
-        ("residual_slide", "f8"),
-        ("peak_tilt", "f8"),  # from rest, as all tilts that are reported [rad]
-        ("residual_tilt", "f8"),
-        ("floor_impacts", "i8"),
-        ("wall_impacts", "i8"),
-        ("events", "i8"),
-        ("steps", "i8"),
+        *floats("peak_slide", "residual_slide"),  # m
+        *floats("peak_tilt", "residual_tilt"),  # from rest, as all tilts that are reported [rad]
+        *integers("floor_impacts", "wall_impacts", "events", "steps"),
     ],
     align=True,
 )

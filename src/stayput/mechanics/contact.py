@@ -15,9 +15,6 @@ from stayput.compiling import inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
 from stayput.mechanics.geometry import arm_at, own_friction, value_or
 
-STICK_RATE = 1e-10
-"""Slip rate up to which a contact sticks [m/s]."""
-
 PAINLEVE_LIMIT = 1e-6
 """Least (I + kσ)/I at which slip can continue; at zero no finite force is consistent (Painlevé 1895)."""
 

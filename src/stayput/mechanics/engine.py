@@ -9,75 +9,115 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import entry, inline, inner
-from stayput.mechanics.columns import (
-    C_CEILING,
-    CEILING_IMPACT_EVENT,
-    CLOSED,
-    COULOMB,
-    DEVICE_FAILURE_EVENT,
-    E_KIND,
-    E_MODE,
-    E_SLIDE,
-    E_SLIDE_RATE,
-    E_TILT,
-    E_TILT_RATE,
-    E_TIME,
-    ENDED,
-    FAILED,
-    FAILED_EVENT,
-    FAILED_OUTCOME,
-    FLIGHT,
-    FLOOR_BITS,
-    FLOOR_IMPACT_EVENT,
-    INTERNAL_EVENT,
-    LEAN_MODE,
-    LEANING,
-    LIFT_OFF_EVENT,
-    LIMIT,
-    MOVED_FLYING,
-    MOVED_ROCKING,
-    MOVED_SLIDING,
-    OVERTURNED,
-    OVERTURNED_EVENT,
-    OVERTURNED_MODE,
-    OVERTURNED_OUTCOME,
-    REST,
-    REST_EVENT,
-    RESTED,
-    ROCK,
-    ROCKED,
-    SLID,
-    SLIDE,
-    SLIDE_ROCK,
-    SLIP_EVENT,
-    STICK_EVENT,
-    TURNED_OVER,
-    UPLIFT_EVENT,
-    WALL_IMPACT_EVENT,
-    WALL_RELEASE_EVENT,
+from stayput.mechanics import columns as col
+from stayput.mechanics.devices.elements import (
+    advance_held_rest,
+    evaluate_elements,
+    no_element_left,
+    note_forces,
+    note_forces_of_links,
+    set_up_elements,
+    update_elements,
 )
-from stayput.mechanics.contact import STICK_RATE
-from stayput.mechanics.devices.elements import no_element_left, note_forces_of_links, set_up_elements
-from stayput.mechanics.devices.equilibrium import advance_held_rest
 from stayput.mechanics.devices.stepper import REST_RATE, advance_step_by_step
 from stayput.mechanics.flat import advance_rest, advance_slide, slide_friction
 from stayput.mechanics.flight_and_lean import advance_flight, advance_lean
 from stayput.mechanics.fulcrum import advance_fulcrum
 from stayput.mechanics.geometry import (
+    STICK_RATE,
     corner_right,
     corner_up,
+    set_pivot_velocity,
     set_up,
     slide_of,
     touching,
     turn_to,
     update_peaks,
 )
-from stayput.mechanics.impact import closing_contacts
-from stayput.mechanics.pivot_impact import pivot_on_landing
-from stayput.mechanics.projection import set_pivot_velocity
-from stayput.mechanics.records import CaseDevices
-from stayput.mechanics.sampling import loads, public_mode, record_sample
-from stayput.mechanics.transitions import handle_impacts, relax_event_thresholds, update_mode
+from stayput.mechanics.impact import (
+    closing_contacts,
+    impact_without_collision,
+    land,
+    pivot_on_landing,
+    stop_on_landing,
+)
+from stayput.mechanics.modes import choose_mode
+from stayput.mechanics.paper import choose_paper_mode, collide_by_paper
+from stayput.mechanics.records import CaseDevices, loads, public_mode, record_sample
+
+NEAR_SIMULTANEOUS = 1e-8
+"""Interval below which two events count as simultaneous [s]."""
+
+CROWDED_EVENTS = 8
+"""Near-simultaneous events in a row after which each further one relaxes the event thresholds tenfold."""
+
+MAX_SLACK_FACTOR = 1e6
+"""Largest factor by which event thresholds are relaxed."""
+
+
+@inner
+def handle_impacts(scratch, touch, case, s, held, law):
+    """Apply the impact of the contacts that close, if any do, and count it; devices give no impulse."""
+    contacts = scratch.contacts
+    if law == col.COULOMB:
+        # also contacts that close in the same instant as another one, or as a force reaches its limit
+        s.hit |= closing_contacts(contacts, touch & ~s.closed, s)
+    if not s.hit:
+        return
+    if s.hit & col.FLOOR_BITS:
+        s.floor_impacts += 1
+    else:
+        s.wall_impacts += 1
+    if law == col.PAPER:
+        collide_by_paper(contacts, case, s)
+    elif held is None or not stop_on_landing(contacts, touch, case, s):  # of a bare body it was tried before
+        land(scratch.rows, contacts, s.closed, touch & ~s.closed, case, s)
+
+
+@inner
+def _update_branches(held, s, time):
+    """Update the devices' branches for the state, repeatedly, as a failure shifts force to others."""
+    for _ in range(3):
+        evaluate_elements(held.elements, held.links, s.sin, s.cos, s.x, s.z, s.vx, s.vz, s.omega)
+        failed = update_elements(held.elements, held.links, held.devices, time)
+        held.work.failed += failed
+        if failed == 0:
+            break
+
+
+@inner
+def update_mode(scratch, touch, settle_rate, case, s, held, motion, law):
+    """Update the devices, and choose the mode at the present time, under either contact law.
+
+    Where no active set is consistent (Painlevé), an impact without collision stops the slip first.
+    """
+    time = s.k * motion.dt + s.tau
+    load = loads(case, motion.ax, motion.az, case.scale / motion.dt, s.k, s.tau)
+    if law == col.PAPER:
+        choose_paper_mode(scratch.contacts, case, s, touch, load[0], load[1])
+        return
+    for attempt in range(2):
+        if attempt == 1:
+            impact_without_collision(scratch.contacts, touch, case, s)
+        if held is not None:
+            _update_branches(held, s, time)
+        choose_mode(scratch, touch, settle_rate, case, s, held, load, time)
+        if s.kind != col.FAILED:
+            break
+    if held is not None:  # only now: the branches from before an impact do not hold for the rates after it
+        note_forces(held.elements, held.links, held.devices)
+
+
+@inner
+def relax_event_thresholds(s, work, dt, before):
+    """Zeno guard: relax event thresholds after repeated near-simultaneous events."""
+    now = s.k * dt + s.tau
+    if now - before > NEAR_SIMULTANEOUS:
+        work.crowded_events, work.slack_factor = 0, 1.0
+        return
+    work.crowded_events += 1
+    if work.crowded_events > CROWDED_EVENTS:
+        work.slack_factor = min(10.0 * work.slack_factor, MAX_SLACK_FACTOR)
 
 
 @inner
@@ -89,18 +129,18 @@ def initialize_state(case, contacts, s):
     s.i, s.j, s.d, s.dj = (1 if right else 0), -1, 0, 0
     if case.tilt == 0.0:
         s.x += case.slide
-        s.kind = SLIDE if case.tilt_rate == 0.0 else ROCK
-        s.closed = FLOOR_BITS
+        s.kind = col.SLIDE if case.tilt_rate == 0.0 else col.ROCK
+        s.closed = col.FLOOR_BITS
     else:
         turn_to(s, s.rest + case.tilt)
         s.x = case.slide + (s.foot_b if right else s.foot_a) - corner_right(case, s.i, s)
         s.z = -corner_up(case, s.i, s)
-        s.kind = ROCK
+        s.kind = col.ROCK
         s.closed = 1 << s.i
     set_pivot_velocity(contacts[s.i], s)
     s.vx += case.slide_rate
-    if s.kind == ROCK and case.slide_rate != 0.0:
-        s.kind = SLIDE_ROCK
+    if s.kind == col.ROCK and case.slide_rate != 0.0:
+        s.kind = col.SLIDE_ROCK
     s.alpha = s.tau = 0.0
     s.k = s.floor_impacts = s.wall_impacts = s.events = s.steps = s.moved = s.hit = 0
     s.peak_tilt = s.peak_slide = 0.0
@@ -121,12 +161,12 @@ def _initialize_devices(case, s, held, dt):
 @inline
 def _note_motion(s):
     kind = s.kind
-    if kind == SLIDE:
-        s.moved |= MOVED_SLIDING
-    elif kind in (ROCK, SLIDE_ROCK):
-        s.moved |= MOVED_ROCKING if kind == ROCK else MOVED_ROCKING | MOVED_SLIDING
-    elif kind != REST:
-        s.moved |= MOVED_FLYING
+    if kind == col.SLIDE:
+        s.moved |= col.MOVED_SLIDING
+    elif kind in (col.ROCK, col.SLIDE_ROCK):
+        s.moved |= col.MOVED_ROCKING if kind == col.ROCK else col.MOVED_ROCKING | col.MOVED_SLIDING
+    elif kind != col.REST:
+        s.moved |= col.MOVED_FLYING
 
 
 @inline
@@ -136,17 +176,17 @@ def _advance(scratch, case, s, held, motion, settings, output):
     kind = s.kind
     contacts, history = scratch.contacts, output.history
     if held is not None:
-        if kind == REST:
+        if kind == col.REST:
             return advance_held_rest(case, held, s, motion, output)
         return advance_step_by_step(held, contacts, scratch.rows, case, s, motion, settings, output)
-    if kind == REST:
+    if kind == col.REST:
         return advance_rest(case, s, motion, history)
-    if kind == SLIDE:
+    if kind == col.SLIDE:
         friction = slide_friction(contacts, case, s)
-        return advance_slide(contacts, case, s, motion, friction, settings.law == COULOMB, history)
-    if kind in (ROCK, SLIDE_ROCK):
+        return advance_slide(contacts, case, s, motion, friction, settings.law == col.COULOMB, history)
+    if kind in (col.ROCK, col.SLIDE_ROCK):
         return advance_fulcrum(contacts, case, s, motion, settings, history)
-    if kind == FLIGHT:
+    if kind == col.FLIGHT:
         return advance_flight(contacts, case, s, motion, history)
     return advance_lean(scratch.rows, contacts, case, s, motion, settings, history)
 
@@ -154,23 +194,23 @@ def _advance(scratch, case, s, held, motion, settings, output):
 @inner
 def _kind_of_event(s, why, kind, closed):
     """Public kind of an event, from the modes and contacts before and after it."""
-    if s.kind == FAILED:
-        return FAILED_EVENT
-    if s.kind == OVERTURNED:
-        return OVERTURNED_EVENT
-    if why == CLOSED:
-        if s.hit & FLOOR_BITS:
-            return FLOOR_IMPACT_EVENT
-        return CEILING_IMPACT_EVENT if s.hit >> C_CEILING else WALL_IMPACT_EVENT
-    if s.kind == REST:
-        return REST_EVENT
-    if closed & FLOOR_BITS and not s.closed & FLOOR_BITS:
-        return LIFT_OFF_EVENT
-    if closed & ~FLOOR_BITS and not s.closed & ~FLOOR_BITS:
-        return WALL_RELEASE_EVENT
-    if kind in (REST, SLIDE) and s.kind in (ROCK, SLIDE_ROCK):
-        return UPLIFT_EVENT
-    return STICK_EVENT if s.kind == ROCK else SLIP_EVENT
+    if s.kind == col.FAILED:
+        return col.FAILED_EVENT
+    if s.kind == col.OVERTURNED:
+        return col.OVERTURNED_EVENT
+    if why == col.CLOSED:
+        if s.hit & col.FLOOR_BITS:
+            return col.FLOOR_IMPACT_EVENT
+        return col.CEILING_IMPACT_EVENT if s.hit >> col.C_CEILING else col.WALL_IMPACT_EVENT
+    if s.kind == col.REST:
+        return col.REST_EVENT
+    if closed & col.FLOOR_BITS and not s.closed & col.FLOOR_BITS:
+        return col.LIFT_OFF_EVENT
+    if closed & ~col.FLOOR_BITS and not s.closed & ~col.FLOOR_BITS:
+        return col.WALL_RELEASE_EVENT
+    if kind in (col.REST, col.SLIDE) and s.kind in (col.ROCK, col.SLIDE_ROCK):
+        return col.UPLIFT_EVENT
+    return col.STICK_EVENT if s.kind == col.ROCK else col.SLIP_EVENT
 
 
 @inner
@@ -184,15 +224,15 @@ def _record_event(events, case, s, held, dt, why, before):
         return
     kind, closed, d = before
     row = events[s.events - 1]
-    row[E_TIME], row[E_KIND] = s.k * dt + s.tau, _kind_of_event(s, why, kind, closed)
-    row[E_MODE] = OVERTURNED_MODE if s.kind == OVERTURNED else public_mode(s)
-    row[E_TILT], row[E_TILT_RATE] = s.theta - s.rest, s.omega
-    row[E_SLIDE], row[E_SLIDE_RATE] = slide_of(case, s)
-    if held is not None and s.kind != FAILED and s.kind != OVERTURNED:
+    row[col.E_TIME], row[col.E_KIND] = s.k * dt + s.tau, _kind_of_event(s, why, kind, closed)
+    row[col.E_MODE] = col.OVERTURNED_MODE if s.kind == col.OVERTURNED else public_mode(s)
+    row[col.E_TILT], row[col.E_TILT_RATE] = s.theta - s.rest, s.omega
+    row[col.E_SLIDE], row[col.E_SLIDE_RATE] = slide_of(case, s)
+    if held is not None and s.kind != col.FAILED and s.kind != col.OVERTURNED:
         if held.work.failed:
-            row[E_KIND] = DEVICE_FAILURE_EVENT
-        elif why == LIMIT and s.kind == kind and s.closed == closed and s.d == d:
-            row[E_KIND] = INTERNAL_EVENT
+            row[col.E_KIND] = col.DEVICE_FAILURE_EVENT
+        elif why == col.LIMIT and s.kind == kind and s.closed == closed and s.d == d:
+            row[col.E_KIND] = col.INTERNAL_EVENT
 
 
 @inner
@@ -204,15 +244,15 @@ def _is_finite(s):
 @inner
 def _outcome_of(s):
     """Public outcome of a run, from its final state."""
-    if s.kind == FAILED or not _is_finite(s) or s.tau < 0.0:
-        return FAILED_OUTCOME
-    if s.kind == OVERTURNED:
-        return OVERTURNED_OUTCOME
-    if public_mode(s) == LEAN_MODE:
-        return LEANING
-    if s.moved & ~MOVED_SLIDING:
-        return ROCKED
-    return SLID if s.moved else RESTED
+    if s.kind == col.FAILED or not _is_finite(s) or s.tau < 0.0:
+        return col.FAILED_OUTCOME
+    if s.kind == col.OVERTURNED:
+        return col.OVERTURNED_OUTCOME
+    if public_mode(s) == col.LEAN_MODE:
+        return col.LEANING
+    if s.moved & ~col.MOVED_SLIDING:
+        return col.ROCKED
+    return col.SLID if s.moved else col.RESTED
 
 
 @inner
@@ -238,7 +278,7 @@ def _handle_event(scratch, touch, case, s, held, motion, law, why):
     handle_impacts(scratch, touch, case, s, held, law)
     settle_rate = s.settle_rate if s.hit else STICK_RATE
     update_mode(scratch, touch, settle_rate, case, s, held, motion, law)
-    return CLOSED if s.hit else why
+    return col.CLOSED if s.hit else why
 
 
 @inner
@@ -254,30 +294,30 @@ def _continue_case(case, scratch, s, held, motion, settings, output):
         Whether the body goes on as one without devices.
     """
     dt, last = motion.dt, motion.ax.shape[0] - 1
-    while s.kind != FAILED:
-        if held is not None and s.kind != REST and no_element_left(held.links):
+    while s.kind != col.FAILED:
+        if held is not None and s.kind != col.REST and no_element_left(held.links):
             return True
         before, time = (s.kind, s.closed, s.d), s.k * dt + s.tau
         why = _advance(scratch, case, s, held, motion, settings, output)
         update_peaks(case, s)
-        if why == ENDED:
+        if why == col.ENDED:
             break
         s.events += 1
         if s.events >= settings.max_events or not _is_finite(s):
-            s.kind = FAILED
-        elif why == TURNED_OVER:
-            s.kind = OVERTURNED
-        if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
+            s.kind = col.FAILED
+        elif why == col.TURNED_OVER:
+            s.kind = col.OVERTURNED
+        if s.kind == col.FAILED or s.kind == col.OVERTURNED or s.k >= last:
             _record_event(output.events, case, s, held, dt, why, before)
             break
-        if why != CLOSED:
+        if why != col.CLOSED:
             s.hit = 0
         if held is not None:
             relax_event_thresholds(s, held.work, dt, time)
             held.work.failed = 0
         touch = touching(scratch.contacts, s) | s.closed | s.hit
-        bare = held is None and settings.law == COULOMB
-        if bare and why == CLOSED and _pivots_on_landing(scratch.contacts, touch, case, s, motion):
+        bare = held is None and settings.law == col.COULOMB
+        if bare and why == col.CLOSED and _pivots_on_landing(scratch.contacts, touch, case, s, motion):
             s.floor_impacts += 1
         else:
             why = _handle_event(scratch, touch, case, s, held, motion, settings.law, why)
@@ -291,11 +331,11 @@ def _run_case(case, scratch, s, held, motion, settings, output):
     touch = touching(scratch.contacts, s) | s.closed
     s.hit = closing_contacts(scratch.contacts, touch & ~s.closed, s)
     before = s.kind, s.closed, s.d
-    _handle_event(scratch, touch, case, s, held, motion, settings.law, CLOSED)
+    _handle_event(scratch, touch, case, s, held, motion, settings.law, col.CLOSED)
     failed = 0 if held is None else held.work.failed
     if s.hit or failed:
         s.events += 1
-        _record_event(output.events, case, s, held, motion.dt, CLOSED, before)
+        _record_event(output.events, case, s, held, motion.dt, col.CLOSED, before)
     record_sample(output.history, case, s)
     if held is not None:
         note_forces_of_links(output.forces, held.links, s)

@@ -6,10 +6,10 @@ import math
 
 from stayput.compiling import entry, inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
-from stayput.mechanics.contact import STICK_RATE, base_friction, cross, is_single_ray
-from stayput.mechanics.geometry import arm, gap, own_friction, to_plane_axes, value_or
+from stayput.mechanics.contact import base_friction, cross, is_single_ray
+from stayput.mechanics.geometry import STICK_RATE, arm, gap, own_friction, to_plane_axes, value_or
+from stayput.mechanics.records import advance_clock, loads, lowest_product, record_sample
 from stayput.mechanics.roots import first_closing
-from stayput.mechanics.sampling import advance_clock, loads, lowest_product, record_sample
 
 BLOCK = 16
 """Samples per block of load extremes, by which rest is skipped."""

@@ -12,13 +12,14 @@ from stayput.mechanics.geometry import (
     RIGHT_ANGLE,
     arm_at,
     gap,
+    project_on_both,
     reason_of_end,
     slip_rate,
     to_plane_axes,
     turn_to,
     update_peaks,
 )
-from stayput.mechanics.projection import project_on_both
+from stayput.mechanics.records import advance_clock, loads, record_sample
 from stayput.mechanics.roots import (
     MIN_START_VALUE,
     between,
@@ -30,7 +31,6 @@ from stayput.mechanics.roots import (
     quintics,
     secant,
 )
-from stayput.mechanics.sampling import advance_clock, loads, record_sample
 
 MAX_ROTATION = 0.05
 """Largest rotation in a step of flight [rad]: the quintics of the gaps assume a small one."""

@@ -16,6 +16,7 @@ from stayput.mechanics.geometry import (
     slide_of,
     to_plane_axes,
 )
+from stayput.mechanics.records import advance_clock, loads, record_sample
 from stayput.mechanics.roots import (
     first_closing,
     illinois_update,
@@ -23,7 +24,6 @@ from stayput.mechanics.roots import (
     parabola_negative_at,
     secant,
 )
-from stayput.mechanics.sampling import advance_clock, loads, record_sample
 from stayput.mechanics.series import rock_series, slide_rock_series, step_within, tilt_after
 
 NEAR_LIMIT = 0.01

@@ -1,4 +1,4 @@
-"""Bodies, contacts and coordinates, as the compiled functions see them.
+"""Bodies, contacts and coordinates, as the compiled functions see them, and projection onto closed contacts.
 
 A body can touch the room with its four corners A, B (base) and C, D (top); each pair of a corner and a
 plane that it can meet is one *contact*, numbered 0..7. Where the base corners stand inside the side faces
@@ -15,11 +15,14 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.columns import A_FLOOR, CLOSED, CONTACTS, CORNER, FLOOR_BITS, LIMIT, PLANE, TURNED_OVER
+from stayput.mechanics import columns as col
 from stayput.mechanics.elementary import sine_and_cosine, slope_angle
 
 GAP_TOLERANCE = 1e-10
 """Gap up to which a contact is closed [m]."""
+
+STICK_RATE = 1e-10
+"""Slip rate up to which a contact sticks [m/s]."""
 
 RIGHT_ANGLE = math.pi / 2
 
@@ -75,15 +78,15 @@ def contact_point(case, c):
 
     It is the contact's corner; of a base corner at a wall, the lower end of the side face above it.
     """
-    corner = CORNER[c]
-    side = corner + 2 if corner < 2 and PLANE[c] != 0 else corner
+    corner = col.CORNER[c]
+    side = corner + 2 if corner < 2 and col.PLANE[c] != 0 else corner
     return case.u[side], case.v[corner]
 
 
 @inline
 def own_friction(case, c):
     """Static and kinetic friction of a base corner alone, NaN where it has none; ``c`` is its contact."""
-    if c == A_FLOOR:
+    if c == col.A_FLOOR:
         return case.left_edge_static_friction, case.left_edge_kinetic_friction
     return case.right_edge_static_friction, case.right_edge_kinetic_friction
 
@@ -104,7 +107,7 @@ def set_up(case, contacts, s):
     s.foot_a, s.foot_b = s.x + corner_right(case, 0, s), s.x + corner_right(case, 1, s)
     base = math.sqrt(run * run + rise * rise)
     s.settle_rate = math.sqrt(2.0 * MIN_REBOUND * base * case.gravity)
-    s.present = FLOOR_BITS
+    s.present = col.FLOOR_BITS
     if math.isfinite(case.right_distance):
         s.present |= 0b00001100
     if math.isfinite(case.left_distance):
@@ -116,10 +119,10 @@ def set_up(case, contacts, s):
     low_left = s.x + (case.u[2] * s.cos + case.v[0] * s.sin)
     rightmost = max(low_right, s.x + corner_right(case, 3, s))
     leftmost = min(low_left, s.x + corner_right(case, 2, s))
-    for c in range(CONTACTS):
+    for c in range(col.CONTACTS):
         if not s.present >> c & 1:
             continue
-        plane = PLANE[c]
+        plane = col.PLANE[c]
         u, v = contact_point(case, c)
         con = contacts[c]
         if plane == 0:
@@ -202,8 +205,8 @@ def touching(contacts, s):
 def reason_of_end(s):
     """Why a step ended in an event: a contact closed (s.hit), the body overturned, or a limit was reached."""
     if s.hit:
-        return CLOSED
-    return TURNED_OVER if abs(s.theta) >= RIGHT_ANGLE else LIMIT
+        return col.CLOSED
+    return col.TURNED_OVER if abs(s.theta) >= RIGHT_ANGLE else col.LIMIT
 
 
 @inner
@@ -219,3 +222,118 @@ def update_peaks(case, s):
     """Update the peak tilt (from rest) and the peak slide."""
     s.peak_tilt = max(s.peak_tilt, abs(s.theta - s.rest))
     s.peak_slide = max(s.peak_slide, abs(slide_of(case, s)[0]))
+
+
+FLAT_TOLERANCE = 1e-8
+"""Rotation off flat below which a body on both base corners is set exactly flat [rad]."""
+
+MAX_SETTLING = 10.0
+"""Largest velocity removed when a bounce ends, in multiples of the rate at which its gap may still open."""
+
+
+@inner
+def set_pivot_velocity(con, s):
+    """Set the velocity of G to that of a pure rotation about the contact's corner."""
+    sigma, kappa = arm(con, s)
+    tangential, normal = s.omega * kappa, s.omega * sigma
+    s.vx = con.cos * tangential - con.sin * normal
+    s.vz = con.sin * tangential + con.cos * normal
+
+
+@inner
+def project_on_plane(con, s):
+    """Project the state so that the contact's corner is on its plane and moves along it."""
+    sigma, kappa = arm(con, s)
+    tangential, _ = to_plane_axes(con, s.vx, s.vz)
+    normal = s.omega * sigma
+    s.vx = con.cos * tangential - con.sin * normal
+    s.vz = con.sin * tangential + con.cos * normal
+    along_plane, _ = to_plane_axes(con, s.x, s.z)
+    height = kappa - con.offset
+    s.x = con.cos * along_plane - con.sin * height
+    s.z = con.sin * along_plane + con.cos * height
+
+
+@inner
+def project_pair(contacts, case, s):
+    """Project the state so that both contacts are closed: flat on their plane, or leaning on two."""
+    first, second = contacts[s.i], contacts[s.j]
+    if s.kind == col.SLIDE:
+        s.omega = s.alpha = 0.0
+        if s.closed == col.FLOOR_BITS and abs(s.theta - s.rest) < FLAT_TOLERANCE:
+            stand_flat(case, s)
+        project_on_plane(first, s)
+        return
+    project_on_both(first, second, case.inertia, s)
+
+
+@inner
+def _remove_component(j, e):
+    """Remove the component of a vector along a unit vector."""
+    p = j[0] * e[0] + j[1] * e[1] + j[2] * e[2]
+    return j[0] - p * e[0], j[1] - p * e[1], j[2] - p * e[2]
+
+
+@inner
+def remove_gap_rates(contacts, closed, settle_rate, I, s):
+    """Project away the gap rates of closed contacts, which are at most ``settle_rate``.
+
+    Contacts that stick keep sticking; slip is left to friction, whatever its rate. The change is the least in
+    the mass metric, so energy never grows: (v_x, v_z, √I ω) loses its component in the space of these normals
+    and tangents, found by Gram–Schmidt. A direction in which more than `MAX_SETTLING` times ``settle_rate``
+    would be lost is skipped: a corner right above another hardly moves in a rotation about it, however fast.
+    """
+    root = math.sqrt(I)
+    v = (s.vx, s.vz, root * s.omega)
+    zero = (0.0, 0.0, 0.0)
+    e1, e2, e3 = zero, zero, zero
+    for tangential in (False, True):
+        c = 0
+        while closed >> c:
+            con = contacts[c]
+            if closed >> c & 1 and not (tangential and abs(slip_rate(con, s)) > STICK_RATE):
+                sigma, kappa = arm(con, s)
+                j = (con.cos, con.sin, -kappa / root) if tangential else (-con.sin, con.cos, -sigma / root)
+                new = _remove_component(_remove_component(_remove_component(j, e1), e2), e3)
+                size = math.sqrt(new[0] * new[0] + new[1] * new[1] + new[2] * new[2])
+                if size > 1e-6:  # else the direction depends on those before
+                    e = new[0] / size, new[1] / size, new[2] / size
+                    if abs(v[0] * e[0] + v[1] * e[1] + v[2] * e[2]) <= MAX_SETTLING * settle_rate:
+                        e1, e2, e3 = e, e1, e2
+                        v = _remove_component(v, e1)
+            c += 1
+    s.vx, s.vz, s.omega = v[0], v[1], v[2] / root
+
+
+@inner
+def _least_change(first, second, gap1, gap2, I, s):
+    """Least change of x, z and θ, or of their rates, that brings two gaps, or gap rates, to zero."""
+    sigma1, _ = arm(first, s)
+    sigma2, _ = arm(second, s)
+    aa, bb = 1.0 + sigma1 * sigma1 / I, 1.0 + sigma2 * sigma2 / I
+    ab = first.sin * second.sin + first.cos * second.cos + sigma1 * sigma2 / I
+    det = aa * bb - ab * ab
+    if abs(det) < 1e-14:
+        return 0.0, 0.0, 0.0
+    p, q = -(gap1 * bb - gap2 * ab) / det, -(gap2 * aa - gap1 * ab) / det
+    return (
+        -(p * first.sin + q * second.sin),
+        p * first.cos + q * second.cos,
+        -(p * sigma1 + q * sigma2) / I,
+    )
+
+
+@inner
+def _remove_both_gap_rates(first, second, I, s):
+    rate1, rate2 = gap_rate(first, s), gap_rate(second, s)
+    dx, dz, turn = _least_change(first, second, rate1, rate2, I, s)
+    s.vx, s.vz, s.omega = s.vx + dx, s.vz + dz, s.omega + turn
+
+
+@inner
+def project_on_both(first, second, I, s):
+    """Project the state, by the least change in the mass metric, so that both contacts are closed."""
+    dx, dz, turn = _least_change(first, second, gap(first, s), gap(second, s), I, s)
+    s.x, s.z = s.x + dx, s.z + dz
+    turn_to(s, s.theta + turn)
+    _remove_both_gap_rates(first, second, I, s)

@@ -11,21 +11,8 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inner
-from stayput.mechanics.columns import (
-    A_FLOOR,
-    B_FLOOR,
-    FAILED,
-    FLIGHT,
-    FLOOR_BITS,
-    LEAN,
-    PLANE,
-    REST,
-    ROCK,
-    SLIDE,
-    SLIDE_ROCK,
-)
+from stayput.mechanics import columns as col
 from stayput.mechanics.contact import (
-    STICK_RATE,
     both_slip,
     cross,
     fill_rows,
@@ -35,21 +22,28 @@ from stayput.mechanics.contact import (
     one_slips,
     one_sticks,
 )
-from stayput.mechanics.devices.accelerations import shared_friction
-from stayput.mechanics.devices.elements import evaluate_elements, update_elements
-from stayput.mechanics.devices.equilibrium import (
+from stayput.mechanics.devices.elements import (
     add_floor_limits,
     add_wrench,
     cone_facets,
+    evaluate_elements,
     load_within_facets,
+    update_elements,
 )
-from stayput.mechanics.geometry import gap_rate, own_friction, slip_rate, stand_flat, to_plane_axes, value_or
-from stayput.mechanics.projection import (
+from stayput.mechanics.devices.step import shared_friction
+from stayput.mechanics.geometry import (
     FLAT_TOLERANCE,
+    STICK_RATE,
+    gap_rate,
+    own_friction,
     project_on_plane,
     project_pair,
     remove_gap_rates,
     set_pivot_velocity,
+    slip_rate,
+    stand_flat,
+    to_plane_axes,
+    value_or,
 )
 
 LOOKAHEAD = 1e-9
@@ -178,12 +172,12 @@ def choose_mode(scratch, touching, settle_rate, case, s, held, load, time):
             wrench_at_rest = _wrench_at_rest(held, s, time)
         wrench = _wrench_ahead(held, s)
         count = _fill_rows_ahead(scratch, closed, case, s, held.work.still_rate, a, G, wrench)
-        if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
+        if count >= 2 and rows[0].index == col.A_FLOOR and rows[1].index == col.B_FLOOR:
             _share_base_friction(rows, case, a, G, wrench)
 
     # The order of cases is the order of preference where several active sets are consistent; see the module.
     if no_contact_closes(rows, count, TOLERANCE):
-        set_mode(s, FLIGHT, -1, 0, -1, 0)
+        set_mode(s, col.FLIGHT, -1, 0, -1, 0)
         s.alpha = 0.0
     elif not (
         (at_rest and _rest_on_plane(rows, count, closed, case, s, held, a, G, wrench_at_rest))
@@ -193,8 +187,8 @@ def choose_mode(scratch, touching, settle_rate, case, s, held, load, time):
         or (at_rest and _rest_on_all(rows, count, closed, case, s, held, a, G, wrench_at_rest))
         or try_to_slide(rows, count, contacts, case, s, False)
     ):
-        set_mode(s, FAILED, -1, 0, -1, 0)
-    if s.kind != REST and s.kind != SLIDE:
+        set_mode(s, col.FAILED, -1, 0, -1, 0)
+    if s.kind != col.REST and s.kind != col.SLIDE:
         s.alpha += wrench[2] / case.inertia
 
 
@@ -208,10 +202,10 @@ def _load_in_cone(cone, a, G):
 
 @inner
 def _set_rest(closed, case, s):
-    set_mode(s, REST, -1, 0, -1, 0)
+    set_mode(s, col.REST, -1, 0, -1, 0)
     s.closed = closed
     s.vx = s.vz = s.omega = s.alpha = 0.0
-    if closed & FLOOR_BITS == FLOOR_BITS and abs(s.theta - s.rest) < FLAT_TOLERANCE:
+    if closed & col.FLOOR_BITS == col.FLOOR_BITS and abs(s.theta - s.rest) < FLAT_TOLERANCE:
         stand_flat(case, s)
 
 
@@ -234,7 +228,7 @@ def _rest_within_facets(closed, case, s, held):
 def _rest_on_plane(rows, count, closed, case, s, held, a, G, wrench):
     """Try rest on two corners of one plane; whether it is consistent."""
     for k in range(count - 1):
-        if PLANE[rows[k].index] != PLANE[rows[k + 1].index]:
+        if col.PLANE[rows[k].index] != col.PLANE[rows[k + 1].index]:
             continue
         if held is None:
             cone = holding_cone(rows, k, 2, -1)
@@ -264,8 +258,8 @@ def _bare_rest_on_all(rows, count, closed, case, s, a, G):
     Walls and ceiling stay pressed while the load pushes the body towards them: at the other end the range of
     loads is that of the floor alone.
     """
-    both = closed & FLOOR_BITS == FLOOR_BITS
-    tips = B_FLOOR if a > 0.0 else A_FLOOR  # the corner that the load lifts
+    both = closed & col.FLOOR_BITS == col.FLOOR_BITS
+    tips = col.B_FLOOR if a > 0.0 else col.A_FLOOR  # the corner that the load lifts
     for way in range(3 if both and count > 2 else 1):
         lifted = (-1, tips, 1 - tips)[way]
         cone = holding_cone(rows, 0, count, lifted)
@@ -275,7 +269,7 @@ def _bare_rest_on_all(rows, count, closed, case, s, a, G):
         if both and lifted < 0:
             exists, low_x, low_z, high_x, high_z = holding_cone(rows, 0, 2, -1)
         else:  # the load whose line passes through the foot and G
-            exists = closed & FLOOR_BITS != 0
+            exists = closed & col.FLOOR_BITS != 0
             foot = rows[1 if lifted == 0 else 0]
             low_x, low_z = high_x, high_z = foot.nl, -foot.tl
         if exists and cross(high_x, high_z, a, G) < 0.0:
@@ -293,7 +287,7 @@ def _bare_rest_on_all(rows, count, closed, case, s, a, G):
 def _held_rest_on_all(rows, count, closed, case, s, held, a, G, wrench):
     """As `_rest_on_all`, for a body with devices: on all, or all but an unloaded base corner."""
     work, I = held.work, case.inertia
-    both = closed & FLOOR_BITS == FLOOR_BITS
+    both = closed & col.FLOOR_BITS == col.FLOOR_BITS
     for lifted in range(-1, 2 if both and count > 2 else 0):
         if cone_facets(rows, 0, count, lifted, I, work) and load_within_facets(work, a, G, wrench):
             add_floor_limits(rows, count, lifted, a, G, wrench, I, work, held.spare)
@@ -309,7 +303,7 @@ def try_to_stick(rows, count, contacts, case, s):
         if rows[i].slipping == 0.0:
             ok, _, _, fl = one_sticks(rows, count, i, case.inertia, TOLERANCE)
             if ok:
-                set_mode(s, ROCK, rows[i].index, 0, -1, 0)
+                set_mode(s, col.ROCK, rows[i].index, 0, -1, 0)
                 s.alpha = fl / case.inertia
                 set_pivot_velocity(contacts[s.i], s)
                 return True
@@ -325,7 +319,7 @@ def try_to_slip(rows, count, contacts, case, s):
                 continue
             ok, _, _, fl = one_slips(rows, count, i, side, case.inertia, TOLERANCE)
             if ok:
-                set_mode(s, SLIDE_ROCK, rows[i].index, int(side), -1, 0)
+                set_mode(s, col.SLIDE_ROCK, rows[i].index, int(side), -1, 0)
                 s.alpha = fl / case.inertia
                 project_on_plane(contacts[s.i], s)
                 return True
@@ -344,7 +338,7 @@ def try_to_slide(rows, count, contacts, case, s, flat):
     for i in range(count):
         for j in range(i + 1, count):
             first, second = rows[i].index, rows[j].index
-            if (PLANE[first] == PLANE[second]) != flat:
+            if (col.PLANE[first] == col.PLANE[second]) != flat:
                 continue
             for side_i in (1.0, -1.0):
                 if rows[i].slipping == -side_i:
@@ -356,7 +350,7 @@ def try_to_slide(rows, count, contacts, case, s, flat):
                     size = fx * fx + fz * fz + fl * fl / I
                     if ok and size < least:
                         consistent, least = True, size
-                        set_mode(s, SLIDE if flat else LEAN, first, int(side_i), second, int(side_j))
+                        set_mode(s, col.SLIDE if flat else col.LEAN, first, int(side_i), second, int(side_j))
                         s.alpha = fl / I
     if consistent:
         project_pair(contacts, case, s)

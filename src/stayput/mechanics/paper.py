@@ -11,29 +11,18 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inner
-from stayput.mechanics.columns import (
-    A_FLOOR,
-    A_LEFT,
-    B_FLOOR,
-    B_RIGHT,
-    C_CEILING,
-    CORNER,
-    D_CEILING,
-    FLOOR_BITS,
-    PLANE,
-    REST,
-    ROCK,
-    SLIDE,
-    SLIDE_ROCK,
-)
-from stayput.mechanics.contact import PAINLEVE_LIMIT, STICK_RATE
+from stayput.mechanics import columns as col
+from stayput.mechanics.contact import PAINLEVE_LIMIT
 from stayput.mechanics.flat import load_weighted_friction
 from stayput.mechanics.fulcrum import margins
 from stayput.mechanics.geometry import (
+    FLAT_TOLERANCE,
+    STICK_RATE,
     arm,
     arm_at,
     gap_rate,
     own_friction,
+    set_pivot_velocity,
     slip_rate,
     stand_flat,
     to_plane_axes,
@@ -41,7 +30,6 @@ from stayput.mechanics.geometry import (
     value_or,
 )
 from stayput.mechanics.modes import LOOKAHEAD
-from stayput.mechanics.projection import FLAT_TOLERANCE, set_pivot_velocity
 
 WALL_BITS = 0b11111100  # and the ceiling
 RIGHT_BITS, LEFT_BITS, CEILING_BITS = 0b00001100, 0b00110000, 0b11000000
@@ -65,7 +53,7 @@ def choose_paper_mode(contacts, case, s, touch, a, a_rate):
         s.alpha = 0.0
         return
     right = s.theta > s.rest or (s.theta == s.rest and s.omega > 0.0)
-    fulcrum = B_FLOOR if right else A_FLOOR
+    fulcrum = col.B_FLOOR if right else col.A_FLOOR
     slides = _slides_under_ceiling(contacts, case, s, touch, fulcrum)
     if not slides and not _leans(contacts, case, s, touch, fulcrum, a):
         _choose_fulcrum(contacts, case, s, touch, fulcrum, slip_rate(contacts[fulcrum], s), a)
@@ -76,11 +64,11 @@ def choose_paper_mode(contacts, case, s, touch, a, a_rate):
 def _choose_flat(contacts, case, s, touch, a):
     g = case.gravity
     stand_flat(case, s)
-    sigma_a, kappa_a = arm(contacts[A_FLOOR], s)
-    sigma_b, kappa_b = arm(contacts[B_FLOOR], s)
+    sigma_a, kappa_a = arm(contacts[col.A_FLOOR], s)
+    sigma_b, kappa_b = arm(contacts[col.B_FLOOR], s)
     low, high = -sigma_b / kappa_b, -sigma_a / kappa_a  # of ẍ_G/g: beyond them the body rocks
-    left = value_or(own_friction(case, A_FLOOR)[0], case.static_friction)
-    right = value_or(own_friction(case, B_FLOOR)[0], case.static_friction)
+    left = value_or(own_friction(case, col.A_FLOOR)[0], case.static_friction)
+    right = value_or(own_friction(case, col.B_FLOOR)[0], case.static_friction)
     slide_low = load_weighted_friction(contacts, s, left, right, 1.0)
     slide_high = load_weighted_friction(contacts, s, left, right, -1.0)
     slip = s.vx if abs(s.vx) > STICK_RATE else 0.0
@@ -91,17 +79,17 @@ def _choose_flat(contacts, case, s, touch, a):
         high, slide_high, slip = math.inf, math.inf, max(slip, 0.0)
     if touch & CEILING_BITS:  # nor does it rock under a ceiling that it touches
         low, high = -math.inf, math.inf
-    if a < low * g and _starts_rocking(contacts, case, s, B_FLOOR, slip, a):
+    if a < low * g and _starts_rocking(contacts, case, s, col.B_FLOOR, slip, a):
         return
-    if a > high * g and _starts_rocking(contacts, case, s, A_FLOOR, slip, a):
+    if a > high * g and _starts_rocking(contacts, case, s, col.A_FLOOR, slip, a):
         return
-    s.i, s.j, s.closed = A_FLOOR, B_FLOOR, FLOOR_BITS | touch & WALL_BITS
+    s.i, s.j, s.closed = col.A_FLOOR, col.B_FLOOR, col.FLOOR_BITS | touch & WALL_BITS
     s.vx = slip
     if slip == 0.0 and max(low, -slide_low) * g <= a <= min(high, slide_high) * g:
-        s.kind = REST
+        s.kind = col.REST
         _bound(s, max(low, -slide_low), min(high, slide_high))
         return
-    s.kind = SLIDE
+    s.kind = col.SLIDE
     _bound(s, low if a >= low * g else -math.inf, high if a <= high * g else math.inf)  # else it cannot rock
     s.d = s.dj = int(math.copysign(1.0, slip if slip != 0.0 else -a))
 
@@ -117,7 +105,7 @@ def _bound(s, low, high):
 def _opens(law, sigma, kappa, slip, a, g, fulcrum):
     """Whether rocking on a slipping fulcrum lifts the other corner of a flat body."""
     alpha = margins(law, sigma, kappa, 0.0, a, g, slip)[2]
-    return (alpha > 0.0) == (fulcrum == B_FLOOR)
+    return (alpha > 0.0) == (fulcrum == col.B_FLOOR)
 
 
 @inner
@@ -130,15 +118,15 @@ def _starts_rocking(contacts, case, s, fulcrum, slip, a):
     if slip != 0.0:
         d = math.copysign(1.0, slip)
         if _opens((False, I, q, con.mu_kinetic, d, 1.0), sigma, kappa, slip, a, g, fulcrum):
-            _rock_on(contacts, s, SLIDE_ROCK, fulcrum, slip, d, 1.0)
+            _rock_on(contacts, s, col.SLIDE_ROCK, fulcrum, slip, d, 1.0)
             return True
     f, f2, _ = margins((True, I, q, con.mu_static, 0.0, 1.0), sigma, kappa, 0.0, a, g, 0.0)
     if f >= 0.0 and f2 >= 0.0:
-        _rock_on(contacts, s, ROCK, fulcrum, 0.0, 0.0, 1.0)
+        _rock_on(contacts, s, col.ROCK, fulcrum, 0.0, 0.0, 1.0)
         return True
     d = -1.0 if f < 0.0 else 1.0
     if slip == 0.0 and _opens((False, I, q, con.mu_kinetic, d, 1.0), sigma, kappa, 0.0, a, g, fulcrum):
-        _rock_on(contacts, s, SLIDE_ROCK, fulcrum, 0.0, d, 1.0)
+        _rock_on(contacts, s, col.SLIDE_ROCK, fulcrum, 0.0, d, 1.0)
         return True
     return False
 
@@ -162,17 +150,17 @@ def _choose_fulcrum(contacts, case, s, touch, fulcrum, slip, a):
         sign = math.copysign(1.0, N)
         f, f2, _ = margins((True, I, q, con.mu_static, 0.0, sign), sigma, kappa, omega, a, g, 0.0)
         if f >= 0.0 and f2 >= 0.0:
-            _rock_on(contacts, s, ROCK, fulcrum, 0.0, 0.0, sign)
+            _rock_on(contacts, s, col.ROCK, fulcrum, 0.0, 0.0, sign)
             return
         d = -1.0 if f < 0.0 else 1.0
-        if touch & 1 << (A_LEFT if d < 0.0 else B_RIGHT):
-            _rock_on(contacts, s, ROCK, fulcrum, 0.0, d, sign)
+        if touch & 1 << (col.A_LEFT if d < 0.0 else col.B_RIGHT):
+            _rock_on(contacts, s, col.ROCK, fulcrum, 0.0, d, sign)
             return
     sign = math.copysign(1.0, g - omega * omega * kappa)
     if I + (sigma - sign * con.mu_kinetic * d * kappa) * sigma > PAINLEVE_LIMIT * I:
-        _rock_on(contacts, s, SLIDE_ROCK, fulcrum, slip, d, sign)
+        _rock_on(contacts, s, col.SLIDE_ROCK, fulcrum, slip, d, sign)
     else:
-        _rock_on(contacts, s, ROCK, fulcrum, 0.0, 0.0, 1.0)
+        _rock_on(contacts, s, col.ROCK, fulcrum, 0.0, 0.0, 1.0)
 
 
 @inner
@@ -192,9 +180,9 @@ def _slides_under_ceiling(contacts, case, s, touch, fulcrum):
         return False
     sigma, kappa = arm(con, s)
     alpha = math.copysign(1.0, slip) * con.mu_kinetic * kappa - sigma  # in sign
-    for c in (C_CEILING, D_CEILING):
+    for c in (col.C_CEILING, col.D_CEILING):
         if touch >> c & 1 and _closes_by_turning(contacts, c, fulcrum, alpha, s):
-            s.kind = SLIDE
+            s.kind = col.SLIDE
             s.i = s.j = fulcrum
             s.d = s.dj = int(math.copysign(1.0, slip))
             s.closed = 1 << fulcrum | touch & CEILING_BITS
@@ -216,7 +204,7 @@ def _leans(contacts, case, s, touch, fulcrum, a):
     c = 0
     while walls >> c:
         if walls >> c & 1 and _closes_by_turning(contacts, c, fulcrum, alpha, s):
-            s.kind = REST
+            s.kind = col.REST
             s.closed = 1 << fulcrum | walls
             _bound(s, -math.inf if alpha > 0.0 else ratio, ratio if alpha > 0.0 else math.inf)
             s.vx = s.vz = 0.0
@@ -230,8 +218,8 @@ def collide_by_paper(contacts, case, s):
     """Apply the paper's impact rules to the velocities of the state."""
     old = s.i
     slip = slip_rate(contacts[old], s)
-    if s.hit & FLOOR_BITS:
-        new = B_FLOOR if s.hit & 2 else A_FLOOR
+    if s.hit & col.FLOOR_BITS:
+        new = col.B_FLOOR if s.hit & 2 else col.A_FLOOR
         turn_to(s, s.rest)
         sigma, kappa = arm(contacts[new], s)
         sigma_old, kappa_old = arm(contacts[old], s)
@@ -242,9 +230,9 @@ def collide_by_paper(contacts, case, s):
         _rock_on(contacts, s, s.kind, new, slip, s.d, s.dj)
         return
     for top in (False, True):  # base corners before top corners
-        c = A_FLOOR
+        c = col.A_FLOOR
         while s.hit >> c:
-            if s.hit >> c & 1 and (CORNER[c] >= 2) == top and gap_rate(contacts[c], s) < 0.0:
+            if s.hit >> c & 1 and (col.CORNER[c] >= 2) == top and gap_rate(contacts[c], s) < 0.0:
                 _bounce(contacts, c, s)
             c += 1
 
@@ -254,15 +242,16 @@ def _bounce(contacts, c, s):
     """Reverse the motion that closes a contact with a wall or the ceiling: rotation, slip, or both."""
     wall, old = contacts[c], s.i
     slip = slip_rate(contacts[old], s)
-    reach = slip * (0.0, 1.0, -1.0, 0.0)[PLANE[c]]  # + towards the wall; a ceiling does not affect the slip
-    if s.kind != SLIDE and _closes_by_turning(contacts, c, old, s.omega, s):
+    # + towards the wall; a ceiling does not affect the slip
+    reach = slip * (0.0, 1.0, -1.0, 0.0)[col.PLANE[c]]
+    if s.kind != col.SLIDE and _closes_by_turning(contacts, c, old, s.omega, s):
         s.omega *= -wall.restitution
         _, lever = arm(contacts[old], s)
         if abs(s.omega * lever) <= s.settle_rate:
             s.omega = 0.0
-    if (CORNER[c] < 2 or s.kind != ROCK) and reach > 0.0:
+    if (col.CORNER[c] < 2 or s.kind != col.ROCK) and reach > 0.0:
         slip *= -wall.restitution
-    if s.kind == SLIDE:
+    if s.kind == col.SLIDE:
         s.vx = slip if abs(slip) > s.settle_rate else 0.0
         return
     _rock_on(contacts, s, s.kind, old, slip, s.d, s.dj)

@@ -1,14 +1,16 @@
-"""Python interface of the compiled solver: one case with its history, or a batch of cases."""
+"""Python interface of the compiled solver in the plane: one case with its history, or a batch of cases."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.catalogue import phrase
+from stayput.errors import InputError
 from stayput.mechanics import columns as col
-from stayput.mechanics.devices.columns import FORCES
+from stayput.mechanics.devices import columns as el
 from stayput.mechanics.engine import run_batch
 from stayput.mechanics.flat import BLOCK, block_extremes
 from stayput.mechanics.records import BatchDevices, Excitation, Output, Scratch, SolverSettings
@@ -19,6 +21,12 @@ if TYPE_CHECKING:
 MAX_EVENTS = 1_000_000
 """Events after which a run is stopped and reported as failed."""
 
+EVENT = np.dtype([(name, "f8") for name in col.EVENT_FIELDS])
+"""An event of a run."""
+
+FINITE = ("u", "v", "cos", "sin", "length")
+"""Fields of an ELEMENT that must be finite."""
+
 TOLERANCE = 1e-10
 """Largest last term of the tilt's Taylor series in a step [rad]."""
 
@@ -26,53 +34,30 @@ DEVICE_TOLERANCE = 1e-7
 """Largest error of a step with devices [m, rad]."""
 
 
-@dataclass(frozen=True, slots=True)
-class TracedEvent:
-    """One event as returned by the solver, its kind and mode as integer codes."""
-
-    time: float
-    kind: int
-    mode: int
-    tilt: float
-    tilt_rate: float
-    slide: float
-    slide_rate: float
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Traced:
-    """A run as returned by the solver: modes, event kinds and outcome as integer codes (see `columns`).
+    """A run with what was recorded of it; modes, kinds of events and outcome are integer codes (`columns`).
 
-    ``history`` has shape [samples, HISTORY], ``listed`` one row per event, shape [events, EVENT].
+    Attributes
+    ----------
+    result : RESULT record
+        Outcome, peaks and counts.
+    history : ndarray of float64, shape [samples, HISTORY]
+        The state at the samples reached.
+    events : recarray, shape [k]
+        The events, without internal ones: `columns.EVENT_FIELDS`.
+    devices : ndarray of DEVICE, shape [n]
+        Result of each element.
+    forces : ndarray of float64, shape [samples, n, 2]
+        Normal and tangential force of each at the samples reached [N/kg]: + where it pulls the body's point
+        back against a positive elongation.
     """
 
-    outcome: int
-    end: float
-    peak_slide: float
-    peak_tilt: float
-    slide: float
-    tilt: float
-    floor_impacts: int
-    wall_impacts: int
-    steps: int
+    result: np.void
     history: NDArray[np.float64]
-    listed: NDArray[np.float64]
-
-    @property
-    def events(self) -> tuple[TracedEvent, ...]:
-        """The events as objects."""
-        return tuple(
-            TracedEvent(time, int(kind), int(mode), *state)
-            for time, kind, mode, *state in self.listed.tolist()
-        )
-
-
-def extremes(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return minimum and maximum over blocks of the record, by which rest is skipped."""
-    blocks = max(1, -(-(len(values) - 1) // BLOCK))
-    low, high = np.empty(blocks), np.empty(blocks)
-    block_extremes(values, low, high)
-    return low, high
+    events: np.recarray[Any, Any]
+    devices: NDArray[np.void]
+    forces: NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,20 +85,15 @@ def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: floa
     return Shaking(Excitation(along, up, dt, (*extremes(along), *extremes(up))), law)
 
 
-class BatchArguments(NamedTuple):
-    """The arguments of `engine.run_batch`."""
-
-    cases: NDArray[np.void]
-    held: BatchDevices | None
-    motion: Excitation
-    settings: SolverSettings
-    scratch: Scratch
-    states: NDArray[np.void]
-    output: Output
-    results: NDArray[np.void]
+def extremes(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return minimum and maximum over blocks of the record, by which rest is skipped."""
+    blocks = max(1, -(-(len(values) - 1) // BLOCK))
+    low, high = np.empty(blocks), np.empty(blocks)
+    block_extremes(values, low, high)
+    return low, high
 
 
-def arguments(
+def _solve(
     cases: NDArray[np.void],
     held: BatchDevices | None,
     motion: Shaking,
@@ -123,8 +103,8 @@ def arguments(
     max_step: float = np.inf,
     max_events: int = MAX_EVENTS,
     records: bool = False,
-) -> BatchArguments:
-    """Return what `engine.run_batch` takes.
+) -> tuple[NDArray[np.void], Output]:
+    """Run cases under one motion on this thread; return RESULT, shape [m], and what was recorded.
 
     Parameters
     ----------
@@ -147,45 +127,22 @@ def arguments(
     """
     samples, listed = (len(motion.floor.ax), MAX_EVENTS) if records else (0, 0)
     devices = 0 if held is None else len(held.links)
-    return BatchArguments(
-        cases=cases,
-        held=held,
-        motion=motion.floor,
-        settings=SolverSettings(motion.law, tolerance, error, max_step, max_events),
-        scratch=Scratch(np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW)),
-        states=np.zeros(1, col.STATE),
-        output=Output(
-            history=np.zeros((samples, col.HISTORY)),
-            forces=np.zeros((samples, devices, FORCES)),
-            events=np.zeros((listed, col.EVENT)),  # pages that are not written take no memory
-        ),
-        results=np.zeros(len(cases), col.RESULT),
+    output = Output(
+        history=np.zeros((samples, col.HISTORY)),
+        forces=np.zeros((samples, devices, el.FORCES)),
+        events=np.zeros((listed, col.EVENT)),  # pages that are not written take no memory
     )
-
-
-def solve(
-    cases: NDArray[np.void], held: BatchDevices | None, motion: Shaking, **settings: Any
-) -> tuple[NDArray[np.void], Output]:
-    """Run cases under one motion on this thread; arguments as for `arguments`.
-
-    Returns
-    -------
-    tuple
-        A column of `columns.RESULT`, and what was recorded.
-    """
-    batch = arguments(cases, held, motion, **settings)
-    run_batch(*batch)
-    return batch.results, batch.output
+    results = np.zeros(len(cases), col.RESULT)
+    settings = SolverSettings(motion.law, tolerance, error, max_step, max_events)
+    scratch = Scratch(np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW))
+    run_batch(cases, held, motion.floor, settings, scratch, np.zeros(1, col.STATE), output, results)
+    return results, output
 
 
 def trace(
-    case: np.void,
-    motion: Shaking,
-    *,
-    tolerance: float = TOLERANCE,
-    max_step: float = np.inf,
+    case: np.void, motion: Shaking, elements: NDArray[np.void] | None = None, **settings: Any
 ) -> Traced:
-    """Run one case and keep its history and events.
+    """Run one case and keep its histories and events.
 
     Parameters
     ----------
@@ -193,50 +150,142 @@ def trace(
         The case.
     motion : Shaking
         How the floor moves, and the contact law.
-    tolerance, max_step : float
-        Largest last term of the series in a step [rad], longest step [s].
+    elements : ndarray of ELEMENT, shape [n], optional
+        Its devices, with forces per unit mass of the body [N/kg]; under the law "coulomb" alone.
+    **settings
+        ``tolerance``, ``error`` and ``max_step`` as for `_solve`.
+
+    Raises
+    ------
+    InputError
+        Elements out of range, or another contact law.
     """
-    results, output = solve(
-        np.array([case]), None, motion, tolerance=tolerance, max_step=max_step, records=True
-    )
-    return traced(results[0], output)
-
-
-def traced(result: np.void, output: Output) -> Traced:
-    """Assemble a run from its row of results and what was recorded, without internal events."""
+    held = None
+    if elements is not None and len(elements):
+        held = _devices_of(np.ascontiguousarray(elements)[np.newaxis], motion)
+    results, output = _solve(np.array([case]), held, motion, records=True, **settings)
     reached = int(output.history[:, col.H_REACHED].sum())
-    listed = output.events[: result["events"]]
+    listed = output.events[: results[0]["events"]]
+    listed = listed[listed[:, col.E_KIND] != col.INTERNAL_EVENT]
     return Traced(
-        outcome=int(result["outcome"]),
-        end=float(result["end"]),
-        peak_slide=float(result["peak_slide"]),
-        peak_tilt=float(result["peak_tilt"]),
-        slide=float(result["residual_slide"]),
-        tilt=float(result["residual_tilt"]),
-        floor_impacts=int(result["floor_impacts"]),
-        wall_impacts=int(result["wall_impacts"]),
-        steps=int(result["steps"]),
+        result=results[0],
         history=output.history[:reached],
-        listed=listed[listed[:, col.E_KIND] != col.INTERNAL_EVENT],  # a view would keep the whole buffer
+        events=np.rec.fromarrays(listed.T, dtype=EVENT),
+        devices=np.zeros(0, el.DEVICE) if held is None else held.devices[0],
+        forces=output.forces[:reached],
     )
 
 
-def run_cases(
-    cases: NDArray[np.void],
-    motion: Shaking,
-    *,
-    tolerance: float = TOLERANCE,
-    max_step: float = np.inf,
-    max_events: int = MAX_EVENTS,
-) -> NDArray[np.void]:
+def run_cases(cases: NDArray[np.void], motion: Shaking, **settings: Any) -> NDArray[np.void]:
     """Run a column of cases under one motion on this thread; return a column of `columns.RESULT`.
+
+    ``settings`` are ``tolerance``, ``max_step`` and ``max_events`` as for `_solve`.
+    """
+    return _solve(cases, None, motion, **settings)[0]
+
+
+def run_cases_with_devices(
+    cases: NDArray[np.void], elements: NDArray[np.void], motion: Shaking, **settings: Any
+) -> tuple[NDArray[np.void], NDArray[np.void]]:
+    """Run a column of cases with elements under one motion on this thread.
 
     Parameters
     ----------
     cases : ndarray of CASE, shape [m]
-    motion, tolerance, max_step
-        As for `trace`.
-    max_events : int
-        Events after which a case is stopped and reported as failed.
+    elements : ndarray of ELEMENT, shape [m, n]
+        The devices of each case, padded with rows of kind NONE.
+    motion : Shaking
+        How the floor moves; under the law "coulomb".
+    **settings
+        ``error``, ``max_step`` and ``max_events`` as for `_solve`.
+
+    Returns
+    -------
+    tuple
+        A column of `stayput.mechanics.columns.RESULT`, and DEVICE, shape [m, n].
     """
-    return solve(cases, None, motion, tolerance=tolerance, max_step=max_step, max_events=max_events)[0]
+    if elements.shape[:1] != cases.shape:
+        raise InputError("mechanics.element_rows", given=len(elements), cases=len(cases))
+    held = _devices_of(elements, motion)
+    return _solve(cases, held, motion, **settings)[0], held.devices
+
+
+def _devices_of(elements: NDArray[np.void], motion: Shaking) -> BatchDevices:
+    """Return devices as the solver takes them, shape [m, n].
+
+    Raises
+    ------
+    InputError
+        Elements out of range, or another contact law.
+    """
+    check_elements(elements)
+    if motion.law != col.COULOMB:
+        raise InputError("mechanics.elements_need_coulomb", "contact")
+    links = np.zeros(elements.shape[1], el.LINK)
+    return BatchDevices(elements, links, np.zeros(elements.shape, el.DEVICE), np.zeros(2, el.WORK))
+
+
+def no_elements(count: int, cases: int | None = None) -> NDArray[np.void]:
+    """Return inactive ELEMENT rows to be filled in, shape [count] or [cases, count].
+
+    All slacks and strengths are infinite: a line acts once it has a stiffness and a finite slack.
+    """
+    rows = np.zeros(count if cases is None else (cases, count), el.ELEMENT)
+    rows["x"] = rows["z"] = rows["friction"] = np.nan
+    rows["cos"] = 1.0
+    for name in ("slack_plus", "slack_minus", "limit_plus", "limit_minus"):
+        rows[name] = np.inf
+    return rows
+
+
+def check_elements(elements: NDArray[np.void]) -> None:
+    """Validate elements, since the compiled solver does not.
+
+    Raises
+    ------
+    InputError
+        Too many elements; a number that is NaN where it may not be, or out of its range.
+    """
+    if elements.shape[-1] > el.MAX_ELEMENTS:
+        raise InputError("mechanics.too_many_elements", count=elements.shape[-1], most=el.MAX_ELEMENTS)
+    rows = elements.ravel()
+    rows = rows[rows["kind"] != el.NONE]
+    damping, ultimate = rows["damping"].max(axis=1), rows["ultimate"].max(axis=1)
+    play = rows["slack_plus"] + rows["slack_minus"]
+    interacts, has_friction = rows["interaction"] != 0, ~np.isnan(rows["friction"])
+    # comparisons are False for NaN, which is refused; where NaN has a meaning they are negated
+    at_least_0 = {name: rows[name] >= 0.0 for name in ("limit_plus", "limit_minus", "ultimate")}
+    at_least_0 |= {name: (rows[name] >= 0.0) & np.isfinite(rows[name]) for name in ("stiffness", "damping")}
+    checks: list[tuple[str, Any, Any, str]] = [
+        ("kind", rows["kind"], np.isin(rows["kind"], (el.AXIAL, el.PLANAR)), "known_kind"),
+        *(
+            (name, rows[name], np.isfinite(rows[name]), "finite")
+            for name in ("u", "v", "cos", "sin", "length")
+        ),
+        *((name, rows[name], ~np.isinf(rows[name]), "anchor") for name in ("x", "z")),
+        *(
+            (name, rows[name], (rows[name] >= 0.0) & np.isfinite(rows[name]), "not_negative")
+            for name in ("stiffness", "damping")
+        ),
+        *((name, rows[name], rows[name] > -np.inf, "slack") for name in ("slack_plus", "slack_minus")),
+        *(
+            (name, rows[name], rows[name] >= 0.0, "not_negative")
+            for name in ("limit_plus", "limit_minus", "ultimate")
+        ),
+        ("friction", rows["friction"], ~(rows["friction"] < 0.0), "friction"),
+        ("slack_plus + slack_minus", play, ~(play < 0.0), "not_negative"),
+        # combinations that the force laws do not cover
+        (
+            "damping",
+            rows["damping"],
+            (rows["damping"] == 0.0) | (rows["stiffness"] > 0.0),
+            "no_damping_without_stiffness",
+        ),
+        ("damping", damping, ~(has_friction & (damping > 0.0)), "no_damping_with_friction"),
+        ("ultimate", ultimate, ~(interacts & (ultimate > 0.0)), "brittle_with_interaction"),
+        ("interaction", rows["interaction"], ~(interacts & (rows["kind"] == el.AXIAL)), "axial_has_no_shear"),
+    ]
+    for name, values, valid, allowed in checks:
+        if not np.all(valid):
+            value, what = values[~valid].ravel()[0], phrase(f"mechanics.{allowed}")
+            raise InputError("mechanics.element_value", name=name, value=value, allowed=what)

@@ -1,4 +1,4 @@
-"""What stands: the body's section, mass, centre of gravity and moment of inertia."""
+"""What stands: section, mass, centre of gravity and moment of inertia of a body, and presets of furniture."""
 
 from __future__ import annotations
 
@@ -6,15 +6,22 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, finite, list_of, within
-from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
-from stayput.model.parameters import check_fields, parameter, parameter_of, quantity
+from stayput.errors import InputError, finite, list_of, numbers, within
+from stayput.model.parameters import (
+    GRAVITY,
+    STANDARD_GRAVITY,
+    check_fields,
+    parameter,
+    parameter_of,
+    quantity,
+)
 from stayput.wording import brief
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable
 
     from matplotlib.axes import Axes
+
 
 SIZE_RANGE = (1e-3, 100.0)
 """Smallest and largest width and height that are accepted [m]."""
@@ -155,7 +162,8 @@ class Body:
 
     def __post_init__(self) -> None:
         check_fields(self, but=("cg_offset", "inertia", "base_heights", "base_insets"))
-        _refuse_other_than_two("cg_offset", self.cg_offset)
+        for name in ("cg_offset", "base_heights", "base_insets"):
+            numbers(parameter_of(Body, name).label, getattr(self, name), name, count=2)
         label = parameter_of(Body, "cg_offset").label
         e_x, e_z = (finite(label, value, "cg_offset") for value in self.cg_offset)
         if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
@@ -167,11 +175,9 @@ class Body:
             largest = 4.0 * self.mass * (self.width**2 + self.height**2)
             bounds = (1e-6 * self.uniform_inertia, largest)
             parameter_of(Body, "inertia").check(self.inertia, bounds=bounds)
-        _refuse_other_than_two("base_heights", self.base_heights)
         bounds = (-self.width / 2, min(self.width, self.height) / 4)
         for value in self.base_heights:
             parameter_of(Body, "base_heights").check(value, bounds=bounds)
-        _refuse_other_than_two("base_insets", self.base_insets)
         for value in self.base_insets:
             parameter_of(Body, "base_insets").check(value, bounds=(0.0, MOST_INSET * self.width))
         (left, _), (right, _), _, _ = self.corners
@@ -384,7 +390,41 @@ def _check_size(width: float, height: float) -> None:
         parameter_of(Body, name).check(size)
 
 
-def _refuse_other_than_two(field: str, values: Sequence[float]) -> None:
-    """Refuse what is no list of two; see `Body`."""
-    if len(list_of(field, values)) != 2:
-        raise InputError(f"model.{field}_not_two", field, value=repr(values))
+@dataclass(frozen=True, slots=True)
+class Preset:
+    """A common piece of furniture, seen from its side.
+
+    Parameters
+    ----------
+    width : float
+        Depth of the piece, which is its base length along the shaking [m].
+    height : float
+        Height [m].
+    length : float
+        Length across the shaking [m].
+    mass : float
+        Mass as it usually stands, with its load [kg].
+    carcass_mass : float, optional
+        Mass when it is empty [kg], for pieces whose loads may be given shelf by shelf.
+    """
+
+    width: float = field(metadata=quantity("m", *SIZE_RANGE, ("width (depth)", "奥行き")))
+    height: float = field(metadata=quantity("m", *SIZE_RANGE, ("height", "高さ")))
+    length: float = field(metadata=quantity("m", *SIZE_RANGE, ("length (across)", "幅")))
+    mass: float = field(metadata=quantity("kg", *MASS_RANGE, ("mass", "質量")))
+    carcass_mass: float | None = parameter(None, "kg", *MASS_RANGE, ("empty carcass", "空の本体の質量"))
+
+
+FURNITURE: dict[str, Preset] = {
+    "bookcase": Preset(0.30, 1.80, 0.80, 200.0, carcass_mass=35.0),
+    "empty bookcase": Preset(0.30, 1.80, 0.80, 35.0, carcass_mass=35.0),
+    "wardrobe": Preset(0.60, 1.90, 1.00, 115.0),
+    "cupboard": Preset(0.40, 1.80, 0.885, 100.0),
+    "chest": Preset(0.42, 1.365, 0.885, 81.0),
+    "refrigerator": Preset(0.68, 1.82, 0.65, 105.0),
+    "television": Preset(0.27, 0.76, 1.23, 18.0),
+    "vending machine": Preset(0.83, 1.83, 1.10, 350.0),
+    "server rack": Preset(1.00, 2.00, 0.70, 500.0),
+    "upright piano": Preset(0.62, 1.25, 1.50, 230.0),
+}
+"""Pieces of furniture by name: typical Japanese sizes; masses in the middle of the usual range."""

@@ -219,9 +219,7 @@ class PersonPlace:
         check_fields(self)
         if not self.low < self.high:
             raise InputError("rooms.heights_in_order", "high", low=self.low, high=self.high)
-        at = numbers("rooms.at", self.at, "at")
-        if at.shape != (2,):
-            raise InputError("simulation.not_two", "at", count=at.size)
+        at = numbers("rooms.at", self.at, "at", count=2)
         x, y = (within("rooms.at", value, -ROOM_SIZE[1], ROOM_SIZE[1], "m", "at") for value in at.tolist())
         object.__setattr__(self, "at", (x, y))
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
 
+
 F = TypeVar("F", bound="Callable[..., Any]")
 
 GIVEN = "given"
@@ -221,3 +222,10 @@ def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> N
             about.check(number, field=place + about.name)
             if number is not None and hasattr(number, "dtype"):  # out of an array: kept as Python's own
                 object.__setattr__(value, about.name, number.item())
+
+
+STANDARD_GRAVITY = 9.80665
+"""Standard acceleration of gravity [m/s²]: one "g" of a record, and the default of a simulation."""
+
+GRAVITY = Parameter("gravity", STANDARD_GRAVITY, "m/s²", 0.01, 1e3, ("Gravity", "重力加速度"))
+"""Acceleration of gravity where a function asks for it."""

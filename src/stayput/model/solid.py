@@ -13,7 +13,6 @@ import numpy as np
 from stayput.errors import InputError, instance_of, within
 from stayput.model.body import Body
 from stayput.model.inertia import inertia_of, moments_of_furniture, principal_axes, uniform_cone
-from stayput.model.mesh_file import read_convex_mesh
 from stayput.model.parameters import parameter_of
 from stayput.model.polyhedron import (
     TOLERANCE,
@@ -24,6 +23,7 @@ from stayput.model.polyhedron import (
     size_of,
     triangulated,
     uniform_solid,
+    up_at_rest,
 )
 from stayput.model.room import Floor
 from stayput.model.soft_base import narrower_base, rigid_half_base
@@ -35,10 +35,10 @@ from stayput.model.solid_fields import (
     checked_mass,
     checked_rims,
     numbers,
+    read_convex_mesh,
     read_only,
     side,
 )
-from stayput.model.support import up_at_rest
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -395,7 +395,7 @@ class Solid:
         Raises
         ------
         InputError
-            A file or mesh that `stayput.model.mesh_file.read_convex_mesh` refuses, no mass or two, or what
+            A file or mesh that `stayput.model.solid_fields.read_convex_mesh` refuses, no mass or two, or what
             `Solid` refuses.
         """
         if (mass is None) == (density is None):

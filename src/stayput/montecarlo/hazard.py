@@ -16,7 +16,7 @@ import numpy as np
 
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
 from stayput.mechanics.runner import Shaking, shaking
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond

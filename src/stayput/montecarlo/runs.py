@@ -17,9 +17,9 @@ import numpy as np
 
 from stayput.measures.element import failures_of, utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
-from stayput.mechanics.devices.runner import no_elements
+from stayput.mechanics.runner import no_elements
 from stayput.montecarlo.counting import Outcomes
-from stayput.simulation.columns import run_columns, run_rows
+from stayput.simulation.many import run_columns, run_rows
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -15,7 +15,7 @@ import numpy as np
 from stayput.fragility import Probability, samples_needed
 from stayput.measures import Measure, element_rows, hold
 from stayput.measures.wall import REACH
-from stayput.mechanics.devices.runner import no_elements
+from stayput.mechanics.runner import no_elements
 from stayput.model.body import MOST_INSET, Body
 from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND, Floor, Room, friction_factor
 from stayput.model.state import State

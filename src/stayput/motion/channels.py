@@ -11,7 +11,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import BOREHOLE, floor_phrase, upper_floor
 from stayput.motion.processing import check_size
 

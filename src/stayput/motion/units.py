@@ -11,7 +11,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn, within
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.processing import STEP_RANGE
 
 if TYPE_CHECKING:

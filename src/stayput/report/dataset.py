@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from stayput.report.summary import sentence
-from stayput.simulation.results import COUNTS, HISTORIES, RESULTS
+from stayput.simulation.outcome import COUNTS, HISTORIES, RESULTS
 
 if TYPE_CHECKING:
     from stayput.measures import DeviceResult

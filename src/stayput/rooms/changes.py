@@ -22,7 +22,7 @@ from stayput.rooms.runs import RoomPart, part_with, with_measures
 from stayput.rooms.tracks import Track, outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
-from stayput.simulation.space_gaps import DEEPEST
+from stayput.simulation.space_engine import DEEPEST
 from stayput.simulation.standing import Assembly, Piece, Standing
 
 if TYPE_CHECKING:

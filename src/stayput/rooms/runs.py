@@ -19,15 +19,14 @@ from stayput.measures import Held, Measure, element_rows, hold
 from stayput.measures.wall import REACH, WallDevice
 from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.mechanics.runner import Traced
 from stayput.mechanics.runner import shaking as shaking_in_plane
+from stayput.mechanics.runner import trace
 from stayput.model.room import SIDE_WALLS, WALLS_AROUND, Room
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
 from stayput.montecarlo.several import DrawOfSeveral, drawn_assembly, drawn_room, leaning, turned
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
-from stayput.simulation.case import trace_held
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
 from stayput.simulation.space import trace_assembly
@@ -317,12 +316,13 @@ def _run_in_plane(
     row = case_columns(held.body, held.room, State(), gravity)
     cos, sin = math.cos(piece.heading), math.sin(piece.heading)
     along, up = shaking.acceleration[:, :2] @ [cos, sin], shaking.acceleration[:, 2]
-    traced, devices, _ = trace_held(row[0], elements, shaking_in_plane(along, up, shaking.dt, 0))
+    traced = trace(row[0], shaking_in_plane(along, up, shaking.dt, 0), elements)
     start = at_rest(standing_of(piece, held), shaking.dt)
     history = traced.history
     x, z, tilt = (history[:, column] for column in (H_X, H_Z, H_TILT))
     track = track_in_plane(start, x - x[0], z - z[0], tilt)
-    return _result(traced), devices, peak_forces(0, held, devices, held.body.mass), [track]
+    peaks = peak_forces(0, held, traced.devices, held.body.mass)
+    return np.array([traced.result]), traced.devices, peaks, [track]
 
 
 def _far_as_stated(stated: Room, drawn: Room) -> Room:
@@ -332,12 +332,3 @@ def _far_as_stated(stated: Room, drawn: Room) -> Room:
         own, wall = getattr(stated, name), getattr(drawn, name)
         walls[name] = replace(wall, gap=own.gap) if own is not None and own.gap > REACH else wall
     return replace(drawn, **walls)
-
-
-def _result(traced: Traced) -> NDArray[np.void]:
-    """Return the RESULT of a run in the plane."""
-    result = np.zeros(1, RESULT)
-    for name in ("outcome", "end", "peak_slide", "peak_tilt", "floor_impacts", "wall_impacts", "steps"):
-        result[name] = getattr(traced, name)
-    result["residual_slide"], result["residual_tilt"] = traced.slide, traced.tilt
-    return result

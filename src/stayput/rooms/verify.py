@@ -30,7 +30,7 @@ from stayput.rooms.verdict import (
 )
 from stayput.scenario.room import RoomScenario
 from stayput.simulation.placing import bare
-from stayput.simulation.space_gaps import DEEPEST
+from stayput.simulation.space_engine import DEEPEST
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence

@@ -19,7 +19,7 @@ from stayput.measures.element import utilisation
 from stayput.measures.measure import refuse_conflicts
 from stayput.mechanics.columns import RESULT
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.progress import bar
 from stayput.scenario.fields import between, checked, refuse_same_names
 from stayput.scenario.origin import FromFile, Gravity, Title
@@ -35,7 +35,7 @@ from stayput.scenario.pieces import (
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import RoomTable, floor_of
 from stayput.simulation.case import simulate
-from stayput.simulation.results import QUANTITIES, fill_columns
+from stayput.simulation.outcome import QUANTITIES, fill_columns
 from stayput.simulation.space import trace_assembly
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
 from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between

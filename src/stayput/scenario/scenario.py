@@ -11,7 +11,7 @@ from pydantic import Field, PrivateAttr, field_validator, model_validator
 from stayput.catalogue import say
 from stayput.contents.contents import emptied
 from stayput.errors import InputError
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.scenario.fields import between, refuse_same_names
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
 from stayput.scenario.origin import FromFile, Gravity, Title

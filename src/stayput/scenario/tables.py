@@ -14,8 +14,7 @@ from stayput.catalogue import phrase
 from stayput.contents.contents import CONTENTS, DOORS, DRAWERS, Contents
 from stayput.errors import InputError
 from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
-from stayput.model.body import Body, Part
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE, Body, Part
 from stayput.model.parameters import parameter_of
 from stayput.model.room import SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import State

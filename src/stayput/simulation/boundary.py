@@ -1,23 +1,149 @@
-"""`trace_boundary`: the stability boundary, between standing and falling, over the amplitude of the shaking.
+"""Overturning over the amplitude of the shaking: `overturning_map` samples it, `trace_boundary` finds edges.
 
 A body may fall at one amplitude, stand at a higher one and fall again above: it has *islands* of safety
 (Zhang and Makris 2001, J. Eng. Mech. 127(5), 473-483). So there is not one critical amplitude but a list of
-*crossings* of the boundary. `overturning_map` samples the amplitude; crossings are taken from neighbouring
-samples that differ, and refined by bisection.
+*crossings* of the boundary between standing and falling. Crossings are taken from neighbouring samples of the
+map that differ, and refined by bisection.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, TypeAlias, get_args
+from collections.abc import Mapping
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 
-from stayput.errors import InputError, within
-from stayput.simulation.axes import make_grid
-from stayput.simulation.grid import Axis, Columns, Grid
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, within
+from stayput.simulation.grid import Axis, Columns, Grid, finite_numbers, make_grid
 from stayput.simulation.many import run_grid
-from stayput.simulation.overturning import FALLEN, SCALE, checked_amplitudes, overturning_map
+from stayput.simulation.outcome import Outcome
+from stayput.simulation.sweep import sweep
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    import xarray as xr
+    from numpy.typing import ArrayLike, NDArray
+
+    from stayput.simulation.case import Case
+    from stayput.simulation.grid import Axes
+
+
+SCALE = "motion.scale"
+"""The path of the amplitude: the factor on the motion's acceleration."""
+
+FALLEN = [list(Outcome).index(outcome) for outcome in (Outcome.OVERTURNED, Outcome.FAILED)]
+"""Numbers of the outcomes that count as a fall; a run that is given up never counts as standing."""
+
+
+def overturning_map(
+    case: Case,
+    amplitudes: ArrayLike,
+    axes: Axes | None = None,
+    *,
+    threads: int | None = None,
+    executor: Executor | None = None,
+    progress: bool | None = None,
+) -> xr.Dataset:
+    """Sample whether a case overturns, over the amplitude of its motion and other axes.
+
+    Parameters
+    ----------
+    case : Case
+        The base case: what no axis changes.
+    amplitudes : array_like, shape (n,)
+        Factors on the motion's acceleration, none negative, increasing.
+    axes : mapping, optional
+        Other axes, as for `sweep`; a *point* is a combination of their values.
+    threads, executor, progress
+        As for `simulate_many`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over the axes and ``motion.scale``: ``overturned``; ``failed``, which does not count as standing;
+        ``floor_impacts``, those before the fall where it falls. Over the axes: ``first``, the lowest
+        amplitude sampled at which it falls; ``last``, the lowest from which on it falls at all;
+        ``fraction`` of the amplitudes at which it falls; ``islands``, the number of ranges in which it
+        stands between two at which it falls. A given-up run counts as a fall in these four. NaN where there
+        is no such amplitude: no ``first`` where it never falls, no ``last`` where it stands at the highest.
+        The attributes say how wide a range must be not to be missed.
+
+    Raises
+    ------
+    InputError
+        Amplitudes that are not as above, ``motion.scale`` among the axes, or as for `sweep`.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> wave = sp.sine(9.81, 2.0, 0.5, quiet=10.0)
+    >>> case = sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(sp.Floor(3.0, 3.0)), wave)
+    >>> result = overturning_map(case, [0.4, 0.5, 1.2, 1.33, 1.4, 1.5])
+    >>> result.overturned.values.tolist()
+    [False, True, True, False, True, True]
+    >>> float(result["first"]), float(result["last"]), int(result["islands"])
+    (0.5, 1.4, 1)
+    """
+    sampled = checked_amplitudes(amplitudes, axes)
+    data = sweep(
+        case, {**(axes or {}), SCALE: sampled}, threads=threads, executor=executor, progress=progress
+    )
+    falls = data["outcome"].isin(FALLEN)
+    failed = data["outcome"] == list(Outcome).index(Outcome.FAILED)
+    failed.attrs["long_name"] = "whether the run was given up"
+    downward = falls.isel({SCALE: slice(None, None, -1)})
+    falls_above = downward.cumprod(SCALE).astype(bool)
+    back = (falls & ~falls.shift({SCALE: -1}, fill_value=True)).sum(SCALE)
+    open_top = falls.any(SCALE) & ~falls.isel({SCALE: -1}, drop=True)
+    summaries = {
+        "first": (falls[SCALE].where(falls).min(SCALE), "lowest amplitude sampled at which it falls"),
+        "last": (
+            falls[SCALE].where(falls_above).min(SCALE),
+            "lowest amplitude sampled above which none stands",
+        ),
+        "fraction": (falls.mean(SCALE), "part of the amplitudes at which it falls"),
+        "islands": (back - open_top, "number of ranges of standing between two of falling"),
+    }
+    result = data[["overturned", "floor_impacts"]].assign(failed=failed)
+    for name, (values, meaning) in summaries.items():
+        result[name] = values.assign_attrs(long_name=meaning)
+    return result.assign_attrs(_resolution(sampled))
+
+
+def checked_amplitudes(amplitudes: ArrayLike, axes: Axes | None) -> NDArray[np.float64]:
+    """Return the amplitudes as an array.
+
+    Raises
+    ------
+    InputError
+        They are not two or more increasing finite numbers, none negative, or they are on an axis too.
+    """
+    if axes is not None:
+        instance_of("axes", axes, Mapping)
+    for paths in axes or {}:
+        if SCALE in ((paths,) if isinstance(paths, str) else paths):
+            raise InputError("simulation.scale_on_axis", SCALE, path=SCALE)
+    sampled = finite_numbers(phrase("simulation.amplitudes"), amplitudes, "amplitudes", least=2)
+    before = [0.0] if sampled[0] < 0.0 else []
+    for low, high in pairwise([*before, *sampled.tolist()]):
+        if high <= low:
+            raise InputError("simulation.amplitudes_not_increasing", "amplitudes", value=high, before=low)
+    return sampled
+
+
+def _resolution(sampled: NDArray[np.float64]) -> dict[str, Any]:
+    steps = np.diff(sampled)
+    return {
+        "lowest_amplitude": float(sampled[0]),
+        "highest_amplitude": float(sampled[-1]),
+        "largest_step": float(steps.max()),
+        "largest_relative_step": float((steps / sampled[1:]).max()),
+        "resolution": "a range of standing or falling narrower than a step of the amplitudes can be missed",
+    }
+
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -26,8 +152,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.simulation.axes import Axes
     from stayput.simulation.case import Case
+    from stayput.simulation.grid import Axes
 
     RunPoints: TypeAlias = (
         "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"
@@ -48,6 +174,12 @@ MEANINGS: dict[str, str] = {
 
 MOST_HALVINGS = 60
 """Most bisections of an interval: the tolerance is relative, and never met by one that begins at zero."""
+
+
+CROSSING = np.dtype([("point", "i8"), ("lower", "f8"), ("upper", "f8"), ("direction", "i1")])
+"""A crossing of the stability boundary: the point (the combination of the other axes' values) that it belongs
+to, the amplitudes just below and above it, and +1 where it falls above, −1 where it stands above.
+"""
 
 
 def trace_boundary(
@@ -124,8 +256,9 @@ def trace_boundary(
 
     crossings = sampled_crossings(falls, sampled)
     landings = mapped["floor_impacts"].values.reshape(shape)
-    crossings = crossings.merged_with(hidden_crossings(falls, landings, sampled, runs, tolerance))
-    back = np.bincount(crossings.point[crossings.direction < 0], minlength=len(grid))
+    crossings = np.append(crossings, hidden_crossings(falls, landings, sampled, runs, tolerance))
+    crossings = crossings[np.lexsort((crossings["lower"], crossings["point"]))]
+    back = np.bincount(crossings["point"][crossings["direction"] < 0], minlength=len(grid))
     summaries = {
         "islands": (back - (falls.any(1) & ~falls[:, -1]), "ranges of standing between two of falling"),
         "falls_at_lowest": (falls[:, 0], "whether it falls at the lowest amplitude"),
@@ -140,21 +273,24 @@ def trace_boundary(
     return data.assign_attrs(edge=edge, edge_meaning=MEANINGS[edge], tolerance=tolerance)
 
 
-def _with_edges(data: xr.Dataset, crossings: Crossings, runs: RunPoints, edge: Edge) -> xr.Dataset:
+def _with_edges(data: xr.Dataset, crossings: NDArray[np.void], runs: RunPoints, edge: Edge) -> xr.Dataset:
     """Return a dataset over the points with the edges put in; one to a point unless all are followed."""
-    impacts = runs(crossings.point, crossings.fallen_side)[1] if len(crossings) else np.zeros(0, np.int32)
+    point, lower, upper, direction = (crossings[name] for name in CROSSING.names or ())
+    number = _numbered(crossings)
+    fallen_side = np.where(direction > 0, upper, lower)
+    impacts = runs(point, fallen_side)[1] if len(crossings) else np.zeros(0, np.int32)
     columns = {
-        "amplitude": (crossings.middle, np.nan, "amplitude between standing and fallen"),
-        "lower": (crossings.lower, np.nan, "amplitude just below the edge"),
-        "upper": (crossings.upper, np.nan, "amplitude just above the edge"),
-        "direction": (crossings.direction, 0, "+1: it falls above the edge; -1: it stands above; 0: no edge"),
+        "amplitude": (0.5 * (lower + upper), np.nan, "amplitude between standing and fallen"),
+        "lower": (lower, np.nan, "amplitude just below the edge"),
+        "upper": (upper, np.nan, "amplitude just above the edge"),
+        "direction": (direction, 0, "+1: it falls above the edge; -1: it stands above; 0: no edge"),
         "floor_impacts": (impacts, -1, "landings before the fall, on the side where it falls; -1: no edge"),
     }
     points, dims = data["islands"], data["islands"].dims
-    most = max(1, int(crossings.number.max(initial=0)) + 1)
+    most = max(1, int(number.max(initial=0)) + 1)
     for name, (values, missing, meaning) in columns.items():
         table = np.full((points.size, most), missing, values.dtype)
-        table[crossings.point, crossings.number] = values
+        table[point, number] = values
         if edge == "all":
             data[name] = ((*dims, "edge"), table.reshape(*points.shape, most), {"long_name": meaning})
         else:
@@ -162,14 +298,19 @@ def _with_edges(data: xr.Dataset, crossings: Crossings, runs: RunPoints, edge: E
     return data.assign_coords(edge=np.arange(1, most + 1)) if edge == "all" else data
 
 
-def _of_edge(crossings: Crossings, edge: Edge, falls: NDArray[np.bool_]) -> Crossings:
+def _numbered(crossings: NDArray[np.void]) -> NDArray[np.intp]:
+    """Return the number of each crossing among those of its point, from 0 at the lowest."""
+    return np.arange(len(crossings)) - np.searchsorted(crossings["point"], crossings["point"])
+
+
+def _of_edge(crossings: NDArray[np.void], edge: Edge, falls: NDArray[np.bool_]) -> NDArray[np.void]:
     """Return the crossings that belong to an edge; none at a point whose edge lies outside the amplitudes."""
     if edge == "all":
         return crossings
     if edge == "first":
-        return crossings.only((crossings.number == 0) & ~falls[crossings.point, 0])
-    top = np.append(crossings.point[1:] != crossings.point[:-1], True)[: len(crossings)]
-    return crossings.only(top & falls[crossings.point, -1])
+        return crossings[(_numbered(crossings) == 0) & ~falls[crossings["point"], 0]]
+    top = np.append(crossings["point"][1:] != crossings["point"][:-1], True)[: len(crossings)]
+    return crossings[top & falls[crossings["point"], -1]]
 
 
 def _cases(grid: Grid, points: NDArray[np.intp], scales: NDArray[np.float64]) -> Grid:
@@ -181,78 +322,39 @@ def _cases(grid: Grid, points: NDArray[np.intp], scales: NDArray[np.float64]) ->
     return Grid(grid.base, (Axis("case", columns, {}),), grid.motions, grid.measures)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Crossings:
-    """Crossings of the stability boundary, ordered by point and then by amplitude.
-
-    Attributes
-    ----------
-    point : ndarray of int, shape (n,)
-        Index of the point (the combination of the other axes' values) that each belongs to.
-    lower, upper : ndarray of float64, shape (n,)
-        Amplitudes just below and just above each.
-    direction : ndarray of int8, shape (n,)
-        +1 where it falls above, −1 where it stands above.
-    """
-
-    point: NDArray[np.intp]
-    lower: NDArray[np.float64]
-    upper: NDArray[np.float64]
-    direction: NDArray[np.int8]
-
-    def __len__(self) -> int:
-        return len(self.point)
-
-    @property
-    def number(self) -> NDArray[np.intp]:
-        """Number of each crossing among those of its point, from 0 at the lowest, shape (n,)."""
-        return np.arange(len(self)) - np.searchsorted(self.point, self.point)
-
-    @property
-    def middle(self) -> NDArray[np.float64]:
-        """The middle of each interval, shape (n,)."""
-        return 0.5 * (self.lower + self.upper)
-
-    @property
-    def fallen_side(self) -> NDArray[np.float64]:
-        """The amplitude on the side of each crossing on which the body falls, shape (n,)."""
-        return np.where(self.direction > 0, self.upper, self.lower)
-
-    def only(self, chosen: NDArray[np.bool_]) -> Crossings:
-        """Return those that are chosen; ``chosen`` has shape (n,)."""
-        return Crossings(self.point[chosen], self.lower[chosen], self.upper[chosen], self.direction[chosen])
-
-    def merged_with(self, other: Crossings) -> Crossings:
-        """Return these and others, ordered by point and then by amplitude."""
-        point, lower = np.append(self.point, other.point), np.append(self.lower, other.lower)
-        order = np.lexsort((lower, point))
-        upper, direction = np.append(self.upper, other.upper), np.append(self.direction, other.direction)
-        return Crossings(point[order], lower[order], upper[order], direction[order])
+def crossings_of(
+    point: NDArray[np.intp], lower: ArrayLike, upper: ArrayLike, direction: ArrayLike
+) -> NDArray[np.void]:
+    """Return CROSSING records of columns, ordered by point and then by amplitude."""
+    found = np.zeros(len(point), CROSSING)
+    found["point"], found["lower"], found["upper"], found["direction"] = point, lower, upper, direction
+    return found[np.lexsort((found["lower"], found["point"]))]
 
 
-def sampled_crossings(falls: NDArray[np.bool_], amplitudes: NDArray[np.float64]) -> Crossings:
+def sampled_crossings(falls: NDArray[np.bool_], amplitudes: NDArray[np.float64]) -> NDArray[np.void]:
     """Return the crossings between neighbouring samples; ``falls`` has shape (points, amplitudes)."""
     point, place = np.nonzero(falls[:, 1:] != falls[:, :-1])
     direction = np.where(falls[point, place], -1, 1).astype(np.int8)
-    return Crossings(point, amplitudes[place], amplitudes[place + 1], direction)
+    return crossings_of(point, amplitudes[place], amplitudes[place + 1], direction)
 
 
-def bisected(crossings: Crossings, runs: RunPoints, tolerance: float) -> Crossings:
+def bisected(crossings: NDArray[np.void], runs: RunPoints, tolerance: float) -> NDArray[np.void]:
     """Bisect all crossings together until each interval is within ``tolerance``, relative to its upper end.
 
     Where an interval has several crossings, one of the given direction is found; which one is not defined.
     """
-    lower, upper = crossings.lower.copy(), crossings.upper.copy()
+    found = crossings.copy()
+    lower, upper = found["lower"], found["upper"]
     for _ in range(MOST_HALVINGS):
         wide = np.flatnonzero(upper - lower > tolerance * upper)
         if not len(wide):
             break
         middle = 0.5 * (lower[wide] + upper[wide])
-        falls, _ = runs(crossings.point[wide], middle)
-        below = falls == (crossings.direction[wide] < 0)
+        falls, _ = runs(found["point"][wide], middle)
+        below = falls == (found["direction"][wide] < 0)
         lower[wide] = np.where(below, middle, lower[wide])
         upper[wide] = np.where(below, upper[wide], middle)
-    return Crossings(crossings.point, lower, upper, crossings.direction)
+    return found
 
 
 def hidden_crossings(
@@ -261,7 +363,7 @@ def hidden_crossings(
     amplitudes: NDArray[np.float64],
     runs: RunPoints,
     tolerance: float,
-) -> Crossings:
+) -> NDArray[np.void]:
     """Look for islands between two neighbouring amplitudes at both of which the body falls.
 
     If the body falls after n landings at one and after another number at the other, then between them is an
@@ -280,7 +382,7 @@ def hidden_crossings(
 
     Returns
     -------
-    Crossings
+    ndarray of CROSSING
         Two for each island found: back to standing, and to falling again. They are not bisected yet.
     """
     changes = falls[:, 1:] & falls[:, :-1] & (landings[:, 1:] != landings[:, :-1])
@@ -299,6 +401,6 @@ def hidden_crossings(
         lower[todo] = np.where(fallen & same, middle, lower[todo])
         upper[todo] = np.where(fallen & ~same, middle, upper[todo])
     has_island = ~np.isnan(island)
-    up = np.ones(np.count_nonzero(has_island), np.int8)
-    back = Crossings(point[has_island], lower[has_island], island[has_island], -up)
-    return back.merged_with(Crossings(point[has_island], island[has_island], upper[has_island], up))
+    point, lower, island, upper = (each[has_island] for each in (point, lower, island, upper))
+    back, again = crossings_of(point, lower, island, -1), crossings_of(point, island, upper, 1)
+    return np.append(back, again)

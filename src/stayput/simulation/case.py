@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, cast, overload
 
-import numpy as np
-
 from stayput.errors import InputError, finite, instance_of, list_of, whole_within, word_of
 from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
 from stayput.model.body import Body
-from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
+from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 from stayput.model.room import Room
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
@@ -23,9 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
-    from stayput.mechanics.runner import Shaking, Traced
     from stayput.model.solid import Solid
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Assembly, Standing
@@ -226,7 +222,7 @@ def simulate(
     >>> run.outcome
     <Outcome.OVERTURNED: 'overturned'>
     """
-    from stayput.mechanics.runner import shaking
+    from stayput.mechanics.runner import shaking, trace
 
     start = State() if initial is None else initial
     if not isinstance(body, Body):
@@ -249,8 +245,8 @@ def simulate(
     refuse_bad_start(held.body, held.room, start)
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
     shaken = shaking(motion.x, motion.z, motion.dt, law_number(contact))
-    traced, devices, forces = trace_held(columns[0], elements, shaken)
-    results = device_results(held, elements, devices, forces, held.body.mass)
+    traced = trace(columns[0], shaken, elements)
+    results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
     case = Case(held.body, held.room, motion, contact, start, gravity)
     return run_of(case, traced, held, results, most_events)
 
@@ -287,29 +283,6 @@ def _simulate_solids(
     if not isinstance(given, Assembly):
         given = Assembly([Standing(given) if isinstance(given, Solid) else given])
     return simulate_assembly(given, room, motion, gravity, step)
-
-
-def trace_held(
-    case: np.void, elements: NDArray[np.void], motion: Shaking
-) -> tuple[Traced, NDArray[np.void], NDArray[np.float64]]:
-    """Run a case with its elements, shape [n], of which there may be none.
-
-    Returns
-    -------
-    tuple
-        The run, DEVICE of shape [n], and forces at the samples [N/kg], shape [samples, n, 2].
-    """
-    from stayput.mechanics.devices.columns import DEVICE, FORCES
-
-    if len(elements) == 0:
-        from stayput.mechanics.runner import trace
-
-        traced = trace(case, motion)
-        return traced, np.zeros(0, DEVICE), np.zeros((len(traced.history), 0, FORCES))
-    from stayput.mechanics.devices.runner import trace_with_devices
-
-    traced = trace_with_devices(case, elements, motion)
-    return traced.run, traced.devices, traced.forces
 
 
 def law_number(contact: str) -> int:

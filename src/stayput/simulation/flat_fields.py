@@ -10,9 +10,8 @@ import numpy as np
 from stayput.errors import within
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
-from stayput.model.gravity import GRAVITY
 from stayput.model.inertia import moments_of_furniture
-from stayput.model.parameters import Parameter, parameters
+from stayput.model.parameters import GRAVITY, Parameter, parameters
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.soft_base import landing_factor, narrower_base, rigid_half_base
 from stayput.model.state import State, refuse_bad_start

@@ -1,4 +1,4 @@
-"""Pieces of furniture with measures among several bodies: what holds each where it stands."""
+"""Pieces and solids where they stand, with what holds or joins them, as the engine in space reads it."""
 
 from __future__ import annotations
 
@@ -9,14 +9,16 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures.element import at_rest
+from stayput.measures.element import CAUSES, DeviceResult, at_rest, damper, utilisation
 from stayput.measures.measure import Held, element_rows, hold
 from stayput.measures.wall import WallDevice
+from stayput.mechanics.devices.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, PLANAR
+from stayput.mechanics.space.columns import LAW_OF_ELEMENT, SPRING
+from stayput.mechanics.space.touching import ROOM
 from stayput.model.body import Body
 from stayput.model.room import WALLS_AROUND, Room
 from stayput.model.solid import Solid
 from stayput.simulation.flat_fields import room_row
-from stayput.simulation.space_devices import springs_of
 from stayput.simulation.space_records import NORMALS, planes_of, surface_of
 from stayput.simulation.standing import Piece, Standing
 
@@ -27,6 +29,118 @@ if TYPE_CHECKING:
 
     from stayput.measures.measure import Measure
     from stayput.model.room import Wall
+    from stayput.simulation.standing import Joint
+
+
+JOINT = "joint"
+"""Kind of a joint among the devices."""
+
+JOINT_LABEL = ("Joint", "接合部")
+
+
+def springs_of(
+    elements: NDArray[np.void],
+    turn: NDArray[np.float64],
+    place: NDArray[np.float64],
+    axes: NDArray[np.float64],
+    body: int = 0,
+) -> NDArray[np.void]:
+    """Return what holds a body to the room, per unit mass.
+
+    Parameters
+    ----------
+    elements : ndarray of ELEMENT, shape (n,)
+        The devices, per unit mass.
+    turn : ndarray, shape (3, 3)
+        The rotation of its frame into the room's as it rests, tilted about y alone.
+    place : ndarray, shape (3,)
+        Where its centre of gravity is as it rests, from the middle of its base [m].
+    axes : ndarray, shape (3, 3)
+        Its principal axes in its frame, as columns.
+    body : int
+        Its number.
+    """
+    elements = elements[elements["kind"] != NONE]
+    springs = np.zeros(len(elements), SPRING)
+    springs["body"], springs["other"], springs["kind"] = body, ROOM, elements["kind"]
+    points = np.stack([elements["u"], elements["y"], elements["v"]], 1)
+    at_point = place + points @ turn.T
+    anchors = np.stack([elements["x"], elements["y"], elements["z"]], 1)
+    anchors = np.where(np.isnan(elements["x"])[:, None], at_point, anchors)
+    normals = np.stack([-elements["sin"], np.zeros(len(elements)), elements["cos"]], 1)
+    for name, vectors in (("p", points @ axes), ("a", anchors), ("n", normals)):
+        for number, axis in enumerate("xyz"):
+            springs[f"{name}{axis}"] = vectors[:, number]
+    springs["length"] = elements["length"]
+    for name in LAW_OF_ELEMENT:
+        springs[name] = elements[name]
+    return springs
+
+
+def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDArray[np.void]:
+    """Return what joins the members of an assembly, as they stand at first, in newtons."""
+    springs = np.zeros(len(joints), SPRING)
+    for spring, joint in zip(springs, joints, strict=True):
+        first, second = standing[joint.first], standing[joint.second]
+        at = np.asarray(joint.at)
+        to = at if joint.to is None else np.asarray(joint.to)
+        spring["body"], spring["other"] = joint.first, joint.second
+        spring["kind"] = PLANAR if joint.to is None else AXIAL
+        axes = second.turn @ second.solid.principal[1]
+        upwards = 1.0 if first.place[2] >= second.place[2] else -1.0
+        for name, vector in (
+            ("p", (at - first.place) @ first.turn @ first.solid.principal[1]),
+            ("a", (to - second.place) @ axes),
+            ("n", np.array([0.0, 0.0, upwards]) @ axes),
+        ):
+            for axis, value in zip("xyz", vector, strict=True):
+                spring[f"{name}{axis}"] = value
+        spring["length"] = float(np.linalg.norm(to - at))
+        damping = damper(joint.damping, joint.stiffness, min(first.solid.mass, second.solid.mass))
+        spring["stiffness"], spring["damping"] = joint.stiffness, damping
+        spring["slack_plus"], spring["limit_plus"] = joint.slack, (joint.strength, joint.shear)
+        spring["slack_minus"] = 0.0 if joint.to is None else math.inf
+        spring["limit_minus"] = math.inf, joint.shear
+        spring["friction"], spring["interaction"] = math.nan, int(joint.to is None)
+    return springs
+
+
+def joint_results(
+    joints: Sequence[Joint],
+    springs: NDArray[np.void],
+    devices: NDArray[np.void],
+    forces: NDArray[np.float64],
+) -> tuple[DeviceResult, ...]:
+    """Return what became of the joints of an assembly, by the devices and forces of its run."""
+    used = utilisation(springs, devices)
+    return tuple(
+        DeviceResult(
+            JOINT,
+            JOINT_LABEL,
+            place,
+            float(device["peak_pull"]),
+            float(device["peak_push"]),
+            float(device["peak_shear"]),
+            float(used[n]),
+            int(device["failure"]) != HOLDS,
+            float(device["failure_time"]),
+            CAUSES[int(device["failure"])],
+            forces[:, n, F_NORMAL],
+            forces[:, n, F_TANGENT],
+            between=(joint.first, joint.second),
+        )
+        for n, (joint, place, device) in enumerate(zip(joints, _places(joints), devices, strict=True))
+    )
+
+
+def _places(joints: Sequence[Joint]) -> list[str]:
+    """Return what the joints are called: by the members they join, and numbered where these have several."""
+    pairs = [f"{joint.first}-{joint.second}" for joint in joints]
+    return [
+        f"{pair}, {pairs[: number + 1].count(pair)}" if pairs.count(pair) > 1 else pair
+        for number, pair in enumerate(pairs)
+    ]
+
 
 ALONG = 1e-6
 """1 less the cosine of the angle up to which a side faces a wall that it is parallel to."""

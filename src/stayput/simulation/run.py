@@ -257,8 +257,9 @@ def run_of(
     """Return the `Run` of the mechanics' numbers, with names of modes, events and outcome."""
     modes = np.array([mode.value for mode in Mode])
     history = traced.history.T.copy()
-    first, cut, last = _split(traced.listed, most_events)
-    outcome = list(Outcome)[traced.outcome]
+    first, cut, last = _split(traced.events, most_events)
+    result = traced.result
+    outcome = list(Outcome)[int(result["outcome"])]
     return Run(
         body=case.body,
         room=case.room,
@@ -267,13 +268,13 @@ def run_of(
         initial=case.initial,
         gravity=case.gravity,
         outcome=outcome,
-        overturn_time=traced.end if outcome is Outcome.OVERTURNED else math.nan,
-        peak_slide=traced.peak_slide,
-        residual_slide=traced.slide,
-        peak_tilt=traced.peak_tilt,
-        residual_tilt=traced.tilt,
-        floor_impacts=traced.floor_impacts,
-        wall_impacts=traced.wall_impacts,
+        overturn_time=float(result["end"]) if outcome is Outcome.OVERTURNED else math.nan,
+        peak_slide=float(result["peak_slide"]),
+        residual_slide=float(result["residual_slide"]),
+        peak_tilt=float(result["peak_tilt"]),
+        residual_tilt=float(result["residual_tilt"]),
+        floor_impacts=int(result["floor_impacts"]),
+        wall_impacts=int(result["wall_impacts"]),
         time=np.arange(history.shape[1], dtype=np.float64) * case.motion.dt,
         slide=history[col.H_SLIDE],
         slide_rate=history[col.H_SLIDE_RATE],
@@ -289,18 +290,18 @@ def run_of(
     )
 
 
-def _split(events: NDArray[np.float64], most: int | None) -> tuple[NDArray[np.float64], ...]:
+def _split(events: NDArray[np.void], most: int | None) -> tuple[NDArray[np.void], ...]:
     """Return the first rows, those between that are too many, and the last row if some are."""
     if most is None or len(events) <= most:
         return events, events[:0], events[:0]
     return events[: most - 1], events[most - 1 : -1], events[-1:]
 
 
-def _counts(events: NDArray[np.float64]) -> list[int]:
-    kinds = events[:, col.E_KIND].astype(np.intp)
+def _counts(events: NDArray[np.void]) -> list[int]:
+    kinds = events["kind"].astype(np.intp)
     return np.bincount(kinds, minlength=len(EventKind)).tolist()
 
 
-def _event(row: list[float]) -> Event:
+def _event(row: tuple[float, ...]) -> Event:
     time, kind, mode, *state = row
     return Event(time, _KINDS[int(kind)], _MODES[int(mode)], *state)

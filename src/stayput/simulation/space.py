@@ -10,12 +10,11 @@ import numpy as np
 from stayput.errors import InputWarning, warn, within
 from stayput.measures.element import device_results
 from stayput.measures.measure import element_rows, hold
-from stayput.model.gravity import GRAVITY
+from stayput.model.parameters import GRAVITY
 from stayput.model.room import friction_factor
 from stayput.simulation.flat_fields import case_columns, room_row
-from stayput.simulation.placing import placed, planes_around
+from stayput.simulation.placing import joint_results, joint_springs, placed, planes_around
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
-from stayput.simulation.space_devices import joint_results, joint_springs
 from stayput.simulation.space_engine import STEP, run_world
 from stayput.simulation.space_records import (
     FloorLaws,

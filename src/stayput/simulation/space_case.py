@@ -27,7 +27,7 @@ from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
 from stayput.model.soft_base import landing_factor
 from stayput.model.solid import Solid
 from stayput.simulation.outcome import Outcome
-from stayput.simulation.space_devices import springs_of
+from stayput.simulation.placing import springs_of
 from stayput.simulation.space_engine import STEP, SpaceTrace, run_world
 from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_records import (
@@ -230,7 +230,7 @@ def results_of(
 def run_rows_in_space(
     cases: NDArray[np.void], elements: NDArray[np.void], motion: SpaceShaking
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Run cases under one motion on this thread; see `stayput.simulation.columns.run_rows`."""
+    """Run cases under one motion on this thread; see `stayput.simulation.many.run_rows`."""
     results, devices = np.zeros(len(cases), RESULT), np.zeros(elements.shape, DEVICE)
     devices["failure_time"] = np.nan
     time = motion.times

@@ -1,7 +1,8 @@
-"""A run of the engine in space, from its records to its histories."""
+"""A run of the engine in space, from its records to its histories, and the gaps that it notes."""
 
 from __future__ import annotations
 
+import math
 import threading
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -9,17 +10,89 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from stayput.catalogue import phrase
+from stayput.errors import InputError
 from stayput.mechanics.devices.columns import DEVICE, FORCES
 from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
 from stayput.mechanics.space.engine import MOST_WORK, run_in_space
-from stayput.simulation.space_devices import longest_step
-from stayput.simulation.space_gaps import Gaps, gaps_of, refuse_overlaps
-from stayput.simulation.space_records import scratch_of
+from stayput.mechanics.space.touching import ROOM
+from stayput.simulation.space_records import scratch_of, surface_of
 
 if TYPE_CHECKING:
     from collections.abc import Generator
 
     from numpy.typing import NDArray
+
+
+DEEPEST = 1e-6
+"""How deep a body may begin inside another or a plane, by rounding [m]."""
+
+TOUCHES = 1e-5
+"""Gap up to which a body touches another or the room [m]."""
+
+
+class Gaps(NamedTuple):
+    """Gaps at an instant [m], negative where one is inside the other.
+
+    Parameters
+    ----------
+    room : ndarray, shape (bodies, planes)
+        From floor, walls and ceiling.
+    bodies : ndarray, shape (bodies, bodies)
+        From each other: where they do not touch no more than how far they are apart; inf from itself.
+    """
+
+    room: NDArray[np.float64]
+    bodies: NDArray[np.float64]
+
+
+def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64]) -> Gaps:
+    """Return the gaps that the engine has noted.
+
+    Parameters
+    ----------
+    world : tuple
+        Bodies and room, from `stayput.simulation.space_records.world_of`.
+    noted : ndarray, shape (features,)
+        Gaps of points and rims from each plane, then of pairs of bodies.
+    """
+    bodies, points, rims, planes, pairs = world[:5]
+    alone = len(planes) * (len(points) + len(rims))
+    from_planes = noted[:alone].reshape(len(planes), -1)
+    room = np.full((len(bodies), len(planes)), np.inf)
+    for least, body in zip(room, bodies, strict=True):
+        own = slice(body["first_point"], body["first_point"] + body["points"])
+        first_rim = len(points) + body["first_rim"]
+        round_edges = slice(first_rim, first_rim + body["rims"])
+        least[:] = np.concatenate([from_planes[:, own], from_planes[:, round_edges]], axis=1).min(axis=1)
+    between = np.full((len(bodies), len(bodies)), np.inf)
+    between[pairs["a"], pairs["b"]] = between[pairs["b"], pairs["a"]] = noted[alone:]
+    return Gaps(room, between)
+
+
+def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps) -> None:
+    """Raise `InputError` where a body begins inside the room or another."""
+    alone = len(gaps.room) == 1
+    for j, plane in enumerate(planes):
+        for number, least in enumerate(gaps.room[:, j].tolist()):
+            if least < -DEEPEST:
+                body = phrase("simulation.the_body") if alone else f"members[{number}]"
+                surface = phrase(f"simulation.{surface_of(plane)}")
+                raise InputError(
+                    "simulation.begins_inside", "members", body=body, surface=surface, depth=-least
+                )
+    for second, first in np.argwhere(np.tril(gaps.bodies < -DEEPEST)).tolist():
+        raise InputError(
+            "simulation.begin_in_each_other",
+            "members",
+            first=f"members[{first}]",
+            second=f"members[{second}]",
+            depth=-float(gaps.bodies[second, first]),
+        )
+
+
+SMOOTH = 0.3
+"""Largest angle by which a device's own vibration turns in a step [rad]: it is stepped to a per cent then."""
 
 STEP = 1e-3
 """Longest step [s]."""
@@ -175,3 +248,30 @@ def run_world(
         int(work[1]),
         bool(work[2] > MOST_WORK),
     )
+
+
+def longest_step(springs: NDArray[np.void], bodies: NDArray[Any], longest: float) -> float:
+    """Return the longest step in which the devices' vibrations are followed [s].
+
+    The fastest vibration of bodies that springs join is no faster than all of them together, each by itself
+    with the others held.
+    """
+    squares = [_fastest_square(springs, body, number) for number, body in enumerate(bodies)]
+    joined = bool((springs["other"] != ROOM).any())
+    square = sum(squares) if joined else max(squares)
+    return min(longest, SMOOTH / math.sqrt(square)) if square > 0.0 else longest
+
+
+def _fastest_square(springs: NDArray[np.void], body: Any, number: int) -> float:
+    """Return the largest ω² of a free body on its springs, each taken to be as stiff in all directions."""
+    stiffness = np.zeros((6, 6))
+    for spring in springs:
+        for owner, names in ((spring["body"], ("px", "py", "pz")), (spring["other"], ("ax", "ay", "az"))):
+            if owner == number:
+                x, y, z = (float(spring[name]) for name in names)
+                turned = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
+                rows = np.hstack([np.eye(3), turned])
+                stiffness += float(np.max(spring["stiffness"])) * rows.T @ rows
+    moments = [body["mass"]] * 3 + [body["i1"], body["i2"], body["i3"]]
+    root = 1.0 / np.sqrt(moments)
+    return float(np.linalg.eigvalsh(root[:, np.newaxis] * stiffness * root)[-1]) if len(springs) else 0.0

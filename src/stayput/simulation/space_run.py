@@ -10,8 +10,7 @@ import numpy as np
 
 from stayput.saved import InNetcdf
 from stayput.simulation.outcome import Outcome
-from stayput.simulation.space_fate import fates_of
-from stayput.simulation.space_kinematics import slides, tilts, upright_yaws
+from stayput.simulation.space_fate import fates_of, slides, tilts, upright_yaws
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
@@ -29,8 +28,8 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.motion import Motion
     from stayput.report.page import Player
+    from stayput.simulation.space_engine import Gaps
     from stayput.simulation.space_fate import Fate
-    from stayput.simulation.space_gaps import Gaps
     from stayput.simulation.standing import Standing
 
 SpaceDrawing = Literal["tilt", "yaw", "plan", "acceleration"]

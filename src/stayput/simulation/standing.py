@@ -33,9 +33,7 @@ _VECTORS = (
 def _vector(name: str, given: object, most: float, unit: str) -> tuple[float, ...]:
     """Return three numbers, or raise `InputError`."""
     called = phrase(f"simulation.{name}")
-    values = numbers(called, given, name)
-    if values.shape != (3,):
-        raise InputError("simulation.not_three", name, name=called, count=values.size)
+    values = numbers(called, given, name, count=3)
     return tuple(within(called, value, -most, most, unit, name) for value in values)
 
 
@@ -352,9 +350,7 @@ class Assembly:
 def friction_between(friction: object) -> tuple[float, float]:
     """Return the coefficients of friction between bodies, or raise `InputError`."""
     called = phrase("simulation.friction")
-    values = numbers(called, friction, "friction")
-    if values.shape != (2,):
-        raise InputError("simulation.not_two", "friction", count=values.size)
+    values = numbers(called, friction, "friction", count=2)
     static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
     if kinetic > static:
         raise InputError("simulation.kinetic_above_static", "friction", kinetic=kinetic, static=static)

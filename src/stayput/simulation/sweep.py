@@ -11,12 +11,11 @@ import xarray as xr
 from stayput.errors import InputError, list_of
 from stayput.execution import Pool
 from stayput.mechanics import columns as col
-from stayput.mechanics.runner import Shaking
-from stayput.simulation.axes import make_grid
-from stayput.simulation.case import trace_held
+from stayput.mechanics.runner import Shaking, trace
 from stayput.simulation.flat_fields import unit_of
+from stayput.simulation.grid import make_grid
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
-from stayput.simulation.results import HISTORIES, QUANTITIES
+from stayput.simulation.outcome import HISTORIES, QUANTITIES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,9 +23,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.simulation.axes import Axes
     from stayput.simulation.case import Case
-    from stayput.simulation.grid import Grid
+    from stayput.simulation.grid import Axes, Grid
 
 HISTORY_COLUMNS = {
     "slide": col.H_SLIDE,
@@ -149,7 +147,7 @@ def _histories(
     def run(place: int) -> None:
         block = grid.block(place, place + 1)
         (cases, elements), motion = block.held(), motions[int(block.group()[0])]
-        history = trace_held(cases[0], elements[0], motion)[0].history
+        history = trace(cases[0], motion, elements[0]).history
         for name in names:
             tables[name][place, : len(history)] = history[:, HISTORY_COLUMNS[name]]
 

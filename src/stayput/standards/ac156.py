@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from stayput.errors import instance_of, whole_within, within, word_of
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import NUMBER_RANGE, SEED_RANGE, Draws
 from stayput.motion.suites.matching import matched

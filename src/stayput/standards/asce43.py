@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import InputError, within
-from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
+from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import response_spectrum
 

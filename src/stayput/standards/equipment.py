@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from stayput.errors import instance_of, whole_within, within, word_of
 from stayput.model.body import Body
-from stayput.model.gravity import GRAVITY, STANDARD_GRAVITY
+from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 
 COEFFICIENTS: dict[str, dict[str, float]] = {
     "upper": {"S": 2.0, "A": 1.5, "B": 1.0},

@@ -21,9 +21,8 @@ from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels
 from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of, sample_until_precise
 from stayput.montecarlo.several import RunsOfSeveral, draws_of_several, run_several
 from stayput.progress import tally
-from stayput.simulation.placing import placed
+from stayput.simulation.placing import JOINT, placed
 from stayput.simulation.space import warn_of_settlement
-from stayput.simulation.space_devices import JOINT
 from stayput.verification.contents import ContentsVerdict, contents_verdicts
 from stayput.verification.notes import Estimates
 from stayput.verification.options import Option, compared_options, options_of_several

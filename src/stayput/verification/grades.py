@@ -14,7 +14,7 @@ from stayput.measures import Measure, TensionPole, hold
 from stayput.measures.floor import OtherFriction
 from stayput.measures.measure import GRADE_OF, Grade
 from stayput.measures.wall import WallDevice
-from stayput.model.furniture import FURNITURE
+from stayput.model.body import FURNITURE
 from stayput.model.parameters import GIVEN, parameters
 from stayput.model.room import SURFACES, Floor
 from stayput.uncertainty import Confidence

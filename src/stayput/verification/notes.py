@@ -22,8 +22,7 @@ from stayput.execution import Pool
 from stayput.fragility import PFA, PFV
 from stayput.fragility.probabilities import percent
 from stayput.measures.measure import GRADE_OF, MEANINGS
-from stayput.model.gravity import STANDARD_GRAVITY
-from stayput.model.parameters import parameters
+from stayput.model.parameters import STANDARD_GRAVITY, parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
 from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_loads, position_of

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from stayput.mechanics.columns import CONTACTS
+from stayput.mechanics.columns import CONTACTS, floats, integers
 
 # kinds of element
 NONE, AXIAL, PLANAR = range(3)
@@ -20,13 +20,13 @@ NORMAL, TANGENT = range(2)
 ELEMENT = np.dtype(
     [
         ("kind", "i8"),  # NONE (no element), AXIAL or PLANAR
-        ("u", "f8"),  # attachment point on the body relative to G, in the body's axes: + right [m]
-        ("v", "f8"),  # the same, + up [m]
-        ("y", "f8"),  # the same, along the length: read in space alone [m]
-        ("x", "f8"),  # its anchor, right of the initial middle of the base [m]
-        ("z", "f8"),  # anchor above the floor [m]; x and z NaN: at the point, for the body at rest at slide 0
-        ("cos", "f8"),  # PLANAR: direction of the plane; its normal (−sin, cos) points into the room
-        ("sin", "f8"),
+        # attachment point on the body relative to G, in the body's axes: + right, + up, and along the length,
+        # which is read in space alone [m]
+        *floats("u", "v", "y"),
+        # anchor right of the initial middle of the base and above the floor [m]; NaN: at the point, for the
+        # body at rest at slide 0
+        *floats("x", "z"),
+        *floats("cos", "sin"),  # PLANAR: direction of the plane; its normal (−sin, cos) points into the room
         ("length", "f8"),  # AXIAL: distance between point and anchor at no elongation [m]
         # the lines, NORMAL first; elongation is + away from the anchor or plane, or along the tangent
         ("stiffness", "f8", (2,)),  # [N/(kg m)]; 0: no such line
@@ -35,11 +35,8 @@ ELEMENT = np.dtype(
         ("slack_minus", "f8", (2,)),  # shortening at which it pushes [m]; inf: never, negative: preload
         ("limit_plus", "f8", (2,)),  # strength in pull, or to the tangent's side [N/kg]; inf: none
         ("limit_minus", "f8", (2,)),  # strength in push, or to the other side [N/kg]
-        (
-            "ultimate",
-            "f8",
-            (2,),
-        ),  # accumulated plastic elongation at rupture [m], 0: brittle; of friction: slip
+        # accumulated plastic elongation at rupture [m], 0: brittle; of friction: slip
+        ("ultimate", "f8", (2,)),
         ("friction", "f8"),  # friction limit of the tangent per push of the normal line; NaN: none
         ("interaction", "i8"),  # 1: breaks where (pull/strength)² + (shear/strength)² = 1
         ("drops_out", "i8"),  # 1: fails once it no longer pushes
@@ -79,15 +76,14 @@ LINK = np.dtype(
     [
         ("lines", "i8"),  # number of active lines; 0: none, or failed
         ("branch", "i8", (2,)),
-        ("x", "f8"),  # the anchor [m]
-        ("z", "f8"),
+        *floats("x", "z"),  # the anchor [m]
         ("plastic", "f8", (2,)),  # [m]
         ("plastic_sum", "f8", (2,)),  # accumulated plastic elongation [m]
-        ("e", "f8", (2,)),  # as last evaluated: elongation, rate, force and push
+        # as last evaluated: elongation, rate, force and push
+        ("e", "f8", (2,)),
         ("rate", "f8", (2,)),
         ("force", "f8", (2,)),
-        ("push", "f8"),
-        ("push_rate", "f8"),
+        *floats("push", "push_rate"),
     ],
     align=True,
 )
@@ -98,61 +94,25 @@ ELASTIC, SLACK, YIELDING, FRICTION = range(4)
 
 LINE = np.dtype(
     [
-        ("element", "i8"),  # index of its element
-        ("tangent", "i8"),  # 1: tangent line; its row follows that of the normal line
-        ("axial", "i8"),
-        ("state", "i8"),
+        # index of its element; whether it is its tangent, whose row follows that of the normal line; AXIAL
+        *integers("element", "tangent", "axial", "state"),
         ("bears_friction", "i8"),  # 1: its push is the normal force of its tangent's friction
         ("interacts", "i8"),  # 1: this tangent interacts with its normal line in the strength
         # geometry: e = a + n·(x, z) + p cos θ + q sin θ about the origin; AXIAL: from (x, z) to the point
-        ("nx", "f8"),
-        ("nz", "f8"),
-        ("a", "f8"),
-        ("p", "f8"),
-        ("q", "f8"),
-        ("u", "f8"),  # the point from the origin
-        ("v", "f8"),
-        ("x", "f8"),
-        ("z", "f8"),
-        # force: constant + k e + c ė + per_push × push
-        ("constant", "f8"),
-        ("k", "f8"),
-        ("c", "f8"),
-        ("per_push", "f8"),
+        *floats("nx", "nz", "a", "p", "q", "u", "v", "x", "z"),
+        *floats("constant", "k", "c", "per_push"),  # force: constant + k e + c ė + per_push × push
         # margins, see `device_law`: of an ELASTIC line low_at_0 + low_per_force F + low_per_push × push
-        ("low_at_0", "f8"),
-        ("low_per_force", "f8"),
-        ("low_per_push", "f8"),
-        ("high_at_0", "f8"),
-        ("high_per_force", "f8"),
-        ("high_per_push", "f8"),
-        ("stiffness", "f8"),  # of spring and damper, whatever the branch
-        ("damping", "f8"),
+        *floats("low_at_0", "low_per_force", "low_per_push", "high_at_0", "high_per_force", "high_per_push"),
+        *floats("stiffness", "damping"),  # of spring and damper, whatever the branch
         ("reach", "f8"),  # largest lever about the origin [m]
-        ("per_plus", "f8"),  # 1/strength where pull and shear interact, else 0
-        ("per_minus", "f8"),
+        *floats("per_plus", "per_minus"),  # 1/strength where pull and shear interact, else 0
         # elongation, rate and force as last evaluated, and at the start of the step
-        ("e", "f8"),
-        ("rate", "f8"),
-        ("force", "f8"),
-        ("e0", "f8"),
-        ("rate0", "f8"),
-        ("force0", "f8"),
+        *floats("e", "rate", "force", "e0", "rate0", "force0"),
         ("deviation", "f8"),  # bound on how far the force exceeds its end values inside the step [N/kg]
         ("inactive", "i8"),  # 1: no margin of its element can change sign in the step
         # margins at the start of the step (0), as last evaluated (1), and the levels at which they end it
-        ("low0", "f8"),
-        ("high0", "f8"),
-        ("joint0", "f8"),
-        ("low1", "f8"),
-        ("high1", "f8"),
-        ("joint1", "f8"),
-        ("low", "f8"),
-        ("high", "f8"),
-        ("joint", "f8"),
-        ("low_weight", "f8"),  # scale of the margins in the event search; 0: not searched
-        ("high_weight", "f8"),
-        ("joint_weight", "f8"),
+        *floats("low0", "high0", "joint0", "low1", "high1", "joint1", "low", "high", "joint"),
+        *floats("low_weight", "high_weight", "joint_weight"),  # scales in the event search; 0: not searched
     ],
     align=True,
 )

@@ -27,25 +27,7 @@ import math
 from typing import NamedTuple
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.devices.columns import (
-    BOND,
-    DRAWN_OUT,
-    DROPPED_OUT,
-    ELASTIC,
-    FRICTION,
-    MINUS,
-    NORMAL,
-    OPEN,
-    PLUS,
-    PULLED,
-    PUSHED,
-    SHEARED,
-    SLACK,
-    SLIP_MINUS,
-    SLIP_PLUS,
-    TANGENT,
-    YIELDING,
-)
+from stayput.mechanics.devices import columns as col
 
 SLIP_RATE_TIME = 1e-3
 """Time constant that turns a slip rate into a force margin where there is no damper [s]."""
@@ -75,7 +57,7 @@ class Branch(NamedTuple):
 @inline
 def slips_by_friction(el, i):
     """Whether the limit of a line is friction, not strength."""
-    return i == TANGENT and el.friction == el.friction  # False for NaN
+    return i == col.TANGENT and el.friction == el.friction  # False for NaN
 
 
 @inline
@@ -83,7 +65,7 @@ def limit(el, i, plus, push):
     """Largest force of a line to one side [N/kg]; infinite where pull and shear interact instead."""
     if slips_by_friction(el, i):
         return el.friction * push
-    if el.interaction != 0 and (plus or i == TANGENT):
+    if el.interaction != 0 and (plus or i == col.TANGENT):
         return math.inf
     return el.limit_plus[i] if plus else el.limit_minus[i]
 
@@ -92,7 +74,7 @@ def limit(el, i, plus, push):
 def elastic_elongation(el, link, i, e):
     """Elastic elongation beyond the slack on the line's branch, as if it did not slip [m]."""
     branch = link.branch[i]
-    if branch == MINUS or (branch == SLIP_MINUS and el.slack_minus[i] < math.inf):
+    if branch == col.MINUS or (branch == col.SLIP_MINUS and el.slack_minus[i] < math.inf):
         return e - link.plastic[i] + el.slack_minus[i]
     return e - link.plastic[i] - el.slack_plus[i]
 
@@ -102,38 +84,38 @@ def branch_of(el, link, i):
     """Return the `Branch` of a line."""
     branch = link.branch[i]
     k, c = el.stiffness[i], el.damping[i]
-    bears = 1 if i == NORMAL and branch in (MINUS, BOND, SLIP_MINUS) else 0
+    bears = 1 if i == col.NORMAL and branch in (col.MINUS, col.BOND, col.SLIP_MINUS) else 0
     per_plus = per_minus = 0.0
     if el.interaction != 0:
         per_plus = 1.0 / el.limit_plus[i]
-        per_minus = 0.0 if i == NORMAL else 1.0 / el.limit_minus[i]
+        per_minus = 0.0 if i == col.NORMAL else 1.0 / el.limit_minus[i]
     # on SLACK, and where one of these means nothing
-    state, constant, own_k, own_c, per_push = SLACK, 0.0, 0.0, 0.0, 0.0
+    state, constant, own_k, own_c, per_push = col.SLACK, 0.0, 0.0, 0.0, 0.0
     low_at_0 = k * (link.plastic[i] - el.slack_minus[i])
     high_at_0 = k * (link.plastic[i] + el.slack_plus[i])
     low_per_force = high_per_force = low_per_push = high_per_push = 0.0
-    if branch in (SLIP_PLUS, SLIP_MINUS):
-        plus = branch == SLIP_PLUS
+    if branch in (col.SLIP_PLUS, col.SLIP_MINUS):
+        plus = branch == col.SLIP_PLUS
         low_per_force = 1.0 if plus else -1.0
         if slips_by_friction(el, i):
-            state, per_push, low_per_push = FRICTION, low_per_force * el.friction, el.friction
+            state, per_push, low_per_push = col.FRICTION, low_per_force * el.friction, el.friction
             low_at_0 = low_per_force * k * elastic_elongation(el, link, i, 0.0)
             left = el.ultimate[i] - low_per_force * link.plastic[i]
             high_at_0 = k * left if el.ultimate[i] > 0.0 else math.inf
         else:
             most = limit(el, i, plus, 0.0)
-            state, constant = YIELDING, low_per_force * most
+            state, constant = col.YIELDING, low_per_force * most
             low_at_0 = low_per_force * k * elastic_elongation(el, link, i, 0.0) - most
             high_at_0 = k * (el.ultimate[i] - link.plastic_sum[i])
-    elif branch != OPEN:
-        state, own_k, own_c = ELASTIC, k, c
+    elif branch != col.OPEN:
+        state, own_k, own_c = col.ELASTIC, k, c
         constant = k * elastic_elongation(el, link, i, 0.0)
         low_at_0, low_per_force, high_per_force = 0.0, 1.0, -1.0
-        high_at_0 = limit(el, i, branch != MINUS, 0.0)
+        high_at_0 = limit(el, i, branch != col.MINUS, 0.0)
         high_per_push = el.friction if slips_by_friction(el, i) else 0.0
-        if branch == BOND:
+        if branch == col.BOND:
             low_at_0, low_per_push = limit(el, i, False, 0.0), high_per_push
-        elif branch == MINUS:
+        elif branch == col.MINUS:
             low_per_force, high_per_force = -1.0, 1.0
     return Branch(
         state,
@@ -177,17 +159,17 @@ def margins_of(line, e, rate, F, push, push_rate):
     the limit. BOND: it is below either limit. SLIP: it does not unload; it has not ruptured.
     """
     state = line.state
-    if state == ELASTIC:
+    if state == col.ELASTIC:
         return (
             line.low_at_0 + line.low_per_force * F + line.low_per_push * push,
             line.high_at_0 + line.high_per_force * F + line.high_per_push * push,
         )
     k, c = line.stiffness, line.damping
-    if state == SLACK:
+    if state == col.SLACK:
         over, under = k * e - line.high_at_0, k * e - line.low_at_0
         return -min(over, over + c * rate), max(under, under + c * rate)
     side = line.low_per_force
-    if state == FRICTION:
+    if state == col.FRICTION:
         slipped = line.low_at_0 + k * side * e - line.low_per_push * push
         back = SLIP_RATE_TIME * (k * side * rate - line.low_per_push * push_rate)
         return back, line.high_at_0 - slipped
@@ -202,7 +184,7 @@ def clipped(line, F, push):
 
     A force evaluated with the branch from before an impact, or just after the event, is outside it.
     """
-    if line.state != ELASTIC:
+    if line.state != col.ELASTIC:
         return F
     low, high = line.low_at_0, line.high_at_0
     if line.low_per_push != 0.0:
@@ -232,7 +214,7 @@ def utilization_of(line, F):
 def reset_branch(el, link, i):
     """Reset a line to its initial branch, BOND or OPEN, with no elongation."""
     bonded = el.slack_plus[i] + el.slack_minus[i] == 0.0
-    link.branch[i] = BOND if bonded else OPEN
+    link.branch[i] = col.BOND if bonded else col.OPEN
     link.plastic[i] = link.plastic_sum[i] = link.e[i] = link.rate[i] = link.force[i] = 0.0
 
 
@@ -245,13 +227,13 @@ def _end_slip(el, link, i, plus):
     link.plastic[i] += side * grown
     link.plastic_sum[i] += grown
     bonded = el.slack_plus[i] + el.slack_minus[i] == 0.0
-    link.branch[i] = BOND if bonded else (PLUS if plus else MINUS)
+    link.branch[i] = col.BOND if bonded else (col.PLUS if plus else col.MINUS)
 
 
 @inline
 def note_force(device, i, F):
     """Update the peak force of a line."""
-    if i == TANGENT:
+    if i == col.TANGENT:
         device.peak_shear = max(device.peak_shear, abs(F))
     elif F > 0.0:
         device.peak_pull = max(device.peak_pull, F)
@@ -263,7 +245,7 @@ def note_force(device, i, F):
 def fail(link, device, why, time):
     """Remove a failed device for the rest of the run."""
     link.lines = 0
-    link.force[NORMAL] = link.force[TANGENT] = 0.0
+    link.force[col.NORMAL] = link.force[col.TANGENT] = 0.0
     device.failure, device.failure_time = why, time
 
 
@@ -280,7 +262,7 @@ def _reach_limit(el, link, device, i, plus, time):
     """Line at its limit: start slip if it is ductile or limited by friction, else fail."""
     if el.ultimate[i] > 0.0 or slips_by_friction(el, i):
         before = link.branch[i]
-        link.branch[i] = SLIP_PLUS if plus else SLIP_MINUS
+        link.branch[i] = col.SLIP_PLUS if plus else col.SLIP_MINUS
         # slip starts only if its own margin is positive: a line already unloading goes back at once
         back, _ = _margins(el, link, i)
         if back <= 0.0:
@@ -288,10 +270,10 @@ def _reach_limit(el, link, device, i, plus, time):
             _end_slip(el, link, i, plus)
         return
     note_force(device, i, limit(el, i, True, link.push) if plus else -limit(el, i, False, link.push))
-    if i == TANGENT:
-        fail(link, device, SHEARED, time)
+    if i == col.TANGENT:
+        fail(link, device, col.SHEARED, time)
     else:
-        fail(link, device, PULLED if plus else PUSHED, time)
+        fail(link, device, col.PULLED if plus else col.PUSHED, time)
 
 
 @inner
@@ -299,23 +281,23 @@ def _update_line(el, link, device, i, time):
     """Update a line's branch for the elongation and rate last evaluated."""
     low, high = _margins(el, link, i)
     branch = link.branch[i]
-    if branch in (SLIP_PLUS, SLIP_MINUS):
+    if branch in (col.SLIP_PLUS, col.SLIP_MINUS):
         if high < 0.0:
-            fail(link, device, DROPPED_OUT if slips_by_friction(el, i) else DRAWN_OUT, time)
+            fail(link, device, col.DROPPED_OUT if slips_by_friction(el, i) else col.DRAWN_OUT, time)
         elif low <= 0.0:
-            _end_slip(el, link, i, branch == SLIP_PLUS)
+            _end_slip(el, link, i, branch == col.SLIP_PLUS)
         return
-    if branch == OPEN:
+    if branch == col.OPEN:
         if low < 0.0:
-            link.branch[i] = PLUS
+            link.branch[i] = col.PLUS
         elif high < 0.0:
-            link.branch[i] = MINUS
-    elif branch != BOND and low < 0.0:
-        if i == NORMAL and branch == MINUS and el.drops_out != 0:
-            fail(link, device, DROPPED_OUT, time)
+            link.branch[i] = col.MINUS
+    elif branch != col.BOND and low < 0.0:
+        if i == col.NORMAL and branch == col.MINUS and el.drops_out != 0:
+            fail(link, device, col.DROPPED_OUT, time)
             return
-        link.branch[i] = OPEN
-    if link.branch[i] == OPEN:
+        link.branch[i] = col.OPEN
+    if link.branch[i] == col.OPEN:
         return
     F = force_of(branch_of(el, link, i), link.e[i], link.rate[i], link.push)
     if limit(el, i, True, link.push) < F:
@@ -334,17 +316,17 @@ def update_element(el, link, device, time):
         if i < link.lines:
             line = branch_of(el, link, i)
             F = link.force[i] = force_of(line, link.e[i], link.rate[i], link.push)
-            if i == NORMAL:
+            if i == col.NORMAL:
                 link.push, link.push_rate = push_of(line, F, link.rate[i])
                 of_pull = utilization_of(line, F)
             else:
                 of_shear = utilization_of(line, F)
         i += 1
     if link.lines == 2 and of_pull + of_shear > 1.0:
-        pull, shear = link.force[NORMAL], link.force[TANGENT]
+        pull, shear = link.force[col.NORMAL], link.force[col.TANGENT]
         # a damper's force jumps in an impact: the peak recorded at failure is scaled back to the strength
         part = 1.0 / math.sqrt(of_pull + of_shear)
-        note_force(device, NORMAL, part * pull if pull > 0.0 else pull)
-        note_force(device, TANGENT, part * shear)
-        fail(link, device, PULLED if of_pull >= of_shear else SHEARED, time)
+        note_force(device, col.NORMAL, part * pull if pull > 0.0 else pull)
+        note_force(device, col.TANGENT, part * shear)
+        fail(link, device, col.PULLED if of_pull >= of_shear else col.SHEARED, time)
     return link.lines == 0

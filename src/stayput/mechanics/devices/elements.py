@@ -1,11 +1,27 @@
-"""The elements of a case at an event: anchors, force on the body, update of their branches."""
+"""The elements of a case at an event and at rest: anchors, forces, branches, static equilibrium.
+
+The forces that friction allows at contacts which do not slip form a cone, spanned by the two edges of each,
+in the space of (f_x, f_z, f_θ). A body with elements is at rest while the load (ẍ_G − F_x, G − F_z, −F_θ) is
+in it; the element forces are constant at rest. The facets of the cone are linear in the load, so the time at
+which rest ends is exact, and blocks of the record can be skipped.
+"""
 
 from __future__ import annotations
 
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.devices.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, NORMAL, TANGENT
+from stayput.mechanics.columns import ENDED, LIMIT, PLANE
+from stayput.mechanics.devices.columns import (
+    AXIAL,
+    F_NORMAL,
+    F_TANGENT,
+    HOLDS,
+    MAX_FACETS,
+    NONE,
+    NORMAL,
+    TANGENT,
+)
 from stayput.mechanics.devices.device_law import (
     branch_of,
     clipped,
@@ -16,6 +32,8 @@ from stayput.mechanics.devices.device_law import (
     update_element,
 )
 from stayput.mechanics.elementary import sine_and_cosine
+from stayput.mechanics.flat import BLOCK
+from stayput.mechanics.records import loads, lowest_product, record_sample
 
 
 @inner
@@ -118,3 +136,200 @@ def note_forces_of_links(forces, links, s):
         return
     for n in range(forces.shape[1]):
         forces[s.k, n, F_NORMAL], forces[s.k, n, F_TANGENT] = links[n].force[NORMAL], links[n].force[TANGENT]
+
+
+PARALLEL_SINE = 1e-9
+"""Sine of the angle below which two edges of a cone are taken as parallel."""
+
+FLAT_CONE_SLACK = 1e-10
+"""Tolerance of a load off a degenerate (flat) cone, as on a frictionless floor [m/s²]."""
+
+
+@inline
+def _edge(rows, p, lifted, root):
+    """Edge p of the cone of contact forces; the moment is divided by √I to have the unit of the forces."""
+    row = rows[p >> 1]
+    if p >> 1 == lifted:
+        return 0.0, 0.0, 0.0
+    mu = (1.0 - 2.0 * (p & 1)) * (row.flat_stick if lifted < 0 else row.mu_stick)
+    return row.nx + mu * row.tx, row.nz + mu * row.tz, (row.nl + mu * row.tl) / root
+
+
+@inline
+def _unit_normal(p, q):
+    """Unit vector normal to two vectors, and the sine of the angle between them."""
+    x, z, l = p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
+    size = math.sqrt(x * x + z * z + l * l)
+    whole = math.sqrt((p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]))
+    if size <= PARALLEL_SINE * whole or whole == 0.0:
+        return (0.0, 0.0, 0.0), 0.0
+    return (x / size, z / size, l / size), size / whole
+
+
+@inline
+def _extent(rows, first, count, lifted, n, root):
+    """Smallest and largest component of the edges along a unit vector."""
+    low = high = 0.0
+    for p in range(2 * first, 2 * (first + count)):
+        x, z, l = _edge(rows, p, lifted, root)
+        part = n[0] * x + n[1] * z + n[2] * l
+        low, high = min(low, part), max(high, part)
+    return low, high
+
+
+@inner
+def _add_facet(work, n, root, slack):
+    """Add a facet, unless it exists or there is no room; `add_wrench` adds the elements' force later."""
+    c0, c1, c2 = slack, n[0], n[1]
+    c3 = n[2] / root
+    for k in range(work.facets):
+        f = work.facet[k]
+        if abs(f[1] - c1) + abs(f[2] - c2) + abs(f[3] - c3) < 1e-9:
+            return
+    if work.facets < MAX_FACETS:
+        f = work.facet[work.facets]
+        f[0], f[1], f[2], f[3] = c0, c1, c2, c3
+        work.facets += 1
+
+
+@inner
+def cone_facets(rows, first, count, lifted, I, work):
+    """Set the facets of the cone of contact forces from row ``first`` on; whether there is such a cone.
+
+    A pair of edges spans a facet if all other edges lie on one side of it.
+
+    ``lifted`` is the row of a base corner that carries no load, so that the other has a corner's friction;
+    −1 for none.
+    """
+    work.facets = 0
+    root = math.sqrt(I)
+    exists = False
+    for p in range(2 * first, 2 * (first + count)):
+        for q in range(2 * first, p):
+            n, sine = _unit_normal(_edge(rows, p, lifted, root), _edge(rows, q, lifted, root))
+            if sine == 0.0:
+                continue
+            exists = True
+            low, high = _extent(rows, first, count, lifted, n, root)
+            flat = low >= -PARALLEL_SINE and high <= PARALLEL_SINE
+            slack = FLAT_CONE_SLACK if flat else 0.0
+            if low >= -PARALLEL_SINE:
+                _add_facet(work, n, root, slack)
+            if high <= PARALLEL_SINE:
+                _add_facet(work, (-n[0], -n[1], -n[2]), root, slack)
+            if flat:
+                _add_end_facets(rows, first, count, lifted, n, root, work)
+    return exists
+
+
+@inner
+def _add_end_facets(rows, first, count, lifted, normal, root, work):
+    """Add the bounding facets of a flat cone within its plane."""
+    for p in range(2 * first, 2 * (first + count)):
+        n, sine = _unit_normal(normal, _edge(rows, p, lifted, root))
+        low, high = _extent(rows, first, count, lifted, n, root)
+        if sine > 0.0 and low >= -PARALLEL_SINE:
+            _add_facet(work, n, root, 0.0)
+        if sine > 0.0 and high <= PARALLEL_SINE:
+            _add_facet(work, (-n[0], -n[1], -n[2]), root, 0.0)
+
+
+@inner
+def load_within_facets(work, a, G, wrench):
+    """Whether the load, with the elements' wrench, is inside all facets."""
+    fx, fz, fl = wrench
+    for k in range(work.facets):
+        f = work.facet[k]
+        if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl < 0.0:
+            return False
+    return True
+
+
+@inner
+def add_floor_limits(rows, count, lifted, a, G, wrench, I, work, spare):
+    """Add the limits of the floor alone that the load satisfies: walls only resist what presses on them.
+
+    Where the floor supports one corner, that is the sign of the moment about it: the load must go on pressing
+    the body to the wall that stops its rotation.
+    """
+    fx, fz, fl = wrench
+    on_floor = 0
+    while on_floor < count and PLANE[rows[on_floor].index] == 0:
+        on_floor += 1
+    if (on_floor == 1 and count > 1) or lifted >= 0:
+        foot = rows[1 if lifted == 0 else 0]
+        nl, tl = foot.nl, foot.tl
+        moment = tl * (a - fx) + nl * (G - fz) + fl
+        side = 1.0 if moment >= 0.0 else -1.0
+        size = side / math.sqrt(tl * tl + nl * nl + 1.0)
+        _add_facet(work, (size * tl, size * nl, -size), 1.0, 0.0)
+    elif on_floor == 2 and count > 2:
+        cone_facets(rows, 0, 2, -1, I, spare)
+        for k in range(spare.facets):
+            f = spare.facet[k]
+            if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl >= 0.0:
+                _add_facet(work, (f[1], f[2], f[3]), 1.0, f[0])
+
+
+@inner
+def add_wrench(work, wrench):
+    """Put the constant wrench of the elements into the facets, which leaves c₀ + c₁ẍ_G + c₂G."""
+    fx, fz, fl = wrench
+    for k in range(work.facets):
+        f = work.facet[k]
+        f[0] -= f[1] * fx + f[2] * fz + f[3] * fl
+
+
+@inner
+def _block_stays_at_rest(case, work, block, extremes):
+    """Whether the body stays at rest throughout a block of the record, by the extremes of its loads."""
+    a_low, a_high, z_low, z_high = extremes
+    k = case.scale
+    a0, a1, z0, z1 = k * a_low[block], k * a_high[block], k * z_low[block], k * z_high[block]
+    if k < 0.0:
+        a0, a1, z0, z1 = a1, a0, z1, z0
+    z0, z1 = case.gravity + z0, case.gravity + z1
+    for j in range(work.facets):
+        f = work.facet[j]
+        if f[0] + lowest_product(f[1], a0, a1) + lowest_product(f[2], z0, z1) < 0.0:
+            return False
+    return True
+
+
+@inner
+def _time_until_released(work, a0, G0, a1, G1, h):
+    """Time in a step, with these loads at its ends, at which rest ends, or h."""
+    first = h
+    for j in range(work.facets):
+        f = work.facet[j]
+        m0, m1 = f[0] + f[1] * a0 + f[2] * G0, f[0] + f[1] * a1 + f[2] * G1
+        if m1 < 0.0:
+            first = min(first, 0.0 if m0 <= 0.0 else h * m0 / (m0 - m1))
+    return first
+
+
+@inner
+def advance_held_rest(case, held, s, motion, output):
+    """Advance a body at rest, exactly unmoved, until the contacts can no longer balance the load."""
+    ax, az, dt, extremes = motion.ax, motion.az, motion.dt, motion.extremes
+    work, history = held.work, output.history
+    last = ax.shape[0] - 1
+    per_second = case.scale / dt
+    has_history = history.shape[0] > 0
+    while s.k < last:
+        at_block = s.tau == 0.0 and s.k % BLOCK == 0 and not has_history
+        if at_block and _block_stays_at_rest(case, work, s.k // BLOCK, extremes):
+            s.k = min(last, s.k + BLOCK)
+            continue
+        h = dt - s.tau
+        a0, _, G0, _ = loads(case, ax, az, per_second, s.k, s.tau)
+        a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
+        t = _time_until_released(work, a0, G0, a1, G1, h)
+        if t < h:
+            s.tau += t
+            return LIMIT
+        s.k += 1
+        s.tau = 0.0
+        record_sample(history, case, s)
+        note_forces_of_links(output.forces, held.links, s)
+    return ENDED

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.columns import CONTACTS, ROCK
-from stayput.mechanics.devices.active_elements import (
+from stayput.mechanics.devices.lines import (
     event_weight,
     first_crossing_candidate,
     least_weighted_line,

@@ -25,33 +25,11 @@ LAW_OF_ELEMENT = (
 """Columns of an `ELEMENT` that are its law."""
 
 SOLID = np.dtype(
-    [
-        ("mass", "f8"),
-        ("i1", "f8"),
-        ("i2", "f8"),
-        ("i3", "f8"),
-        ("rm", "f8"),
-        ("r1", "f8"),
-        ("r2", "f8"),
-        ("r3", "f8"),
-        ("first_point", "i8"),
-        ("points", "i8"),
-        ("hull", "i8"),
-        ("first_rim", "i8"),
-        ("rims", "i8"),
-        ("first_face", "i8"),
-        ("faces", "i8"),
-        ("first_edge", "i8"),
-        ("edges", "i8"),
-        ("radius", "f8"),
-        ("restitution", "f8"),
-        ("landing_place", "f8"),
-        ("edge_static", "f8"),
-        ("edge_kinetic", "f8"),
-        ("ux", "f8"),
-        ("uy", "f8"),
-        ("uz", "f8"),
-    ],
+    [(name, "f8") for name in ("mass", "i1", "i2", "i3", "rm", "r1", "r2", "r3")]
+    + [(name, "i8") for name in ("first_point", "points", "hull", "first_rim", "rims")]
+    + [(name, "i8") for name in ("first_face", "faces", "first_edge", "edges")]
+    + [(name, "f8") for name in ("radius", "restitution", "landing_place", "edge_static", "edge_kinetic")]
+    + [(name, "f8") for name in ("ux", "uy", "uz")],
     align=True,
 )
 """A body: mass, principal moments of inertia, and the roots of one over each; its points, of which the first

@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, numbers, within, word_of
-from stayput.model.gravity import STANDARD_GRAVITY
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.readers.text import file_text

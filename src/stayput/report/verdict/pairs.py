@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.measures import element_rows, hold
 from stayput.measures.element import device_results
-from stayput.mechanics.runner import shaking
+from stayput.mechanics.runner import shaking, trace
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.suites import Suite
@@ -19,7 +19,7 @@ from stayput.report.names import motion_label
 from stayput.report.scene import TIME_DIGITS, Scene, scene_of
 from stayput.report.verdict import svg
 from stayput.report.verdict.numbers import word
-from stayput.simulation.case import Case, trace_held
+from stayput.simulation.case import Case
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.run import run_of
 from stayput.simulation.space import run_held
@@ -200,9 +200,9 @@ def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, sca
     held, elements = drawn_piece(verdict, option, member)
     row = case_columns(held.body, held.room, initial, scenario.gravity)
     row["scale"] = scale
-    traced, devices, forces = trace_held(row[0], elements, shaking(motion.x, motion.z, motion.dt, 0))
+    traced = trace(row[0], shaking(motion.x, motion.z, motion.dt, 0), elements)
     case = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
-    results = device_results(held, elements, devices, forces, held.body.mass)
+    results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
     return run_of(case, traced, held, results, most_events=2)  # the pictures need the last one
 
 

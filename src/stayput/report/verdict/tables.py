@@ -14,7 +14,7 @@ from stayput.report.names import place_named
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import word
-from stayput.simulation.space_devices import JOINT, JOINT_LABEL
+from stayput.simulation.placing import JOINT, JOINT_LABEL
 from stayput.spreadsheets import csv_text
 from stayput.verification import AssemblyVerdict
 from stayput.verification.grades import weakest
