@@ -178,6 +178,8 @@ def intensity_measure(text: str, name: str = "im") -> IntensityMeasure:
         period = None
     if period is None:
         hint = "" if text.upper().startswith("SA") else near_miss(text, known)
-        said = {"name": name, "value": repr(text), "hint": hint, "known": ", ".join(map(repr, known))}
-        raise InputError("fragility.unknown_measure", name, **said)
+        listed = ", ".join(map(repr, known))
+        raise InputError(
+            "fragility.unknown_measure", name, name=name, value=repr(text), hint=hint, known=listed
+        )
     return spectral_acceleration(within(name, period, *PERIODS, "s", name))
