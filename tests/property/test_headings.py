@@ -45,7 +45,7 @@ def test_headings_say_what_each_column_is(file, order, units, time, written, giv
     text = "\n".join([mark.join(headings[name] for name in order), *rows, ""])
     sizes = {ACCELERATION_UNITS[name] for name in units}
     if given_unit is not None and sizes != {ACCELERATION_UNITS[given_unit]}:
-        with pytest.raises(InputError, match="must be the one in the heading"):
+        with pytest.raises(InputError, match="must be the one that the file states"):
             read(file, text, given_unit)
         return
     motion = read(file, text, given_unit)

@@ -82,7 +82,7 @@ def test_quiet_leaves_results_and_refusals(tmp_path: Path, before: bool) -> None
     assert quiet.stdout == loud.stdout
     assert "Wrote" not in run("motion", "plot", file, tmp_path / "plot.svg").stdout
     assert run("motion", "convert", file, tmp_path / "copy.csv").output == ""
-    assert run("motion", "info", out).stderr.endswith("must be a readable file.\n")
+    assert run("motion", "info", out).stderr.endswith("must be readable.\n")
     assert not is_quiet()  # the commands have ended
 
 

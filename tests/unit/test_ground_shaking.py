@@ -59,10 +59,13 @@ def scenario(**shaking: Any) -> Scenario:
     [
         (
             {"mmi": 8.0, "intensity": 6.0},
-            "shaking.mmi is given beside shaking.intensity; it must be only one.",
+            "shaking.mmi is given beside shaking.intensity; only one of the two must be given.",
         ),
         ({"pga": 3.0, "earthquake": QUAKE}, "shaking.earthquake is given beside shaking.pga"),
-        ({"pgv": 0.3, "scale": 2.0}, "shaking.scale is 2 beside shaking.pgv; it must be one of the two."),
+        (
+            {"pgv": 0.3, "scale": 2.0},
+            "shaking.scale is given beside shaking.pgv",
+        ),
         (
             {"sa": {"period": 20.0, "value": 3.0}},
             "shaking.sa.period is 20.0; it must be a number between 0.01 and 10 s.",

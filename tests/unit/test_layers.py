@@ -14,7 +14,7 @@ SOURCES = Path(stayput.__file__).parent
 
 LAYERS = (
     {"catalogue", "errors"},
-    {"files", "saved", "wording", "spreadsheets", "vocabulary"},
+    {"extras", "files", "saved", "wording", "spreadsheets", "vocabulary"},
     {"progress", "execution", "uncertainty"},
     {"compiling"},
     {"mechanics", "model"},

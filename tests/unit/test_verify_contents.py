@@ -141,7 +141,7 @@ def test_it_is_in_every_file(verdict, tmp_path):
     assert "Contents that come out" in verdict.to_markdown()
     page = write_report(verdict, tmp_path / "r.html").read_text(encoding="utf-8")
     assert page.count("Contents that come out") == 1 + len(verdict.options)
-    assert verdict_reply(verdict).options[0].contents.contents_out_share == share
+    assert verdict_reply(verdict).options[0].contents["contents_out_share"] == share
 
 
 def test_open_drawers_are_a_bound():

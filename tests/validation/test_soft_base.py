@@ -223,7 +223,7 @@ def test_a_piece_on_feet_meets_the_wall_with_its_side() -> None:
     [
         ((0.3, 0.0), "base inset"),
         ((-0.01, 0.0), "base inset"),
-        ((0.0,), "two numbers"),
+        ((0.0,), "2 numbers"),
         ((0.0, 0.2), "centre"),
     ],
 )

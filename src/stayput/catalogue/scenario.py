@@ -112,8 +112,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is given beside {other}; it must be left out.",
         "{other}があるので、{name}は指定できません。",
     ),
+    "roof": ("from 1 to {roof}, the roof", "1～{roof}（屋上）"),
     "only_one": (
-        "{name} is given beside {other}; it must be only one.",
+        "{name} is given beside {other}; only one of the two must be given.",
         "{other}と{name}の両方があります。一方だけを指定してください。",
     ),
     "needs_both": (

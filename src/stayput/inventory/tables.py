@@ -13,8 +13,8 @@ from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, TextIO, cast
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, reason_of
-from stayput.extras import absent, arrow
+from stayput.errors import InputError, absent, reason_of
+from stayput.extras import arrow
 from stayput.inventory.cells import Unusable
 
 if TYPE_CHECKING:

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, reason_of, unknown, within
-from stayput.extras import absent
+from stayput.errors import InputError, absent, instance_of, reason_of, unknown, within
 from stayput.model.body import MASS_RANGE, SIZE_RANGE
 from stayput.model.polyhedron import (
     TOLERANCE,

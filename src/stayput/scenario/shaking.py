@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Literal, Self, TypeVar, cast
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from stayput.building.model import MOST_STOREYS
-from stayput.errors import InputError, within
+from stayput.catalogue import phrase
+from stayput.errors import InputError, not_allowed, within
 from stayput.motion import Motion, near_fault, sine
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import (
@@ -224,8 +225,9 @@ class ShakingTable(Table):
             given, missing = ("storey", "building") if self.building is None else ("building", "storey")
             name, other = f"shaking.{given}", f"shaking.{missing}"
             raise InputError("scenario.needs_both", name, other=other)
-        if self.building is not None and self.storey is not None:
-            within("shaking.storey", self.storey, 1, self.building.highest(), "", "shaking.storey")
+        if self.building is not None and self.storey is not None and self.storey > self.building.highest():
+            allowed = phrase("scenario.roof", roof=self.building.highest())
+            raise not_allowed("shaking.storey", str(self.storey), allowed, "shaking.storey")
 
     _in_python: Suite | None = PrivateAttr(default=None)
 
