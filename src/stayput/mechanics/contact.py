@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inner
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CONTACTS, PLANE
 from stayput.mechanics.geometry import arm_at, own_friction, value_or
 
 PAINLEVE_LIMIT = 1e-6
@@ -30,8 +30,7 @@ not.
 def fill_rows(rows, contacts, closed, sin, cos, case):
     """Fill one row per closed contact: normal, tangent, lever arms and coefficients of friction."""
     count = 0
-    c = 0
-    while closed >> c:
+    for c in range(CONTACTS):
         if closed >> c & 1:
             con, row = contacts[c], rows[count]
             sigma, kappa = arm_at(con, sin, cos)
@@ -41,7 +40,6 @@ def fill_rows(rows, contacts, closed, sin, cos, case):
             row.mu_slip = row.flat_slip_right = row.flat_slip_left = con.mu_kinetic
             row.index = c
             count += 1
-        c += 1
     if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
         right = base_friction(case, rows[1].mu_slip, -rows[1].nl, -rows[1].tl)
         left = base_friction(case, rows[0].mu_slip, rows[0].nl, -rows[0].tl)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import entry, inner
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, CONTACTS, ENDED, LIMIT, PLANE
 from stayput.mechanics.contact import base_friction, cross, is_single_ray
 from stayput.mechanics.geometry import STICK_RATE, arm, gap, own_friction, to_plane_axes, value_or
 from stayput.mechanics.records import advance_clock, loads, lowest_product, record_sample
@@ -158,8 +158,7 @@ def advance_slide(contacts, case, s, motion, friction, lifts, history):
             )
             if t < h:
                 h, outcome = t, LIMIT
-        c = 0
-        while others >> c:
+        for c in range(CONTACTS):
             side = d * to_plane_axes(contacts[c], cf, sf)[1]  # + where the slip opens the gap
             if others >> c & 1 and side != 0.0:
                 g0 = gap(contacts[c], s)
@@ -172,7 +171,6 @@ def advance_slide(contacts, case, s, motion, friction, lifts, history):
                     if rate < 0.0:  # one Newton step on the exact motion; first_closing uses its quintic
                         t = min(h, max(0.5 * t, t - left / rate))
                     h, outcome, s.hit = t, CLOSED, 1 << c
-            c += 1
         shift = d * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
         speed = d * (v - h * (drive + 0.5 * h * drive_rate))
         s.x, s.z = s.x + cf * shift, s.z + sf * shift

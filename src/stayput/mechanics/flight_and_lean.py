@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.columns import CLOSED, ENDED, TURNED_OVER
+from stayput.mechanics.columns import CLOSED, CONTACTS, ENDED, TURNED_OVER
 from stayput.mechanics.contact import fill_rows, forces_of_slipping_pair
 from stayput.mechanics.elementary import sine_and_cosine
 from stayput.mechanics.geometry import (
@@ -107,8 +107,7 @@ def advance_flight(contacts, case, s, motion, history):
         if abs(s.theta + h * s.omega) >= RIGHT_ANGLE:
             h, outcome = (RIGHT_ANGLE - abs(s.theta)) / abs(s.omega), TURNED_OVER
         start, end = (s.x, s.z, s.vx, s.vz, s.sin, s.cos), _flown(s, load, h)
-        c = 0
-        while s.present >> c:
+        for c in range(CONTACTS):
             if s.present >> c & 1:
                 con = contacts[c]
                 g0, v0, c0 = _flying_gap(con, s, load, 0.0, start)
@@ -121,7 +120,6 @@ def advance_flight(contacts, case, s, motion, history):
                             t = min(h, max(0.5 * t, t - (g - level) / v))
                     h, outcome, s.hit = t, CLOSED, 1 << c
                     end = _flown(s, load, h)
-            c += 1
         turn = _turn_of_slide(case, s, load, h, start, end)
         _fly(s, load, turn)
         update_peaks(case, s)
@@ -193,11 +191,9 @@ def _lean_within(rows, contacts, case, s, start, load, curves, h, t):
 def _set_levels(contacts, s):
     """Set the levels at which a step ends: gaps of the open contacts, slip rates of the two closed ones."""
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1:
             contacts[c].level = closed_level(gap(contacts[c], s))
-        c += 1
     first, second = contacts[s.i], contacts[s.j]
     first.level = min(float(s.d) * slip_rate(first, s), 0.0) - SLACK_SLIP
     second.level = min(float(s.dj) * slip_rate(second, s), 0.0) - SLACK_SLIP
@@ -218,14 +214,12 @@ def _lean_margins(rows, contacts, case, s, load, h):
     others_least = RIGHT_ANGLE - abs(s.theta)
     s.hit = 0
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1:
             over = gap(contacts[c], s) - contacts[c].level
             if over < 0.0:
                 s.hit |= 1 << c
             others_least = min(others_least, over)
-        c += 1
     margins = (
         Ni + SLACK_PRESS,
         Nj + SLACK_PRESS,
@@ -251,8 +245,7 @@ def _first_closing(contacts, s, y0, k0, y1, k1, h):
     sin0, cos0 = sine_and_cosine(y0[2])
     first, hit = -1.0, 0
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1:
             con = contacts[c]
             g0, v0, c0 = _leaning_gap(con, y0, k0, sin0, cos0)
@@ -260,7 +253,6 @@ def _first_closing(contacts, s, y0, k0, y1, k1, h):
             t, _ = first_closing(g0, v0, c0, g1, v1, c1, h)
             if t >= 0.0 and (hit == 0 or t < first):
                 first, hit = t, 1 << c
-        c += 1
     return first, hit
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, PLANE, SLIDE_ROCK, TURNED_OVER
+from stayput.mechanics.columns import CLOSED, CONTACTS, CORNER, ENDED, LIMIT, PLANE, SLIDE_ROCK, TURNED_OVER
 from stayput.mechanics.contact import PAINLEVE_LIMIT
 from stayput.mechanics.geometry import (
     GAP_TOLERANCE,
@@ -187,8 +187,7 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
     run = h * (abs(slip0) + abs(slip1) + h * (abs(push0) + abs(push1)))
     first, hit = -1.0, 0
     others = s.present & ~(1 << s.i)
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1 and (CORNER[c] != corner or s.kind == SLIDE_ROCK):
             other = contacts[c]
             u, v = contact_point(case, c)
@@ -196,7 +195,6 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
             clear = to_plane_axes(other, foot0, foot1)[1] + other.offset
             across0, up0 = distance(other, u, v, sin0, cos0)
             if clear + up0 > (abs(u) + abs(v)) * turn + run:
-                c += 1
                 continue  # out of reach in this step
             aside = to_plane_axes(other, con.cos, con.sin)[1]  # fulcrum's plane along the other's normal
             across1, up1 = distance(other, u, v, sin1, cos1)
@@ -206,7 +204,6 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
             c1 = alpha1 * across1 - omega1 * omega1 * up1 + aside * push1
             t, level = first_closing(g0, v0, c0, g1, v1, c1, h)
             if t >= 0.0 and s.kind != SLIDE_ROCK and clear + GAP_TOLERANCE > math.sqrt(u * u + v * v):
-                c += 1
                 continue  # the corner's circle about the fulcrum touches the plane at most
             if t > 0.0:  # one Newton step on the series itself, since first_closing works on a quintic
                 theta, omega = tilt_after(series, t)
@@ -222,7 +219,6 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
                     t = min(h, max(0.5 * t, t - (clear + up + aside * moved - level) / rate))
             if t >= 0.0 and (first < 0.0 or t < first):
                 first, hit = t, 1 << c
-        c += 1
     return first, hit
 
 
@@ -267,19 +263,10 @@ def first_event(contacts, case, s, law, start, end, h, near, series, flow, load)
     push0, push1 = 0.0, 0.0
     if not stick:
         push0, push1 = slip_push(law, start, load[0]), slip_push(law, end, load[0] + load[1] * h)
-    first, s.hit = first_contact(
-        contacts,
-        case,
-        s,
-        (start[2], start[3], start[1], start[10], foot, start[6], push0),
-        (end[2], end[3], end[1], end[10], end[7], end[6], push1),
-        h,
-        con.cos * foot + con.sin * con.offset,
-        con.sin * foot - con.cos * con.offset,
-        series,
-        flow,
-        mu_d,
-    )
+    begins = start[2], start[3], start[1], start[10], foot, start[6], push0
+    ends = end[2], end[3], end[1], end[10], end[7], end[6], push1
+    foot0, foot1 = con.cos * foot + con.sin * con.offset, con.sin * foot - con.cos * con.offset
+    first, s.hit = first_contact(contacts, case, s, begins, ends, h, foot0, foot1, series, flow, mu_d)
     why = CLOSED if first >= 0.0 else ENDED
     if abs(end[0]) >= RIGHT_ANGLE:
         t = turned_over_at(series, end[0], h)

@@ -193,11 +193,9 @@ def slip_rate(con, s):
 def touching(contacts, s):
     """Bits of the contacts whose gap is within `GAP_TOLERANCE`."""
     bits = 0
-    c = 0
-    while s.present >> c:
+    for c in range(col.CONTACTS):
         if s.present >> c & 1 and gap(contacts[c], s) <= GAP_TOLERANCE:
             bits |= 1 << c
-        c += 1
     return bits
 
 
@@ -288,8 +286,7 @@ def remove_gap_rates(contacts, closed, settle_rate, I, s):
     zero = (0.0, 0.0, 0.0)
     e1, e2, e3 = zero, zero, zero
     for tangential in (False, True):
-        c = 0
-        while closed >> c:
+        for c in range(col.CONTACTS):
             con = contacts[c]
             if closed >> c & 1 and not (tangential and abs(slip_rate(con, s)) > STICK_RATE):
                 sigma, kappa = arm(con, s)
@@ -301,7 +298,6 @@ def remove_gap_rates(contacts, closed, settle_rate, I, s):
                     if abs(v[0] * e[0] + v[1] * e[1] + v[2] * e[2]) <= MAX_SETTLING * settle_rate:
                         e1, e2, e3 = e, e1, e2
                         v = _remove_component(v, e1)
-            c += 1
     s.vx, s.vz, s.omega = v[0], v[1], v[2] / root
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inner
-from stayput.mechanics.columns import FLOOR_BITS, PLANE, ROCK
+from stayput.mechanics.columns import CONTACTS, FLOOR_BITS, PLANE, ROCK
 from stayput.mechanics.contact import (
     both_slip,
     fill_rows,
@@ -202,11 +202,9 @@ def scale_change_of_fulcrum(contacts, fulcrum, case, s, before):
 def closing_contacts(contacts, bits, s):
     """Bits of those contacts whose gap is closing."""
     closing_bits = 0
-    c = 0
-    while bits >> c:
+    for c in range(CONTACTS):
         if bits >> c & 1 and gap_rate(contacts[c], s) < -CLOSING:
             closing_bits |= 1 << c
-        c += 1
     return closing_bits
 
 
@@ -247,15 +245,13 @@ def impact_without_collision(contacts, touching, case, s):
 
     The corner chosen is one whose stop closes no other contact; where there is none, all motion stops.
     """
-    c = 0
-    while touching >> c:
+    for c in range(CONTACTS):
         if touching >> c & 1 and abs(slip_rate(contacts[c], s)) > STICK_RATE:
             before = s.vx, s.vz, s.omega
             ok, s.vx, s.vz, s.omega = stop_corner(contacts, c, case.inertia, s)
             if ok and not closing_contacts(contacts, touching & ~(1 << c), s):
                 return
             s.vx, s.vz, s.omega = before
-        c += 1
     s.vx = s.vz = s.omega = 0.0
 
 

@@ -68,14 +68,12 @@ def set_mode(s, kind, i, d, j, dj):
 def close_slow_contacts(contacts, touching, settle_rate, case, s):
     """Bits of the contacts that open no faster than ``settle_rate``, their gap rates removed."""
     closed, moving = 0, 0.0
-    c = 0
-    while touching >> c:
+    for c in range(col.CONTACTS):
         if touching >> c & 1:
             rate = gap_rate(contacts[c], s)
             if rate <= settle_rate:
                 closed |= 1 << c
                 moving = max(moving, abs(rate))
-        c += 1
     if moving > STICK_RATE:
         remove_gap_rates(contacts, closed, settle_rate, case.inertia, s)
     return closed

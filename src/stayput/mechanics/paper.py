@@ -201,15 +201,13 @@ def _leans(contacts, case, s, touch, fulcrum, a):
     ratio = -sigma / kappa
     alpha = ratio * case.gravity - a  # in sign
     walls = touch & WALL_BITS
-    c = 0
-    while walls >> c:
+    for c in range(col.CONTACTS):
         if walls >> c & 1 and _closes_by_turning(contacts, c, fulcrum, alpha, s):
             s.kind = col.REST
             s.closed = 1 << fulcrum | walls
             _bound(s, -math.inf if alpha > 0.0 else ratio, ratio if alpha > 0.0 else math.inf)
             s.vx = s.vz = 0.0
             return True
-        c += 1
     return False
 
 
@@ -230,11 +228,9 @@ def collide_by_paper(contacts, case, s):
         _rock_on(contacts, s, s.kind, new, slip, s.d, s.dj)
         return
     for top in (False, True):  # base corners before top corners
-        c = col.A_FLOOR
-        while s.hit >> c:
+        for c in range(col.CONTACTS):
             if s.hit >> c & 1 and (col.CORNER[c] >= 2) == top and gap_rate(contacts[c], s) < 0.0:
                 _bounce(contacts, c, s)
-            c += 1
 
 
 @inner

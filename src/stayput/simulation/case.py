@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, cast, overload
+from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, cast, overload
 
 from stayput.errors import InputError, finite, instance_of, list_of, whole_within, word_of
 from stayput.measures.element import device_results
@@ -104,6 +104,16 @@ class Case:
         )
 
 
+class _Options(TypedDict, total=False):
+    """Options of `simulate` beside the dimensions."""
+
+    contact: Contact
+    initial: State | None
+    gravity: float
+    most_events: int | None
+    step: float | None
+
+
 @overload
 def simulate(
     body: Body,
@@ -112,38 +122,27 @@ def simulate(
     measures: Sequence[Measure] = ...,
     *,
     dimensions: Literal[2],
-    contact: Contact = ...,
-    initial: State | None = ...,
-    gravity: float = ...,
-    most_events: int | None = ...,
+    **options: Unpack[_Options],
 ) -> Run: ...
-
-
 @overload
 def simulate(
-    body: Body | Solid | Standing | Assembly,
+    body: Body,
     room: Room,
     motion: Motion,
     measures: Sequence[Measure] = ...,
     *,
     dimensions: Literal[3],
-    initial: State | None = ...,
-    gravity: float = ...,
-    step: float | None = ...,
+    **options: Unpack[_Options],
 ) -> SpaceRun: ...
-
-
 @overload
 def simulate(
     body: Solid | Standing | Assembly,
     room: Room,
     motion: Motion,
     *,
-    gravity: float = ...,
-    step: float | None = ...,
+    dimensions: Literal[3] = ...,
+    **options: Unpack[_Options],
 ) -> SpaceRun: ...
-
-
 @overload
 def simulate(
     body: Body,
@@ -152,14 +151,8 @@ def simulate(
     measures: Sequence[Measure] = ...,
     *,
     dimensions: Dimensions | None = ...,
-    contact: Contact = ...,
-    initial: State | None = ...,
-    gravity: float = ...,
-    most_events: int | None = ...,
-    step: float | None = ...,
+    **options: Unpack[_Options],
 ) -> Run | SpaceRun: ...
-
-
 def simulate(
     body: Body | Solid | Standing | Assembly,
     room: Room,

@@ -67,15 +67,13 @@ def least_margin(contacts, s, work, levels, f, g, least):
     least = min(least, f - levels[0], g - levels[1], RIGHT_ANGLE - abs(s.theta))
     s.hit = 0
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1:
             work.gap[c] = _gap(contacts, s, work, c)
             over = work.gap[c] - work.level[c]
             if over < 0.0:
                 s.hit |= 1 << c
             least = min(least, over)
-        c += 1
     return least
 
 
@@ -86,52 +84,31 @@ def _set_weights(contacts, s, work, levels, f, g):
     weight[F_WEIGHT], weight[G_WEIGHT] = event_weight(f - levels[0]), event_weight(g - levels[1])
     weight[TURN_WEIGHT] = event_weight(RIGHT_ANGLE - abs(s.theta))
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         weight[c] = event_weight(work.gap[c] - work.level[c]) if others >> c & 1 else 0.0
-        c += 1
     set_line_weights(work)
 
 
 @inner
-def _least_weighted(contacts, s, work, levels, f, g):
+def _least_weighted(contacts, s, work, levels, theta, f, g, at_start):
     """Least of the margins that are negative at the end of a search, each scaled to −1 there.
 
     Scaling makes gaps, forces and rates comparable, so that margins of other sizes do not mislead the
-    secants.
+    secants. The tilt and the two margins of the contacts are those of the present state or, ``at_start``,
+    of the start of the step.
     """
     weight = work.weight
     least = min(
         weighted_margin(f - levels[0], weight[F_WEIGHT]),
         weighted_margin(g - levels[1], weight[G_WEIGHT]),
-        weighted_margin(RIGHT_ANGLE - abs(s.theta), weight[TURN_WEIGHT]),
-        least_weighted_line(work, False),
+        weighted_margin(RIGHT_ANGLE - abs(theta), weight[TURN_WEIGHT]),
+        least_weighted_line(work, at_start),
     )
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1 and weight[c] > 0.0:
-            least = min(least, weight[c] * (_gap(contacts, s, work, c) - work.level[c]))
-        c += 1
-    return least
-
-
-@inner
-def _least_weighted_at_start(s, work, base, levels, f0, g0):
-    """As `_least_weighted`, at the start of the step."""
-    weight = work.weight
-    least = min(
-        weighted_margin(f0 - levels[0], weight[F_WEIGHT]),
-        weighted_margin(g0 - levels[1], weight[G_WEIGHT]),
-        weighted_margin(RIGHT_ANGLE - abs(base[0]), weight[TURN_WEIGHT]),
-        least_weighted_line(work, True),
-    )
-    others = s.present & ~s.closed
-    c = 0
-    while others >> c:
-        if others >> c & 1 and weight[c] > 0.0:
-            least = min(least, weight[c] * (work.gap0[c] - work.level[c]))
-        c += 1
+            now = work.gap0[c] if at_start else _gap(contacts, s, work, c)
+            least = min(least, weight[c] * (now - work.level[c]))
     return least
 
 
@@ -139,23 +116,19 @@ def _least_weighted_at_start(s, work, base, levels, f0, g0):
 def note_gaps(contacts, s, work):
     """Store the gaps of the open contacts in the state of s."""
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1:
             work.gap[c] = _gap(contacts, s, work, c)
-        c += 1
 
 
 @inline
 def set_gap_levels(s, work):
     """Set the gaps at which the open contacts close in the step that begins."""
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1:
             work.gap0[c] = work.gap[c]
             work.level[c] = closed_level(work.gap[c])
-        c += 1
 
 
 @inline
@@ -190,11 +163,9 @@ def excursion_bound(case, y0, y1, h):
 def gaps_stay_open(s, work, excursion):
     """Whether no gap can close in a step within which corners move no farther than ``excursion``."""
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1 and work.gap[c] < excursion:
             return False
-        c += 1
     return True
 
 
@@ -203,15 +174,13 @@ def _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h):
     """Earliest time at which a gap closes within a step, or h; and its contact."""
     first, contact = h, -1
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(CONTACTS):
         if others >> c & 1 and work.gap[c] < excursion:
             g0, v0, c0 = _gap_rates(contacts, s, work, c, y0, k0, base[1], base[2])
             g1, v1, c1 = _gap_rates(contacts, s, work, c, y1, k1, s.sin, s.cos)
             t, _ = first_closing(g0, v0, c0, g1, v1, c1, h)
             if 0.0 <= t < first:
                 first, contact = t, c
-        c += 1
     return first, contact
 
 
@@ -312,7 +281,7 @@ def _least_weighted_at(contacts, rows, case, s, work, base, load, t, h, levels):
     """Least scaled margin a time t into a step, by its dense output."""
     set_inside(s, work, base, h, t)
     _, f, g, _ = evaluate_state(contacts, rows, case, s, work, load, t)
-    return _least_weighted(contacts, s, work, levels, f, g)
+    return _least_weighted(contacts, s, work, levels, s.theta, f, g, False)
 
 
 @inner
@@ -327,7 +296,7 @@ def _stop_at(contacts, rows, case, s, work, base, load, levels, t, h):
         set_inside(s, work, base, h, t)
         project_on_constraints(contacts, case, s, work)
         k, f, g, least = evaluate_state(contacts, rows, case, s, work, load, t)
-        m = _least_weighted(contacts, s, work, levels, f, g)
+        m = _least_weighted(contacts, s, work, levels, s.theta, f, g, False)
         if m < 0.0 or t >= h:
             break
         more = LOCATED + more * min(m / (before - m) if before > m else 10.0, MOST_LATER)
@@ -336,13 +305,11 @@ def _stop_at(contacts, rows, case, s, work, base, load, levels, t, h):
 
 
 @inner
-def first_event(
-    contacts, rows, case, s, work, base, load, start, end, least, near, inactive, excursion, h, levels
-):
+def first_event(contacts, rows, case, s, work, base, load, ends, least, near, inactive, excursion, h, levels):
     """First event in a completed step; the state, its margins and those of the lines are moved there.
 
-    ``start`` and ``end`` are (state, accelerations, two margins). The search covers, in order: the earliest
-    candidate inside the step (closing gaps, parabolas through the margins), then the end of the step.
+    ``ends`` are its start and its end, each (state, accelerations, two margins). The search covers, in order:
+    the earliest candidate inside the step (closing gaps, parabolas through the margins), then its end.
 
     Returns
     -------
@@ -350,6 +317,7 @@ def first_event(
         Whether there is one; its time, or h; accelerations, the contacts' two margins, and the least of all:
         negative at an event, unless the dense output alone had one.
     """
+    start, end = ends
     y0, k0, f0, g0 = start
     y1, k1, f1, g1 = end
     closing, contact = _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h)
@@ -387,7 +355,7 @@ def first_event(
                 return False, h, k1, f1, g1, least
     _set_weights(contacts, s, work, levels, f, g)
     if low == 0.0:
-        m0 = _least_weighted_at_start(s, work, base, levels, f0, g0)
+        m0 = _least_weighted(contacts, s, work, levels, base[0], f0, g0, True)
     else:
         m0 = _least_weighted_at(contacts, rows, case, s, work, base, load, low, h, levels)
     t = _locate(contacts, rows, case, s, work, base, load, m0, low, high, h, levels)

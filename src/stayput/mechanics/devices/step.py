@@ -23,7 +23,7 @@ import math
 import numpy as np
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CORNER, FLIGHT, LEAN, PLANE, ROCK, SLIDE, SLIDE_ROCK
+from stayput.mechanics import columns as col
 from stayput.mechanics.contact import PAINLEVE_LIMIT, fill_rows, forces_of_slipping_pair
 from stayput.mechanics.devices.lines import evaluate_lines, line_force, set_lines
 from stayput.mechanics.devices.moment import expand_tilt, sum_lines, tilt_at
@@ -100,10 +100,10 @@ def shared_friction(case, first, second, d, shift):
 def kinetic_pair(contacts, case, s, d, sigma_i, sigma_j, kappa, Γ, fl):
     """Kinetic coefficients of both corners of a body that slides flat."""
     first, second = contacts[s.i].mu_kinetic, contacts[s.j].mu_kinetic
-    if PLANE[s.i] > 0:
+    if col.PLANE[s.i] > 0:
         return first, second
     mu = shared_friction(case, (first, sigma_i, kappa), (second, sigma_j, kappa), d, fl / Γ)
-    return value_or(own_friction(case, A_FLOOR)[1], mu), value_or(own_friction(case, B_FLOOR)[1], mu)
+    return value_or(own_friction(case, col.A_FLOOR)[1], mu), value_or(own_friction(case, col.B_FLOOR)[1], mu)
 
 
 @inner
@@ -144,13 +144,13 @@ def _accelerations_under(contacts, rows, case, s, load, t, fx, fz, fl):
     a, G = load[0] + load[1] * t - fx, load[2] + load[3] * t - fz
     sin, cos, vx, vz, omega = s.sin, s.cos, s.vx, s.vz, s.omega
     kind = s.kind
-    if kind == FLIGHT:
+    if kind == col.FLIGHT:
         return -a, -G, fl / case.inertia, math.inf, math.inf
-    if kind == LEAN:
+    if kind == col.LEAN:
         return _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl)
     con = contacts[s.i]
     A, Γ = to_plane_axes(con, a, G)
-    if kind == SLIDE:
+    if kind == col.SLIDE:
         normal = alpha = 0.0
         tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
     else:
@@ -180,14 +180,13 @@ def evaluate_at(contacts, rows, case, s, work, load, t):
 @inner
 def set_about_fulcrum(elements, links, contacts, case, s, work):
     """Set the line coefficients, and the gap functions of the open contacts, about the fulcrum."""
-    con, corner = contacts[s.i], CORNER[s.i]
+    con, corner = contacts[s.i], col.CORNER[s.i]
     foot = work.foot = to_plane_axes(con, s.x, s.z)[0] + arm(con, s)[0]
     x, z = con.cos * foot + con.sin * con.offset, con.sin * foot - con.cos * con.offset
     set_lines(elements, links, case, corner, x, z, work)
     sum_lines(links, work)
     others = s.present & ~s.closed
-    c = 0
-    while others >> c:
+    for c in range(col.CONTACTS):
         if others >> c & 1:
             other, reach = contacts[c], work.reach[c]
             u, v = contact_point(case, c)
@@ -196,7 +195,6 @@ def set_about_fulcrum(elements, links, contacts, case, s, work):
             reach[1], reach[2] = other.cos * v - other.sin * u, -other.sin * v - other.cos * u
             if reach[0] + GAP_TOLERANCE > math.sqrt(u * u + v * v):
                 reach[0] = math.inf  # the corner's circle about the fulcrum touches the plane at most
-        c += 1
 
 
 @inline
@@ -294,7 +292,7 @@ def take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
     x0, z0, theta0, vx0, vz0, omega0 = y0
     stage = work.stage
     stage[0, 0], stage[0, 1], stage[0, 2] = k0
-    turns = s.kind != SLIDE
+    turns = s.kind != col.SLIDE
     for i in range(1, STAGES):
         t = h * TIMES[i]
         if turns:
@@ -324,7 +322,7 @@ def take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
 @inner
 def evaluate_state(contacts, rows, case, s, work, load, t):
     """Accelerations, the contacts' two margins and the lines' least margin in the state of s."""
-    if s.kind == ROCK:
+    if s.kind == col.ROCK:
         return evaluate_on_fulcrum(contacts[s.i], case, s, work, load, t)
     return evaluate_at(contacts, rows, case, s, work, load, t)
 
@@ -332,7 +330,7 @@ def evaluate_state(contacts, rows, case, s, work, load, t):
 @inner
 def contact_margins(contacts, rows, case, s, work, load, t):
     """The contacts' two margins in the state of s; stores nothing."""
-    if s.kind == ROCK:
+    if s.kind == col.ROCK:
         return margins_on_fulcrum(contacts[s.i], case, s, work, load, t)
     _, _, _, f, g = accelerations(contacts, rows, case, s, work, load, t)
     return f, g
@@ -354,9 +352,9 @@ def state_of(s):
 @inner
 def project_on_constraints(contacts, case, s, work):
     """Project the state onto the mode's constraints: contacts on their planes, a sticking corner in place."""
-    if s.kind == ROCK:
+    if s.kind == col.ROCK:
         stand_on_fulcrum(contacts[s.i], s, work.foot)
-    elif s.kind == SLIDE_ROCK or s.kind == SLIDE:
+    elif s.kind == col.SLIDE_ROCK or s.kind == col.SLIDE:
         project_on_plane(contacts[s.i], s)
-    elif s.kind == LEAN:
+    elif s.kind == col.LEAN:
         project_on_both(contacts[s.i], contacts[s.j], case.inertia, s)

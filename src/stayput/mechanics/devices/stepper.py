@@ -277,25 +277,11 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
         else:
             near = min(g0, g1) < reserve
         near = near or min(f0, f1) < reserve
-        start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
+        ends = (y0, k0, f0, g0), (y1, k1, f1, g1)
         excursion = excursion_bound(case, y0, y1, h)
         if near or least < 0.0 or not inactive or not gaps_stay_open(s, work, excursion):
             found, h, k1, f1, g1, least = first_event(
-                contacts,
-                rows,
-                case,
-                s,
-                work,
-                base,
-                load,
-                start,
-                end,
-                least,
-                near,
-                inactive,
-                excursion,
-                h,
-                levels,
+                contacts, rows, case, s, work, base, load, ends, least, near, inactive, excursion, h, levels
             )
             if found:
                 y1 = state_of(s)
