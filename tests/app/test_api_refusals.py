@@ -71,7 +71,7 @@ def in_japanese(answer: httpx.Response) -> str:
     told = problem["message_ja"]
     assert told, problem["message"]
     assert told.endswith("。") or "：" in told
-    plain = re.sub(r"^a\.csv（数値の列）：|「.*?」|[cm]?m/s²|in/s²|ft/s²|gal|mg", "", told)
+    plain = re.sub(r"^a\.csv（数値の列）：|「.*?」|SAC|miniSEED|[cm]?m/s²|in/s²|ft/s²|gal|mg", "", told)
     assert not re.search("[A-Za-z]{2,}|[{}]", plain), told
     return told
 

@@ -73,15 +73,15 @@ def read(task: ReadingTask) -> ReadingResult:
 
 
 def _on_page(told: T) -> T:
-    """Return what is told of a record, with an option called by its control on the page or by its flag."""
-    option = told.values.get("option")
-    if option not in OPTIONS:
-        return told
-    if option in _CONTROLS:
-        way, field = phrase("app.control", label=phrase(_CONTROLS[option])), told.field
-    else:
-        way, field = phrase("app.flag", flag=f"--{option.replace('_', '-')}"), None
-    return type(told)(told.code, field, context=told.context, **told.values | {"option": way})
+    """Return what is told of a record, with options called by the page's controls or by their flags."""
+    ways, field = dict[str, object](), told.field
+    for key in ("option", "other_option"):
+        option = told.values.get(key)
+        if option in _CONTROLS:
+            ways[key] = phrase("app.control", label=phrase(_CONTROLS[option]))
+        elif option in OPTIONS:
+            ways[key], field = phrase("app.flag", flag=f"--{option.replace('_', '-')}"), None
+    return type(told)(told.code, field, context=told.context, **told.values | ways) if ways else told
 
 
 def _read(task: ReadingTask) -> Motion:
