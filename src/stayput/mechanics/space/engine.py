@@ -70,9 +70,6 @@ MOST_ROUNDS = 8
 MOST_WORK = 1e8
 """Work after which a run is given up: updates of contacts, some 0.1 µs each."""
 
-SWEEPS = (4.0, 150.0)
-"""Sweeps that a step takes, about: one whose impulses converge, and one whose do not."""
-
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
 
@@ -160,21 +157,18 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
     apply(contacts, count, bodies, after, 1.0)
     hold(springs, pulls, bodies, after, h)
     alone = count == 0 and springs.shape[0] == 0
-    converged = alone or solve(contacts, count, held, bodies, after, system, h)
+    converged = alone or solve(contacts, count, held, bodies, after, system, h, work)
     settled = alone
     for _ in range(MOST_ROUNDS):
         settled = not hold(springs, pulls, bodies, after, h)
         if settled:
             break
-        converged = solve(contacts, count, held, bodies, after, system, h)
-    none = springs[:0], pulls[:0], held[2][:0]
-    if not converged and springs.shape[0] > 0:
-        converged, settled = _in_turns(contacts, count, held, none, bodies, after, system, h), True
-    if not converged or bounces(contacts, count):
-        converged = mend(contacts, count, none, bodies, after, system, h, converged, work)
+        converged = solve(contacts, count, held, bodies, after, system, h, work)
+    if bounces(contacts, count):
+        none = springs[:0], pulls[:0], held[2][:0]
+        converged = mend(contacts, count, none, bodies, after, system, h, work) and converged
     if not (converged and settled):
         work[1] += 1.0
-    work[2] += (SWEEPS[0] if converged else SWEEPS[1]) * (1.0 + count)
     land(contacts, count, bodies, before, after)
     for k in range(count):
         c = contacts[k]
@@ -190,28 +184,6 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         else:
             drift(bodies[b], s, 0.5 * h)
     return count
-
-
-@inner
-def _in_turns(contacts, count, held, none, bodies, poses, system, h):
-    """Find the impulses of contacts and devices in turns, where Newton's method with both has lost its way.
-
-    The devices begin with the velocities that bodies have without contacts: the impulses that it left are no
-    forces of theirs.
-    """
-    apply(contacts, count, bodies, poses, -1.0)
-    for k in range(count):
-        c = contacts[k]
-        c.pn = c.ps = c.pt = 0.0
-    for _ in range(MOST_ROUNDS):
-        if not hold(held[0], held[1], bodies, poses, h):
-            break
-    converged = solve(contacts, count, none, bodies, poses, system, h)
-    for _ in range(MOST_ROUNDS):
-        if not converged or not hold(held[0], held[1], bodies, poses, h):
-            break
-        converged = solve(contacts, count, none, bodies, poses, system, h)
-    return converged
 
 
 @inner
