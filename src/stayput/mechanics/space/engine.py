@@ -67,9 +67,6 @@ DEEP = 1e-5
 MOST_ROUNDS = 8
 """Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
 
-MOST_WORK = 1e8
-"""Work after which a run is given up: updates of contacts, some 0.1 µs each."""
-
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
 
@@ -259,8 +256,8 @@ def run_in_space(
         Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
         kind int64[n + 1, 3], in the last row of all hits; the largest 1 − cos of the bodies' tilts at any
-        step float64[n]; steps, steps whose impulses did not converge, and work, float64[3]: added to. From
-        where that is more than `MOST_WORK` bodies stay where they are.
+        step float64[n]; steps, steps whose impulses did not converge, work in updates of a contact (some
+        0.1 µs each), and the most of it, float64[4]: added to. Beyond it bodies stay where they are.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies, floor = world[0], world[3][0]
@@ -314,7 +311,7 @@ def run_in_space(
                 note_forces(held[1], forces[k + 1])
                 continue
         noted = bears = False
-        if work[2] > MOST_WORK:
+        if work[2] > work[3]:
             for b in range(bodies.shape[0]):
                 stop(now[b])
             for later in range(k + 1, histories.shape[1]):
