@@ -82,7 +82,7 @@ def test_motions_are_taken_as_they_are():
         True,
         True,
     ]
-    assert "given in Python" in of_suite.scenario.to_toml()
+    assert "Given in Python" in of_suite.scenario.to_toml()
 
 
 def test_a_case_is_compared_with_its_measures():
@@ -105,7 +105,7 @@ def test_measures_of_ones_own_are_compared():
     verdict = sp.verify(BODY, ROOM, shaking="6-upper", measures=[Doubled(count=4), LBracket(count=4)], **FEW)
     found = chances(verdict)
     assert found["doubled"] == found["l_bracket"]
-    assert "measures were given in Python" in verdict.scenario.to_toml()
+    assert "Given in Python" in verdict.scenario.to_toml()
 
 
 def test_what_is_not_in_the_uncertainty_is_as_stated():
