@@ -198,14 +198,14 @@ def test_samples_at_which_nothing_moves_are_told_like_all_others() -> None:
     assert fate.way.tobytes() == np.linalg.norm(run.slide[0], axis=1).tobytes()
 
 
-def test_a_stack_that_takes_too_much_work_is_given_up():
-    """A light box under heavy ones chatters: each step would take a tenth of a second, for minutes."""
-    heavy = BOX(0.2, 0.2, 1.07, 32.0), BOX(0.2, 0.2, 1.15, 38.0)
-    stack, height = list[sp.Standing](), 0.0
-    for solid in (BOX(0.44, 0.62, 0.78, 3.3), sp.Solid.cylinder(0.19, 0.59, 21.0), *heavy):
-        stack.append(sp.Standing(solid, at=(0.0, 0.0, height)))
-        height += float(solid.vertices[:, 2].max())
-    run = sp.simulate(sp.Assembly(stack), sp.Room(), sp.near_fault())
+def test_a_stack_whose_impulses_do_not_converge_is_given_up():
+    """26 t on 0.3 kg: at this ratio of masses rounding is all that is left of the velocity below."""
+    low, high = BOX(0.2, 0.2, 0.1, 0.3), BOX(0.3, 0.3, 1.9, 26_000.0)
+    stack = sp.Standing(low), sp.Standing(high, at=(0.02, 0.01, 0.1), heading=0.3)
+    motion = sp.near_fault()
+    short = sp.Motion(dt=motion.dt, x=4.0 * np.sin(20.0 * motion.time[:60]))
+    run = sp.simulate(sp.Assembly(stack), sp.Room(), short)
+    assert run.unconverged > 0.02 * run.steps
     assert run.given_up
     assert set(run.outcomes) == {sp.Outcome.FAILED}
     assert np.isfinite(run.place).all()

@@ -93,15 +93,10 @@ def scenario_of(
             {"name": named.name, "combine": [table_of(one) for one in named.measures]} for named in sets
         ]
     scenario = Scenario.parse(data | _plain(dict(tables)))
-    if not in_files or (measures is not None and not sets):
-        scenario = scenario.with_measures(sets)
-    changed: dict[str, Any] = {}
-    if motions is not None:
-        changed["shaking"] = scenario.shaking.with_motions(motions)
     if uncertainty is not None:
-        drawn = instance_of("uncertainty", uncertainty, Uncertainty)
-        changed["uncertainty"] = scenario.uncertainty.with_quantities(drawn)
-    return scenario.model_copy(update=changed) if changed else scenario
+        instance_of("uncertainty", uncertainty, Uncertainty)
+    own = None if in_files and (sets or measures is None) else sets
+    return scenario.with_python(motions, own, uncertainty)
 
 
 def scenario_of_case(

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from stayput.contents import Contents
     from stayput.measures import Measure
     from stayput.motion import Motion
+    from stayput.motion.suites import Suite
 
 
 class Scenario(FromFile):
@@ -90,18 +91,13 @@ class Scenario(FromFile):
             if self.contents_table is not None:
                 raise InputError("scenario.contents_in_space", "contents")
             if self.furniture.body().length is None:
-                name, other = "furniture.length", "dimensions"
-                raise InputError("scenario.no_length", name, other=other)
+                raise InputError("scenario.no_length", "furniture.length", other="dimensions")
         return self
 
     @model_validator(mode="after")
-    def _light_enough(self) -> Self:
+    def _possible(self) -> Self:
         if self.contents is not None:
             emptied(self.furniture.body(), self.contents)
-        return self
-
-    @model_validator(mode="after")
-    def _named_apart(self) -> Self:
         refuse_same_names("measures", [one.name for one in self.measures])
         return self
 
@@ -114,45 +110,52 @@ class Scenario(FromFile):
 
     def to_toml(self) -> str:
         """Return the scenario as a file's text; what was given in Python is named in a comment."""
-        building = self.shaking.building
-        given = {
-            "shaking": self.shaking.in_python,
-            "shaking.building": building and building.in_python,
-            "measures": self._own_measures,
-            "uncertainty": None if self.uncertainty.quantities is QUANTITIES else True,
-        }
-        what = ", ".join(key for key, value in given.items() if value is not None)
+        what = ", ".join(key for key, value in self.in_python.items() if value is not None)
         comment = f"# {say('scenario.in_python', what=what)}\n" if what else ""
         return super().to_toml() + comment
 
     _own_measures: tuple[NamedMeasures, ...] | None = PrivateAttr(default=None)
 
-    def with_measures(self, measures: Sequence[NamedMeasures]) -> Self:
-        """Return the same with measures of Python in the place of its own.
-
-        Raises
-        ------
-        InputError
-            Two of one name.
-        """
-        copy = self.model_copy()
-        copy._own_measures = tuple(measures)
-        refuse_same_names("measures", [one.name for one in measures])
-        return copy
-
-    def kept(self) -> dict[str, Any]:
-        """Return what a file of a result holds of the scenario, with what was given in Python."""
+    @property
+    def in_python(self) -> dict[str, Any]:
+        """What was given as Python objects and a file does not say; None each where it was not."""
         quantities, stated = self.uncertainty.quantities, self.uncertainty.as_stated
         drawn = {name: one for name, one in quantities.marginals.items() if name not in stated}
         return {
-            "data": self.stated_keys(),
-            "folder": self._folder.resolve(),
-            "file": self._file,
             "motions": self.shaking.in_python,
             "building": self.shaking.building and self.shaking.building.in_python,
             "measures": self._own_measures,
             "quantities": None if quantities is QUANTITIES else Uncertainty(drawn),
         }
+
+    def with_python(
+        self,
+        motions: Suite | None = None,
+        measures: Sequence[NamedMeasures] | None = None,
+        quantities: Uncertainty | None = None,
+    ) -> Self:
+        """Return the same with Python objects in the place of its own tables, where they are given.
+
+        Raises
+        ------
+        InputError
+            Two measures of one name, or a quantity that there is not.
+        """
+        changed: dict[str, Any] = {}
+        if motions is not None:
+            changed["shaking"] = self.shaking.with_motions(motions)
+        if quantities is not None:
+            changed["uncertainty"] = self.uncertainty.with_quantities(quantities)
+        copy = self.model_copy(update=changed)
+        if measures is not None:
+            refuse_same_names("measures", [one.name for one in measures])
+            copy._own_measures = tuple(measures)
+        return copy
+
+    def kept(self) -> dict[str, Any]:
+        """Return what a file of a result holds of the scenario, with what was given in Python."""
+        of_file = {"data": self.stated_keys(), "folder": self._folder.resolve(), "file": self._file}
+        return of_file | self.in_python
 
     @classmethod
     def of_kept(cls, parts: Mapping[str, Any]) -> Scenario:
@@ -161,14 +164,7 @@ class Scenario(FromFile):
         if parts.get("building") is not None:
             data = {**data, "shaking": {**data["shaking"], "building": parts["building"]}}
         scenario = cls.parse(data, parts["folder"], parts["file"])
-        if parts["measures"] is not None:
-            scenario = scenario.with_measures(parts["measures"])
-        changed: dict[str, Any] = {}
-        if parts["motions"] is not None:
-            changed["shaking"] = scenario.shaking.with_motions(parts["motions"])
-        if parts["quantities"] is not None:
-            changed["uncertainty"] = scenario.uncertainty.with_quantities(parts["quantities"])
-        return scenario.model_copy(update=changed) if changed else scenario
+        return scenario.with_python(parts["motions"], parts["measures"], parts["quantities"])
 
     @property
     def contents(self) -> Contents | None:

@@ -14,7 +14,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.mechanics.devices.columns import DEVICE, FORCES
 from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
-from stayput.mechanics.space.engine import MOST_WORK, run_in_space
+from stayput.mechanics.space.engine import run_in_space
 from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.space_records import scratch_of, surface_of
 
@@ -100,6 +100,12 @@ STEP = 1e-3
 MOST_HITS = 10_000
 """Most hits that are listed."""
 
+FIRST_WORK, WORK_A_SECOND = 1e8, 3e6
+"""Work after which a run is given up, and more for each body and second: updates of a contact (0.1 µs)."""
+
+MOST_UNCONVERGED = 0.02
+"""Share of steps whose impulses did not converge from which on a run is given up: its forces are rough."""
+
 
 _STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)
 
@@ -163,7 +169,8 @@ class SpaceTrace(NamedTuple):
     steps, unconverged : int
         Steps, and those whose contact forces did not converge.
     given_up : bool
-        Whether it took too much work: bodies stay where they were then.
+        Whether it took too much work, where bodies stay where they were then, or too many steps did not
+        converge.
     """
 
     place: NDArray[np.float64]
@@ -221,7 +228,8 @@ def run_world(
     held[2]["failure_time"] = np.nan
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
-    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(3)
+    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(4)
+    work[3] = FIRST_WORK + WORK_A_SECOND * bodies * dt * (samples - 1)
     if (stop := _STOP.get()) is not None:
         stop.watch(work)
     output = histories, forces, hits, numbers, peaks, work
@@ -246,7 +254,7 @@ def run_world(
         (first, gaps_of(world, scratch[2][0])),
         int(work[0]),
         int(work[1]),
-        bool(work[2] > MOST_WORK),
+        bool(work[2] > work[3] or work[1] > MOST_UNCONVERGED * work[0]),
     )
 
 

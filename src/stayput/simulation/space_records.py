@@ -331,6 +331,7 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
             np.zeros((len(bodies), len(bodies), 6, 6)),
             np.zeros((len(bodies), 6)),
             np.zeros(len(bodies), np.int64),
+            np.zeros((len(bodies), 6)),
         ),
         np.full((len(pairs), 2), -1),
     )

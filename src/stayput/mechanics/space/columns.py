@@ -94,14 +94,18 @@ CONTACT = np.dtype(
     + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing", "bounce")]
     + [(name, "f8") for name in ("target", "target_s", "target_t")]
     + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt", "on", "os", "ot")]
-    + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")],
+    + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")]
+    + [(name, "f8") for name in ("ln", "ls", "lt", "un", "us", "ut", "en", "es", "et", "gn", "gs", "gt")]
+    + [(name, "f8") for name in ("shift", "change", "rho")],
     align=True,
 )
 """A closed contact: bodies a and b (−1: the room), the plane of the room (−1: none) and whether it is the
 floor, the normal towards a and two tangents, the levers about both G, its gap and the acceleration by which
 free flight opens it, coefficients of friction, the normal velocity before, its restitution
 (0: it does not bounce) and the velocity wanted, impulses, their
-changes by a step of Newton's method, those before it, and the inverse mass that they see.
+changes by a step of Newton's method, those before it, and the inverse mass that they see; of the augmented
+Lagrangian the multipliers, velocities, their changes along the direction and by the gradient, the shift of
+the normal velocity and its change, and the penalty.
 """
 
 SPRING = np.dtype(

@@ -67,12 +67,6 @@ DEEP = 1e-5
 MOST_ROUNDS = 8
 """Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
 
-MOST_WORK = 1e8
-"""Work after which a run is given up: updates of contacts, some 0.1 µs each."""
-
-SWEEPS = (4.0, 150.0)
-"""Sweeps that a step takes, about: one whose impulses converge, and one whose do not."""
-
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
 
@@ -160,21 +154,18 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
     apply(contacts, count, bodies, after, 1.0)
     hold(springs, pulls, bodies, after, h)
     alone = count == 0 and springs.shape[0] == 0
-    converged = alone or solve(contacts, count, held, bodies, after, system, h)
+    converged = alone or solve(contacts, count, held, bodies, after, system, h, work)
     settled = alone
     for _ in range(MOST_ROUNDS):
         settled = not hold(springs, pulls, bodies, after, h)
         if settled:
             break
-        converged = solve(contacts, count, held, bodies, after, system, h)
-    none = springs[:0], pulls[:0], held[2][:0]
-    if not converged and springs.shape[0] > 0:
-        converged, settled = _in_turns(contacts, count, held, none, bodies, after, system, h), True
-    if not converged or bounces(contacts, count):
-        converged = mend(contacts, count, none, bodies, after, system, h, converged, work)
+        converged = solve(contacts, count, held, bodies, after, system, h, work)
+    if bounces(contacts, count):
+        none = springs[:0], pulls[:0], held[2][:0]
+        converged = mend(contacts, count, none, bodies, after, system, h, work) and converged
     if not (converged and settled):
         work[1] += 1.0
-    work[2] += (SWEEPS[0] if converged else SWEEPS[1]) * (1.0 + count)
     land(contacts, count, bodies, before, after)
     for k in range(count):
         c = contacts[k]
@@ -190,28 +181,6 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         else:
             drift(bodies[b], s, 0.5 * h)
     return count
-
-
-@inner
-def _in_turns(contacts, count, held, none, bodies, poses, system, h):
-    """Find the impulses of contacts and devices in turns, where Newton's method with both has lost its way.
-
-    The devices begin with the velocities that bodies have without contacts: the impulses that it left are no
-    forces of theirs.
-    """
-    apply(contacts, count, bodies, poses, -1.0)
-    for k in range(count):
-        c = contacts[k]
-        c.pn = c.ps = c.pt = 0.0
-    for _ in range(MOST_ROUNDS):
-        if not hold(held[0], held[1], bodies, poses, h):
-            break
-    converged = solve(contacts, count, none, bodies, poses, system, h)
-    for _ in range(MOST_ROUNDS):
-        if not converged or not hold(held[0], held[1], bodies, poses, h):
-            break
-        converged = solve(contacts, count, none, bodies, poses, system, h)
-    return converged
 
 
 @inner
@@ -287,8 +256,8 @@ def run_in_space(
         Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
         kind int64[n + 1, 3], in the last row of all hits; the largest 1 − cos of the bodies' tilts at any
-        step float64[n]; steps, steps whose impulses did not converge, and work, float64[3]: added to. From
-        where that is more than `MOST_WORK` bodies stay where they are.
+        step float64[n]; steps, steps whose impulses did not converge, work in updates of a contact (some
+        0.1 µs each), and the most of it, float64[4]: added to. Beyond it bodies stay where they are.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies, floor = world[0], world[3][0]
@@ -342,7 +311,7 @@ def run_in_space(
                 note_forces(held[1], forces[k + 1])
                 continue
         noted = bears = False
-        if work[2] > MOST_WORK:
+        if work[2] > work[3]:
             for b in range(bodies.shape[0]):
                 stop(now[b])
             for later in range(k + 1, histories.shape[1]):

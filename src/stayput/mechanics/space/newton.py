@@ -81,7 +81,7 @@ def _begin_with(starts, a, b):
 @inner
 def set_rows(contacts, count, held, bodies, poses, system):
     """Set the Jacobians of all contacts and dampers, and where the rows of each body in the matrix begin."""
-    rows, _, _, starts = system
+    rows, _, _, starts, _ = system
     for b in range(bodies.shape[0]):
         starts[b] = b
     for k in range(count):
@@ -197,7 +197,7 @@ def _eliminate(matrix, vector, starts, b):
 
 
 @inner
-def _solve_in_place(matrix, vector, starts):
+def solve_in_place(matrix, vector, starts):
     """Solve matrix · x = vector, whose rows and columns begin with those of the bodies in ``starts``.
 
     Elimination of a body after the other without exchange of rows: where contacts slip the matrix is not
@@ -222,7 +222,7 @@ def _solve_in_place(matrix, vector, starts):
 
 
 @inner
-def _add_pair(matrix, vector, a, b, rows, k, p, d):
+def add_pair(matrix, vector, a, b, rows, k, p, d):
     """Add what a contact or a device of two bodies asks for, by its δp₀ and D."""
     _weigh(rows, k, 0, d)
     _add_moment(vector, a, rows, k, 0, p)
@@ -236,7 +236,7 @@ def _add_pair(matrix, vector, a, b, rows, k, p, d):
 
 
 @inline
-def _damping(pull):
+def damping_of(pull):
     """Return D of a device in the room's axes."""
     n, more = normal_of_pull(pull), pull.cn - pull.ct
     return (
@@ -247,10 +247,9 @@ def _damping(pull):
 
 
 @inner
-def improve(contacts, count, held, bodies, poses, system, h):
-    """Take one step of Newton's method; velocities go with the impulses. `set_rows` has been called."""
-    rows, matrix, vector, starts = system
-    for b in range(bodies.shape[0]):
+def clear_system(matrix, vector, starts):
+    """Set the matrix to 1, the scaled masses, and the vector to 0."""
+    for b in range(starts.shape[0]):
         for o in range(starts[b], b + 1):
             for i in range(6):
                 for j in range(6):
@@ -258,20 +257,27 @@ def improve(contacts, count, held, bodies, poses, system, h):
         for i in range(6):
             matrix[b, b, i, i] = 1.0
             vector[b, i] = 0.0
+
+
+@inner
+def improve(contacts, count, held, bodies, poses, system, h):
+    """Take one step of Newton's method; velocities go with the impulses. `set_rows` has been called."""
+    rows, matrix, vector, starts, _ = system
+    clear_system(matrix, vector, starts)
     for k in range(count):
         c = contacts[k]
         if c.pn > 0.0:
             p, d1, d2, d3 = _law(c, beyond_target(c, poses))
             c.dn, c.ds, c.dt = p
-            _add_pair(matrix, vector, c.a, c.b, rows, k, p, (d1, d2, d3))
+            add_pair(matrix, vector, c.a, c.b, rows, k, p, (d1, d2, d3))
     springs, pulls, _ = held
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
             p = change_of_impulse(spring, pull, poses, h)
             pull.dx, pull.dy, pull.dz = p
-            _add_pair(matrix, vector, spring.body, spring.other, rows, count + d, p, _damping(pull))
-    _solve_in_place(matrix, vector, starts)
+            add_pair(matrix, vector, spring.body, spring.other, rows, count + d, p, damping_of(pull))
+    solve_in_place(matrix, vector, starts)
     for k in range(count):
         c = contacts[k]
         if c.pn > 0.0:

@@ -22,6 +22,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
+from stayput.mechanics.space.augmented_lagrangian import find_impulses
 from stayput.mechanics.space.body import angular_response, bend
 from stayput.mechanics.space.contact import (
     beyond_target,
@@ -70,14 +71,17 @@ CLOSES = 1e-3
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
 
-BISECTIONS = 60
-"""Halvings of the range of a normal impulse."""
+MOST_SWEEPS, MOST_OF_ONE = 24, 150
+"""Sweeps after which the augmented Lagrangian takes over; of a single body, for which a sweep costs less."""
 
-RUBS = 12
-"""Steps in which the friction at a normal impulse is found."""
+MOST_SLIPS = 4
+"""Most solutions of a step, each with the kinetic friction of the contacts that slip in the one before."""
 
-MOST_SWEEPS = 150
-"""Sweeps after which a step is taken as it is, and counted as not converged."""
+ROUGH = 5e-3
+"""Acceleration that impulses may leave where none better are found [m/s²]."""
+
+ROUGH_CLOSING, ROUGH_SPEED, ROUGH_LEAST = 2e-4, 1e-4, 1e-7
+"""The same as shares of the fastest closing and relative velocities, and a least velocity [m/s]."""
 
 
 @inline
@@ -172,48 +176,6 @@ def update(c, bodies, poses):
     return max(abs(dn) * c.wnn, max(abs(ds), abs(dt)) * c.stiff)
 
 
-@inline
-def _rub(c, us, ut, pn):
-    """Return the friction at a normal impulse; us and ut are the slip that there is without friction."""
-    ps = pt = 0.0
-    for _ in range(RUBS):
-        gs, gt = us + c.wss * ps + c.wst * pt, ut + c.wst * ps + c.wtt * pt
-        ps, pt = ps - gs / c.stiff, pt - gt / c.stiff
-        size = math.sqrt(ps * ps + pt * pt)
-        if size > c.mu * pn:
-            ps, pt = ps * c.mu * pn / size, pt * c.mu * pn / size
-    return ps, pt
-
-
-@inner
-def update_surely(c, bodies, poses):
-    """Find a contact's impulse as `update` does, by bisection of the normal one.
-
-    Sweeps go astray where friction presses a contact together more than its normal impulse parts it
-    (Painlevé); the normal velocity is a continuous function of the normal impulse, and so has a root.
-    """
-    un, us, ut = beyond_target(c, poses)
-    un -= c.wnn * c.pn + c.wns * c.ps + c.wnt * c.pt
-    us -= c.wns * c.pn + c.wss * c.ps + c.wst * c.pt
-    ut -= c.wnt * c.pn + c.wst * c.ps + c.wtt * c.pt
-    pn = ps = pt = low = 0.0
-    if un < 0.0:
-        high = math.inf
-        pn = -un / c.wnn
-        for _ in range(BISECTIONS):
-            ps, pt = _rub(c, us + c.wns * pn, ut + c.wnt * pn, pn)
-            if un + c.wnn * pn + c.wns * ps + c.wnt * pt < 0.0:
-                low = pn
-            else:
-                high = pn
-            pn = 2.0 * low if high == math.inf else 0.5 * (low + high)
-    dn, ds, dt = pn - c.pn, ps - c.ps, pt - c.pt
-    c.pn, c.ps, c.pt = pn, ps, pt
-    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-    push(c, bodies, poses, added(added(scaled(dn, n), ds, s), dt, t))
-    return max(abs(dn) * c.wnn, max(abs(ds), abs(dt)) * c.stiff)
-
-
 @inner
 def slip_rate(c, poses):
     """Return how fast a contact slips."""
@@ -264,7 +226,35 @@ def apply(contacts, count, bodies, poses, factor):
 
 
 @inner
-def solve(contacts, count, held, bodies, poses, system, h):
+def _solve_by_augmented_lagrangian(contacts, count, held, bodies, poses, system, h, work):
+    """Find the impulses of a step where sweeps have not, beginning with ``ln``, ``ls``, ``lt``."""
+    apply(contacts, count, bodies, poses, -1.0)
+    closing = speed = 0.0
+    for k in range(count):
+        c = contacts[k]
+        closing = max(closing, abs(c.closing))
+        un, us, ut = beyond_target(c, poses)
+        speed = max(speed, max(abs(un), max(abs(us), abs(ut))))
+    accuracy = max(10.0 * ACCURACY * h, max(10.0 * ROUNDING * closing, ROUNDING * speed))
+    enough = max(
+        max(accuracy, ROUGH_LEAST), max(ROUGH * h, max(ROUGH_CLOSING * closing, ROUGH_SPEED * speed))
+    )
+    residual = math.inf
+    for _ in range(MOST_SLIPS):
+        residual = find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough, h, work)
+        apply(contacts, count, bodies, poses, 1.0)
+        if not _let_slip(contacts, count, poses, h):
+            return residual <= enough
+        apply(contacts, count, bodies, poses, -1.0)
+        for k in range(count):
+            c = contacts[k]
+            c.ln, c.ls, c.lt = c.pn, c.ps, c.pt
+    apply(contacts, count, bodies, poses, 1.0)
+    return residual <= enough
+
+
+@inner
+def solve(contacts, count, held, bodies, poses, system, h, work):
     """Find the impulses of a step; the velocities are with those of ``contacts``, before and after.
 
     Returns
@@ -277,10 +267,12 @@ def solve(contacts, count, held, bodies, poses, system, h):
     for k in range(count):
         accuracy = max(accuracy, ROUNDING * abs(contacts[k].closing))
         hits = hits or contacts[k].closing < -IMPACT
+        contacts[k].ln, contacts[k].ls, contacts[k].lt = contacts[k].pn, contacts[k].ps, contacts[k].pt
     set_rows(contacts, count, held, bodies, poses, system)
     if not hits:
         improve(contacts, count, held, bodies, poses, system, h)
-    for sweep in range(MOST_SWEEPS):
+    for sweep in range(MOST_OF_ONE if bodies.shape[0] == 1 else MOST_SWEEPS):
+        work[2] += 1.0 + count
         change = 0.0
         for k in range(count):
             change = max(change, update(contacts[k], bodies, poses))
@@ -302,4 +294,4 @@ def solve(contacts, count, held, bodies, poses, system, h):
                 last = change
             tries += 1
             improve(contacts, count, held, bodies, poses, system, h)
-    return False
+    return _solve_by_augmented_lagrangian(contacts, count, held, bodies, poses, system, h, work)

@@ -1,0 +1,60 @@
+"""Rows and towers: impacts that run through many bodies, by what energy and statics ask of them."""
+
+import numpy as np
+import pytest
+from in_space import G, still
+
+import stayput as sp
+
+
+def energy(run: sp.SpaceRun) -> np.ndarray:
+    """Return the kinetic and potential energy at the samples [J]."""
+    total = np.zeros(len(run.time))
+    for body, one in enumerate(run.standing):
+        solid, turn = one.solid, run.turn[body]
+        spin = np.einsum("tji,tj->ti", turn, run.rotation_rate[body])
+        total += 0.5 * solid.mass * (run.velocity[body] ** 2).sum(axis=1)
+        total += 0.5 * np.einsum("ti,ij,tj->t", spin, solid.inertia, spin)
+        total += solid.mass * G * run.place[body, :, 2]
+    return total
+
+
+def tipped(solid: sp.Solid, corner: float, rate: float) -> sp.Standing:
+    """Return a body that turns about its base edge at x = corner."""
+    spin = np.array([0.0, rate, 0.0])
+    lever = solid.centre_of_gravity - np.array([corner, 0.0, 0.0])
+    return sp.Standing(solid, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
+
+
+@pytest.mark.parametrize("count", [2, 5])
+def test_a_row_of_shelves_falls_to_its_end(count: int) -> None:
+    """Each tips the next: 2.1 m reach over 0.75 m, and a shelf that is hit above has no way to stand."""
+    shelf = sp.Solid.box(0.32, 0.9, 2.1, 120.0)
+    row = [tipped(shelf, 0.16, 0.75), *(sp.Standing(shelf, (0.75 * n, 0.0, 0.0)) for n in range(1, count))]
+    run = sp.simulate(sp.Assembly(row, (0.3, 0.3)), sp.Room(sp.Floor(0.4, 0.4)), still(6.0))
+    assert run.overturned.all()
+    assert not run.given_up
+    found = energy(run)
+    assert (np.diff(found) <= 1e-6 * found[0]).all()
+
+
+def test_ten_blocks_bear_their_own_weight_under_shaking() -> None:
+    """Below μ g and below what tips ten blocks as one, b/h g, nothing moves against anything."""
+    block = sp.Solid.box(0.5, 0.5, 0.3, 20.0)
+    tower = [sp.Standing(block, (0.0, 0.0, 0.3 * n)) for n in range(10)]
+    time = 0.01 * np.arange(201)
+    shaking = sp.Motion(dt=0.01, x=1.2 * np.sin(9.0 * time), y=0.8 * np.sin(7.0 * time))
+    run = sp.simulate(sp.Assembly(tower, (0.5, 0.4)), sp.Room(sp.Floor(0.5, 0.4)), shaking)
+    assert run.tilt.max() < 1e-9
+    assert np.abs(run.slide).max() < 1e-6
+
+
+def test_a_tower_of_ten_under_strong_shaking_runs_to_its_end() -> None:
+    """It falls, and hardly a step is left without impulses that fit."""
+    block = sp.Solid.box(0.5, 0.5, 0.3, 20.0)
+    tower = [sp.Standing(block, (0.0, 0.0, 0.3 * n)) for n in range(10)]
+    run = sp.simulate(sp.Assembly(tower, (0.5, 0.4)), sp.Room(sp.Floor(0.5, 0.4)), sp.near_fault())
+    assert not run.given_up
+    assert run.overturned[0]
+    assert run.fell_off[1:].all()
+    assert run.unconverged <= 2e-3 * run.steps
