@@ -112,7 +112,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is given beside {other}; it must be left out.",
         "{other}があるので、{name}は指定できません。",
     ),
-    "roof": ("from 1 to {roof}, the roof", "1～{roof}（屋上）"),
+    "roof": ("between 1 and {roof}, the roof", "1～{roof}（屋上）"),
     "only_one": (
         "{name} is given beside {other}; only one of the two must be given.",
         "{other}と{name}の両方があります。一方だけを指定してください。",
