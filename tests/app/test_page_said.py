@@ -68,7 +68,6 @@ def test_a_number_is_shown_as_it_was_given_and_its_limits_are_said(it: Opened) -
     asked, _ = it.simulated(lambda: height.fill("181.5"))
     height.press("Tab")
     assert height.input_value() == "181.5"
-    assert it.page.get_by_label("Height", exact=True).input_value() == "181.5"  # the slider follows
     assert asked["scene"]["furniture"]["height"] == pytest.approx(1.815)
     asked, _ = it.simulated(lambda: height.fill("310"))  # beyond the slider, and still taken
     assert asked["scene"]["furniture"]["height"] == pytest.approx(3.1)
@@ -97,7 +96,7 @@ def test_an_old_picture_does_not_pass_for_the_answer(browser: Browser, server: R
         it.page.route("**/simulate", lambda route: held.append(route))
         it.page.get_by_label("Height (cm)").fill("150")
         it.page.wait_for_selector("#see[data-old=true]")
-        assert "from the scene before" in it.text("#wait")
+        assert "from before the change" in it.text("#wait")
         assert it.page.get_attribute("#play", "aria-label") == "Play"  # it has stopped
         still = it.page.input_value("#time")
         it.page.wait_for_timeout(200)

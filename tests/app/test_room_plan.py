@@ -435,7 +435,7 @@ def test_what_stands_in_something_else_is_said_at_once(editor: Editor) -> None:
     editor.press("Control+z")
     assert editor.wrong == ""
     editor.take({**ROOM, "furniture": []})
-    assert editor.wrong == "The room is empty; put at least one piece of furniture into editor."
+    assert editor.wrong == "The room is empty; put at least one piece of furniture into it."
     editor.ask()
     editor.page.evaluate(
         """async () => (await import("/room/editor.js")).tellRefusal(
