@@ -146,3 +146,18 @@ def test_a_vertical_record_is_taken_as_one(browser: Browser, server: Running, tm
         it.page.reload()
         it.settle()
         assert "Vertical component: up.csv." in it.text("#uploaded")
+
+
+def test_the_unit_that_is_asked_for_starts_at_what_the_file_mentions(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    file = tmp_path / "own.csv"
+    rows = "\n".join(f"{0.01 * i:.2f},{100 * (i % 7 - 3)}" for i in range(1500))
+    file.write_text(f"# accelerations in gal\n{rows}", encoding="utf-8")
+    with opened(browser, server, allowed=("422",)) as it:
+        it.page.set_input_files("#file", file)
+        it.page.wait_for_selector("#unit")
+        assert it.page.input_value("#unit") == "gal"
+        assert it.page.locator("#step").count() == 0  # there is a column of times
+        _, answer = it.simulated(lambda: it.page.click("text=Send again"))
+        assert abs(answer["motion"]["pga_m_s2"] - 3.0) < 1e-6

@@ -65,7 +65,7 @@ def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     path = tmp_path / "a"
     path.write_text("1")
     monkeypatch.setattr(reader, "read_shaking", read_shaking)
-    task = reader.ReadingTask(str(path), None, None, None, False, Limits())
+    task = reader.ReadingTask(str(path), {}, Limits())
     assert [str(warning) for warning in reader.read(task).warnings] == ["It is very strong."]
 
 

@@ -112,7 +112,7 @@ def test_measures_that_fit_are_put_on_a_piece(editor: Editor) -> None:
     sp.RoomScenario.parse(editor.room())
     editor.select("furniture-1")
     assert inspector.get_by_label("Screwed L-brackets", exact=True).is_disabled()
-    assert "Only for a piece with its back to a wall." in inspector.inner_text()
+    assert "This needs a wall behind the piece." in inspector.inner_text()
 
 
 def test_a_verdict_is_drawn_in_layers(browser: Browser, server: Running) -> None:

@@ -111,7 +111,7 @@ class Jobs:
     def __init__(self, limits: Limits, turns: Turns) -> None:
         self._limits = limits
         self._jobs: dict[str, Job] = {}
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()
         self._turns = turns
 
     def start(
@@ -247,11 +247,10 @@ class Jobs:
                 job.state = state
 
     def _cancel(self, job: Job) -> None:
-        """Mark a job that has not ended as cancelled; called with the lock held."""
+        """Let a job that has not ended be cancelled."""
         job.stop.set()
         job.turn.leave()
-        if job.ended is None:
-            job.state, job.verdict, job.ended = "cancelled", None, time.monotonic()
+        self._end(job, "cancelled")
 
     def _expire(self) -> None:
         """Cancel abandoned jobs; forget those that ended long ago, and of too many those of who has most."""

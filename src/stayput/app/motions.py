@@ -67,15 +67,7 @@ class Readers:
         self._workers = Workers(1, limits.reading_waiting)
         self._process: subprocess.Popen[bytes] | None = None
 
-    async def read(
-        self,
-        path: Path,
-        component: str | None = None,
-        unit: str | None = None,
-        dt: float | None = None,
-        *,
-        remove_mean: bool = False,
-    ) -> tuple[Motion, tuple[InputWarning, ...]]:
+    async def read(self, path: Path, **options: Any) -> tuple[Motion, tuple[InputWarning, ...]]:
         """Read a record; see `read_shaking`. Return it with the warnings about it.
 
         Raises
@@ -85,7 +77,7 @@ class Readers:
         RefusedError
             Too many are waiting.
         """
-        task = ReadingTask(str(path), component, unit, dt, remove_mean, self._limits)
+        task = ReadingTask(str(path), options, self._limits)
         result = await self._workers.run(self._read, task)
         if result.motion is None:
             raise result.refusal or InputError("app.reading_died")
@@ -229,15 +221,13 @@ class Motions:
     async def _read(self, shaking: dict[str, Any], label: str, size: int, about: str) -> StoredMotion:
         """Read a file of the folder in a process of its own, as a scene's shaking asks for it."""
         name = shaking["record"]
-        options = [shaking.get(key) for key in ("component", "unit", "dt")]
 
         def rewrite(text: str) -> str:
             return self.with_file_names(text, {name: label})
 
         try:
-            motion, warnings = await self._readers.read(
-                self.folder / name, *options, remove_mean="remove_mean" in shaking
-            )
+            options = {key: value for key, value in shaking.items() if key != "record"}
+            motion, warnings = await self._readers.read(self.folder / name, **options)
         except InputError as error:
             known = error.rewritten(rewrite)
             raise RefusedError(422, known.about(known.field or about)) from None

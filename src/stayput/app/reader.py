@@ -11,7 +11,7 @@ import os
 import pickle
 import sys
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warnings_to
@@ -36,17 +36,14 @@ class ReadingTask:
     ----------
     path : str
         The file.
-    component, unit, dt, remove_mean
-        As `read_shaking` takes them.
+    options : dict
+        Further arguments of `read_shaking`.
     limits : Limits
         What is accepted.
     """
 
     path: str
-    component: str | None
-    unit: str | None
-    dt: float | None
-    remove_mean: bool
+    options: dict[str, Any]
     limits: Limits
 
 
@@ -68,7 +65,7 @@ def read(task: ReadingTask) -> ReadingResult:
     except InputError as error:
         return ReadingResult(None, _on_page(error))
     except (MemoryError, RecursionError):
-        return ReadingResult(None, InputError("app.reading_memory"))
+        return ReadingResult(None, InputError("app.reading_died"))
     return ReadingResult(motion, None, tuple(map(_on_page, warnings)))
 
 
@@ -86,7 +83,7 @@ def _on_page(told: T) -> T:
 
 def _read(task: ReadingTask) -> Motion:
     limits = task.limits
-    motion = read_shaking(task.path, task.component, task.unit, dt=task.dt, remove_mean=task.remove_mean)
+    motion = read_shaking(task.path, **task.options)
     if motion.duration > limits.duration:
         raise InputError("app.long_motion", value=motion.duration, most=limits.duration)
     if len(motion) > limits.samples_of_motion:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from stayput.scenario.shaking import ShakingTable
 
 AnyAssembly = TypeVar("AnyAssembly", bound=AssemblyScenario)
+AnyScenario = TypeVar("AnyScenario", Scenario, AssemblyScenario, RoomScenario)
 
 TABLES = frozenset(
     field.alias or name
@@ -57,15 +58,8 @@ def read_scene(
     scene = dict(data)
     if measures:
         scene["measures"] = [{"name": YOURS, "combine": [dict(measure) for measure in measures]}]
-    _check_texts_and_shaking(scene, limits, motions)
     _few_entries(scene.get("measures"), "measures", limits.options)
-    try:
-        scenario = Scenario.parse(scene, motions.folder)
-    except InputError as error:
-        raise refusal(error, bool(measures)) from None
-    if scenario.uncertainty.samples > limits.samples:
-        raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
-    return scenario
+    return _few_samples(_parsed(Scenario, scene, limits, motions, own=bool(measures)), limits)
 
 
 def several_pieces(data: Mapping[str, Any]) -> bool:
@@ -107,10 +101,7 @@ def read_room_scene(data: Mapping[str, Any], limits: Limits, motions: Motions) -
     RefusedError
         What is wrong with it; see `read_scene`.
     """
-    scenario = _several(RoomScenario, data, limits, motions)
-    if scenario.uncertainty.samples > limits.samples:
-        raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
-    return scenario
+    return _few_samples(_several(RoomScenario, data, limits, motions), limits)
 
 
 def motions_of(shaking: ShakingTable) -> int:
@@ -124,12 +115,7 @@ def motions_of(shaking: ShakingTable) -> int:
 def _several(
     kind: type[AnyAssembly], data: Mapping[str, Any], limits: Limits, motions: Motions
 ) -> AnyAssembly:
-    scene = dict(data)
-    _check_texts_and_shaking(scene, limits, motions)
-    try:
-        scenario = kind.parse(scene, motions.folder)
-    except InputError as error:
-        raise refusal(error) from None
+    scenario = _parsed(kind, dict(data), limits, motions)
     for number, piece in enumerate(scenario.furniture):
         if piece.mesh is not None:
             raise refused(422, "app.no_mesh", f"scene.furniture[{number}].mesh", name=piece.name)
@@ -154,11 +140,24 @@ def refusal(error: InputError, own: bool = False) -> RefusedError:
     return RefusedError(422, error.about(f"scene.{field}"))
 
 
-def _check_texts_and_shaking(scene: dict[str, Any], limits: Limits, motions: Motions) -> None:
+def _parsed(
+    kind: type[AnyScenario], scene: dict[str, Any], limits: Limits, motions: Motions, *, own: bool = False
+) -> AnyScenario:
+    """Make a scenario of a scene whose texts and shaking are looked at first; ``own``: see `refusal`."""
     _refuse_half_characters(scene)
     shaking = scene.get("shaking")
     if isinstance(shaking, dict):
         _check_shaking(cast("dict[str, Any]", shaking), limits, motions)
+    try:
+        return kind.parse(scene, motions.folder)
+    except InputError as error:
+        raise refusal(error, own) from None
+
+
+def _few_samples(scenario: AnyScenario, limits: Limits) -> AnyScenario:
+    if scenario.uncertainty.samples > limits.samples:
+        raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
+    return scenario
 
 
 def _refuse_half_characters(scene: dict[str, Any]) -> None:
@@ -199,18 +198,13 @@ def _check_sine(table: dict[str, Any], limits: Limits) -> None:
     )
     length = duration + quiet
     if length > limits.duration:
-        raise refused(422, "app.long_sine", "scene.shaking.sine.duration", value=length, most=limits.duration)
+        raise refused(
+            422, "app.long_motion", "scene.shaking.sine.duration", value=length, most=limits.duration
+        )
     step = min(dt, duration)  # at least one step in the shaking
     samples = length / step if step > 0.0 else 0.0
-    if samples > limits.samples_of_motion:
-        raise refused(
-            422,
-            "app.many_sine_samples",
-            "scene.shaking.sine.dt",
-            dt=dt,
-            samples=samples,
-            most=limits.samples_of_motion,
-        )
+    if samples > (most := limits.samples_of_motion):
+        raise refused(422, "app.many_samples", "scene.shaking.sine.dt", value=round(samples), most=most)
 
 
 def _at_most(table: dict[str, Any], name: str, key: str, most: int) -> None:

@@ -142,14 +142,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion lasts {value:.0f} s; this server draws a GIF of at most {most:g} s, and a page of any.",
         "揺れの長さは{value:.0f}秒です。GIFは{most:g}秒まで作れます。HTMLには制限がありません。",
     ),
-    "long_sine": (
-        "shaking.sine lasts {value:g} s; this server allows {most:g} s.",
-        "shaking.sineの長さは{value:g}秒です。このサーバーでは{most:g}秒までです。",
-    ),
-    "many_sine_samples": (
-        "shaking.sine.dt is {dt:g} s, which makes {samples:.0f} samples; this server allows {most}.",
-        "shaking.sine.dtが{dt:g}秒だと、データが{samples:.0f}個になります。このサーバーでは{most}個までです。",
-    ),
     # Records
     "motion_needed": (
         "A verification needs this motion; wait for its end, or cancel it.",
@@ -161,15 +153,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "long_motion": (
         "The motion lasts {value:.0f} s; this server allows {most:g} s.",
-        "記録が長すぎます（{value:.0f}秒）。{most:g}秒まで使えます。",
+        "揺れが長すぎます（{value:.0f}秒）。{most:g}秒まで使えます。",
     ),
     "many_samples": (
         "The motion has {value} samples; this server allows {most}.",
         "データが多すぎます（{value}個）。{most}個まで使えます。",
-    ),
-    "reading_memory": (
-        "The file needs more memory to be read than this server allows; it must be smaller.",
-        "ファイルの読み込みに必要なメモリが多すぎます。",
     ),
     "reading_died": (
         "Reading the file needs too much, and was ended; it must be a record in one of the known formats.",

@@ -129,7 +129,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "ownRecord": ("A record of your own:", "手持ちの地震記録："),
     "chooseFile": ("choose one", "ファイルを選ぶ"),
-    "sending": ("Sending and reading the record …", "記録を送って読み込んでいます…"),
+    "sending": ("Reading the file …", "ファイルを読み込んでいます…"),
     "dropPieces": (
         "A scenario file of several pieces is shown as it is.",
         "複数の家具の条件ファイルも、そのまま表示できます。",
@@ -413,8 +413,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "apiDocs": ("For programs: the API", "プログラムから使うには：API"),
     "outdated": (
-        "What you see is from the scene before. The new one is being computed.",
-        "表示中の図は前の条件のものです。新しい条件で計算しています。",
+        "What you see is from before the change. The new one is being computed.",
+        "表示中の図は変更前のものです。新しい条件で計算しています。",
     ),
     "computing": ("The first picture is being computed.", "最初の図を計算しています。"),
     "warming": (
@@ -447,7 +447,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "This file is too large for a link, and for the page to show it again when it is loaded anew: keep the file itself.",
         "このファイルは大きいため、リンクにはできません。ページを読み込み直したときも、もう一度ファイルを開いてください。",
     ),
-    "addressLabel": ("A link that shows this scene again", "この条件を再現するリンク"),
+    "addressLabel": ("A link that shows this again", "この内容を再現するリンク"),
     "copy": ("Copy", "コピー"),
     "copied": ("The link is on the clipboard.", "リンクをコピーしました。"),
     "toml": ("Scenario (TOML)", "条件ファイル（TOML）"),

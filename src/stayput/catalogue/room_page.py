@@ -137,8 +137,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "It overturns: {share} instead of {before}.",
         "倒れる確率：{before}から{share}になります。",
     ),
-    "make": ("Try it", "試す"),
-    "makeThis": ("Try it: {change}", "試す：{change}"),
     "withTried": ("With what is being tried: {changes}.", "試している変更を含みます：{changes}。"),
     "triedTitle": ("Being tried: steps of the plan", "試している変更（「やること」に入ります）"),
     "triedMoved": ("{what} moved", "{what}を移動"),
@@ -156,10 +154,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "allowed_plasterboard": ("The walls are plasterboard without studs", "壁が石こうボードだけ"),
     "allowed_dropped_ceiling": ("The ceiling is a dropped one", "天井が吊り天井"),
     # The picture in space
-    "outdatedRoom": (
-        "What you see is the room before the change. The new one is being computed.",
-        "表示中の図は変更前の部屋のものです。新しい部屋で計算しています。",
-    ),
     "slidBy": ("slides up to {slide}", "最大{slide}滑る"),
     "inThisHit": (
         "In this one somebody is hit (by: {pieces}); that is so in {share}.",
@@ -193,7 +187,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The room of this name was changed in another tab; this one is kept beside it, as “{name}”.",
         "同じ名前の部屋が別のタブで変更されたため、「{name}」として別に保存しました。",
     ),
-    "openedScene": ("“{name}” is open.", "「{name}」を開きました。"),
     "removedScene": ("“{name}” has been removed.", "「{name}」を削除しました。"),
     "scenesFull": (
         "Not kept: the browser's storage for this page is full. Remove rooms that you no longer need, or save this one as a file.",
@@ -234,13 +227,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "somebodyShutIn": ("Somebody is shut in", "誰かが出られなくなる"),
     # Link and files
     "filesTitle": ("Link and files", "リンクとファイル"),
-    "roomAddress": ("A link that shows this room again", "この部屋を再現するリンク"),
     "roomLinkLong": (
         "This room is too large for a link: save it as a file. This tab shows it again when it is loaded anew.",
         "この部屋は大きいため、リンクにはできません。ファイルに保存してください。このタブでは、読み込み直しても表示されます。",
     ),
     "openFile": ("Open a scenario file", "条件ファイルを開く"),
-    "readingFile": ("Reading the file …", "ファイルを読み込んでいます…"),
     "openedFile": ("“{name}” is open.", "「{name}」を開きました。"),
     "noRoomInFile": (
         "This scenario has no plan of a room: [plan] is missing. One piece is set on the other page.",
@@ -364,11 +355,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "filling": ("What is in it", "中身"),
     "filling_full": ("full", "いっぱい"),
     "filling_empty": ("empty", "空"),
-    "needsItsWall": ("Only for a piece with its back to a wall.", "背を壁に付けた家具だけに使えます。"),
-    "needsItsCeiling": (
-        "Only under a ceiling that is higher than the piece.",
-        "家具より高い天井がある場合だけに使えます。",
-    ),
     "placeWidth": ("Width", "幅"),
     "placeLength": ("Length", "長さ"),
     "personLow": ("The person is from this height", "人がいる高さ（下端）"),

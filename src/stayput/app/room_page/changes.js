@@ -67,8 +67,8 @@ function option(one, shown) {
     el("p", { class: "hint", text: effects.filter(Boolean).join(t("space")) }),
     el("button", {
       type: "button",
-      "aria-label": t("makeThis", { change: label }),
-      text: t("make"),
+      "aria-label": t("tryThis", { name: label }),
+      text: t("try"),
       onclick: () => apply(one),
     }),
   );

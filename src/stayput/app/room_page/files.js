@@ -58,7 +58,7 @@ export async function open(file, tell, opened) {
     wanted = () => mine === newest;
   const text = await file.arrayBuffer().then(utf8).catch(() => null);
   if (text === null) return tell(t("notText"));
-  tell(t("readingFile"));
+  tell(t("sending"));
   try {
     const read = await patiently(() => api.readScenario(text, file.name), wanted);
     if (!wanted()) return;

@@ -55,8 +55,8 @@ function line(what, kind) {
 /** Why a measure cannot hold a piece where it stands, as a key of the words; or null. */
 function lacking(room, what, kind) {
   const { height, up } = thing(room, what);
-  if (kind.needs.includes("wall") && !room.furniture[what.index].against) return "needsItsWall";
-  if (kind.needs.includes("ceiling") && !(room.room?.ceiling?.height > up + height)) return "needsItsCeiling";
+  if (kind.needs.includes("wall") && !room.furniture[what.index].against) return "needs_wall";
+  if (kind.needs.includes("ceiling") && !(room.room?.ceiling?.height > up + height)) return "needs_ceiling";
   return null;
 }
 

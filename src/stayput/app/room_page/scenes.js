@@ -104,7 +104,7 @@ function open(scene) {
   room.replace(scene.room);
   remember(scene);
   part("scene-name").value = scene.name;
-  say(t("openedScene", { name: scene.name }));
+  say(t("openedFile", { name: scene.name }));
   goTo("scene");
 }
 

@@ -116,7 +116,7 @@ function tell() {
   const old = shown?.room !== asked;
   const empty = asked?.furniture.length === 0;
   part("wait").hidden = !empty && (!late || !old);
-  part("wait").textContent = t(empty ? "state_empty" : shown ? "outdatedRoom" : (late ?? "computing"));
+  part("wait").textContent = t(empty ? "state_empty" : shown ? "outdated" : (late ?? "computing"));
   part("problem").hidden = !problem;
   fill(part("problem"), problem ? worded(problem) : []);
   if (old === (part("see").dataset.old === "true")) return;
