@@ -21,7 +21,7 @@ import math
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.contact import beyond_target
 from stayput.mechanics.space.devices import change_impulse, change_of_impulse, damps
-from stayput.mechanics.space.newton import add_pair, clear_system, damping_of, solve_in_place
+from stayput.mechanics.space.newton import add_pair, by_rows, clear_system, damping_of, solve_in_place
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, dot
 
@@ -79,20 +79,6 @@ def _impulse_at(c, part):
     )
 
 
-@inline
-def _velocity(rows, k, a, b, v):
-    """Return the relative velocity at a contact or device by scaled velocities of the bodies."""
-    x = y = z = 0.0
-    for i in range(6):
-        w = v[a, i]
-        x, y, z = x + rows[k, 0, 0, i] * w, y + rows[k, 0, 1, i] * w, z + rows[k, 0, 2, i] * w
-    if b != ROOM:
-        for i in range(6):
-            w = v[b, i]
-            x, y, z = x + rows[k, 1, 0, i] * w, y + rows[k, 1, 1, i] * w, z + rows[k, 1, 2, i] * w
-    return x, y, z
-
-
 @inner
 def _set_up_step(contacts, count, held, system):
     """Set the Hessian of φ and minus its gradient at the present velocities."""
@@ -115,7 +101,7 @@ def _set_up_step(contacts, count, held, system):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
             D = damping_of(pull)
-            answer = _damped(D, _velocity(rows, count + d, spring.body, spring.other, gained))
+            answer = _damped(D, by_rows(rows, count + d, 0, spring.body, spring.other, gained))
             p = added((pull.dx, pull.dy, pull.dz), -1.0, answer)
             add_pair(matrix, vector, spring.body, spring.other, rows, count + d, p, D)
 
@@ -171,7 +157,7 @@ def _minimize(contacts, count, held, system, within, work):
         error = 0.0
         for k in range(count):
             c = contacts[k]
-            c.gn, c.gs, c.gt = _velocity(rows, k, c.a, c.b, vector)
+            c.gn, c.gs, c.gt = by_rows(rows, k, 0, c.a, c.b, vector)
             error = max(error, max(abs(c.gn), max(abs(c.gs), abs(c.gt))))
         if error <= within or number == MOST_NEWTON_STEPS:
             return
@@ -185,8 +171,8 @@ def _minimize(contacts, count, held, system, within, work):
         for d in range(springs.shape[0]):
             spring, pull = springs[d], pulls[d]
             if damps(spring, pull):
-                e = _velocity(rows, count + d, spring.body, spring.other, vector)
-                u = _velocity(rows, count + d, spring.body, spring.other, gained)
+                e = by_rows(rows, count + d, 0, spring.body, spring.other, vector)
+                u = by_rows(rows, count + d, 0, spring.body, spring.other, gained)
                 answer = _damped(damping_of(pull), u)
                 slope -= (
                     (pull.dx - answer[0]) * e[0] + (pull.dy - answer[1]) * e[1] + (pull.dz - answer[2]) * e[2]
@@ -195,7 +181,7 @@ def _minimize(contacts, count, held, system, within, work):
                 curvature += more[0] * e[0] + more[1] * e[1] + more[2] * e[2]
         for k in range(count):
             c = contacts[k]
-            c.en, c.es, c.et = _velocity(rows, k, c.a, c.b, vector)
+            c.en, c.es, c.et = by_rows(rows, k, 0, c.a, c.b, vector)
         part = _line_search(contacts, count, slope, curvature)
         for b in range(starts.shape[0]):
             for i in range(6):
@@ -247,7 +233,7 @@ def find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough
     for k in range(count):
         c = contacts[k]
         un, us, ut = beyond_target(c, poses)
-        x, y, z = _velocity(rows, k, c.a, c.b, gained)
+        x, y, z = by_rows(rows, k, 0, c.a, c.b, gained)
         c.un, c.us, c.ut = un + x, us + y, ut + z
         c.shift = c.mu * math.sqrt(c.us * c.us + c.ut * c.ut) if c.ln > 0.0 else 0.0
         c.change = 0.0
@@ -282,6 +268,6 @@ def find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
-            answer = _damped(damping_of(pull), _velocity(rows, count + d, spring.body, spring.other, gained))
+            answer = _damped(damping_of(pull), by_rows(rows, count + d, 0, spring.body, spring.other, gained))
             change_impulse(spring, pull, bodies, poses, added((pull.dx, pull.dy, pull.dz), -1.0, answer))
     return least

@@ -281,27 +281,38 @@ def improve(contacts, count, held, bodies, poses, system, h):
     for k in range(count):
         c = contacts[k]
         if c.pn > 0.0:
-            x, y, z = _weighed(vector, c.a, c.b, rows, k)
+            x, y, z = by_rows(rows, k, 3, c.a, c.b, vector)
             c.dn, c.ds, c.dt = c.dn - x, c.ds - y, c.dt - z
             _add_impulse(c, bodies, poses)
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
-            by = _weighed(vector, spring.body, spring.other, rows, count + d)
+            by = by_rows(rows, count + d, 3, spring.body, spring.other, vector)
             change_impulse(spring, pull, bodies, poses, added((pull.dx, pull.dy, pull.dz), -1.0, by))
 
 
 @inline
-def _weighed(vector, a, b, rows, k):
-    """Return D times the change of the relative velocity at a contact or a device, by that of the bodies."""
+def by_rows(rows, k, first, a, b, v):
+    """Return three rows of a contact or a device times scaled velocities of its bodies.
+
+    From row 0 on that is the relative velocity there, and from row 3 on D times it.
+    """
     x = y = z = 0.0
     for i in range(6):
-        v = vector[a, i]
-        x, y, z = x + rows[k, 0, 3, i] * v, y + rows[k, 0, 4, i] * v, z + rows[k, 0, 5, i] * v
+        w = v[a, i]
+        x, y, z = (
+            x + rows[k, 0, first, i] * w,
+            y + rows[k, 0, first + 1, i] * w,
+            z + rows[k, 0, first + 2, i] * w,
+        )
     if b != ROOM:
         for i in range(6):
-            v = vector[b, i]
-            x, y, z = x + rows[k, 1, 3, i] * v, y + rows[k, 1, 4, i] * v, z + rows[k, 1, 5, i] * v
+            w = v[b, i]
+            x, y, z = (
+                x + rows[k, 1, first, i] * w,
+                y + rows[k, 1, first + 1, i] * w,
+                z + rows[k, 1, first + 2, i] * w,
+            )
     return x, y, z
 
 
