@@ -106,3 +106,37 @@ def test_a_model_of_a_quarter_of_the_size_in_half_the_time(name: str) -> None:
     small = sp.simulate(sp.Standing(model, heading=0.3), ROOM, motion, step=5e-5)
     np.testing.assert_allclose(first_second(4.0 * small.place), first_second(straight.place), atol=1e-3)
     np.testing.assert_allclose(first_second(small.tilt), first_second(straight.tilt), atol=1e-3)
+
+
+@pytest.mark.parametrize("order", [(2, 0, 1), (1, 2, 0), (2, 1, 0)])
+def test_the_order_of_several_to_the_bit(order: tuple[int, ...]) -> None:
+    """A stack that is joined and held, and a cylinder beside it that both hit."""
+    chest = sp.Body(0.45, 0.9, 60.0, length=0.8)
+    members = [
+        sp.Piece(chest, measures=[sp.MEASURES["l_bracket"]()]),
+        sp.Piece(sp.Body(0.4, 0.6, 20.0, length=0.7), at=(0.0, 0.02, 0.9), heading=0.1),
+        sp.Standing(sp.Solid.cylinder(0.4, 1.2, 60.0), at=(0.5, 0.1, 0.0)),
+    ]
+    room = sp.Room(sp.Floor(0.45, 0.4), left_wall=sp.Wall(0.02))
+    motion = sp.near_fault().scaled(0.9)
+
+    def several(order: tuple[int, ...]) -> sp.SpaceRun:
+        joint = sp.Joint(order.index(1), order.index(0), (0.0, 0.3, 0.9), strength=300.0, shear=300.0)
+        return sp.simulate(sp.Assembly([members[n] for n in order], joints=[joint]), room, motion)
+
+    straight, other = several((0, 1, 2)), several(order)
+    assert straight.hit_numbers[:, 2].min() > 0, "all have hit another"
+    for history in ("place", "attitude", "velocity", "force"):
+        there = getattr(other, history)
+        assert there[np.argsort(order)].tobytes() == getattr(straight, history).tobytes()
+    pulls = [sorted(device.peak_pull for device in run.devices) for run in (straight, other)]
+    assert pulls[0] == pulls[1]
+    assert max(pulls[0]) > 0.0
+    gaps = other.gaps[1]
+    assert gaps.room[np.argsort(order)].tobytes() == straight.gaps[1].room.tobytes()
+    assert sorted(
+        (hit.time, hit.speed, {order[n] for n in (hit.body, hit.other) if n is not None})
+        for hit in other.hits
+    ) == sorted(
+        (hit.time, hit.speed, {n for n in (hit.body, hit.other) if n is not None}) for hit in straight.hits
+    )

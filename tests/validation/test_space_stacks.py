@@ -101,21 +101,3 @@ def test_both_slide_at_their_own_rates() -> None:
     assert second < first < 0.0
     assert run.slide[0, -1, 0] == pytest.approx(0.5 * first * 0.5**2, rel=2e-3)
     assert run.slide[1, -1, 0] == pytest.approx(0.5 * second * 0.5**2, rel=2e-3)
-
-
-def test_the_order_of_bodies_does_not_matter() -> None:
-    """The same stack, listed from above: the same to what time stepping leaves of a drum that wobbles."""
-    lower, upper = sp.Solid.box(0.5, 0.6, 0.8, 50.0), sp.Solid.box(0.4, 0.4, 0.5, 12.0)
-    drum = sp.Solid.cylinder(0.4, 0.9, 25.0)
-    bodies = [
-        sp.Standing(lower),
-        sp.Standing(upper, (0.02, 0.0, 0.8), heading=0.2),
-        sp.Standing(drum, (0.9, 0.1, 0.0)),
-    ]
-    t = 0.01 * np.arange(151)
-    shaking = sp.Motion(dt=0.01, x=3.5 * np.sin(7.0 * t), y=2.5 * np.sin(5.0 * t + 1.0), name="two")
-    room = sp.Room(sp.Floor(0.5, 0.4))
-    first = sp.simulate(sp.Assembly(bodies), room, shaking, step=1e-4)
-    other = sp.simulate(sp.Assembly(bodies[::-1]), room, shaking, step=1e-4)
-    assert np.abs(first.slide).max() > 0.01
-    np.testing.assert_allclose(other.place[::-1], first.place, atol=3e-3)

@@ -46,7 +46,7 @@ class Gaps(NamedTuple):
     bodies: NDArray[np.float64]
 
 
-def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64]) -> Gaps:
+def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64], back: NDArray[np.int64]) -> Gaps:
     """Return the gaps that the engine has noted.
 
     Parameters
@@ -55,6 +55,8 @@ def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64]) -> Gaps:
         Bodies and room, from `stayput.simulation.space_records.world_of`.
     noted : ndarray, shape (features,)
         Gaps of points and rims from each plane, then of pairs of bodies.
+    back : ndarray of int, shape (bodies,)
+        The bodies' numbers in ``world``, in the order in which their gaps are returned.
     """
     bodies, points, rims, planes, pairs = world[:5]
     alone = len(planes) * (len(points) + len(rims))
@@ -67,7 +69,7 @@ def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64]) -> Gaps:
         least[:] = np.concatenate([from_planes[:, own], from_planes[:, round_edges]], axis=1).min(axis=1)
     between = np.full((len(bodies), len(bodies)), np.inf)
     between[pairs["a"], pairs["b"]] = between[pairs["b"], pairs["a"]] = noted[alone:]
-    return Gaps(room, between)
+    return Gaps(room[back], between[np.ix_(back, back)])
 
 
 def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps) -> None:
@@ -222,9 +224,16 @@ def run_world(
         Bodies that begin inside each other, the floor or the ceiling.
     """
     bodies, samples = len(poses), len(acceleration)
+    # rounding grows where bodies meet, so that they run in the order of their places, whatever that given is
+    order = np.lexsort((poses["z"], poses["y"], poses["x"]))
+    back = np.argsort(order)
+    world, own = (world[0][order], *world[1:]), springs.copy()  # all pairs have one law
+    own["body"], own["other"] = back[springs["body"]], np.append(back, ROOM)[springs["other"]]
+    order_of_springs = np.lexsort((own["other"], own["body"]))
+    own, back_of_springs = own[order_of_springs], np.argsort(order_of_springs)
     both = np.zeros((2, bodies), POSE)
-    both[0] = poses
-    held = springs, np.zeros(len(springs), PULL), np.zeros(len(springs), DEVICE)
+    both[0] = poses[order]
+    held = own, np.zeros(len(springs), PULL), np.zeros(len(springs), DEVICE)
     held[2]["failure_time"] = np.nan
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
@@ -233,29 +242,38 @@ def run_world(
     if (stop := _STOP.get()) is not None:
         stop.watch(work)
     output = histories, forces, hits, numbers, peaks, work
-    times = np.array([dt, longest_step(springs, world[0], step), gravity])
+    times = np.array([dt, longest_step(own, world[0], step), gravity])
     scratch = scratch_of(world, len(springs))
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
-    first = gaps_of(world, scratch[2][0])
+    first = gaps_of(world, scratch[2][0], back)
     refuse_overlaps(world[3], first)
     run_in_space(world, held, both, acceleration, times, scratch, output)
+    histories = histories[back]
     return SpaceTrace(
         histories[..., 0:3],
         histories[..., 3:7],
         histories[..., 7:10],
         histories[..., 10:13],
         histories[..., 13:19].reshape(bodies, samples, 2, 3),
-        forces,
+        forces[:, back_of_springs],
         springs,
-        held[2],
-        hits[: min(len(hits), numbers[-1, 0])].copy(),
-        numbers,
-        2.0 * np.arcsin(np.sqrt(0.5 * peaks)),
-        (first, gaps_of(world, scratch[2][0])),
+        held[2][back_of_springs],
+        _hits_of(hits[: min(len(hits), numbers[-1, 0])], order),
+        np.concatenate([numbers[:-1][back], numbers[-1:]]),
+        2.0 * np.arcsin(np.sqrt(0.5 * peaks[back])),
+        (first, gaps_of(world, scratch[2][0], back)),
         int(work[0]),
         int(work[1]),
         bool(work[2] > work[3] or work[1] > MOST_UNCONVERGED * work[0]),
     )
+
+
+def _hits_of(hits: NDArray[np.void], order: NDArray[np.int64]) -> NDArray[np.void]:
+    """Return hits with the numbers that the bodies were given in; of two bodies the later one first."""
+    hits = hits.copy()
+    other = np.append(order, ROOM)[hits["b"]]
+    hits["a"], hits["b"] = np.maximum(order[hits["a"]], other), np.minimum(order[hits["a"]], other)
+    return hits
 
 
 def longest_step(springs: NDArray[np.void], bodies: NDArray[Any], longest: float) -> float:
