@@ -14,7 +14,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.mechanics.devices.columns import DEVICE, FORCES
 from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
-from stayput.mechanics.space.engine import run_in_space
+from stayput.mechanics.space.engine import MOST_UNCONVERGED, run_in_space
 from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.space_records import scratch_of, surface_of
 
@@ -104,9 +104,6 @@ MOST_HITS = 10_000
 
 FIRST_WORK, WORK_A_SECOND = 1e8, 3e6
 """Work after which a run is given up, and more for each body and second: updates of a contact (0.1 µs)."""
-
-MOST_UNCONVERGED = 0.02
-"""Share of steps whose impulses did not converge from which on a run is given up: its forces are rough."""
 
 
 _STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)

@@ -29,7 +29,7 @@ from stayput.mechanics.space.vectors import added, dot
 NO_PLANE = -1
 """The plane of a contact between bodies."""
 
-CLOSED = 1e-7
+CLOSED = 1e-8
 """Gap from a plane up to which a contact is closed [m]: one that closes early turns a body back early."""
 
 CLOSED_BETWEEN = 1e-6
@@ -40,9 +40,6 @@ REACH = 1.0
 
 OPEN = 2.0
 """In place of whether a contact stuck in the step before: it was open."""
-
-ENTERS = 2e-7
-"""How far a body may enter a plane in a step [m]."""
 
 ENTERS_BODIES = 2e-6
 """How far bodies may enter each other in a step [m]."""
@@ -156,7 +153,7 @@ def find_contacts(world, poses, push, scratch, ratio, h):
             c = contacts[count]
             c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
             c.nx, c.ny, c.nz = n
-            c.gap = 0.0
+            c.gap = touching[m, 3]
             place = touching[m, 0], touching[m, 1], touching[m, 2]
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
@@ -180,8 +177,7 @@ def note_all_gaps(world, poses, scratch, gaps):
     """
     bodies, points, rims, planes, pairs, _, _, _ = world
     corners = scratch[3]
-    least = note_gaps(bodies, poses, points, rims, planes, gaps)
-    left = least + ENTERS
+    least, left = note_gaps(bodies, poses, points, rims, planes, gaps)
     if pairs.shape[0] == 0:
         return least, left
     place_corners(bodies, poses, points, corners)

@@ -2,8 +2,10 @@
 
 A step of length h is symmetric (Strang): bodies drift freely for h/2, get gravity, the floor's acceleration
 and the impulses of all contacts that are closed there, and drift for h/2 again. Between impacts it is of
-second order; free flight keeps energy and momentum. A step in which a body would enter another is shortened
-to where they meet. What is left of it (`ENTERS`) is moved out without a change of velocity.
+second order; free flight keeps energy and momentum. A step in which a body would enter or hit another is
+shortened to where they meet, and the impact has a step of its own, the shortest: in a longer one it would be
+solved with velocities that lack what half of that step brings. What a body has entered (`ENTERS`) is moved
+out without a change of velocity.
 
 Axes move with the floor: its acceleration acts on bodies against its direction.
 """
@@ -28,8 +30,8 @@ from stayput.mechanics.space.body import (
 )
 from stayput.mechanics.space.closing import (
     CLOSED,
-    ENTERS,
     ENTERS_BODIES,
+    OPEN,
     REACH,
     find_contacts,
     keep,
@@ -42,8 +44,10 @@ from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.notes import note_hits, note_pose, note_pressing, note_weight
 from stayput.mechanics.space.pairs import place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.solve import STICKS, apply, slip_rate, solve
+from stayput.mechanics.space.solve import IMPACT, STICKS, apply, slip_rate, solve
 from stayput.mechanics.space.touching import (
+    ENTERS,
+    RIM_ENTERS,
     gap_of,
     lever_of_point,
     lowest_lever,
@@ -55,7 +59,7 @@ from stayput.mechanics.space.vectors import added, cross
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
 
-SHORTEST = 1e-6
+SHORTEST = 1e-7
 """Shortest step to where bodies meet [s]."""
 
 SHORT_STEPS = 8
@@ -66,6 +70,11 @@ DEEP = 1e-5
 
 MOST_ROUNDS = 8
 """Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
+
+MOST_UNCONVERGED, FEW = 0.02, 1000
+"""Share of steps whose impulses did not converge from which on a run is given up (its forces are rough), and
+number of them from which on it ends at once.
+"""
 
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
@@ -170,7 +179,8 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
     for k in range(count):
         c = contacts[k]
         c.stuck = 0
-        if c.pn > 0.0 and (slip_rate(c, after) <= STICKS * h or turns_back(c, before, after)):
+        # one that bears nothing has not slipped either where it does not move: the next step may press it
+        if slip_rate(c, after) <= STICKS * h or (c.pn > 0.0 and turns_back(c, before, after)):
             c.stuck = 1
     for b in range(bodies.shape[0]):
         s = after[b]
@@ -193,16 +203,28 @@ def _sag(bodies, poses, h):
 
 
 @inner
-def _meeting(gaps, later, pairs, h):
+def _meeting(gaps, later, points, rims, pairs, h):
     """Return when within a step bodies first meet planes or each other, by straight lines through their gaps.
 
-    The last ``pairs`` gaps are those of bodies.
+    The gaps are those of points and rims, plane by plane, and at last those of pairs of bodies.
     """
     first, between = h, gaps.shape[0] - pairs
     for k in range(gaps.shape[0]):
-        if later[k] < (-ENTERS if k < between else -ENTERS_BODIES):
+        enters = ENTERS if k % (points + rims) < points else RIM_ENTERS
+        if later[k] < (-enters if k < between else -ENTERS_BODIES):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
+    return first
+
+
+@inner
+def _impact(contacts, count, kept, h):
+    """Return when within a step the first contact hits that was open before, by its gap in mid-step."""
+    first = h
+    for k in range(count):
+        c = contacts[k]
+        if c.closing < -IMPACT and kept[c.key, 3] == OPEN:
+            first = min(first, 0.5 * h - c.gap / c.closing)
     return first
 
 
@@ -257,7 +279,8 @@ def run_in_space(
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
         kind int64[n + 1, 3], in the last row of all hits; the largest 1 − cos of the bodies' tilts at any
         step float64[n]; steps, steps whose impulses did not converge, work in updates of a contact (some
-        0.1 µs each), and the most of it, float64[4]: added to. Beyond it bodies stay where they are.
+        0.1 µs each), and the most of it, float64[4]: added to. Beyond it, and where too many steps do not
+        converge, bodies stay where they are.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies, floor = world[0], world[3][0]
@@ -311,13 +334,13 @@ def run_in_space(
                 note_forces(held[1], forces[k + 1])
                 continue
         noted = bears = False
-        if work[2] > work[3]:
-            for b in range(bodies.shape[0]):
-                stop(now[b])
-            for later in range(k + 1, histories.shape[1]):
-                note_pose(histories, later, now)
-            return
         for part in range(parts):
+            if work[2] > work[3] or work[1] > max(FEW, MOST_UNCONVERGED * work[0]):
+                for b in range(bodies.shape[0]):
+                    stop(now[b])
+                for later in range(k + 1, histories.shape[1]):
+                    note_pose(histories, later, now)
+                return
             t, end = dt * part / parts, dt * (part + 1) / parts
             while t < end:
                 h = end - t
@@ -328,9 +351,17 @@ def run_in_space(
                     count = _step(world, held, now, trial, push, h, scratch, ratio, work)
                     least, left = note_all_gaps(world, trial, scratch, gaps[1])
                     bent = _sag(bodies, trial, h)
-                    if left >= -bent or h <= shortest:
+                    meets = _impact(contacts, count, kept, h)
+                    if left < -bent:
+                        meets = min(
+                            meets,
+                            _meeting(
+                                gaps[0], gaps[1], world[1].shape[0], world[2].shape[0], world[4].shape[0], h
+                            ),
+                        )
+                    if meets == h or h <= shortest:
                         break
-                    h = max(shortest, min(_meeting(gaps[0], gaps[1], world[4].shape[0], h), 0.9 * h))
+                    h = max(shortest, min(meets, 0.9 * h))
                 short = short + 1 if h <= shortest else 0
                 if short == 0:
                     shortest = SHORTEST

@@ -11,6 +11,12 @@ from stayput.mechanics.space.vectors import added, cross, dot, norm
 ROOM = -1
 """The other body of a contact with a plane of the room."""
 
+ENTERS = 1e-8
+"""How far a corner may enter a plane in a step [m]: a step in which it goes deeper ends where they meet."""
+
+RIM_ENTERS = 2e-7
+"""The same of a rim: where it rolls its lowest point is another one at the end of the step."""
+
 FLAT = 1e-9
 """Sine of the angle up to which no point of a rim is the lowest: rounding."""
 
@@ -122,11 +128,16 @@ def gap_of(s, lever, plane):
 
 @inner
 def note_gaps(bodies, poses, points, rims, planes, gaps):
-    """Set the gaps of all features and planes, inf where they may not touch; return the least.
+    """Set the gaps of all features and planes, inf where they may not touch.
 
     A feature is a point, or a rim, whose gap is that of its lowest point.
+
+    Returns
+    -------
+    tuple
+        The least gap, and the least of what is left until a feature has entered too far.
     """
-    least = math.inf
+    least = left = math.inf
     features = points.shape[0] + rims.shape[0]
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
@@ -138,14 +149,14 @@ def note_gaps(bodies, poses, points, rims, planes, gaps):
                 if may_touch(points[i], plane):
                     gap = gap_of_point(points[i], height, n)
                 gaps[j * features + i] = gap
-                least = min(least, gap)
+                least, left = min(least, gap), min(left, gap + ENTERS)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 gap = math.inf
                 if may_touch(rims[i], plane):
                     gap = gap_of(s, lowest_lever(s, rims[i], plane), plane)
                 gaps[j * features + points.shape[0] + i] = gap
-                least = min(least, gap)
-    return least
+                least, left = min(least, gap), min(left, gap + RIM_ENTERS)
+    return least, left
 
 
 @inline
