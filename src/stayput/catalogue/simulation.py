@@ -109,17 +109,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r}に必要な{surface}が部屋にありません。{surface}を設けるか、{distance!r}も指定してください。",
     ),
     # Columns of cases
-    "lengths_differ": (
-        (
-            "There are {cases} cases, {elements} rows of elements and {motions} places of motions; "
-            "they must be as many."
-        ),
-        "ケースが{cases}件、要素の行が{elements}行、地震動の番号が{motions}個あります。同じ数にしてください。",
-    ),
-    "motion_index": (
-        "A place of a motion is {value}; it must be between 0 and {last}.",
-        "地震動の番号が{value}になっています。0～{last}にしてください。",
-    ),
     # Histories
     "unknown_history": (
         "History is {name!r}; it must be one of {known}.",

@@ -58,7 +58,7 @@ def run_to_dataset(run: Run) -> xr.Dataset:
             "motion": run.motion.name,
         },
     )
-    for name, (unit, meaning) in HISTORIES.items():
+    for name, (_, unit, meaning) in HISTORIES.items():
         data[name] = ("time", getattr(run, name), {"units": unit, "long_name": meaning})
     data["mode"] = ("time", run.mode, {"long_name": "how the body moves"})
     for name, (unit, meaning) in _EVENT_VALUES.items():

@@ -22,6 +22,7 @@ from stayput.simulation.outcome import Outcome
 from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from concurrent.futures import Executor
 
     import xarray as xr
@@ -29,6 +30,11 @@ if TYPE_CHECKING:
 
     from stayput.simulation.case import Case
     from stayput.simulation.grid import Axes
+
+    RunPoints: TypeAlias = (
+        "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"
+    )
+    """Runs points at amplitudes, shape (k,) each; returns whether the body falls, and its landings."""
 
 
 SCALE = "motion.scale"
@@ -144,23 +150,6 @@ def _resolution(sampled: NDArray[np.float64]) -> dict[str, Any]:
         "resolution": "a range of standing or falling narrower than a step of the amplitudes can be missed",
     }
 
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from concurrent.futures import Executor
-
-    import xarray as xr
-    from numpy.typing import ArrayLike, NDArray
-
-    from stayput.simulation.case import Case
-    from stayput.simulation.grid import Axes
-
-    RunPoints: TypeAlias = (
-        "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"
-    )
-    """Runs points at amplitudes, shape (k,) each; returns whether the body falls, and its landings."""
-
-__all__ = ["Edge", "overturning_map", "trace_boundary"]
 
 Edge = Literal["first", "last", "all"]
 """Which edge to trace; see `trace_boundary`."""

@@ -224,11 +224,12 @@ def simulate(
         body, room, motion, contact, start, gravity, list_of("measures", measures, Measure), dimensions
     )
     if given.in_space:
-        from stayput.simulation.space import simulate_piece
+        from stayput.simulation.space import checked_step, run_held
 
         if contact != "coulomb":
             raise InputError("model.paper_in_space", "contact")
-        return simulate_piece(body, room, motion, given.measures, start, gravity, step)
+        placed = hold(body, room, given.measures, dimensions=3)
+        return run_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
     if most_events is not None:
         count = finite("most_events", most_events, "most_events")
         if count < 2.0 or not count.is_integer():

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -22,18 +21,15 @@ from stayput.motion import Motion
 from stayput.simulation.case import Case, law_number
 from stayput.simulation.flat_fields import (
     WALLS_AND_CEILING,
-    body_fields,
     case_rows,
     distance_to,
+    fields_of,
     flat_fields,
-    floor_fields,
     from_flat_fields,
-    room_fields,
-    surface_fields,
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
@@ -249,29 +245,15 @@ def held_rows(
         if path.startswith(("body.", "room.")) and np.size(values) > 1 and count > 1
     ]
     table = np.stack([np.asarray(numbers[path]) for path in varied], 1) if varied else np.zeros((count, 0))
-    first, which = _distinct(table)
+    # by their bytes, so that NaN, which stands for "not given", equals itself
+    keys = np.array([row.tobytes() for row in table])
+    _, first, which = np.unique(keys, return_index=True, return_inverse=True)
     pairs = [
-        _put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures, dimensions) for row in first
+        _put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures, dimensions)
+        for row in first.tolist()
     ]
     changed = {path: np.array([fields[path] for fields, _ in pairs])[which] for path in pairs[0][0]}
     return case_rows({**numbers, **changed}, count), np.stack([rows for _, rows in pairs])[which]
-
-
-def _distinct(table: NDArray[np.float64]) -> tuple[list[int], NDArray[np.intp]]:
-    """Return where each distinct row first stands, and for every row the number of its distinct row.
-
-    Rows are compared by their bytes, so that NaN, which stands for "not given", equals itself.
-    """
-    seen: dict[bytes, int] = {}
-    first: list[int] = []
-    which = np.empty(len(table), np.intp)
-    for n, row in enumerate(table):
-        key = row.tobytes()
-        if key not in seen:
-            seen[key] = len(first)
-            first.append(n)
-        which[n] = seen[key]
-    return first, which
 
 
 def _number(values: NumberOrColumn, row: int) -> float:
@@ -286,19 +268,19 @@ def _put_in_place(
     body, room, start = from_flat_fields(numbers)
     held = hold(body, room, measures, dimensions=dimensions)
     refuse_bad_start(held.body, held.room, start)
-    return {**body_fields(held.body), **room_fields(held.room)}, element_rows(held)
+    return {**fields_of("body", held.body), **fields_of("room", held.room)}, element_rows(held)
 
 
 Axes: TypeAlias = "Mapping[str | tuple[str, ...], Any]"
 
-OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str, float]]]] = {
-    "body": (Body, body_fields),
-    "room": (Room, room_fields),
-    "room.floor": (Floor, floor_fields),
-    **{f"room.{name}": ((Wall, type(None)), partial(surface_fields, name)) for name in WALLS_AROUND},
-    "room.ceiling": ((Ceiling, type(None)), partial(surface_fields, "ceiling")),
+OBJECT_PATHS: dict[str, type | tuple[type, ...]] = {
+    "body": Body,
+    "room": Room,
+    "room.floor": Floor,
+    **{f"room.{name}": (Wall, type(None)) for name in WALLS_AROUND},
+    "room.ceiling": (Ceiling, type(None)),
 }
-"""Paths whose values are objects: the types of these, and the function that returns an object's numbers."""
+"""Paths whose values are objects, and the types of these."""
 
 
 def base_numbers(case: Case) -> dict[str, float]:
@@ -371,9 +353,8 @@ def _columns(
             place = {key: len(motions) + n for n, key in enumerate(dict.fromkeys(map(id, items)))}
             motions.extend({id(item): item for item in items}.values())
             return {MOTION: np.array([place[id(item)] for item in items])}, [item.name for item in items]
-        kind, numbers_of = OBJECT_PATHS[name]
-        _refuse_other(name, items, kind)
-        table = [numbers_of(item) for item in items]
+        _refuse_other(name, items, OBJECT_PATHS[name])
+        table = [fields_of(name, item) for item in items]
         return {path: np.array([row[path] for row in table]) for path in table[0]}, np.arange(len(items))
     if name not in base:
         known = sorted({*base, *OBJECT_PATHS})

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of, whole_within
+from stayput.errors import instance_of, whole_within
 from stayput.execution import Pool, Shared
 from stayput.mechanics.columns import RESULT
 from stayput.mechanics.devices.columns import DEVICE, ELEMENT, NONE
@@ -128,28 +128,19 @@ def run_columns(
     Raises
     ------
     InputError
-        Arrays of different lengths, an index outside the motions, or elements that are not possible.
+        Elements that are not possible.
     """
     rows = np.zeros((len(cases), 0), ELEMENT) if elements is None else elements
-    indices = np.asarray(motion)
-    if len(rows) != len(cases) or indices.shape != (len(cases),):
-        raise InputError(
-            "simulation.lengths_differ", cases=len(cases), elements=len(rows), motions=len(indices)
-        )
-    if len(indices) and (indices.min() < 0 or indices.max() >= len(motions)):
-        wrong = indices[(indices < 0) | (indices >= len(motions))][0]
-        raise InputError("simulation.motion_index", "motion", value=wrong, last=len(motions) - 1)
-    used = {int(n): motions[int(n)] for n in np.unique(indices)}
-    prepared = {n: prepared_motion(motion, dimensions) for n, motion in used.items()}
+    prepared = {int(n): prepared_motion(motions[int(n)], dimensions) for n in np.unique(motion)}
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)
 
     def run(chunk: NDArray[np.intp]) -> int:
-        motion = prepared[int(indices[chunk[0]])]
-        results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], motion)
+        shaken = prepared[int(motion[chunk[0]])]
+        results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], shaken)
         return len(chunk)
 
     with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
-        for _, done in pool.as_completed(partial(run, chunk) for chunk in _chunks(indices)):
+        for _, done in pool.as_completed(partial(run, chunk) for chunk in _chunks(motion)):
             advance(done)
             if on_progress is not None:
                 on_progress(done)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.measures.element import failures_of
+from stayput.mechanics import columns as col
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 
 if TYPE_CHECKING:
@@ -137,15 +138,15 @@ class Event:
     slide_rate: float
 
 
-HISTORIES: dict[str, tuple[str, str]] = {
-    "slide": ("m", "displacement of the base relative to the floor, + right"),
-    "slide_rate": ("m/s", "rate of the slide"),
-    "tilt": ("rad", "rotation, + clockwise"),
-    "tilt_rate": ("rad/s", "rate of the tilt"),
-    "x": ("m", "centre of gravity right of where the middle of the base stood"),
-    "z": ("m", "centre of gravity above the floor"),
+HISTORIES: dict[str, tuple[int, str, str]] = {
+    "slide": (col.H_SLIDE, "m", "displacement of the base relative to the floor, + right"),
+    "slide_rate": (col.H_SLIDE_RATE, "m/s", "rate of the slide"),
+    "tilt": (col.H_TILT, "rad", "rotation, + clockwise"),
+    "tilt_rate": (col.H_TILT_RATE, "rad/s", "rate of the tilt"),
+    "x": (col.H_X, "m", "centre of gravity right of where the middle of the base stood"),
+    "z": (col.H_Z, "m", "centre of gravity above the floor"),
 }
-"""Unit and meaning of each history."""
+"""Column in the mechanics' history, unit and meaning of each history."""
 
 RESULTS: dict[str, tuple[str, str]] = {
     "overturn_time": ("s", "time at which the tilt reached 90°, or nan"),
