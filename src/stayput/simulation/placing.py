@@ -287,7 +287,7 @@ def hold_piece(piece: Piece, room: Room, planes: NDArray[np.void]) -> Held:
         elements = tuple(
             replace(element, point=(element.point[0], element.point[1] - height)) for element in tied.elements
         )
-        held = Held(own.body, tied.room, elements, piece.measures)
+        held = Held(own.body, tied.room, elements, tuple(piece.measures))
     if held.room.ceiling != seen.ceiling:
         pole = next(one for one in piece.measures if one.acts_on == "the tie")
         raise InputError("measures.no_ceiling", "room.ceiling", measure=pole.label)
