@@ -19,9 +19,9 @@ def test_a_body_on_a_still_floor_does_not_move_at_all() -> None:
 
 
 @pytest.mark.parametrize("direction", [0.0, 0.4, math.pi / 2])
-def test_a_thrown_block_slides_to_where_friction_has_its_energy(direction: float) -> None:
-    """Coulomb: v²/(2 μ g), whatever the direction and the heading."""
-    squat = sp.Solid.box(0.8, 0.6, 0.2, 50.0)
+@pytest.mark.parametrize("squat", [sp.Solid.box(0.8, 0.6, 0.2, 50.0), sp.Solid.cylinder(0.6, 0.1, 10.0)])
+def test_what_is_thrown_slides_to_where_friction_has_its_energy(squat: sp.Solid, direction: float) -> None:
+    """Coulomb: v²/(2 μ g), whatever the direction and the heading; a cylinder on its rim."""
     way = np.array([math.cos(direction), math.sin(direction)])
     thrown = sp.Standing(squat, heading=0.7, velocity=(*(2.0 * way), 0.0))
     run = sp.simulate(thrown, sp.Room(sp.Floor(0.4, 0.3)), still(2.0))

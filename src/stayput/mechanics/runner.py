@@ -214,8 +214,6 @@ def run_cases_with_devices(
     tuple
         A column of `stayput.mechanics.columns.RESULT`, and DEVICE, shape [m, n].
     """
-    if elements.shape[:1] != cases.shape:
-        raise InputError("mechanics.element_rows", given=len(elements), cases=len(cases))
     held = _devices_of(elements, motion)
     return _solve(cases, held, motion, **settings)[0], held.devices
 
