@@ -73,8 +73,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "軸{names}に{count}個のパスの値が指定されています。パスごとにリストを1つずつ指定してください。",
     ),
     "path_twice": (
-        "The axis {names} sets {path!r} twice; each path must be there once.",
-        "軸{names}が{path!r}を2回変更しています。各パスは1回だけ指定してください。",
+        "{path!r} is given twice; each path must be there once, on one axis.",
+        "{path!r}が2回指定されています。各パスは1つの軸に1回だけ指定してください。",
     ),
     "axis_lengths": (
         "The axis {names} has {lengths} values; paths on one axis must have as many.",
@@ -99,10 +99,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "value_type": (
         "{path!r} has the value {value}; its values must be of type {wanted}.",
         "{path!r}の値に{value}が含まれています。{wanted}型の値を指定してください。",
-    ),
-    "path_on_two_axes": (
-        "{path!r} is on two axes; each path must be on one.",
-        "{path!r}が2つの軸にあります。各パスは1つの軸だけに指定してください。",
     ),
     "surface_missing": (
         "{path!r} changes a {surface} that is not there; give the room one, or set {distance!r} too.",

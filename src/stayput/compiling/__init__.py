@@ -151,8 +151,9 @@ class Entry:
         from stayput.compiling.front_end import bitcode
         from stayput.compiling.machine_code import uninterrupted
 
-        with self._progress() as begun:
-            compiled = bitcode(self.py_func, tuple(map(_numba_type, kinds)), begun)
+        # how many functions there will be depends on what the arguments rule out: the bar has no end
+        with bar(None, "progress.compiling", unit="progress.functions") as advance:
+            compiled = bitcode(self.py_func, tuple(map(_numba_type, kinds)), lambda function: advance(1))
             return uninterrupted(lambda: code.add(compiled))
 
     def _caller(self, address: int, kinds: tuple[Any, ...]) -> Callable[..., None]:
@@ -174,15 +175,6 @@ class Entry:
                     array[...] = copy
 
         return call
-
-    @contextmanager
-    def _progress(self) -> Generator[Callable[[Callable[..., Any]], None]]:
-        """Yield a callback for each function whose compilation begins, which a progress bar counts.
-
-        How many there will be depends on what the arguments rule out, so the bar has no end.
-        """
-        with bar(None, "progress.compiling", unit="progress.functions") as advance:
-            yield lambda function: advance(1)
 
 
 def _named_in(function: Callable[..., Any], known: set[Callable[..., Any]]) -> set[Callable[..., Any]]:

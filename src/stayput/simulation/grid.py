@@ -283,12 +283,6 @@ OBJECT_PATHS: dict[str, type | tuple[type, ...]] = {
 """Paths whose values are objects, and the types of these."""
 
 
-def base_numbers(case: Case) -> dict[str, float]:
-    """Return a case's numbers by path; its motion is the first in the grid's list of motions."""
-    numbers = flat_fields(case.body, case.room, case.initial, case.gravity)
-    return {**numbers, MOTION: 0.0, LAW: float(law_number(case.contact))}
-
-
 def make_grid(case: Case, axes: Axes) -> Grid:
     """Return the grid of all combinations of the axes' values.
 
@@ -299,18 +293,20 @@ def make_grid(case: Case, axes: Axes) -> Grid:
     InputError
         An unknown path, a path on two axes, values of the wrong kind, or cases that are not possible.
     """
-    base = base_numbers(instance_of("case", case, Case))
+    instance_of("case", case, Case)
+    base = flat_fields(case.body, case.room, case.initial, case.gravity)
+    base |= {MOTION: 0.0, LAW: float(law_number(case.contact))}  # the motion is the first of the list
     motions: list[Motion] = [case.motion]
     grid_axes: list[Axis] = []
+    changed: set[str] = set()
     instance_of("axes", axes, Mapping)
     for paths, values in axes.items():
         names = (paths,) if isinstance(paths, str) else tuple(paths)
         value_lists = (values,) if isinstance(paths, str) else list_of("axes", values)
         if len(names) != len(value_lists) or not names:
             raise InputError("simulation.axis_lists", "axes", names=str(names), count=len(value_lists))
-        grid_axes.append(_axis(names, value_lists, base, motions))
-    _refuse_repeats(grid_axes)
-    _refuse_missing_surfaces(base, grid_axes)
+        grid_axes.append(_axis(names, value_lists, base, motions, changed))
+    _refuse_missing_surfaces(base, changed)
     dimensions = 3 if case.in_space else 2
     grid = Grid(base, tuple(grid_axes), tuple(motions), tuple(case.measures), dimensions)
     grid.refuse_bad_cases()
@@ -318,15 +314,20 @@ def make_grid(case: Case, axes: Axes) -> Grid:
 
 
 def _axis(
-    names: tuple[str, ...], value_lists: tuple[Any, ...], base: dict[str, float], motions: list[Motion]
+    names: tuple[str, ...],
+    value_lists: tuple[Any, ...],
+    base: dict[str, float],
+    motions: list[Motion],
+    changed: set[str],
 ) -> Axis:
+    """Return an axis; motions and the paths that it changes are added to those of the axes before."""
     columns: Columns = {}
     labels: dict[str, Any] = {}
     for name, values in zip(names, value_lists, strict=True):
         added, label = _columns(name, values, base, motions)
-        repeated = columns.keys() & added.keys()
-        if repeated:
-            raise InputError("simulation.path_twice", min(repeated), names=str(names), path=min(repeated))
+        if repeated := changed & added.keys():
+            raise InputError("simulation.path_twice", min(repeated), path=min(repeated))
+        changed.update(added)
         columns |= added
         labels[name] = label
     lengths = {name: len(label) for name, label in labels.items()}
@@ -383,17 +384,7 @@ def _refuse_other(name: str, items: list[Any], kind: type | tuple[type, ...]) ->
             raise InputError("simulation.value_type", name, path=name, value=repr(item), wanted=wanted)
 
 
-def _refuse_repeats(axes: list[Axis]) -> None:
-    seen: set[str] = set()
-    for axis in axes:
-        repeated = seen & axis.columns.keys()
-        if repeated:
-            raise InputError("simulation.path_on_two_axes", min(repeated), path=min(repeated))
-        seen |= axis.columns.keys()
-
-
-def _refuse_missing_surfaces(base: dict[str, float], axes: list[Axis]) -> None:
-    changed = {path for axis in axes for path in axis.columns}
+def _refuse_missing_surfaces(base: dict[str, float], changed: set[str]) -> None:
     for name in WALLS_AND_CEILING:
         distance = distance_to(name)
         touched = [path for path in changed if path.startswith(f"room.{name}.")]

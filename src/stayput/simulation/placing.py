@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures.element import CAUSES, DeviceResult, at_rest, damper, utilisation
+from stayput.measures.element import DeviceResult, at_rest, damper, device_result, utilisation
 from stayput.measures.measure import Held, element_rows, hold
 from stayput.measures.wall import WallDevice
-from stayput.mechanics.devices.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, PLANAR
+from stayput.mechanics.devices.columns import AXIAL, NONE, PLANAR
 from stayput.mechanics.space.columns import LAW_OF_ELEMENT, SPRING
 from stayput.mechanics.space.touching import ROOM
 from stayput.model.body import Body
@@ -113,23 +113,12 @@ def joint_results(
 ) -> tuple[DeviceResult, ...]:
     """Return what became of the joints of an assembly, by the devices and forces of its run."""
     used = utilisation(springs, devices)
+    each = zip(joints, _places(joints), devices, strict=True)
     return tuple(
-        DeviceResult(
-            JOINT,
-            JOINT_LABEL,
-            place,
-            float(device["peak_pull"]),
-            float(device["peak_push"]),
-            float(device["peak_shear"]),
-            float(used[n]),
-            int(device["failure"]) != HOLDS,
-            float(device["failure_time"]),
-            CAUSES[int(device["failure"])],
-            forces[:, n, F_NORMAL],
-            forces[:, n, F_TANGENT],
-            between=(joint.first, joint.second),
+        device_result(
+            (JOINT, JOINT_LABEL, place), device, used[n], forces[:, n], between=(joint.first, joint.second)
         )
-        for n, (joint, place, device) in enumerate(zip(joints, _places(joints), devices, strict=True))
+        for n, (joint, place, device) in enumerate(each)
     )
 
 
@@ -198,15 +187,9 @@ def placed(members: Sequence[Standing | Piece], room: Room, strength: float = 1.
     return tuple(
         _placed(number, member, room, planes, strength)
         if isinstance(member, Piece)
-        else Placed(member, None, _springs(number, member))
+        else Placed(member, None, np.zeros(0, SPRING))
         for number, member in enumerate(members)
     )
-
-
-def _springs(number: int, standing: Standing) -> NDArray[np.void]:
-    """Return the devices of a body that has none."""
-    nothing = element_rows(Held(Body(1.0, 1.0, 1.0), Room()))
-    return springs_of(nothing, standing.turn, standing.place, standing.solid.principal[1], number)
 
 
 def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], strength: float) -> Placed:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -285,7 +286,7 @@ def run_of(
         events=tuple(_event(row) for part in (first, last) for row in part.tolist()),
         held=held,
         devices=devices,
-        unlisted={kind: n for kind, n in zip(EventKind, _counts(cut), strict=True) if n},
+        unlisted=Counter(_KINDS[int(kind)] for kind in cut["kind"]),
     )
 
 
@@ -294,11 +295,6 @@ def _split(events: NDArray[np.void], most: int | None) -> tuple[NDArray[np.void]
     if most is None or len(events) <= most:
         return events, events[:0], events[:0]
     return events[: most - 1], events[most - 1 : -1], events[-1:]
-
-
-def _counts(events: NDArray[np.void]) -> list[int]:
-    kinds = events["kind"].astype(np.intp)
-    return np.bincount(kinds, minlength=len(EventKind)).tolist()
 
 
 def _event(row: tuple[float, ...]) -> Event:
