@@ -286,7 +286,7 @@ def run_of(
         events=tuple(_event(row) for part in (first, last) for row in part.tolist()),
         held=held,
         devices=devices,
-        unlisted=Counter(_KINDS[int(kind)] for kind in cut["kind"]),
+        unlisted=dict(Counter(_KINDS[int(kind)] for kind in cut["kind"])),
     )
 
 
