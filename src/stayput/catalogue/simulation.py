@@ -24,10 +24,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "heading": ("Heading", "向き"),
     "step": ("Step", "時間刻み"),
-    "too_many_bodies": (
-        "There are {count} bodies; an assembly has at most {most}.",
-        "物体が{count}個あります。{most}個以下にしてください。",
-    ),
+    "bodies": ("The number of bodies", "物体の数"),
     "joint_first": ("First member of a joint", "接合部の1つ目の物体"),
     "joint_second": ("Second member of a joint", "接合部の2つ目の物体"),
     "joint_stiffness": ("Stiffness of a joint", "接合部の剛性"),
@@ -50,10 +47,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "joint_astray": (
         "{name} holds {member} at a point {apart:.3g} m from its centre of gravity; it must be no more than {most:.3g} m, twice its diagonal.",
         "{name}の点が{member}の重心から{apart:.3g} m離れています。対角線の2倍の{most:.3g} m以内にしてください。",
-    ),
-    "no_bodies": (
-        "There is no body to simulate; give one at least.",
-        "物体がありません。少なくとも1つ指定してください。",
     ),
     "settles": (
         "The floor settles by {value} m, which is left out for the solids that stand on it.",
@@ -104,12 +97,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r} changes a {surface} that is not there; give the room one, or set {distance!r} too.",
         "{path!r}に必要な{surface}が部屋にありません。{surface}を設けるか、{distance!r}も指定してください。",
     ),
-    # Columns of cases
     # Histories
-    "unknown_history": (
-        "History is {name!r}; it must be one of {known}.",
-        "時刻歴の名前が{name!r}になっています。次から選んでください：{known}",
-    ),
+    "history": ("History", "時刻歴の名前"),
     "histories_in_space": (
         "A sweep in space keeps no histories; simulate the cases of interest one by one.",
         "三次元の一括計算では時刻歴を保存しません。必要なケースを1つずつ計算してください。",
@@ -132,9 +121,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r} is among the axes; it must be given by the amplitudes only.",
         "{path!r}が軸に含まれています。振幅だけで指定してください。",
     ),
-    "unknown_edge": (
-        "Edge is {edge}; it must be one of {known}.",
-        "境界の種類が{edge}になっています。次から選んでください：{known}",
-    ),
+    "edge": ("Edge", "境界の種類"),
 }
 """Texts by their keys: English, Japanese."""

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, within
+from stayput.errors import InputError, instance_of, within, word_of
 from stayput.simulation.grid import Axis, Columns, Grid, finite_numbers, make_grid
 from stayput.simulation.many import run_grid
 from stayput.simulation.outcome import Outcome
@@ -227,8 +227,7 @@ def trace_boundary(
     >>> edges.amplitude.round(2).values.tolist()  # of three bodies of one shape, the small one first [m/s²]
     [3.78, 3.96, 4.36]
     """
-    if edge not in get_args(Edge):
-        raise InputError("simulation.unknown_edge", "edge", edge=repr(edge), known=", ".join(get_args(Edge)))
+    word_of("simulation.edge", edge, get_args(Edge), "edge")
     tolerance = within("simulation.tolerance", tolerance, 1e-12, 0.1, field="tolerance")
     sampled = checked_amplitudes(amplitudes, axes)
     grid = make_grid(case, axes or {})

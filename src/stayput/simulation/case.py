@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, cast, overload
 
-from stayput.errors import InputError, finite, instance_of, list_of, whole_within, word_of
+from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
 from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
 from stayput.model.body import Body
@@ -231,9 +231,7 @@ def simulate(
         placed = hold(body, room, given.measures, dimensions=3)
         return run_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
     if most_events is not None:
-        count = finite("most_events", most_events, "most_events")
-        if count < 2.0 or not count.is_integer():
-            raise InputError("model.most_events", "most_events", value=most_events)
+        most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
     refuse_bad_start(body, room, start)
     held = hold(body, room, given.measures)
     refuse_bad_start(held.body, held.room, start)

@@ -69,10 +69,6 @@ class CaseBlock:
     measures: tuple[Measure, ...] = ()
     dimensions: int = 2
 
-    def rows(self) -> NDArray[np.void]:
-        """Return the rows that the mechanics read of the cases without measures, shape [count]."""
-        return case_rows(self.base | self.columns, self.count)  # type: ignore[operator]
-
     def held(self) -> tuple[NDArray[np.void], NDArray[np.void]]:
         """Return the rows with the measures in place, shape [count], and the elements, shape [count, n]."""
         numbers: Any = self.base | self.columns
@@ -162,7 +158,7 @@ def _extreme_rows(block: CaseBlock) -> set[int]:
     """Return the rows at which a limited quantity is smallest, largest or NaN, which argmin finds as well."""
     numbers = block.base | block.columns
     b, h = numbers["body.width"], numbers["body.height"]
-    rows = block.rows()
+    rows = case_rows(numbers, block.count)  # type: ignore[arg-type]
     limited = [column for path, column in block.columns.items() if path not in (MOTION, LAW)]
     limited += [
         np.abs(numbers["body.cg_offset.x"]) - b / 2,

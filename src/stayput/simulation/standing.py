@@ -309,10 +309,7 @@ class Assembly:
 
     def __post_init__(self) -> None:
         standing = list_of("members", self.members, (Standing, Piece))
-        if not standing:
-            raise InputError("simulation.no_bodies", "members")
-        if len(standing) > MOST_BODIES:
-            raise InputError("simulation.too_many_bodies", "members", count=len(standing), most=MOST_BODIES)
+        whole_within("simulation.bodies", len(standing), 1, MOST_BODIES, "", "members")
         joined = list_of("joints", self.joints, Joint)
         for number, joint in enumerate(joined):
             last = max(joint.first, joint.second)

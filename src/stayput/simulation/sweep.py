@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from stayput.errors import InputError, list_of
+from stayput.errors import InputError, list_of, word_of
 from stayput.execution import Pool
 from stayput.mechanics.runner import Shaking, trace
 from stayput.simulation.flat_fields import unit_of
@@ -118,8 +118,7 @@ def _histories(
         An unknown name, motions of different time steps, or more numbers than `MOST_NUMBERS`.
     """
     for name in names:
-        if name not in HISTORIES:
-            raise InputError("simulation.unknown_history", "histories", name=name, known=", ".join(HISTORIES))
+        word_of("simulation.history", name, HISTORIES, "histories")
     if grid.dimensions == 3:
         raise InputError("simulation.histories_in_space", "histories")
     prepared = prepared_motions(grid.motions, groups_of(grid), 2)
