@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.parameters import check_fields, parameter
-from stayput.wording import brief
+from stayput.wording import Brief
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class State:
+class State(Brief):
     """Initial state of a body that stands on the floor.
 
     Parameters
@@ -51,9 +51,6 @@ class State:
     slide_rate: float = parameter(
         0.0, "m/s", -1e3, 1e3, ("Initial slide rate", "初期の移動速度"), "Slide rate."
     )
-
-    def __repr__(self) -> str:
-        return brief(self)
 
     def __post_init__(self) -> None:
         check_fields(self)

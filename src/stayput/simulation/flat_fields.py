@@ -159,14 +159,8 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
         z_g,
         settlement,
     )
-    for corner, (u, v) in enumerate(
-        (
-            (foot_left, low - z_g),
-            (foot_right, high - z_g),
-            (left, top),
-            (right, top),
-        )
-    ):
+    corners = (foot_left, low - z_g), (foot_right, high - z_g), (left, top), (right, top)
+    for corner, (u, v) in enumerate(corners):
         rows["u"][:, corner], rows["v"][:, corner] = u, v
     for about in parameters(State):
         rows[about.name] = numbers[f"initial.{about.name}"]

@@ -94,7 +94,6 @@ def run_columns(
     *,
     dimensions: int = 2,
     threads: int | None = None,
-    progress: bool | None = None,
     on_progress: Callable[[int], None] | None = None,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Run cases on threads, each with its own devices and motion, under the "coulomb" contact law.
@@ -114,8 +113,6 @@ def run_columns(
         2 in the plane, 3 in space: the cases have lengths then, and each device is an element of its own.
     threads : int, optional
         Threads; default one for each core that this process may use.
-    progress : bool, optional
-        Whether to draw a bar on standard error; default on a terminal.
     on_progress : callable, optional
         Called on this thread with the number of cases just done; an exception that it raises stops the work.
 
@@ -139,9 +136,8 @@ def run_columns(
         results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], shaken)
         return len(chunk)
 
-    with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
+    with Pool(threads) as pool:
         for _, done in pool.as_completed(partial(run, chunk) for chunk in _chunks(motion)):
-            advance(done)
             if on_progress is not None:
                 on_progress(done)
     return results, devices

@@ -68,13 +68,18 @@ def springs_of(
     anchors = np.stack([elements["x"], elements["y"], elements["z"]], 1)
     anchors = np.where(np.isnan(elements["x"])[:, None], at_point, anchors)
     normals = np.stack([-elements["sin"], np.zeros(len(elements)), elements["cos"]], 1)
-    for name, vectors in (("p", points @ axes), ("a", anchors), ("n", normals)):
-        for number, axis in enumerate("xyz"):
-            springs[f"{name}{axis}"] = vectors[:, number]
+    _set_vectors(springs, p=points @ axes, a=anchors, n=normals)
     springs["length"] = elements["length"]
     for name in LAW_OF_ELEMENT:
         springs[name] = elements[name]
     return springs
+
+
+def _set_vectors(springs: NDArray[np.void] | np.void, **vectors: NDArray[np.float64]) -> None:
+    """Set vectors of springs, shape (..., 3), by the letters that their components begin with."""
+    for name, values in vectors.items():
+        for number, axis in enumerate("xyz"):
+            springs[f"{name}{axis}"] = values[..., number]
 
 
 def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDArray[np.void]:
@@ -88,13 +93,8 @@ def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDAr
         spring["kind"] = PLANAR if joint.to is None else AXIAL
         axes = second.turn @ second.solid.principal[1]
         upwards = 1.0 if first.place[2] >= second.place[2] else -1.0
-        for name, vector in (
-            ("p", (at - first.place) @ first.turn @ first.solid.principal[1]),
-            ("a", (to - second.place) @ axes),
-            ("n", np.array([0.0, 0.0, upwards]) @ axes),
-        ):
-            for axis, value in zip("xyz", vector, strict=True):
-                spring[f"{name}{axis}"] = value
+        point = (at - first.place) @ first.turn @ first.solid.principal[1]
+        _set_vectors(spring, p=point, a=(to - second.place) @ axes, n=[0.0, 0.0, upwards] @ axes)
         spring["length"] = float(np.linalg.norm(to - at))
         damping = damper(joint.damping, joint.stiffness, min(first.solid.mass, second.solid.mass))
         spring["stiffness"], spring["damping"] = joint.stiffness, damping
@@ -204,10 +204,8 @@ def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], str
     place = np.array([x, 0.0, z])
     rows = element_rows(held, strength)
     springs = springs_of(rows, upright.turn, place, upright.solid.principal[1], number)
-    for names, shift in ((("ax", "ay", "az"), base), (("nx", "ny", "nz"), np.zeros(3))):
-        vectors = np.stack([springs[name] for name in names], axis=1) @ facing.T + shift
-        for name, values in zip(names, vectors.T, strict=True):
-            springs[name] = values
+    anchors, normals = (np.stack([springs[f"{name}{axis}"] for axis in "xyz"], axis=1) for name in "an")
+    _set_vectors(springs, a=anchors @ facing.T + base, n=normals @ facing.T + 0.0)  # of −0 comes 0
     for name in IN_NEWTONS:
         springs[name] *= body.mass
     return Placed(standing, held, springs)
@@ -221,10 +219,8 @@ def standing_of(piece: Piece, held: Held) -> Standing:
     body, settlement = held.body, held.room.floor.settlement if piece.at[2] == 0.0 else 0.0
     same = body == piece.body and settlement == 0.0
     solid = piece.standing.solid if same else Solid.of(body, settlement=settlement)
-    upright, facing = (
-        Standing(solid, tilt=(0.0, body.resting_tilt, 0.0)),
-        Standing(solid, heading=piece.heading),
-    )
+    upright = Standing(solid, tilt=(0.0, body.resting_tilt, 0.0))
+    facing = Standing(solid, heading=piece.heading)
     x, z = at_rest(body, body.centre_of_gravity)
     place = np.array([x, 0.0, z]) - upright.turn @ solid.centre_of_gravity
     origin = _base_of(piece, held) + facing.turn @ place

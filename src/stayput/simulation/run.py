@@ -210,12 +210,10 @@ class Run(InNetcdf):
         InputError
             Another history, or another language.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.plot import draw_run
 
-        axis = axes_of(ax)
-        draw_run(axis, self, what, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_run, self, what, check_language(language), **line)
 
     def figure(self, title: str = "", *, language: str = "en") -> Figure:
         """Return a figure with the floor's acceleration, the tilt, the slide and the modes over time.

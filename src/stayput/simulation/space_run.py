@@ -314,12 +314,10 @@ class SpaceRun(InNetcdf):
         InputError
             Something else to draw, another language, or not a name for each body.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.space.plot import draw_space_run
 
-        axis = axes_of(ax)
-        draw_space_run(axis, self, what, names, language)
-        return drawn(axis)
+        return plotted(ax, draw_space_run, self, what, names, language)
 
     def figure(self, title: str = "", *, names: Sequence[str] | None = None, language: str = "en") -> Figure:
         """Return a figure with the floor's acceleration, tilts and turns over time, and the ways in plan."""

@@ -95,14 +95,12 @@ def sweep(
 
 def _frame(grid: Grid, case: Case) -> xr.Dataset:
     """Return the dataset with its coordinates, and no data yet."""
-    data = xr.Dataset(attrs={"contact": case.contact, "motion": case.motion.name})
-    for axis in grid.axes:
-        for path, labels in axis.labels.items():
-            unit = unit_of(path)
-            data = data.assign_coords(
-                {path: (axis.name, np.asarray(labels), {"units": unit} if unit else {})}
-            )
-    return data
+    coordinates = {
+        path: (axis.name, np.asarray(labels), {"units": unit} if (unit := unit_of(path)) else {})
+        for axis in grid.axes
+        for path, labels in axis.labels.items()
+    }
+    return xr.Dataset(coords=coordinates, attrs={"contact": case.contact, "motion": case.motion.name})
 
 
 def _histories(
