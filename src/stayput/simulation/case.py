@@ -88,7 +88,8 @@ class Case(Brief):
     def run(self) -> Run | SpaceRun:
         """Simulate the case."""
         given: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
-        return simulate(**given)
+        run: Run | SpaceRun = simulate(**given)
+        return run
 
 
 class _Options(TypedDict, total=False):
