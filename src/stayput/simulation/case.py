@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, Any, Literal, TypedDict, Unpack, cast, overload
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, cast, overload
 
 from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
 from stayput.measures.element import device_results
@@ -87,9 +87,8 @@ class Case(Brief):
 
     def run(self) -> Run | SpaceRun:
         """Simulate the case."""
-        given: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
-        run: Run | SpaceRun = simulate(**given)
-        return run
+        how = _Options(contact=self.contact, initial=self.initial, gravity=self.gravity)
+        return simulate(self.body, self.room, self.motion, self.measures, dimensions=self.dimensions, **how)
 
 
 class _Options(TypedDict, total=False):
