@@ -138,8 +138,8 @@ def ours(boxes: list[FreeBox], motion: sp.Motion, step: float) -> Tilts:
     peak, seconds = np.zeros(len(rows)), np.zeros(len(rows))
     for n, row in enumerate(rows):
         start = time.process_time()
-        piece, trace = trace_case(row, none, shaking, step)
-        result = results_of([piece.standing], trace, shaking.times)[0]
+        piece, _, trace = trace_case(row, none, shaking, step)
+        result = results_of([piece], trace, shaking.times)[0]
         seconds[n] = time.process_time() - start
         peak[n] = np.inf if result["outcome"] == OVERTURNED_OUTCOME else result["peak_tilt"]
     return Tilts(peak, seconds)

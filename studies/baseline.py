@@ -18,7 +18,6 @@ from stayput.estimates import kaneko_hayashi_velocity
 from stayput.fragility import JMA_INTENSITY, PFV, Trials, fragility_curve
 from stayput.measures import Held
 from stayput.model.body import FURNITURE, Body
-from stayput.model.panel import panel_restitution
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
@@ -184,6 +183,27 @@ def _lean(angle: float) -> Callable[[Body], Held]:
 
 def _wall(gap: float, restitution: float = Wall(0.0).restitution) -> Callable[[Body], Held]:
     return lambda body: Held(body, replace(IDEAL, left_wall=Wall(gap, restitution)))
+
+
+def panel_restitution(effective: float, panel: float, damping: float) -> float:
+    """Return e_w, the part of its speed that a wall that gives returns to what hits it.
+
+    Derived for the theory page; `tests/validation/test_panel.py` sets it beside two masses stepped in time.
+
+    Parameters
+    ----------
+    effective : float
+        m, of the piece at the height of the impact [kg].
+    panel : float
+        M, of the panel's first mode at the place of the impact [kg].
+    damping : float
+        Its damping ratio ζ, below 1.
+    """
+    together = effective + panel
+    zeta = damping * math.sqrt(panel / together)
+    root = math.sqrt(1.0 - zeta * zeta)
+    phase = math.pi - math.atan2(2.0 * zeta * root, 1.0 - 2.0 * zeta * zeta)
+    return effective / together * math.exp(-zeta * phase / root)
 
 
 def _studs(body: Body) -> Held:

@@ -137,7 +137,7 @@ def overturning(
     cases = np.repeat(case_columns(body, room, State(), STANDARD_GRAVITY), shape[0] * shape[1])
     cases["scale"] = np.outer(formula / pga, factors).ravel()
     place = np.repeat(np.arange(shape[0]), shape[1])
-    results, _ = run_columns(cases, None, motions, place, progress=False)
+    results, _ = run_columns(cases, None, motions, place)
     outcome = results["outcome"].reshape(shape)
     fell, lost = outcome == OVERTURNED_OUTCOME, outcome == FAILED_OUTCOME
     trials = Trials.from_runs(AMPLITUDE, factors, fell.T[:, :, np.newaxis], lost.T[:, :, np.newaxis])

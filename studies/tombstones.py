@@ -213,7 +213,7 @@ def cemeteries(
         shaking = [_along(motion, component, setting.vertical) for motion in suite]
         for row, (level, *_) in enumerate(OBSERVED.values()):
             cases["scale"] = 10.0 ** (0.5 * (level + apart)) * factors[:, np.newaxis]
-            results, _ = run_columns(cases.ravel(), None, shaking, place, progress=False)
+            results, _ = run_columns(cases.ravel(), None, shaking, place)
             fell[row] |= (results["outcome"] == OVERTURNED_OUTCOME).reshape(motions, count)
             given_up += int((results["outcome"] == FAILED_OUTCOME).sum())
     return fell, given_up

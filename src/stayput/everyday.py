@@ -197,11 +197,8 @@ def tip_over(
 
     def with_drawers(name: str, share: float, extension: float) -> TipOverCase:
         by_drawers = share * weight * extension * cos
-        return TipOverCase(
-            name,
-            restoring,
-            by_drawers + load * ((overhang + extension) * cos + body.height * sin),
-        )
+        by_load = load * ((overhang + extension) * cos + body.height * sin)
+        return TipOverCase(name, restoring, by_drawers + by_load)
 
     pull = given.pull * min(given.pull_height, body.height)
     cases = [TipOverCase(PULL, restoring, pull)]

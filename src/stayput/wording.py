@@ -43,6 +43,15 @@ def brief(value: Any, first: int = 1) -> str:
     return f"{type(value).__name__}({', '.join(told)})"
 
 
+class Brief:
+    """A dataclass that shows itself as Python makes it, without what has its default; see `brief`."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return brief(self)
+
+
 def inside(label: str) -> str:
     """Return a measure's label as it stands within an English sentence.
 

@@ -372,12 +372,6 @@ def batches(draw: st.DrawFn, most: int = 6, *, walls: bool = True) -> list[Stand
 
 
 @st.composite
-def elements_on(draw: st.DrawFn, case: Standing) -> NDArray[np.void]:
-    """Draw the elements of a body that stands at rest, ELEMENT of shape [3]."""
-    return random_elements(Drawn(draw), case)
-
-
-@st.composite
 def held_batches(draw: st.DrawFn, most: int = 3) -> tuple[list[Standing], NDArray[np.void]]:
     """Draw a few bodies in rooms with their elements, ELEMENT of shape [cases, 3]."""
     cases = draw(batches(most))

@@ -13,7 +13,6 @@ from strategies import (
     STANDARD_GRAVITY,
     Seeded,
     Standing,
-    elements_on,
     held_batches,
     mirrored,
     mirrored_elements,
@@ -22,7 +21,6 @@ from strategies import (
     random_motion,
     random_standing,
     stacked,
-    standings,
     up,
 )
 
@@ -51,7 +49,18 @@ def run(cases: list[Standing], elements: NDArray[np.void], motion: Motion):
     )
 
 
-def check_results_are_finite(cases: list[Standing], elements: NDArray[np.void], motion: Motion) -> None:
+Sample = tuple[list[Standing], "NDArray[np.void]", Motion]
+
+SAMPLES = st.one_of(
+    st.tuples(held_batches(), motions(longest=400)).map(lambda drawn: (*drawn[0], drawn[1])), SEEDS.map(many)
+)
+"""A few cases that Hypothesis can shrink, and larger samples: bodies, their devices and a motion."""
+
+
+@settings(max_examples=50, deadline=None)
+@given(sample=SAMPLES)
+def test_every_run_with_devices_ends_with_finite_results(sample: Sample) -> None:
+    cases, elements, motion = sample
     results, devices = run(cases, elements, motion)
     for name in ("end", "peak_slide", "residual_slide", "peak_tilt", "residual_tilt"):
         assert np.isfinite(results[name]).all()
@@ -60,20 +69,6 @@ def check_results_are_finite(cases: list[Standing], elements: NDArray[np.void], 
     failed = devices["failure"] != el.HOLDS
     assert np.array_equal(np.isfinite(devices["failure_time"]), failed)
     assert not failed[elements["kind"] == el.NONE].any()
-
-
-@settings(max_examples=25, deadline=None)
-@given(held=held_batches(), motion=motions(longest=400))
-def test_every_run_with_devices_ends_with_finite_results(
-    held: tuple[list[Standing], NDArray[np.void]], motion: Motion
-) -> None:
-    check_results_are_finite(*held, motion)
-
-
-@settings(max_examples=25, deadline=None)
-@given(seed=SEEDS)
-def test_every_run_of_a_large_sample_with_devices_ends_with_finite_results(seed: int) -> None:
-    check_results_are_finite(*many(seed))
 
 
 def test_hardly_a_run_is_given_up() -> None:
@@ -87,31 +82,20 @@ def test_hardly_a_run_is_given_up() -> None:
     assert given_up <= total // 1000
 
 
-@settings(max_examples=15, deadline=None)
-@given(held=held_batches(), motion=motions(longest=400), data=st.data())
+@settings(max_examples=30, deadline=None)
+@given(sample=SAMPLES, data=st.data())
 def test_same_bits_with_devices_in_any_company_and_with_histories(
-    held: tuple[list[Standing], NDArray[np.void]], motion: Motion, data: st.DataObject
+    sample: Sample, data: st.DataObject
 ) -> None:
-    check_same_bits(*held, motion, np.array(data.draw(st.permutations(range(len(held[0]))))))
-
-
-@settings(max_examples=15, deadline=None)
-@given(seed=SEEDS)
-def test_same_bits_with_devices_in_a_large_sample(seed: int) -> None:
-    cases, elements, motion = many(seed)
-    check_same_bits(cases, elements, motion, np.random.default_rng(seed).permutation(len(cases)))
-
-
-def check_same_bits(
-    cases: list[Standing], elements: NDArray[np.void], motion: Motion, order: NDArray[np.intp]
-) -> None:
+    cases, elements, motion = sample
+    order = np.array(data.draw(st.permutations(range(len(cases)))))
     results, devices = run(cases, elements, motion)
     again, devices_again = run([cases[n] for n in order], elements[order], motion)
     assert again.tobytes() == results[order].tobytes()
     assert devices_again.tobytes() == devices[order].tobytes()
     found = trace(cases[0].columns()[0], shaking(motion.x, up(motion), motion.dt, 0), elements[0])
-    assert found.result["outcome"] == results["outcome"][0]
-    if found.result["outcome"] != FAILED:
+    if results["outcome"][0] != FAILED:  # which may be after fewer events than a run alone is given
+        assert found.result["outcome"] == results["outcome"][0]
         assert found.result["peak_tilt"] == results["peak_tilt"][0]
         assert found.devices.tobytes() == devices[0].tobytes()
 
@@ -138,8 +122,17 @@ def stored(elements: NDArray[np.void], forces: NDArray[np.float64]) -> NDArray[n
     return (0.5 * forces**2 / k).sum(axis=(1, 2))
 
 
-def check_energy_never_grows(case: Standing, elements: NDArray[np.void]) -> None:
+def seeded(seed: int) -> tuple[Standing, NDArray[np.void]]:
+    source = Seeded(np.random.default_rng(seed))
+    case = random_standing(source)
+    return case, random_elements(source, case)
+
+
+@settings(max_examples=40, deadline=None)
+@given(held=st.one_of(held_batches(1).map(lambda drawn: (drawn[0][0], drawn[1][0])), SEEDS.map(seeded)))
+def test_energy_with_devices_never_grows_under_steady_loads(held: tuple[Standing, NDArray[np.void]]) -> None:
     """Kinetic energy, height and springs: friction, impacts, dampers and failures only take from it."""
+    case, elements = held
     elements["damping"] = 0.0
     n, dt = 200, 0.01
     still = shaking(np.zeros(n), None, dt, 0)
@@ -151,20 +144,6 @@ def check_energy_never_grows(case: Standing, elements: NDArray[np.void]) -> None
     energy = potential + 0.5 * inertia * omega**2
     start = potential[0] + 0.5 * _speed(case) ** 2 + 0.5 * inertia * omega[0] ** 2
     assert energy.max() <= start * (1.0 + 1e-6) + 1e-6
-
-
-@settings(max_examples=20, deadline=None)
-@given(data=st.data(), case=standings())
-def test_energy_with_devices_never_grows_under_steady_loads(data: st.DataObject, case: Standing) -> None:
-    check_energy_never_grows(case, data.draw(elements_on(case)))
-
-
-@settings(max_examples=20, deadline=None)
-@given(seed=SEEDS)
-def test_energy_of_a_large_sample_with_devices_never_grows_under_steady_loads(seed: int) -> None:
-    source = Seeded(np.random.default_rng(seed))
-    case = random_standing(source)
-    check_energy_never_grows(case, random_elements(source, case))
 
 
 def _speed(case: Standing) -> float:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from hypothesis import assume, example, given
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from strategies import (
     COULOMB,
@@ -126,7 +126,15 @@ def energies(found: Run, a: NDArray[np.float64], G: NDArray[np.float64]) -> NDAr
     return 0.5 * (vx**2 + vz**2 + inertia * found.tilt_rate**2) + G * found.z + a * found.x
 
 
-def check_results_are_finite(cases: list[Standing], motion: Motion, law: int) -> None:
+SAMPLES = st.one_of(st.tuples(batches(), motions(longest=800)), SEEDS.map(many))
+"""A few cases that Hypothesis can shrink, and large samples, each with a motion."""
+
+
+@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
+@settings(max_examples=2 * settings.default.max_examples)
+@given(sample=SAMPLES)
+def test_every_run_ends_with_finite_results(law: int, sample: tuple[list[Standing], Motion]) -> None:
+    cases, motion = sample
     results = run(stacked(cases), motion, law)
     for name in results.dtype.names:
         assert np.isfinite(results[name]).all(), name
@@ -135,18 +143,6 @@ def check_results_are_finite(cases: list[Standing], motion: Motion, law: int) ->
     assert (results["end"] <= (len(motion.x) - 1) * motion.dt * (1 + 1e-12)).all()
     assert (results["peak_tilt"] >= np.abs(results["residual_tilt"])).all()
     assert (results["peak_slide"] >= np.abs(results["residual_slide"])).all()
-
-
-@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
-@given(cases=batches(), motion=motions(longest=800))
-def test_every_run_ends_with_finite_results(law: int, cases: list[Standing], motion: Motion) -> None:
-    check_results_are_finite(cases, motion, law)
-
-
-@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
-@given(seed=SEEDS)
-def test_every_run_of_a_large_sample_ends_with_finite_results(law: int, seed: int) -> None:
-    check_results_are_finite(*many(seed), law)
 
 
 @given(case=standings(), motion=motions(longest=600), law=st.sampled_from([0, 1]))
@@ -206,22 +202,6 @@ def check_floor_pushes_within_its_friction_cone(case: Standing, motion: Motion, 
     assert beyond.max(initial=0.0) <= slack, (beyond.max(), case, motion)
 
 
-@given(case=standings(), motion=motions(kind=3, longest=800))
-def test_energy_never_grows_under_steady_loads(case: Standing, motion: Motion) -> None:
-    check_energy_never_grows(case, motion, traced(case, motion, COULOMB))
-
-
-@given(case=standings(), motion=motions(longest=800))
-def test_no_corner_gets_behind_the_floor_a_wall_or_the_ceiling(case: Standing, motion: Motion) -> None:
-    check_no_corner_is_behind_a_plane(case, motion, traced(case, motion, COULOMB))
-
-
-@given(case=standings(walls=False), motion=motions(longest=800))
-def test_floor_pushes_within_its_friction_cone(case: Standing, motion: Motion) -> None:
-    case = on_a_plain_floor(case)
-    check_floor_pushes_within_its_friction_cone(case, motion, traced(case, motion, COULOMB))
-
-
 def kinetic_frictions(case: Standing) -> tuple[float, float]:
     """Return the friction of a base that slides to the right, and to the left.
 
@@ -277,16 +257,6 @@ def check_tilt_and_slide_are_continuous(case: Standing, motion: Motion, found: R
         assert (jump <= 3.0 * largest * step + push * step**2 + 1e-8).all(), (jump.max(), case, motion)
 
 
-@given(case=standings(), motion=motions(longest=800))
-def test_friction_opposes_a_flat_slide(case: Standing, motion: Motion) -> None:
-    check_friction_opposes_a_flat_slide(case, motion, traced(case, motion, COULOMB))
-
-
-@given(case=standings(), motion=motions(longest=800))
-def test_tilt_and_slide_are_continuous(case: Standing, motion: Motion) -> None:
-    check_tilt_and_slide_are_continuous(case, motion, traced(case, motion, COULOMB))
-
-
 CHECKS = {
     "energy": check_energy_never_grows,
     "corners": check_no_corner_is_behind_a_plane,
@@ -294,6 +264,15 @@ CHECKS = {
     "friction": check_friction_opposes_a_flat_slide,
     "continuity": check_tilt_and_slide_are_continuous,
 }
+
+
+@pytest.mark.parametrize("check", CHECKS)
+@given(data=st.data())
+def test_laws_hold(check: str, data: st.DataObject) -> None:
+    case = data.draw(standings(walls=check != "friction cone"))
+    motion = data.draw(motions(kind=3 if check == "energy" else None, longest=800))
+    case = on_a_plain_floor(case) if check == "friction cone" else case
+    CHECKS[check](case, motion, traced(case, motion, COULOMB))
 
 
 # 29, 114: bodies that chatter at a wall; 11853: without friction the body stands only while the floor does
@@ -387,21 +366,13 @@ def test_similar_cases_run_alike(law: int, seed: int, k: float) -> None:
     judge(cases, motion, law, one, other, alike(one, other, 1e-5, k=k))
 
 
-@given(cases=batches(), motion=motions(longest=800), law=st.sampled_from([0, 1]), data=st.data())
+@settings(max_examples=2 * settings.default.max_examples)
+@given(sample=SAMPLES, law=st.sampled_from([0, 1]), data=st.data())
 def test_same_bits_in_any_company(
-    cases: list[Standing], motion: Motion, law: int, data: st.DataObject
+    sample: tuple[list[Standing], Motion], law: int, data: st.DataObject
 ) -> None:
+    cases, motion = sample
     order = np.array(data.draw(st.permutations(range(len(cases)))))
-    check_same_bits(cases, motion, law, order)
-
-
-@given(seed=SEEDS, law=st.sampled_from([0, 1]))
-def test_same_bits_in_a_large_sample(seed: int, law: int) -> None:
-    cases, motion = many(seed)
-    check_same_bits(cases, motion, law, np.random.default_rng(seed).permutation(len(cases)))
-
-
-def check_same_bits(cases: list[Standing], motion: Motion, law: int, order: NDArray[np.intp]) -> None:
     columns = stacked(cases)
     results = run(columns, motion, law)
     assert results.tobytes() == run(columns, motion, law).tobytes()
@@ -410,17 +381,10 @@ def check_same_bits(cases: list[Standing], motion: Motion, law: int, order: NDAr
         assert results[i].tobytes() == run(columns[i : i + 1], motion, law)[0].tobytes()
 
 
-@given(case=standings(), motion=motions(longest=800))
-def test_history_changes_no_bit(case: Standing, motion: Motion) -> None:
-    check_history_changes_no_bit([case], motion)
-
-
-@given(seed=SEEDS)
-def test_history_changes_no_bit_in_a_large_sample(seed: int) -> None:
-    check_history_changes_no_bit(*many(seed))
-
-
-def check_history_changes_no_bit(cases: list[Standing], motion: Motion) -> None:
+@settings(max_examples=2 * settings.default.max_examples)
+@given(sample=SAMPLES)
+def test_history_changes_no_bit(sample: tuple[list[Standing], Motion]) -> None:
+    cases, motion = sample
     results = run(stacked(cases), motion, COULOMB)
     for i in np.flatnonzero(results["outcome"] != FAILED)[:5]:
         found = simulate(cases[i].body, cases[i].room, motion, initial=cases[i].start)

@@ -67,13 +67,3 @@ def _with(rows: np.ndarray, fields: dict[str, object]) -> np.ndarray:
     for name, value in fields.items():
         rows[name] = value
     return rows
-
-
-COEFFICIENTS = ([0, 1, 2, -3, 1, 4], [1, 0, -1, 2, 0, 1], [0.1, 0.5, 0, 1, -2, 1])
-
-
-def state_of_fifth_degree(t):
-    """A motion of fifth degree: places and rates of x, z and θ, and their accelerations."""
-    motion = [np.polynomial.Polynomial(c) for c in COEFFICIENTS]
-    places, rates, accelerations = ([float(p.deriv(k)(t)) for p in motion] for k in range(3))
-    return (*places, *rates), tuple(accelerations)

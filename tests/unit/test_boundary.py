@@ -178,7 +178,7 @@ def test_motions_are_an_axis():
         ([0.5, 1.0], {"axes": {SCALE: [1.0]}}, "by the amplitudes only"),
         ([0.5, 1.0], {"axes": {("body.width", SCALE): ([0.4], [1.0])}}, "by the amplitudes only"),
         ([0.5, 1.0], {"axes": {"body.wide": [1.0]}}, "body.width"),
-        ([0.5, 1.0], {"edge": "lowest"}, "first, last, all"),
+        ([0.5, 1.0], {"edge": "lowest"}, "'first', 'last', 'all'"),
         ([0.5, 1.0], {"tolerance": 0.0}, "Tolerance"),
     ],
 )

@@ -147,13 +147,6 @@ def test_damaged_code_is_compiled_anew(compiled_once, damage):
     assert compiled_once() == "compiling 3.0"
 
 
-def test_code_that_was_compiled_anew_is_used(compiled_once):
-    for file in compiled_once.code.rglob("*.code"):
-        file.write_bytes(b"")
-    assert compiled_once() == "compiling 3.0"
-    assert compiled_once() == "3.0"
-
-
 def test_code_in_the_file_of_other_code_is_not_taken(run):
     run()
     one, other = sorted(run.code.rglob("*.code"))

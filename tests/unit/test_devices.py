@@ -5,12 +5,10 @@ import math
 import numpy as np
 import pytest
 from mechanics_runs import case_of, kinds, plate, steady, tie
-from numba import njit
 
 import stayput as sp
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices import step
-from stayput.mechanics.runner import check_elements, no_elements, run_cases_with_devices, shaking, trace
+from stayput.mechanics.runner import check_elements, no_elements, shaking, trace
 
 CASE = case_of(sp.Body(0.4, 1.8, 100.0), sp.Room())
 MOTION = shaking(4.0 * np.sin(0.05 * np.arange(400)), None, 0.01, 0)
@@ -60,8 +58,6 @@ def test_what_the_solver_with_devices_does_not_take():
     check_elements(no_elements(el.MAX_ELEMENTS))
     with pytest.raises(sp.InputError, match=f"13 elements; there may be {el.MAX_ELEMENTS} at most"):
         check_elements(no_elements(el.MAX_ELEMENTS + 1))
-    with pytest.raises(sp.InputError, match="elements for 1 cases; there must be one row for each of 2"):
-        run_cases_with_devices(np.array([CASE, CASE]), bracket()[None], MOTION)
 
 
 def test_rows_of_no_kind_fill_up():
@@ -71,12 +67,6 @@ def test_rows_of_no_kind_fill_up():
     assert found.devices[1].tobytes() == alone.devices[0].tobytes()
     assert np.isnan(found.devices["failure_time"][[0, 2, 3]]).all()
     assert not found.forces[:, [0, 2, 3]].any()
-
-
-def test_without_elements_the_bits_are_those_of_the_solver_without_devices():
-    one, other = trace(CASE, MOTION), trace(CASE, MOTION, no_elements(2))
-    assert one.history.tobytes() == other.history.tobytes()
-    assert one.result.tobytes() == other.result.tobytes()
 
 
 def test_internal_events_are_counted_but_not_listed():
@@ -107,20 +97,3 @@ def test_the_peak_force_is_found_between_the_samples():
     found = trace(case_of(FLAT, smooth, slide_rate=0.1), steady(0.0, 1.2, dt=0.1), rows)
     assert found.devices["peak_shear"][0] == pytest.approx(0.1 * math.sqrt(5.0), rel=1e-5)
     assert np.abs(found.forces[:, 0, 1]).max() < found.devices["peak_shear"][0]
-
-
-@njit
-def shared(case, mu_a, mu_b, d, shift):
-    a, b = (mu_a, -0.5, 0.25), (mu_b, 0.5, 0.25)
-    return step.shared_friction(case, a, b, d, shift)
-
-
-@pytest.mark.parametrize(
-    ("edge", "shift", "expected"),
-    [(0.9, 0.0, 0.4), (0.1, 0.3, 0.4), (0.1, 0.45, 0.2), (0.1, 0.49, 0.1), (0.1, 0.6, 0.1)],
-)
-def test_a_load_near_the_leading_corner_has_the_friction_of_its_edge(edge, shift, expected):
-    """The body tips where μ > (0.5 − shift)/0.25; the edge, 0.1, is too smooth to keep it tipped."""
-    case = case_of(FLAT, sp.Room(sp.Floor(0.4, 0.4, edge, edge)))
-    assert shared(case, edge, edge, 1.0, shift) == pytest.approx(expected)
-    assert shared(case, edge, edge, -1.0, -shift) == pytest.approx(expected)

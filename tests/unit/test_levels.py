@@ -44,7 +44,7 @@ def world(monkeypatch):
     made = []
 
     def answered(tilt):
-        def run_columns(cases, elements, motions, motion, *, dimensions, threads, progress, on_progress):
+        def run_columns(cases, elements, motions, motion, *, dimensions, threads, on_progress):
             assert dimensions == 2
             results = np.zeros(len(cases), RESULT)
             share = tilt(cases["scale"], cases["slide_rate"])

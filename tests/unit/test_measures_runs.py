@@ -162,17 +162,6 @@ def test_columns_of_cases_with_a_row_of_elements_each():
     assert none.shape == (1, 0)
 
 
-@pytest.mark.parametrize(
-    ("rows_of_elements", "places", "message"),
-    [(2, [0], "they must be as many"), (1, [0, 1], "they must be as many"), (1, [2], "between 0 and 1")],
-)
-def test_columns_that_do_not_fit_are_refused(rows_of_elements, places, message):
-    cases = case_columns(BOOKCASE, ROOM, sp.State(), 9.80665)
-    elements = np.repeat(element_rows(hold(BOOKCASE, ROOM, [Belt()]))[None], rows_of_elements, 0)
-    with pytest.raises(sp.InputError, match=message):
-        run_columns(cases, elements, [SHAKE, SHAKE], np.array(places))
-
-
 def test_devices_are_in_the_dataset_the_summary_and_the_table():
     run = sp.simulate(BOOKCASE, ROOM, SHAKE, [GelMats(), TensionPole()])
     data = run.to_dataset()

@@ -3,16 +3,10 @@
 import numpy as np
 import pytest
 from mechanics_runs import case_of, kinds, modes, steady, traced
-from numba import njit
 
 import stayput as sp
 from stayput.mechanics import columns as col
-from stayput.mechanics import engine, records
-from stayput.mechanics.devices import columns as el
-from stayput.mechanics.flat import BLOCK
-from stayput.mechanics.runner import extremes, run_cases, shaking, trace
-
-RECORD = 4.0 * np.sin(0.06 * np.arange(500))
+from stayput.mechanics.runner import run_cases, shaking
 
 
 def test_an_initial_state_is_held_by_the_corner_that_it_tilts_to():
@@ -50,62 +44,3 @@ def test_too_many_events_end_a_run_as_failed(law):
 def test_a_motion_of_one_step_is_run():
     (result,) = run_cases(np.array([case_of()]), shaking(np.zeros(2), None, 0.01, 0))
     assert (result["outcome"], result["end"]) == (col.RESTED, 0.01)
-
-
-@pytest.mark.parametrize("law", [0, 1])
-def test_a_batch_gives_the_bits_of_each_case_alone_and_of_its_history(law):
-    motion = shaking(RECORD, 0.3 * RECORD, 0.01, law)
-    assert motion.floor.az.any() == (law == 0)  # the paper's rules have no vertical motion
-    cases = np.array([case_of(tilt=tilt) for tilt in (0.0, 0.02, -0.1)])
-    results = run_cases(cases, motion)
-    for n in range(3):
-        assert results[n].tobytes() == run_cases(cases[n : n + 1], motion)[0].tobytes()
-        run = trace(cases[n], motion)
-        assert run.result.tobytes() == results[n].tobytes()
-        assert len(run.events) == results["events"][n]
-
-
-@pytest.mark.parametrize("n", [2, BLOCK, BLOCK + 1, BLOCK + 2, 5 * BLOCK + 3])
-def test_extremes_cover_the_segments_of_each_block(n):
-    values = np.random.default_rng(n).normal(size=n)
-    low, high = extremes(values)
-    for block in range(len(low)):
-        part = values[block * BLOCK : (block + 1) * BLOCK + 1]  # segments share their ends
-        assert (low[block], high[block]) == (part.min(), part.max())
-    assert (len(low) - 1) * BLOCK < n - 1 <= len(low) * BLOCK
-
-
-@njit
-def clock(states, dt, steps):
-    s = states[0]
-    s.k, s.tau = 0, 0.0
-    return [records.advance_clock(s, h, dt) for h in steps], s.k, s.tau
-
-
-def test_the_clock_reaches_a_sample_in_spite_of_rounding():
-    reached, k, tau = clock(np.zeros(1, col.STATE), 0.3, np.array([0.1, 0.1, 0.1, 0.3, 0.2]))
-    assert reached == [False, False, True, True, False]
-    assert (k, tau) == (2, 0.2)
-
-
-@njit
-def slack_factors(states, works, times):
-    s, work = states[0], works[0]
-    work.slack_factor, work.crowded_events = 1.0, 0
-    s.k, before = 0, -1.0
-    found = np.zeros(len(times))
-    for n in range(len(times)):
-        s.tau = times[n]
-        engine.relax_event_thresholds(s, work, 0.01, before)
-        before, found[n] = times[n], work.slack_factor
-    return found
-
-
-def test_thresholds_grow_while_events_are_nearly_simultaneous():
-    times = np.append(1e-10 * np.arange(40), 1e-6)
-    found = slack_factors(np.zeros(1, col.STATE), np.zeros(1, el.WORK), times)
-    first = engine.CROWDED_EVENTS + 1
-    assert (found[:first] == 1.0).all()
-    assert found[first : first + 3].tolist() == [10.0, 100.0, 1000.0]
-    assert found.max() == engine.MAX_SLACK_FACTOR
-    assert found[-1] == 1.0

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from mechanics_runs import state_of_fifth_degree
 from numba import njit
 
 from stayput.mechanics import roots
@@ -15,30 +14,8 @@ def first_zero(ends, h):
 
 
 @njit
-def illinois(power, level, high):
-    """Bracketed zero of t**power − level, falling: the sign is that of an event margin."""
-    bracket = (0.0, level, high, level - high**power, 0)
-    n = 0
-    while bracket[2] - bracket[0] > 1e-12 and n < 100:
-        t = roots.secant(bracket[0], bracket[1], bracket[2], bracket[3])
-        bracket = roots.illinois_update(bracket, t, level - t**power)
-        n += 1
-    return bracket[2], n
-
-
-@njit
-def closed_level(gap):
-    return roots.closed_level(gap)
-
-
-@njit
 def negative_at(f0, fm, f1):
     return roots.parabola_negative_at(f0, fm, f1)
-
-
-@njit
-def interpolated(y0, k0, y1, k1, h, t):
-    return roots.between(roots.quintics(y0, k0, y1, k1, h), h, t)
 
 
 def ends(p: np.polynomial.Polynomial, h: float) -> tuple[float, ...]:
@@ -80,19 +57,6 @@ def test_no_zero_is_a_proof_only_when_true():
     assert proved > 50
 
 
-@pytest.mark.parametrize("power", [1, 3, 9])
-def test_the_illinois_method_converges_from_both_sides(power):
-    zero, steps = illinois(power, 0.2, 1.0)
-    assert zero == pytest.approx(0.2 ** (1.0 / power), abs=1e-11)
-    assert steps < 60
-
-
-def test_a_contact_that_has_just_closed_must_come_further_to_close_again():
-    assert closed_level(1e-6) == 0.0
-    assert closed_level(0.0) < 0.0
-    assert closed_level(-1e-9) < -1e-9
-
-
 def test_a_gap_that_opens_and_closes_within_a_step_closes_at_zero():
     p = np.polynomial.Polynomial.fromroots([0.0, 0.7]) * -1e-3
     assert first_zero(ends(p, 1.0), 1.0)[0] == pytest.approx(0.7, rel=1e-9)
@@ -115,10 +79,3 @@ def test_where_a_parabola_is_negative():
     assert negative_at(1.0, 0.4, -0.2) == 1.0
     assert 0.15 <= negative_at(0.03, 0.08, 0.63) <= 0.35  # (u − 0.2)² − 0.01
     assert negative_at(0.05, 0.1, 0.65) == -1.0  # (u − 0.2)² + 0.01
-
-
-@pytest.mark.parametrize("t", [0.0, 0.013, 0.05])
-def test_dense_output_is_exact_for_motions_of_fifth_degree(t):
-    h = 0.05
-    found = interpolated(*state_of_fifth_degree(0.0), *state_of_fifth_degree(h), h, t)
-    assert found == pytest.approx(state_of_fifth_degree(t)[0], abs=1e-12)

@@ -8,7 +8,6 @@ import pytest
 
 import stayput as sp
 from stayput.fragility import JMA_INTENSITY, PGA
-from stayput.model.panel import panel_restitution
 from stayput.montecarlo.counting import (
     DEVICE_FAILED,
     EVENTS,
@@ -309,14 +308,6 @@ def test_a_piece_that_is_tilted_into_its_wall_is_refused() -> None:
     tilted = {"room": {"back_wall": {"gap": 0.0}}, "initial": {"tilt": -0.05}}
     with pytest.raises(sp.InputError, match="inside the"):
         sp.verify(sp.Scenario.parse({**SCENARIO, **tilted}), levels=[])
-
-
-@pytest.mark.parametrize(
-    ("effective", "panel", "damping"), [(0.0, 45.0, 0.05), (36.0, -1.0, 0.05), (36.0, 45.0, 1.0)]
-)
-def test_a_panel_out_of_range_is_refused(effective: float, panel: float, damping: float) -> None:
-    with pytest.raises(sp.InputError):
-        panel_restitution(effective, panel, damping)
 
 
 def test_the_most_likely_level_is_told_where_the_interval_is_open() -> None:

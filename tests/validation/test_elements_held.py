@@ -250,8 +250,3 @@ def test_own_frictions_equal_to_the_floors_change_nothing():
     plain = bare(sp.Body(0.5, 1.0, 100.0), room(0.4, 0.3), motion)
     same = bare(sp.Body(0.5, 1.0, 100.0), room(0.4, 0.3, **own), motion)
     assert np.array_equal(plain.history, same.history)
-
-
-def test_kinetic_friction_above_static_is_refused():
-    with pytest.raises(sp.InputError, match=r"right edge kinetic friction is 0\.5"):
-        sp.Floor(0.4, 0.3, right_edge_kinetic_friction=0.5)

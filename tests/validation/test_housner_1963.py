@@ -52,11 +52,6 @@ def test_quarter_period_of_a_slender_block_is_the_linear_one(law, part):
     assert impacts(run)[0].time == pytest.approx(math.acosh(1.0 / (1.0 - part)) / p, rel=1e-5)
 
 
-def test_quarter_period_of_the_linearised_equation():
-    p = math.sqrt(3.0 * G / (4.0 * math.hypot(0.2, 0.8)))
-    assert math.acosh(2.0) / p == pytest.approx(0.440894, abs=1e-6)
-
-
 @both_laws
 @pytest.mark.parametrize(("b", "h", "reference"), [(0.2, 0.8, 0.827251), (0.1, 0.9, 0.382983)])
 def test_sudden_base_velocity_overturns(law, b, h, reference):

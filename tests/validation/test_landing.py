@@ -43,11 +43,6 @@ def test_rate_ratio(gamma, part):
     assert ratio_after_landing(gamma, mu, 1.0) == pytest.approx(expected, abs=2e-6)
 
 
-def test_friction_limit_of_a_sticking_landing():
-    gamma = 4
-    assert 3 * gamma / (1 + 4 * gamma**2) == pytest.approx(0.18462, abs=5e-6)
-
-
 @pytest.mark.parametrize("mu", [0.0, 0.1, 0.6])
 def test_floor_restitution_multiplies_the_rate(mu):
     plain = ratio_after_landing(4.0, mu, 1.0)

@@ -5,7 +5,7 @@ import itertools
 import numba
 import pytest
 
-from stayput.model.panel import panel_restitution
+from studies.baseline import panel_restitution
 
 
 @numba.njit

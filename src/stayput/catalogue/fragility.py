@@ -55,7 +55,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A value of {measure} is {value:g}; it must be {allowed}.",
         "{measure}の値が{value:g}になっています。{allowed}にしてください。",
     ),
-    "finite_number": ("a finite number", "有限の数値"),
     "above_zero": ("larger than 0", "0より大きい値"),
     # probabilities, differences and capacities in words
     "probability": ("{estimate} % ({low} to {high} %)", "{estimate}%（{low}～{high}%）"),

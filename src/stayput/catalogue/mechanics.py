@@ -13,10 +13,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Contact is 'paper'; measures with force elements need 'coulomb'.",
         "接触の法則が'paper'になっています。力を伝える器具を使う対策には'coulomb'を指定してください。",
     ),
-    "element_rows": (
-        "There are elements for {given} cases; there must be one row for each of {cases}.",
-        "力要素が{given}ケース分あります。{cases}ケースのそれぞれに1行を指定してください。",
-    ),
     # what an element's value must be
     "known_kind": ("1 (axial) or 2 (planar)", "1（軸方向）または2（平面）"),
     "finite": ("finite", "有限の数値"),

@@ -63,10 +63,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is a wall at the side of the piece, which the plane does not have; {other} must be 3.",
         "{name}は家具の側面の壁で、平面の計算にはありません。{other}を3にしてください。",
     ),
-    "most_events": (
-        "most_events is {value}; it must be a whole number of at least 2, for the first and the last.",
-        "most_eventsが{value}になっています。最初と最後を含めるため2以上の整数にしてください。",
-    ),
     "contact": ("Contact", "接触の法則（contact）"),
     "dimensions": ("Dimensions", "次元（dimensions）"),
     "paper_in_space": (

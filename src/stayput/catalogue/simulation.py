@@ -24,10 +24,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "heading": ("Heading", "向き"),
     "step": ("Step", "時間刻み"),
-    "too_many_bodies": (
-        "There are {count} bodies; an assembly has at most {most}.",
-        "物体が{count}個あります。{most}個以下にしてください。",
-    ),
+    "bodies": ("The number of bodies", "物体の数"),
     "joint_first": ("First member of a joint", "接合部の1つ目の物体"),
     "joint_second": ("Second member of a joint", "接合部の2つ目の物体"),
     "joint_stiffness": ("Stiffness of a joint", "接合部の剛性"),
@@ -51,10 +48,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} holds {member} at a point {apart:.3g} m from its centre of gravity; it must be no more than {most:.3g} m, twice its diagonal.",
         "{name}の点が{member}の重心から{apart:.3g} m離れています。対角線の2倍の{most:.3g} m以内にしてください。",
     ),
-    "no_bodies": (
-        "There is no body to simulate; give one at least.",
-        "物体がありません。少なくとも1つ指定してください。",
-    ),
     "settles": (
         "The floor settles by {value} m, which is left out for the solids that stand on it.",
         "床の沈み込み（{value} m）は、床に置いた立体については考慮していません。",
@@ -73,8 +66,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "軸{names}に{count}個のパスの値が指定されています。パスごとにリストを1つずつ指定してください。",
     ),
     "path_twice": (
-        "The axis {names} sets {path!r} twice; each path must be there once.",
-        "軸{names}が{path!r}を2回変更しています。各パスは1回だけ指定してください。",
+        "{path!r} is given twice; each path must be there once, on one axis.",
+        "{path!r}が2回指定されています。各パスは1つの軸に1回だけ指定してください。",
     ),
     "axis_lengths": (
         "The axis {names} has {lengths} values; paths on one axis must have as many.",
@@ -100,31 +93,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r} has the value {value}; its values must be of type {wanted}.",
         "{path!r}の値に{value}が含まれています。{wanted}型の値を指定してください。",
     ),
-    "path_on_two_axes": (
-        "{path!r} is on two axes; each path must be on one.",
-        "{path!r}が2つの軸にあります。各パスは1つの軸だけに指定してください。",
-    ),
     "surface_missing": (
         "{path!r} changes a {surface} that is not there; give the room one, or set {distance!r} too.",
         "{path!r}に必要な{surface}が部屋にありません。{surface}を設けるか、{distance!r}も指定してください。",
     ),
-    # Columns of cases
-    "lengths_differ": (
-        (
-            "There are {cases} cases, {elements} rows of elements and {motions} places of motions; "
-            "they must be as many."
-        ),
-        "ケースが{cases}件、要素の行が{elements}行、地震動の番号が{motions}個あります。同じ数にしてください。",
-    ),
-    "motion_index": (
-        "A place of a motion is {value}; it must be between 0 and {last}.",
-        "地震動の番号が{value}になっています。0～{last}にしてください。",
-    ),
     # Histories
-    "unknown_history": (
-        "History is {name!r}; it must be one of {known}.",
-        "時刻歴の名前が{name!r}になっています。次から選んでください：{known}",
-    ),
+    "history": ("History", "時刻歴の名前"),
     "histories_in_space": (
         "A sweep in space keeps no histories; simulate the cases of interest one by one.",
         "三次元の一括計算では時刻歴を保存しません。必要なケースを1つずつ計算してください。",
@@ -147,9 +121,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r} is among the axes; it must be given by the amplitudes only.",
         "{path!r}が軸に含まれています。振幅だけで指定してください。",
     ),
-    "unknown_edge": (
-        "Edge is {edge}; it must be one of {known}.",
-        "境界の種類が{edge}になっています。次から選んでください：{known}",
-    ),
+    "edge": ("Edge", "境界の種類"),
 }
 """Texts by their keys: English, Japanese."""

@@ -99,11 +99,8 @@ class Entry:
 
     def __init__(self, function: Callable[..., None]) -> None:
         self.py_func = function
-        self.__doc__, self.__name__, self.__module__ = (
-            function.__doc__,
-            function.__name__,
-            function.__module__,
-        )
+        self.__doc__, self.__name__ = function.__doc__, function.__name__
+        self.__module__ = function.__module__
         self._loaded: dict[tuple[Any, ...], Callable[..., None]] = {}
 
     def __call__(self, *arguments: Any) -> None:
@@ -151,8 +148,9 @@ class Entry:
         from stayput.compiling.front_end import bitcode
         from stayput.compiling.machine_code import uninterrupted
 
-        with self._progress() as begun:
-            compiled = bitcode(self.py_func, tuple(map(_numba_type, kinds)), begun)
+        # how many functions there will be depends on what the arguments rule out: the bar has no end
+        with bar(None, "progress.compiling", unit="progress.functions") as advance:
+            compiled = bitcode(self.py_func, tuple(map(_numba_type, kinds)), lambda function: advance(1))
             return uninterrupted(lambda: code.add(compiled))
 
     def _caller(self, address: int, kinds: tuple[Any, ...]) -> Callable[..., None]:
@@ -174,15 +172,6 @@ class Entry:
                     array[...] = copy
 
         return call
-
-    @contextmanager
-    def _progress(self) -> Generator[Callable[[Callable[..., Any]], None]]:
-        """Yield a callback for each function whose compilation begins, which a progress bar counts.
-
-        How many there will be depends on what the arguments rule out, so the bar has no end.
-        """
-        with bar(None, "progress.compiling", unit="progress.functions") as advance:
-            yield lambda function: advance(1)
 
 
 def _named_in(function: Callable[..., Any], known: set[Callable[..., Any]]) -> set[Callable[..., Any]]:

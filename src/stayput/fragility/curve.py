@@ -180,12 +180,10 @@ class FragilityCurve(InJson):
         InputError
             The axes hold a curve over another intensity measure.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.fragility import draw_curve
 
-        axis = axes_of(ax)
-        draw_curve(axis, self, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_curve, self, check_language(language), **line)
 
     @property
     def measure(self) -> IntensityMeasure:

@@ -103,13 +103,20 @@ NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 LIMIT_STATE = "overturned"
 """The one limit state."""
 
-MEASURES = {
-    PGA.key: ("PGA", 1.0 / STANDARD_GRAVITY),
-    PGV.key: ("PGV", 100.0),
-    JMA_INTENSITY.key: ("JMA", 1.0),
-    MMI.key: ("MMI", 1.0),
+DEMANDS = {
+    PGA.key: ("PGA", "Peak Ground Acceleration", "g", 1.0 / STANDARD_GRAVITY),
+    PFA.key: ("", "Peak Floor Acceleration", "g", 1.0 / STANDARD_GRAVITY),
+    PGV.key: ("PGV", "Peak Ground Velocity", "cmps", 100.0),
+    PFV.key: ("", "Peak Floor Velocity", "cmps", 100.0),
+    JMA_INTENSITY.key: ("JMA", "JMA Instrumental Intensity", "unitless", 1.0),
+    FLOOR_JMA.key: ("", "JMA Formula on Floor Motion", "unitless", 1.0),
+    MMI.key: ("MMI", "Modified Mercalli Intensity", "unitless", 1.0),
 }
-"""Name, and number in OpenQuake's unit (g, cm/s) over the SI number, of each measure it has beside Sa."""
+"""OpenQuake's name, or "" where it has none; pelicun's name and unit; and the number in that unit (g, cm/s)
+over the SI number, of each measure but Sa.
+
+Pelicun does not know the intensities of itself: its option ``CustomDemandTypes`` must name them.
+"""
 
 _REACH = 4.0
 """Dispersions on both sides of the median over which a lognormal is written; beyond, OpenQuake keeps its
@@ -120,7 +127,8 @@ def in_openquake(measure: IntensityMeasure) -> tuple[str, float] | None:
     """Return the name of a measure and the number in OpenQuake's unit over the SI number, or None."""
     if measure.period is not None:
         return f"SA({measure.period:g})", 1.0 / STANDARD_GRAVITY
-    return MEASURES.get(measure.key)
+    name, _, _, factor = DEMANDS.get(measure.key, ("", "", "", 1.0))
+    return (name, factor) if name else None
 
 
 def lognormal_moments(median: float, dispersion: float) -> tuple[float, float]:
@@ -146,7 +154,7 @@ def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
                 "fragility.not_in_nrml",
                 name=repr(curve.name),
                 measure=curve.measure.key,
-                allowed=", ".join((*MEASURES, "SA(T)")),
+                allowed=", ".join((*(key for key, demand in DEMANDS.items() if demand[0]), "SA(T)")),
             )
         fitted = curve.lognormal
         if fitted is not None and fitted.fits and not curve.measure.is_logarithm:
@@ -217,20 +225,6 @@ HEADER = (
 )
 """Columns of pelicun's file."""
 
-DEMANDS = {
-    PGA.key: ("Peak Ground Acceleration", "g", 1.0 / STANDARD_GRAVITY),
-    PFA.key: ("Peak Floor Acceleration", "g", 1.0 / STANDARD_GRAVITY),
-    PGV.key: ("Peak Ground Velocity", "cmps", 100.0),
-    PFV.key: ("Peak Floor Velocity", "cmps", 100.0),
-    JMA_INTENSITY.key: ("JMA Instrumental Intensity", "unitless", 1.0),
-    FLOOR_JMA.key: ("JMA Formula on Floor Motion", "unitless", 1.0),
-    MMI.key: ("Modified Mercalli Intensity", "unitless", 1.0),
-}
-"""Pelicun's name, unit, and number in that unit over the SI number, of each measure but Sa.
-
-Pelicun does not know the intensities of itself: its option ``CustomDemandTypes`` must name them.
-"""
-
 PARTS = 8
 """Parts from one level to the next of a curve that is written by points."""
 
@@ -239,7 +233,7 @@ def _demand(measure: IntensityMeasure) -> tuple[str, str, float]:
     """Return name and unit of a measure, and the number in that unit over the SI number."""
     if measure.period is not None:
         return f"Spectral Acceleration|{measure.period:g}", "g", 1.0 / STANDARD_GRAVITY
-    return DEMANDS[measure.key]
+    return DEMANDS[measure.key][1:]
 
 
 def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:

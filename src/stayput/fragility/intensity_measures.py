@@ -102,7 +102,7 @@ class IntensityMeasure:
         values = numbers("im", im, "im")
         good = np.isfinite(values) & (self.is_logarithm | (values > 0.0))
         if not good.all():
-            allowed = phrase("fragility.finite_number" if self.is_logarithm else "fragility.above_zero")
+            allowed = phrase("common.finite_number" if self.is_logarithm else "fragility.above_zero")
             raise InputError(
                 "fragility.bad_intensity", measure=self.key, value=values[~good][0], allowed=allowed
             )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -365,6 +365,30 @@ def failures_of(elements: NDArray[np.void], devices: NDArray[np.void]) -> Failur
     )
 
 
+def device_result(
+    called: tuple[str, Phrase, str],
+    device: np.void,
+    used: float,
+    forces: NDArray[np.float64],
+    mass: float = 1.0,
+    **more: Any,
+) -> DeviceResult:
+    """Return what became of a device with this kind, label and place; see `device_results`."""
+    return DeviceResult(
+        *called,
+        mass * float(device["peak_pull"]),
+        mass * float(device["peak_push"]),
+        mass * float(device["peak_shear"]),
+        float(used),
+        int(device["failure"]) != HOLDS,
+        float(device["failure_time"]),
+        CAUSES[int(device["failure"])],
+        mass * forces[:, F_NORMAL],
+        mass * forces[:, F_TANGENT],
+        **more,
+    )
+
+
 def device_results(
     held: Held,
     elements: NDArray[np.void],
@@ -389,23 +413,16 @@ def device_results(
         The number of the body in an assembly.
     """
     labels = {measure.kind: measure.label for measure in held.measures}
-    used, m = utilisation(elements, devices), mass
+    used = utilisation(elements, devices)
     return tuple(
-        DeviceResult(
-            element.kind,
-            labels[element.kind],
-            element.place,
-            m * float(device["peak_pull"]),
-            m * float(device["peak_push"]),
-            m * float(device["peak_shear"]),
-            float(used[n]),
-            int(device["failure"]) != HOLDS,
-            float(device["failure_time"]),
-            CAUSES[int(device["failure"])],
-            m * forces[:, n, F_NORMAL],
-            m * forces[:, n, F_TANGENT],
-            weakest(element, devices[n : n + 1]),
-            member,
+        device_result(
+            (element.kind, labels[element.kind], element.place),
+            device,
+            used[n],
+            forces[:, n],
+            mass,
+            weakest=weakest(element, devices[n : n + 1]),
+            member=member,
         )
         for n, (element, device) in enumerate(zip(held.elements, devices, strict=True))
     )

@@ -13,7 +13,7 @@ import math
 
 from stayput.compiling import inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CONTACTS, PLANE
-from stayput.mechanics.geometry import arm_at, own_friction, value_or
+from stayput.mechanics.geometry import arm_at, own_friction, to_plane_axes, value_or
 
 PAINLEVE_LIMIT = 1e-6
 """Least (I + kσ)/I at which slip can continue; at zero no finite force is consistent (Painlevé 1895)."""
@@ -211,6 +211,23 @@ def forces_of_slipping_pair(ri, side_i, rj, side_j, I):
         return math.nan, 0.0, 0.0, 0.0, 0.0
     Ni, Nj = (bi * jj - bj * ij) / det, (bj * ii - bi * ji) / det
     return Ni, Nj, Ni * ix + Nj * jx, Ni * iz + Nj * jz, Ni * il + Nj * jl
+
+
+@inner
+def slide_on_two_planes(rows, contacts, case, s, sin, cos, omega, a, G, fl):
+    """Accelerations of a body that slides on two planes at once, and its normal forces, as of the pair.
+
+    ``fl`` is the moment of the devices about G; their force is in the loads a and G.
+    """
+    I = case.inertia
+    fill_rows(rows, contacts, s.closed, sin, cos, case)
+    for k in range(2):
+        row = rows[k]
+        row.bias_n = to_plane_axes(contacts[row.index], -a, -G)[1] - omega * omega * row.tl + row.nl * fl / I
+        row.target = 0.0
+    i, j = (0, 1) if s.i < s.j else (1, 0)
+    Ni, Nj, fx, fz, moment = forces_of_slipping_pair(rows[i], float(s.d), rows[j], float(s.dj), I)
+    return fx - a, fz - G, (moment + fl) / I, Ni, Nj
 
 
 @inner

@@ -11,7 +11,6 @@ import math
 from stayput.compiling import entry, inline, inner
 from stayput.mechanics import columns as col
 from stayput.mechanics.devices.elements import (
-    advance_held_rest,
     evaluate_elements,
     no_element_left,
     note_forces,
@@ -175,12 +174,10 @@ def _advance(scratch, case, s, held, motion, settings, output):
     _note_motion(s)
     kind = s.kind
     contacts, history = scratch.contacts, output.history
-    if held is not None:
-        if kind == col.REST:
-            return advance_held_rest(case, held, s, motion, output)
-        return advance_step_by_step(held, contacts, scratch.rows, case, s, motion, settings, output)
     if kind == col.REST:
-        return advance_rest(case, s, motion, history)
+        return advance_rest(case, held, s, motion, output)
+    if held is not None:
+        return advance_step_by_step(held, contacts, scratch.rows, case, s, motion, settings, output)
     if kind == col.SLIDE:
         friction = slide_friction(contacts, case, s)
         return advance_slide(contacts, case, s, motion, friction, settings.law == col.COULOMB, history)
@@ -266,13 +263,6 @@ def _record_result(result, case, s, dt):
 
 
 @inner
-def _pivots_on_landing(contacts, touch, case, s, motion):
-    """Handle a landing by the fast path of `pivot_impact`, if it applies; whether it did."""
-    a, _, G, _ = loads(case, motion.ax, motion.az, case.scale / motion.dt, s.k, s.tau)
-    return pivot_on_landing(contacts, touch, case, s, a, G)
-
-
-@inner
 def _handle_event(scratch, touch, case, s, held, motion, law, why):
     """Apply impacts, and choose the next mode; return why the last one ended."""
     handle_impacts(scratch, touch, case, s, held, law)
@@ -317,7 +307,8 @@ def _continue_case(case, scratch, s, held, motion, settings, output):
             held.work.failed = 0
         touch = touching(scratch.contacts, s) | s.closed | s.hit
         bare = held is None and settings.law == col.COULOMB
-        if bare and why == col.CLOSED and _pivots_on_landing(scratch.contacts, touch, case, s, motion):
+        a, _, G, _ = loads(case, motion.ax, motion.az, case.scale / dt, s.k, s.tau)
+        if bare and why == col.CLOSED and pivot_on_landing(scratch.contacts, touch, case, s, a, G):
             s.floor_impacts += 1
         else:
             why = _handle_event(scratch, touch, case, s, held, motion, settings.law, why)

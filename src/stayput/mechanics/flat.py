@@ -7,6 +7,11 @@ import math
 from stayput.compiling import entry, inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, CONTACTS, ENDED, LIMIT, PLANE
 from stayput.mechanics.contact import base_friction, cross, is_single_ray
+from stayput.mechanics.devices.elements import (
+    note_forces_of_links,
+    range_within_facets,
+    time_within_facets,
+)
 from stayput.mechanics.geometry import STICK_RATE, arm, gap, own_friction, to_plane_axes, value_or
 from stayput.mechanics.records import advance_clock, loads, lowest_product, record_sample
 from stayput.mechanics.roots import first_closing
@@ -33,13 +38,16 @@ def block_extremes(values, low, high):
 
 
 @inner
-def _block_stays_at_rest(case, s, block, a_low, a_high, z_low, z_high):
+def _stays_at_rest(case, held, s, extremes, block):
     """Whether the body stays at rest throughout a block of the record, by the extremes of its loads."""
+    a_low, a_high, z_low, z_high = extremes
     k = case.scale
     a0, a1, z0, z1 = k * a_low[block], k * a_high[block], k * z_low[block], k * z_high[block]
     if k < 0.0:
         a0, a1, z0, z1 = a1, a0, z1, z0
     z0, z1 = case.gravity + z0, case.gravity + z1
+    if held is not None:
+        return range_within_facets(held.work, a0, a1, z0, z1)
     if (
         is_single_ray(s.low, s.low_up, s.high, s.high_up)
         and lowest_product(s.low, a0, a1) + lowest_product(s.low_up, z0, z1) < 0.0
@@ -62,37 +70,44 @@ def _time_until_positive(f0, f1, h):
 
 
 @inner
-def advance_rest(case, s, motion, history):
+def _time_at_rest(held, s, a0, G0, a1, G1, h):
+    """Time in a step, with these loads at its ends, at which rest ends, or h."""
+    if held is not None:
+        return time_within_facets(held.work, a0, G0, a1, G1, h)
+    t = min(
+        _time_until_positive(-cross(a0, G0, s.low, s.low_up), -cross(a1, G1, s.low, s.low_up), h),
+        _time_until_positive(-cross(s.high, s.high_up, a0, G0), -cross(s.high, s.high_up, a1, G1), h),
+    )
+    if is_single_ray(s.low, s.low_up, s.high, s.high_up):
+        along0, along1 = a0 * s.low + G0 * s.low_up, a1 * s.low + G1 * s.low_up
+        t = min(t, _time_until_positive(-along0, -along1, h))
+    return t
+
+
+@inner
+def advance_rest(case, held, s, motion, output):
     """Advance a body at rest, exactly unmoved, until the contacts can no longer balance the load."""
-    ax, az, dt = motion.ax, motion.az, motion.dt
-    a_low, a_high, z_low, z_high = motion.extremes
+    ax, az, dt, history = motion.ax, motion.az, motion.dt, output.history
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     keeps = history.shape[0] > 0
-    thin = is_single_ray(s.low, s.low_up, s.high, s.high_up)
     while s.k < last:
-        if s.tau == 0.0 and s.k % BLOCK == 0 and not keeps:
-            block = s.k // BLOCK
-            if _block_stays_at_rest(case, s, block, a_low, a_high, z_low, z_high):
-                s.k = min(last, s.k + BLOCK)
-                continue
+        at_block = s.tau == 0.0 and s.k % BLOCK == 0 and not keeps
+        if at_block and _stays_at_rest(case, held, s, motion.extremes, s.k // BLOCK):
+            s.k = min(last, s.k + BLOCK)
+            continue
         h = dt - s.tau
         a0, _, G0, _ = loads(case, ax, az, per_second, s.k, s.tau)
         a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
-        low1, high1 = cross(a1, G1, s.low, s.low_up), cross(s.high, s.high_up, a1, G1)
-        low0, high0 = cross(a0, G0, s.low, s.low_up), cross(s.high, s.high_up, a0, G0)
-        along0 = a0 * s.low + G0 * s.low_up if thin else 0.0
-        along1 = a1 * s.low + G1 * s.low_up if thin else 0.0
-        beyond = min(low1, high1, along1) < 0.0
-        if beyond or (s.tau > 0.0 and min(low0, high0, along0) < 0.0):
-            t = min(_time_until_positive(-low0, -low1, h), _time_until_positive(-high0, -high1, h))
-            t = min(t, _time_until_positive(-along0, -along1, h))
-            if t < h:
-                s.tau += t
-                return LIMIT
+        t = _time_at_rest(held, s, a0, G0, a1, G1, h)
+        if t < h:
+            s.tau += t
+            return LIMIT
         s.k += 1
         s.tau = 0.0
         record_sample(history, case, s)
+        if held is not None:
+            note_forces_of_links(output.forces, held.links, s)
     return ENDED
 
 

@@ -6,22 +6,24 @@ import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.columns import CLOSED, CONTACTS, ENDED, TURNED_OVER
-from stayput.mechanics.contact import fill_rows, forces_of_slipping_pair
+from stayput.mechanics.contact import slide_on_two_planes
 from stayput.mechanics.elementary import sine_and_cosine
 from stayput.mechanics.geometry import (
     RIGHT_ANGLE,
-    arm_at,
     gap,
+    gap_rates,
     project_on_both,
     reason_of_end,
     slip_rate,
-    to_plane_axes,
+    state_of,
     turn_to,
     update_peaks,
 )
 from stayput.mechanics.records import advance_clock, loads, record_sample
 from stayput.mechanics.roots import (
     MIN_START_VALUE,
+    SLACK_FORCE,
+    SLACK_SLIP,
     between,
     closed_level,
     first_closing,
@@ -38,58 +40,53 @@ MAX_ROTATION = 0.05
 LOCATED = 1e-13
 """Tolerance to which the end of a lean is located [s]."""
 
-SLACK_PRESS, SLACK_SLIP = 1e-8, 5e-11
-"""A lean ends when a contact pulls, or slips back, by more than this [m/s², m/s]."""
-
 MIN_STEP = 1e-6
 """Least step of a lean; it is accepted whatever its error [s]."""
 
 
 @inline
 def _flown(s, load, t):
-    """State after a time t of free flight under linear loads: place and velocity of G, sin θ and cos θ."""
+    """State after a time t of free flight under linear loads, as of `state_of`, and sin θ and cos θ."""
     a, a_rate, G, G_rate = load
-    sin, cos = sine_and_cosine(s.theta + t * s.omega)
+    theta = s.theta + t * s.omega
+    sin, cos = sine_and_cosine(theta)
     x = s.x + t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
     z = s.z + t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
-    return x, z, s.vx - t * (a + 0.5 * t * a_rate), s.vz - t * (G + 0.5 * t * G_rate), sin, cos
+    y = x, z, theta, s.vx - t * (a + 0.5 * t * a_rate), s.vz - t * (G + 0.5 * t * G_rate), s.omega
+    return y, sin, cos
 
 
 @inline
-def _slide_rate(case, s, corner, flown):
+def _slide_rate(case, corner, flown):
     """Horizontal velocity of a corner in flight [m/s]."""
-    _, _, vx, _, sin, cos = flown
-    return vx + s.omega * (case.v[corner] * cos - case.u[corner] * sin)
+    y, sin, cos = flown
+    return y[3] + y[5] * (case.v[corner] * cos - case.u[corner] * sin)
 
 
 @inner
 def _turn_of_slide(case, s, load, h, start, end):
     """Time in a step of flight at which the slide reverses (its peak), or 0."""
     corner = 1 if s.theta > s.rest else 0
-    rate0, rate1 = _slide_rate(case, s, corner, start), _slide_rate(case, s, corner, end)
+    rate0, rate1 = _slide_rate(case, corner, start), _slide_rate(case, corner, end)
     bend = -load[0] - s.omega * s.omega * (case.u[corner] * s.cos + case.v[corner] * s.sin)
     t, slope = last_reversal(rate0, bend, rate1, h)
     for _ in range(2):
-        t = min(h, max(0.0, t - _slide_rate(case, s, corner, _flown(s, load, t)) / slope))
+        t = min(h, max(0.0, t - _slide_rate(case, corner, _flown(s, load, t)) / slope))
     return t
 
 
 @inner
 def _fly(s, load, t):
     """Advance the state by a time t of free flight."""
-    x, z, vx, vz, sin, cos = _flown(s, load, t)
-    s.theta += t * s.omega
-    s.x, s.z, s.vx, s.vz, s.sin, s.cos = x, z, vx, vz, sin, cos
+    y, s.sin, s.cos = _flown(s, load, t)
+    s.x, s.z, s.theta, s.vx, s.vz, _ = y
 
 
 @inline
-def _flying_gap(con, s, load, t, flown):
+def _flying_gap(con, load, t, flown):
     """Gap of a contact after a time t of flight, with its first and second derivatives."""
-    x, z, vx, vz, sin, cos = flown
-    sigma, kappa = arm_at(con, sin, cos)
-    fall = to_plane_axes(con, -load[0] - t * load[1], -load[2] - t * load[3])[1]
-    rate = to_plane_axes(con, vx, vz)[1] - s.omega * sigma
-    return to_plane_axes(con, x, z)[1] + con.offset - kappa, rate, fall + s.omega * s.omega * kappa
+    y, sin, cos = flown
+    return gap_rates(con, y, (-load[0] - t * load[1], -load[2] - t * load[3], 0.0), sin, cos)
 
 
 @inner
@@ -106,16 +103,16 @@ def advance_flight(contacts, case, s, motion, history):
         outcome = ENDED
         if abs(s.theta + h * s.omega) >= RIGHT_ANGLE:
             h, outcome = (RIGHT_ANGLE - abs(s.theta)) / abs(s.omega), TURNED_OVER
-        start, end = (s.x, s.z, s.vx, s.vz, s.sin, s.cos), _flown(s, load, h)
+        start, end = (state_of(s), s.sin, s.cos), _flown(s, load, h)
         for c in range(CONTACTS):
             if s.present >> c & 1:
                 con = contacts[c]
-                g0, v0, c0 = _flying_gap(con, s, load, 0.0, start)
-                g1, v1, c1 = _flying_gap(con, s, load, h, end)
+                g0, v0, c0 = _flying_gap(con, load, 0.0, start)
+                g1, v1, c1 = _flying_gap(con, load, h, end)
                 t, level = first_closing(g0, v0, c0, g1, v1, c1, h)
                 if t >= 0.0:
                     for _ in range(2):  # Newton steps on the exact motion; first_closing uses its quintic
-                        g, v, _ = _flying_gap(con, s, load, t, _flown(s, load, t))
+                        g, v, _ = _flying_gap(con, load, t, _flown(s, load, t))
                         if v < 0.0:
                             t = min(h, max(0.5 * t, t - (g - level) / v))
                     h, outcome, s.hit = t, CLOSED, 1 << c
@@ -139,14 +136,7 @@ def advance_flight(contacts, case, s, motion, history):
 def _lean_rates(rows, contacts, case, s, theta, omega, a, G):
     """Accelerations of a body that slides on both its contacts, and their normal forces."""
     sin, cos = sine_and_cosine(theta)
-    fill_rows(rows, contacts, s.closed, sin, cos, case)
-    for k in range(2):
-        row = rows[k]
-        row.bias_n = to_plane_axes(contacts[row.index], -a, -G)[1] - omega * omega * row.tl
-        row.target = 0.0
-    i, j = (0, 1) if s.i < s.j else (1, 0)
-    Ni, Nj, fx, fz, fl = forces_of_slipping_pair(rows[i], float(s.d), rows[j], float(s.dj), case.inertia)
-    return fx - a, fz - G, fl / case.inertia, Ni, Nj
+    return slide_on_two_planes(rows, contacts, case, s, sin, cos, omega, a, G, 0.0)
 
 
 @inner
@@ -221,22 +211,13 @@ def _lean_margins(rows, contacts, case, s, load, h):
                 s.hit |= 1 << c
             others_least = min(others_least, over)
     margins = (
-        Ni + SLACK_PRESS,
-        Nj + SLACK_PRESS,
+        Ni + SLACK_FORCE,
+        Nj + SLACK_FORCE,
         float(s.d) * slip_rate(first, s) - first.level,
         float(s.dj) * slip_rate(second, s) - second.level,
         others_least,
     )
     return (vx_rate, vz_rate, s.alpha), margins
-
-
-@inline
-def _leaning_gap(con, y, k, sin, cos):
-    """Gap of a contact in the state y with accelerations k, and its first and second derivatives."""
-    sigma, kappa = arm_at(con, sin, cos)
-    height, rate = to_plane_axes(con, y[0], y[1])[1], to_plane_axes(con, y[3], y[4])[1]
-    bend = to_plane_axes(con, k[0], k[1])[1] - k[2] * sigma + y[5] * y[5] * kappa
-    return height + con.offset - kappa, rate - y[5] * sigma, bend
 
 
 @inner
@@ -248,8 +229,8 @@ def _first_closing(contacts, s, y0, k0, y1, k1, h):
     for c in range(CONTACTS):
         if others >> c & 1:
             con = contacts[c]
-            g0, v0, c0 = _leaning_gap(con, y0, k0, sin0, cos0)
-            g1, v1, c1 = _leaning_gap(con, y1, k1, s.sin, s.cos)
+            g0, v0, c0 = gap_rates(con, y0, k0, sin0, cos0)
+            g1, v1, c1 = gap_rates(con, y1, k1, s.sin, s.cos)
             t, _ = first_closing(g0, v0, c0, g1, v1, c1, h)
             if t >= 0.0 and (hit == 0 or t < first):
                 first, hit = t, 1 << c
@@ -297,7 +278,7 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
     longest = min(dt, max_step)
     while s.k < last:
         load = loads(case, ax, az, per_second, s.k, s.tau)
-        start = s.x, s.z, s.theta, s.vx, s.vz, s.omega
+        start = state_of(s)
         _set_levels(contacts, s)
         k0, starts = _lean_margins(rows, contacts, case, s, load, 0.0)
         middle = starts
@@ -306,7 +287,7 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
         while h > MIN_STEP:  # step doubling: two half steps must agree with the whole (15 = 2⁴ − 1)
             whole = s.theta
             _lean(rows, contacts, case, s, start, load, 0.5 * h)
-            half = s.x, s.z, s.theta, s.vx, s.vz, s.omega
+            half = state_of(s)
             _, middle = _lean_margins(rows, contacts, case, s, load, 0.5 * h)
             late = load[0] + 0.5 * h * load[1], load[1], load[2] + 0.5 * h * load[3], load[3]
             _lean(rows, contacts, case, s, half, late, 0.5 * h)
@@ -317,7 +298,7 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
             _lean(rows, contacts, case, s, start, load, h)
         outcome = ENDED
         k1, ends = _lean_margins(rows, contacts, case, s, load, h)
-        step, end = h, (s.x, s.z, s.theta, s.vx, s.vz, s.omega)
+        step, end = h, state_of(s)
         curves = quintics(start, k0, end, k1, step)
         dip, hit = step * _first_dip(starts, middle, ends), 0
         if not math.isnan(k1[2]):

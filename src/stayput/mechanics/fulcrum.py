@@ -15,12 +15,16 @@ from stayput.mechanics.geometry import (
     sin_cos,
     slide_of,
     to_plane_axes,
+    to_room_axes,
 )
 from stayput.mechanics.records import advance_clock, loads, record_sample
 from stayput.mechanics.roots import (
+    SLACK_FORCE,
+    SLACK_SLIP,
     first_closing,
     illinois_update,
     last_reversal,
+    level_of,
     parabola_negative_at,
     secant,
 )
@@ -28,11 +32,6 @@ from stayput.mechanics.series import rock_series, slide_rock_series, step_within
 
 NEAR_LIMIT = 0.01
 """Margin, as a part of g, below which at either end of a step it is also evaluated at the midpoint."""
-
-SLACK_FORCE, SLACK_SLIP = 1e-8, 5e-11
-"""Slack by which a margin that starts a step at its limit must fall below it to count as an event [m/s²,
-m/s].
-"""
 
 WALL_SUPPORT = 1e9
 """Friction limit added on the side of a wall that blocks the fulcrum's slip [m/s²]: practically infinite."""
@@ -109,12 +108,6 @@ def margins_after(t, law, con, sin0, cos0, series, flow, load):
     return end[8], end[9]
 
 
-@inline
-def limit_level(m0, slack):
-    """Value below which a margin is crossed in a step that starts with m0; see `roots.closed_level`."""
-    return 0.0 if m0 > slack else min(m0, 0.0) - slack
-
-
 @inner
 def first_limit(f0, g0, f1, g1, h, law, con, sin0, cos0, series, flow, load):
     """Time of the first crossing of a margin in a step, or −1.
@@ -122,7 +115,7 @@ def first_limit(f0, g0, f1, g1, h, law, con, sin0, cos0, series, flow, load):
     A parabola through start, middle and end says where a margin may be negative: also inside the step, where
     it is positive at both ends.
     """
-    f_level, g_level = limit_level(f0, SLACK_FORCE), limit_level(g0, SLACK_FORCE if law[0] else SLACK_SLIP)
+    f_level, g_level = level_of(f0, SLACK_FORCE), level_of(g0, SLACK_FORCE if law[0] else SLACK_SLIP)
     fm, gm = margins_after(0.5 * h, law, con, sin0, cos0, series, flow, load)
     first = -1.0
     u = parabola_negative_at(f0 - f_level, fm - f_level, f1 - f_level)
@@ -379,7 +372,5 @@ def advance_fulcrum(contacts, case, s, motion, settings, history):
 def write_back(con, state, s):
     """Write a state from `state_after` into the record, in the room's axes."""
     s.theta, s.omega, s.sin, s.cos, sigma, kappa, slip, foot, _, _, _ = state
-    xi, v_xi = foot - sigma, slip + s.omega * kappa
-    height, lift = kappa - con.offset, s.omega * sigma
-    s.x, s.z = con.cos * xi - con.sin * height, con.sin * xi + con.cos * height
-    s.vx, s.vz = con.cos * v_xi - con.sin * lift, con.sin * v_xi + con.cos * lift
+    s.x, s.z = to_room_axes(con, foot - sigma, kappa - con.offset)
+    s.vx, s.vz = to_room_axes(con, slip + s.omega * kappa, s.omega * sigma)

@@ -126,25 +126,21 @@ def set_up(case, contacts, s):
         u, v = contact_point(case, c)
         con = contacts[c]
         if plane == 0:
-            con.cos, con.sin = 1.0, 0.0
-            con.offset = 0.0
+            con.cos, con.sin, con.offset = 1.0, 0.0, 0.0
             static, kinetic = own_friction(case, c)
             con.mu_static = value_or(static, case.edge_static_friction)
             con.mu_kinetic = value_or(kinetic, case.edge_kinetic_friction)
             con.restitution = case.normal_restitution
         elif plane == 1:
-            con.cos, con.sin = 0.0, 1.0
-            con.offset = rightmost + case.right_distance
+            con.cos, con.sin, con.offset = 0.0, 1.0, rightmost + case.right_distance
             con.mu_static = con.mu_kinetic = case.right_friction
             con.restitution = case.right_restitution
         elif plane == 2:
-            con.cos, con.sin = 0.0, -1.0
-            con.offset = case.left_distance - leftmost
+            con.cos, con.sin, con.offset = 0.0, -1.0, case.left_distance - leftmost
             con.mu_static = con.mu_kinetic = case.left_friction
             con.restitution = case.left_restitution
         else:
-            con.cos, con.sin = -1.0, 0.0
-            con.offset = case.ceiling_distance
+            con.cos, con.sin, con.offset = -1.0, 0.0, case.ceiling_distance
             con.mu_static = con.mu_kinetic = case.ceiling_friction
             con.restitution = case.ceiling_restitution
         con.sigma, con.kappa = con.cos * u + con.sin * v, con.sin * u - con.cos * v
@@ -169,6 +165,12 @@ def to_plane_axes(con, x, z):
 
 
 @inline
+def to_room_axes(con, tangential, normal):
+    """Right and up components of a vector that is given along the plane's tangent and normal."""
+    return con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal
+
+
+@inline
 def gap(con, s):
     """Distance of the contact's corner from its plane [m]."""
     _, kappa = arm(con, s)
@@ -180,6 +182,21 @@ def gap_rate(con, s):
     """Rate of change of the gap, + opening [m/s]."""
     sigma, _ = arm(con, s)
     return to_plane_axes(con, s.vx, s.vz)[1] - s.omega * sigma
+
+
+@inline
+def gap_rates(con, y, k, sin, cos):
+    """Gap of a contact in a state y, as of `state_of`, with accelerations k: value, first and second rate."""
+    sigma, kappa = arm_at(con, sin, cos)
+    height, rate = to_plane_axes(con, y[0], y[1])[1], to_plane_axes(con, y[3], y[4])[1]
+    bend = to_plane_axes(con, k[0], k[1])[1] - k[2] * sigma + y[5] * y[5] * kappa
+    return height + con.offset - kappa, rate - y[5] * sigma, bend
+
+
+@inline
+def state_of(s):
+    """Read (x, z, θ, ẋ, ż, θ̇) from the state record."""
+    return s.x, s.z, s.theta, s.vx, s.vz, s.omega
 
 
 @inline
@@ -233,23 +250,15 @@ MAX_SETTLING = 10.0
 def set_pivot_velocity(con, s):
     """Set the velocity of G to that of a pure rotation about the contact's corner."""
     sigma, kappa = arm(con, s)
-    tangential, normal = s.omega * kappa, s.omega * sigma
-    s.vx = con.cos * tangential - con.sin * normal
-    s.vz = con.sin * tangential + con.cos * normal
+    s.vx, s.vz = to_room_axes(con, s.omega * kappa, s.omega * sigma)
 
 
 @inner
 def project_on_plane(con, s):
     """Project the state so that the contact's corner is on its plane and moves along it."""
     sigma, kappa = arm(con, s)
-    tangential, _ = to_plane_axes(con, s.vx, s.vz)
-    normal = s.omega * sigma
-    s.vx = con.cos * tangential - con.sin * normal
-    s.vz = con.sin * tangential + con.cos * normal
-    along_plane, _ = to_plane_axes(con, s.x, s.z)
-    height = kappa - con.offset
-    s.x = con.cos * along_plane - con.sin * height
-    s.z = con.sin * along_plane + con.cos * height
+    s.vx, s.vz = to_room_axes(con, to_plane_axes(con, s.vx, s.vz)[0], s.omega * sigma)
+    s.x, s.z = to_room_axes(con, to_plane_axes(con, s.x, s.z)[0], kappa - con.offset)
 
 
 @inner

@@ -21,7 +21,15 @@ from stayput.mechanics.contact import (
     sticks_beside,
 )
 from stayput.mechanics.fulcrum import NEAR_LIMIT, margins
-from stayput.mechanics.geometry import STICK_RATE, arm, gap_rate, set_pivot_velocity, slip_rate, to_plane_axes
+from stayput.mechanics.geometry import (
+    STICK_RATE,
+    arm,
+    gap_rate,
+    set_pivot_velocity,
+    slip_rate,
+    to_plane_axes,
+    to_room_axes,
+)
 
 TOLERANCE = 1e-13
 """Tolerance of the inequalities between velocities [m/s]."""
@@ -193,9 +201,7 @@ def scale_change_of_fulcrum(contacts, fulcrum, case, s, before):
         factor = max(1.0, min(case.restitution, most))
     change = (factor - 1.0) * s.omega
     s.omega += change
-    tangential, normal = tangential + kappa * change, normal + sigma * change
-    s.vx = con.cos * tangential - con.sin * normal
-    s.vz = con.sin * tangential + con.cos * normal
+    s.vx, s.vz = to_room_axes(con, tangential + kappa * change, normal + sigma * change)
 
 
 @inner

@@ -6,8 +6,10 @@ import math
 
 from stayput.compiling import inline, inner
 
-CONTACT_SLACK = 1e-13
-"""Gap at the start of a step up to which the contact is taken to have just been closed [m]."""
+CONTACT_SLACK, SLACK_FORCE, SLACK_SLIP = 1e-13, 1e-8, 5e-11
+"""Gap, force and slip rate at the start of a step up to which they are taken as just at their limit, beyond
+which they must be by as much to count as an event [m, m/s², m/s]; see `level_of`.
+"""
 
 MIN_START_VALUE = 1e-9
 """Least starting value of a margin in a search, relative to its value at the end: keeps the secant off zero.
@@ -19,14 +21,20 @@ PARTS = 8
 
 
 @inline
-def closed_level(g0):
-    """Gap at which a contact counts as closed in a step that starts with the gap g0 [m].
+def level_of(margin, slack):
+    """Value below which a margin is crossed in a step that starts with it.
 
-    Rounding must not report a contact that has just been closed, and opens or rests, as closed again. It
-    counts only when it penetrates by `CONTACT_SLACK` more, which takes time, so the event cannot repeat
-    endlessly.
+    Rounding must not report a contact that has just been closed, and opens or rests, as closed again, nor a
+    force that has just reached its limit. It counts only when it is beyond by a slack more, which takes time,
+    so the event cannot repeat endlessly.
     """
-    return 0.0 if g0 > CONTACT_SLACK else min(g0, 0.0) - CONTACT_SLACK
+    return 0.0 if margin > slack else min(margin, 0.0) - slack
+
+
+@inline
+def closed_level(g0):
+    """Gap at which a contact counts as closed in a step that starts with the gap g0 [m]."""
+    return level_of(g0, CONTACT_SLACK)
 
 
 @inline

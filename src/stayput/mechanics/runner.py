@@ -16,6 +16,8 @@ from stayput.mechanics.flat import BLOCK, block_extremes
 from stayput.mechanics.records import BatchDevices, Excitation, Output, Scratch, SolverSettings
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import NDArray
 
 MAX_EVENTS = 1_000_000
@@ -24,8 +26,16 @@ MAX_EVENTS = 1_000_000
 EVENT = np.dtype([(name, "f8") for name in col.EVENT_FIELDS])
 """An event of a run."""
 
-FINITE = ("u", "v", "cos", "sin", "length")
-"""Fields of an ELEMENT that must be finite."""
+_ALLOWED: tuple[tuple[tuple[str, ...], Callable[[NDArray[Any]], NDArray[np.bool_]], str], ...] = (
+    (("kind",), lambda values: np.isin(values, (el.AXIAL, el.PLANAR)), "known_kind"),
+    (("u", "v", "cos", "sin", "length"), np.isfinite, "finite"),
+    (("x", "z"), lambda values: ~np.isinf(values), "anchor"),
+    (("stiffness", "damping"), lambda values: (values >= 0.0) & np.isfinite(values), "not_negative"),
+    (("slack_plus", "slack_minus"), lambda values: values > -np.inf, "slack"),
+    (("limit_plus", "limit_minus", "ultimate"), lambda values: values >= 0.0, "not_negative"),
+    (("friction",), lambda values: ~(values < 0.0), "friction"),
+)
+"""Fields of an ELEMENT, which of their values may be, and what is said where they are not."""
 
 TOLERANCE = 1e-10
 """Largest last term of the tilt's Taylor series in a step [rad]."""
@@ -204,8 +214,6 @@ def run_cases_with_devices(
     tuple
         A column of `stayput.mechanics.columns.RESULT`, and DEVICE, shape [m, n].
     """
-    if elements.shape[:1] != cases.shape:
-        raise InputError("mechanics.element_rows", given=len(elements), cases=len(cases))
     held = _devices_of(elements, motion)
     return _solve(cases, held, motion, **settings)[0], held.devices
 
@@ -250,40 +258,22 @@ def check_elements(elements: NDArray[np.void]) -> None:
         raise InputError("mechanics.too_many_elements", count=elements.shape[-1], most=el.MAX_ELEMENTS)
     rows = elements.ravel()
     rows = rows[rows["kind"] != el.NONE]
-    damping, ultimate = rows["damping"].max(axis=1), rows["ultimate"].max(axis=1)
-    play = rows["slack_plus"] + rows["slack_minus"]
-    interacts, has_friction = rows["interaction"] != 0, ~np.isnan(rows["friction"])
     # comparisons are False for NaN, which is refused; where NaN has a meaning they are negated
-    at_least_0 = {name: rows[name] >= 0.0 for name in ("limit_plus", "limit_minus", "ultimate")}
-    at_least_0 |= {name: (rows[name] >= 0.0) & np.isfinite(rows[name]) for name in ("stiffness", "damping")}
-    checks: list[tuple[str, Any, Any, str]] = [
-        ("kind", rows["kind"], np.isin(rows["kind"], (el.AXIAL, el.PLANAR)), "known_kind"),
-        *(
-            (name, rows[name], np.isfinite(rows[name]), "finite")
-            for name in ("u", "v", "cos", "sin", "length")
-        ),
-        *((name, rows[name], ~np.isinf(rows[name]), "anchor") for name in ("x", "z")),
-        *(
-            (name, rows[name], (rows[name] >= 0.0) & np.isfinite(rows[name]), "not_negative")
-            for name in ("stiffness", "damping")
-        ),
-        *((name, rows[name], rows[name] > -np.inf, "slack") for name in ("slack_plus", "slack_minus")),
-        *(
-            (name, rows[name], rows[name] >= 0.0, "not_negative")
-            for name in ("limit_plus", "limit_minus", "ultimate")
-        ),
-        ("friction", rows["friction"], ~(rows["friction"] < 0.0), "friction"),
+    checks = [
+        (name, rows[name], is_valid(rows[name]), allowed)
+        for names, is_valid, allowed in _ALLOWED
+        for name in names
+    ]
+    damping, ultimate = rows["damping"].max(axis=1), rows["ultimate"].max(axis=1)
+    interaction, play = rows["interaction"], rows["slack_plus"] + rows["slack_minus"]
+    slips, axial = ~np.isnan(rows["friction"]), rows["kind"] == el.AXIAL
+    bare = (rows["damping"] > 0.0) & (rows["stiffness"] == 0.0)
+    checks += [  # combinations that the force laws do not cover
         ("slack_plus + slack_minus", play, ~(play < 0.0), "not_negative"),
-        # combinations that the force laws do not cover
-        (
-            "damping",
-            rows["damping"],
-            (rows["damping"] == 0.0) | (rows["stiffness"] > 0.0),
-            "no_damping_without_stiffness",
-        ),
-        ("damping", damping, ~(has_friction & (damping > 0.0)), "no_damping_with_friction"),
-        ("ultimate", ultimate, ~(interacts & (ultimate > 0.0)), "brittle_with_interaction"),
-        ("interaction", rows["interaction"], ~(interacts & (rows["kind"] == el.AXIAL)), "axial_has_no_shear"),
+        ("damping", rows["damping"], ~bare, "no_damping_without_stiffness"),
+        ("damping", damping, ~(slips & (damping > 0.0)), "no_damping_with_friction"),
+        ("ultimate", ultimate, ~((interaction != 0) & (ultimate > 0.0)), "brittle_with_interaction"),
+        ("interaction", interaction, ~((interaction != 0) & axial), "axial_has_no_shear"),
     ]
     for name, values, valid, allowed in checks:
         if not np.all(valid):

@@ -15,7 +15,7 @@ from stayput.model.parameters import (
     parameter_of,
     quantity,
 )
-from stayput.wording import brief
+from stayput.wording import Brief
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -38,7 +38,7 @@ _PART_SIZE = ("m", 0.0, SIZE_RANGE[1])
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Part:
+class Part(Brief):
     """A uniform rectangle that is part of a body: a board, a shelf's load, a drawer.
 
     Parameters
@@ -67,15 +67,12 @@ class Part:
     width: float = parameter(0.0, *_PART_SIZE, ("Part width", "部分の幅"))
     height: float = parameter(0.0, *_PART_SIZE, ("Part height", "部分の高さ"))
 
-    def __repr__(self) -> str:
-        return brief(self)
-
     def __post_init__(self) -> None:
         check_fields(self)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Body:
+class Body(Brief):
     """A rigid body, seen in the plane of shaking.
 
     Parameters
@@ -156,9 +153,6 @@ class Body:
         ("Body length", "家具の幅（length）"),
         "Length of the piece across the shaking; nothing in the plane depends on it.",
     )
-
-    def __repr__(self) -> str:
-        return brief(self)
 
     def __post_init__(self) -> None:
         check_fields(self, but=("cg_offset", "inertia", "base_heights", "base_insets"))
@@ -374,11 +368,8 @@ class Body:
         if not shelves:
             raise InputError("model.no_shelves", "loads")
         clear = height / len(shelves)
-        depth = (
-            width
-            if load_width is None
-            else within("model.load_width", load_width, 0.0, width, "m", "load_width")
-        )
+        depth = width if load_width is None else load_width
+        within("model.load_width", depth, 0.0, width, "m", "load_width")
         carcass = Part(mass, 0.0, height / 2, width, height)
         books = (Part(load, 0.0, (i + 0.5) * clear, depth, clear) for i, load in enumerate(shelves))
         return cls.from_parts(width, height, (carcass, *books))

@@ -277,23 +277,13 @@ class FloorPlan:
 
     width: float = field(metadata=quantity("m", *ROOM_SIZE, ("room width", "部屋の幅（x方向）")))
     length: float = field(metadata=quantity("m", *ROOM_SIZE, ("room length", "部屋の奥行き（y方向）")))
-    doors: tuple[Door, ...] = ()
-    windows: tuple[Window, ...] = ()
-    places: tuple[PersonPlace, ...] = ()
+    doors: Sequence[Door] = ()
+    windows: Sequence[Window] = ()
+    places: Sequence[PersonPlace] = ()
 
-    def __init__(
-        self,
-        width: float,
-        length: float,
-        doors: Sequence[Door] = (),
-        windows: Sequence[Window] = (),
-        places: Sequence[PersonPlace] = (),
-    ) -> None:
-        object.__setattr__(self, "width", width)
-        object.__setattr__(self, "length", length)
-        object.__setattr__(self, "doors", list_of("doors", doors, Door))
-        object.__setattr__(self, "windows", list_of("windows", windows, Window))
-        object.__setattr__(self, "places", list_of("places", places, PersonPlace))
+    def __post_init__(self) -> None:
+        for name, kind in (("doors", Door), ("windows", Window), ("places", PersonPlace)):
+            object.__setattr__(self, name, list_of(name, getattr(self, name), kind))
         check_fields(self)
         for kind, items in (("doors", self.doors), ("windows", self.windows), ("places", self.places)):
             if len(items) > MOST_PLACES:

@@ -12,7 +12,7 @@ from stayput.errors import InputError, shown, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.uncertainty import Confidence
 from stayput.vocabulary import meant, preset_meant
-from stayput.wording import brief, check_language
+from stayput.wording import Brief, brief, check_language
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -256,7 +256,7 @@ def _construction(choices: tuple[str, ...], label: Phrase, meaning: str) -> Any:
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Wall:
+class Wall(Brief):
     """A rigid wall beside the body.
 
     Parameters
@@ -293,15 +293,12 @@ class Wall:
         WALLS, ("Wall construction", "壁の下地"), "What devices on the wall are fixed to."
     )
 
-    def __repr__(self) -> str:
-        return brief(self)
-
     def __post_init__(self) -> None:
         check_fields(self)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Ceiling:
+class Ceiling(Brief):
     """A rigid ceiling above the body.
 
     Parameters
@@ -339,15 +336,12 @@ class Ceiling:
         CEILINGS, ("Ceiling construction", "天井の下地"), "What poles push against."
     )
 
-    def __repr__(self) -> str:
-        return brief(self)
-
     def __post_init__(self) -> None:
         check_fields(self)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Room:
+class Room(Brief):
     """Floor, walls and ceiling around the body.
 
     A body hits ``right_wall`` when it tilts or slides to +x; its back faces ``left_wall``. Beside it, at
@@ -373,9 +367,6 @@ class Room:
     near_side_wall: Wall | None = None
     far_side_wall: Wall | None = None
 
-    def __repr__(self) -> str:
-        return brief(self)
-
     def _repr_html_(self) -> str:
         from stayput.report.notebook import room_html
 
@@ -393,12 +384,10 @@ class Room:
         language : str
             Language of the texts, "en" or "ja".
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.section import draw_body_in_room
 
-        axis = axes_of(ax)
-        draw_body_in_room(axis, body, self, check_language(language))
-        return drawn(axis)
+        return plotted(ax, draw_body_in_room, body, self, check_language(language))
 
     def __post_init__(self) -> None:
         _refuse_other("floor", self.floor, Floor, _floor_made_of(self.floor))

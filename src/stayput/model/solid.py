@@ -5,7 +5,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
@@ -191,18 +192,19 @@ class Solid:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Solid):
             return NotImplemented
-        return all(np.array_equal(mine, theirs) for mine, theirs in zip(self._key, other._key, strict=True))
+        mine, theirs = self._inputs, other._inputs
+        return all(np.array_equal(mine[name], theirs[name]) for name in mine)
 
     def __hash__(self) -> int:
         return hash((self.mass, self.vertices.tobytes(), self.centre_of_gravity.tobytes()))
 
     def __reduce__(self) -> tuple[Any, ...]:  # so that a pickled solid comes back checked and read-only
-        return _remade, self._key
+        return partial(Solid, **self._inputs), ()
 
     @property
-    def _key(self) -> tuple[Any, ...]:
-        """All that a solid is made of."""
-        return self.vertices, self.mass, self.centre_of_gravity, self.inertia, self.feet, self.rims
+    def _inputs(self) -> dict[str, Any]:
+        """All that a solid is made of, by the names of its arguments."""
+        return {one.name: getattr(self, one.name) for one in fields(self) if one.init}
 
     @property
     def base(self) -> NDArray[np.float64]:
@@ -417,17 +419,6 @@ def _on_soft_floor(body: Body, length: float, settlement: float) -> list[tuple[f
     ends = rigid_half_base(length / 2, z_g, settlement) * np.array([-1.0, 1.0])
     feet = narrower_base((back, front), body.base_heights, z_g, settlement)
     return [(float(x_g + u), float(y), float(z)) for u, z in feet for y in ends]
-
-
-def _remade(
-    vertices: ArrayLike,
-    mass: float,
-    centre_of_gravity: ArrayLike,
-    inertia: ArrayLike,
-    feet: ArrayLike | None,
-    rims: ArrayLike,
-) -> Solid:
-    return Solid(vertices, mass, centre_of_gravity=centre_of_gravity, inertia=inertia, feet=feet, rims=rims)
 
 
 def _filled(z_g: float, inertia: NDArray[np.float64], own: OwnFields) -> OwnFields:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.parameters import check_fields, parameter
-from stayput.wording import brief
+from stayput.wording import Brief
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class State:
+class State(Brief):
     """Initial state of a body that stands on the floor.
 
     Parameters
@@ -52,22 +52,14 @@ class State:
         0.0, "m/s", -1e3, 1e3, ("Initial slide rate", "初期の移動速度"), "Slide rate."
     )
 
-    def __repr__(self) -> str:
-        return brief(self)
-
     def __post_init__(self) -> None:
         check_fields(self)
 
 
-def standing_corners(body: Body, start: State) -> tuple[tuple[float, float], ...]:
-    """Places of the corners A, B, C, D in the room, for a body that stands on the floor [m]."""
-    return _standing(body, start, body.corners)
-
-
-def _standing(
-    body: Body, start: State, points: tuple[tuple[float, float], ...]
+def standing_corners(
+    body: Body, start: State, points: tuple[tuple[float, float], ...] | None = None
 ) -> tuple[tuple[float, float], ...]:
-    """Places in the room of points relative to G, for a body that stands on the floor [m]."""
+    """Places in the room of points from G, by default the corners A, B, C, D, as the body stands [m]."""
     tilt = body.resting_tilt + start.tilt
     sin, cos = math.sin(tilt), math.cos(tilt)
     (u_a, v_a), (u_b, v_b), _, _ = body.corners
@@ -77,7 +69,7 @@ def _standing(
     foot = 1 if right else 0
     x = start.slide + (half if right else -half) - feet[foot][0]
     z = -feet[foot][1]
-    return tuple((x + (u * cos + v * sin), z + (v * cos - u * sin)) for u, v in points)
+    return tuple((x + (u * cos + v * sin), z + (v * cos - u * sin)) for u, v in points or body.corners)
 
 
 def wall_faces(body: Body, room: Room) -> tuple[float, float]:
@@ -85,7 +77,7 @@ def wall_faces(body: Body, room: Room) -> tuple[float, float]:
 
     A gap is clear of the whole body as it stands at rest at slide 0, a tilted one's top corners as well.
     """
-    across = [x for x, _ in _standing(body, State(), body.sides)]
+    across = [x for x, _ in standing_corners(body, State(), body.sides)]
     left, right = room.left_wall, room.right_wall
     return (
         -math.inf if left is None else min(across) - left.gap,
@@ -98,19 +90,13 @@ def refuse_bad_start(body: Body, room: Room, start: State) -> None:
     if abs(body.resting_tilt + start.tilt) >= math.pi / 2:
         tilt, rest = math.degrees(body.resting_tilt + start.tilt), math.degrees(body.resting_tilt)
         raise InputError("model.laid_down", "initial.tilt", tilt=tilt, rest=rest)
-    corners = _standing(body, start, body.sides)
+    corners = standing_corners(body, start, body.sides)
     left, right = wall_faces(body, room)
-    top = max(z for _, z in corners)
-    if room.right_wall is not None:
-        clear = right - max(x for x, _ in corners)
-        _refuse_negative("model.right_wall", clear)
-    if room.left_wall is not None:
-        clear = min(x for x, _ in corners) - left
-        _refuse_negative("model.left_wall", clear)
-    if room.ceiling is not None:
-        _refuse_negative("model.ceiling", room.ceiling.height - top)
-
-
-def _refuse_negative(place: str, clear: float) -> None:
-    if clear < -1e-12:
-        raise InputError("model.inside", depth=-clear, place=phrase(place))
+    height = math.inf if room.ceiling is None else room.ceiling.height
+    for name, clear in (
+        ("right_wall", right - max(x for x, _ in corners)),
+        ("left_wall", min(x for x, _ in corners) - left),
+        ("ceiling", height - max(z for _, z in corners)),
+    ):
+        if clear < -1e-12:
+            raise InputError("model.inside", depth=-clear, place=phrase(f"model.{name}"))

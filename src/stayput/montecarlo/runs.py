@@ -79,7 +79,6 @@ def run_level(
         motion,
         dimensions=floors.dimensions,
         threads=threads,
-        progress=False,
         on_progress=progress,
     )
     failed = failures_of(elements, devices).count > 0
@@ -244,7 +243,6 @@ def run_levels(
             motion[chosen],
             dimensions=floors.dimensions,
             threads=threads,
-            progress=False,
             on_progress=progress,
         )
         overturned[number, chosen] = results["outcome"] == OVERTURNED_OUTCOME

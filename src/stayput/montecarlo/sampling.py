@@ -19,7 +19,7 @@ from stayput.mechanics.runner import no_elements
 from stayput.model.body import MOST_INSET, Body
 from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND, Floor, Room, friction_factor
 from stayput.model.state import State
-from stayput.simulation.flat_fields import NumberOrColumn, body_fields, case_rows, flat_fields, room_fields
+from stayput.simulation.flat_fields import NumberOrColumn, case_rows, fields_of, flat_fields
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
@@ -330,7 +330,7 @@ def rows_of(
             for draw in by_draw
         ]
         leaf_rows = [
-            {**body_fields(drawn_held.body), **room_fields(drawn_held.room)} for drawn_held in held_each
+            {**fields_of("body", drawn.body), **fields_of("room", drawn.room)} for drawn in held_each
         ]
         numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
         masses = np.array([drawn_held.body.mass for drawn_held in held_each])

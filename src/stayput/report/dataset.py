@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from stayput.report.summary import sentence
-from stayput.simulation.outcome import COUNTS, HISTORIES, RESULTS
+from stayput.simulation.outcome import HISTORIES, QUANTITIES
 
 if TYPE_CHECKING:
     from stayput.measures import DeviceResult
@@ -58,7 +58,7 @@ def run_to_dataset(run: Run) -> xr.Dataset:
             "motion": run.motion.name,
         },
     )
-    for name, (unit, meaning) in HISTORIES.items():
+    for name, (_, unit, meaning) in HISTORIES.items():
         data[name] = ("time", getattr(run, name), {"units": unit, "long_name": meaning})
     data["mode"] = ("time", run.mode, {"long_name": "how the body moves"})
     for name, (unit, meaning) in _EVENT_VALUES.items():
@@ -66,10 +66,9 @@ def run_to_dataset(run: Run) -> xr.Dataset:
         data[f"event_{name}"] = ("event", values, {"units": unit, "long_name": meaning})
     data["event_kind"] = ("event", np.array([event.kind.value for event in run.events], dtype=np.str_))
     data["event_mode"] = ("event", np.array([event.mode.value for event in run.events], dtype=np.str_))
-    for name, (unit, meaning) in RESULTS.items():
-        data[name] = ((), getattr(run, name), _attributes(unit, meaning))
-    for name, meaning in COUNTS.items():
-        data[name] = ((), getattr(run, name), {"long_name": meaning})
+    for column in QUANTITIES:
+        if column.name not in ("outcome", "overturned", "events"):  # which are told above
+            data[column.name] = ((), getattr(run, column.name), column.attributes)
     if run.devices:
         _add_devices(data, run.devices)
     return data

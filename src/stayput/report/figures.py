@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from io import BytesIO
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import matplotlib as mpl
 from matplotlib.axes import Axes
@@ -21,7 +21,7 @@ from stayput.report.fonts import drawable, with_fallback
 from stayput.report.palette import FAINT, INK, MUTED
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from pathlib import Path
 
 
@@ -78,6 +78,13 @@ def axes_of(ax: Axes | None) -> Axes:
     if ax.name != "rectilinear":
         raise InputError("plots.projection", "ax", projection=repr(ax.name))
     return ax
+
+
+def plotted(ax: Axes | None, draw: Callable[..., Any], *arguments: Any, **line: Any) -> Axes:
+    """Draw on axes, or on those of a new figure, by a function that takes them first; return them."""
+    axis = axes_of(ax)
+    draw(axis, *arguments, **line)
+    return drawn(axis)
 
 
 def drawn(ax: Axes) -> Axes:

@@ -15,13 +15,14 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, within
+from stayput.errors import InputError, instance_of, within, word_of
 from stayput.simulation.grid import Axis, Columns, Grid, finite_numbers, make_grid
 from stayput.simulation.many import run_grid
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from concurrent.futures import Executor
 
     import xarray as xr
@@ -29,6 +30,11 @@ if TYPE_CHECKING:
 
     from stayput.simulation.case import Case
     from stayput.simulation.grid import Axes
+
+    RunPoints: TypeAlias = (
+        "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"
+    )
+    """Runs points at amplitudes, shape (k,) each; returns whether the body falls, and its landings."""
 
 
 SCALE = "motion.scale"
@@ -145,23 +151,6 @@ def _resolution(sampled: NDArray[np.float64]) -> dict[str, Any]:
     }
 
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-    from concurrent.futures import Executor
-
-    import xarray as xr
-    from numpy.typing import ArrayLike, NDArray
-
-    from stayput.simulation.case import Case
-    from stayput.simulation.grid import Axes
-
-    RunPoints: TypeAlias = (
-        "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"
-    )
-    """Runs points at amplitudes, shape (k,) each; returns whether the body falls, and its landings."""
-
-__all__ = ["Edge", "overturning_map", "trace_boundary"]
-
 Edge = Literal["first", "last", "all"]
 """Which edge to trace; see `trace_boundary`."""
 
@@ -238,8 +227,7 @@ def trace_boundary(
     >>> edges.amplitude.round(2).values.tolist()  # of three bodies of one shape, the small one first [m/s²]
     [3.78, 3.96, 4.36]
     """
-    if edge not in get_args(Edge):
-        raise InputError("simulation.unknown_edge", "edge", edge=repr(edge), known=", ".join(get_args(Edge)))
+    word_of("simulation.edge", edge, get_args(Edge), "edge")
     tolerance = within("simulation.tolerance", tolerance, 1e-12, 0.1, field="tolerance")
     sampled = checked_amplitudes(amplitudes, axes)
     grid = make_grid(case, axes or {})

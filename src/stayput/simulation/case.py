@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, cast, overload
 
-from stayput.errors import InputError, finite, instance_of, list_of, whole_within, word_of
+from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
 from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
 from stayput.model.body import Body
@@ -15,7 +15,7 @@ from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.run import LAWS, Contact, Dimensions, Run, run_of
-from stayput.wording import brief, check_language
+from stayput.wording import Brief, check_language
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Case:
+class Case(Brief):
     """What `simulate` takes, as a value; `run` simulates it.
 
     Examples
@@ -50,9 +50,6 @@ class Case:
     measures: tuple[Measure, ...] = ()
     dimensions: Dimensions | None = None
 
-    def __repr__(self) -> str:
-        return brief(self)
-
     def plot(self, ax: Axes | None = None, *, language: str = "en") -> Axes:
         """Draw the body with its measures in the room, to scale and from the side.
 
@@ -63,12 +60,10 @@ class Case:
         language : str
             Language of the texts, "en" or "ja".
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.section import draw_section
 
-        axis = axes_of(ax)
-        draw_section(axis, hold(self.body, self.room, self.measures), check_language(language))
-        return drawn(axis)
+        return plotted(ax, draw_section, hold(self.body, self.room, self.measures), check_language(language))
 
     def __post_init__(self) -> None:
         instance_of("body", self.body, Body)
@@ -92,16 +87,8 @@ class Case:
 
     def run(self) -> Run | SpaceRun:
         """Simulate the case."""
-        return simulate(
-            self.body,
-            self.room,
-            self.motion,
-            self.measures,
-            contact=self.contact,
-            initial=self.initial,
-            gravity=self.gravity,
-            dimensions=self.dimensions,
-        )
+        how = _Options(contact=self.contact, initial=self.initial, gravity=self.gravity)
+        return simulate(self.body, self.room, self.motion, self.measures, dimensions=self.dimensions, **how)
 
 
 class _Options(TypedDict, total=False):
@@ -224,15 +211,14 @@ def simulate(
         body, room, motion, contact, start, gravity, list_of("measures", measures, Measure), dimensions
     )
     if given.in_space:
-        from stayput.simulation.space import simulate_piece
+        from stayput.simulation.space import checked_step, run_held
 
         if contact != "coulomb":
             raise InputError("model.paper_in_space", "contact")
-        return simulate_piece(body, room, motion, given.measures, start, gravity, step)
+        placed = hold(body, room, given.measures, dimensions=3)
+        return run_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
     if most_events is not None:
-        count = finite("most_events", most_events, "most_events")
-        if count < 2.0 or not count.is_integer():
-            raise InputError("model.most_events", "most_events", value=most_events)
+        most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
     refuse_bad_start(body, room, start)
     held = hold(body, room, given.measures)
     refuse_bad_start(held.body, held.room, start)

@@ -59,11 +59,19 @@ def unit_of(path: str) -> str:
     return UNITS.get(path, "").replace("²", "2")
 
 
-def _numbers(path: str, value: Body | Floor | Wall | Ceiling | State) -> dict[str, float]:
-    """Return the numbers of a value by their paths.
+def fields_of(path: str, value: Body | Room | Floor | Wall | Ceiling | State | None) -> dict[str, float]:
+    """Return the numbers of a value by their paths, which begin with its own.
 
-    One that follows from others, None, is NaN; a word is its place among its choices.
+    One that follows from others, None, is NaN; a word is its place among its choices. A wall or a ceiling
+    that is None is far away.
     """
+    if isinstance(value, Room):
+        parts = (fields_of(f"{path}.{name}", getattr(value, name)) for name in ("floor", *WALLS_AND_CEILING))
+        return {name: number for part in parts for name, number in part.items()}
+    if value is None:
+        name = path.removeprefix("room.")
+        none = Ceiling(1.0) if name == "ceiling" else Wall(0.0)
+        return fields_of(path, none) | {distance_to(name): math.inf}
     found: dict[str, float] = {}
     for about in parameters(value):
         given: Any = getattr(value, about.name)
@@ -75,25 +83,6 @@ def _numbers(path: str, value: Body | Floor | Wall | Ceiling | State) -> dict[st
     return found
 
 
-def body_fields(body: Body) -> dict[str, float]:
-    """Return a body's numbers by their paths; an inertia that follows from the section is NaN."""
-    return _numbers("body", body)
-
-
-def floor_fields(floor: Floor) -> dict[str, float]:
-    """Return a floor's numbers by their paths; an edge's friction that is the base's is NaN."""
-    return _numbers("room.floor", floor)
-
-
-def surface_fields(name: str, surface: Wall | Ceiling | None) -> dict[str, float]:
-    """Return the numbers of a wall or the ceiling by its name in `Room`; far away where there is none."""
-    path = f"room.{name}"
-    if surface is not None:
-        return _numbers(path, surface)
-    none = Ceiling(1.0) if name == "ceiling" else Wall(0.0)
-    return _numbers(path, none) | {distance_to(name): math.inf}
-
-
 def distance_to(name: str) -> str:
     """Return the path of how far a wall or the ceiling is, infinite for none."""
     return f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"
@@ -101,14 +90,6 @@ def distance_to(name: str) -> str:
 
 WALLS_AND_CEILING = (*WALLS_AROUND, "ceiling")
 """What a room may have beside its floor, by the names in `Room`."""
-
-
-def room_fields(room: Room) -> dict[str, float]:
-    """Return a room's numbers by their paths."""
-    numbers = floor_fields(room.floor)
-    for name in WALLS_AND_CEILING:
-        numbers |= surface_fields(name, getattr(room, name))
-    return numbers
 
 
 def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
@@ -132,7 +113,7 @@ def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
 
 
 def _made(path: str, numbers: Mapping[str, float]) -> Any:
-    """Return the value that numbers belong to; the inverse of `_numbers`."""
+    """Return the value that numbers belong to; the inverse of `fields_of`."""
     given: dict[str, Any] = {}
     for about in parameters(KINDS[path]):
         values = tuple(numbers[name] for name in _paths(path, about))
@@ -154,9 +135,9 @@ def _word(about: Parameter, place: float) -> str:
 def flat_fields(body: Body, room: Room, start: State, gravity: float) -> dict[str, float]:
     """Return all numbers of a case by their dotted paths; the factor on the motion is 1."""
     return {
-        **body_fields(body),
-        **room_fields(room),
-        **_numbers("initial", start),
+        **fields_of("body", body),
+        **fields_of("room", room),
+        **fields_of("initial", start),
         "gravity": gravity,
         "motion.scale": 1.0,
     }
@@ -178,14 +159,8 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
         z_g,
         settlement,
     )
-    for corner, (u, v) in enumerate(
-        (
-            (foot_left, low - z_g),
-            (foot_right, high - z_g),
-            (left, top),
-            (right, top),
-        )
-    ):
+    corners = (foot_left, low - z_g), (foot_right, high - z_g), (left, top), (right, top)
+    for corner, (u, v) in enumerate(corners):
         rows["u"][:, corner], rows["v"][:, corner] = u, v
     for about in parameters(State):
         rows[about.name] = numbers[f"initial.{about.name}"]
@@ -217,7 +192,7 @@ def _fill_in_room(rows: NDArray[np.void], numbers: Mapping[str, NumberOrColumn])
 def room_row(room: Room) -> np.void:
     """Return a row of `CASE` of a room without a body."""
     row = np.zeros(1, CASE)
-    _fill_in_room(row, room_fields(room))
+    _fill_in_room(row, fields_of("room", room))
     return row[0]
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -22,18 +21,15 @@ from stayput.motion import Motion
 from stayput.simulation.case import Case, law_number
 from stayput.simulation.flat_fields import (
     WALLS_AND_CEILING,
-    body_fields,
     case_rows,
     distance_to,
+    fields_of,
     flat_fields,
-    floor_fields,
     from_flat_fields,
-    room_fields,
-    surface_fields,
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
@@ -72,10 +68,6 @@ class CaseBlock:
     columns: Columns
     measures: tuple[Measure, ...] = ()
     dimensions: int = 2
-
-    def rows(self) -> NDArray[np.void]:
-        """Return the rows that the mechanics read of the cases without measures, shape [count]."""
-        return case_rows(self.base | self.columns, self.count)  # type: ignore[operator]
 
     def held(self) -> tuple[NDArray[np.void], NDArray[np.void]]:
         """Return the rows with the measures in place, shape [count], and the elements, shape [count, n]."""
@@ -166,7 +158,7 @@ def _extreme_rows(block: CaseBlock) -> set[int]:
     """Return the rows at which a limited quantity is smallest, largest or NaN, which argmin finds as well."""
     numbers = block.base | block.columns
     b, h = numbers["body.width"], numbers["body.height"]
-    rows = block.rows()
+    rows = case_rows(numbers, block.count)  # type: ignore[arg-type]
     limited = [column for path, column in block.columns.items() if path not in (MOTION, LAW)]
     limited += [
         np.abs(numbers["body.cg_offset.x"]) - b / 2,
@@ -249,29 +241,15 @@ def held_rows(
         if path.startswith(("body.", "room.")) and np.size(values) > 1 and count > 1
     ]
     table = np.stack([np.asarray(numbers[path]) for path in varied], 1) if varied else np.zeros((count, 0))
-    first, which = _distinct(table)
+    # by their bytes, so that NaN, which stands for "not given", equals itself
+    keys = np.array([row.tobytes() for row in table])
+    _, first, which = np.unique(keys, return_index=True, return_inverse=True)
     pairs = [
-        _put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures, dimensions) for row in first
+        _put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures, dimensions)
+        for row in first.tolist()
     ]
     changed = {path: np.array([fields[path] for fields, _ in pairs])[which] for path in pairs[0][0]}
     return case_rows({**numbers, **changed}, count), np.stack([rows for _, rows in pairs])[which]
-
-
-def _distinct(table: NDArray[np.float64]) -> tuple[list[int], NDArray[np.intp]]:
-    """Return where each distinct row first stands, and for every row the number of its distinct row.
-
-    Rows are compared by their bytes, so that NaN, which stands for "not given", equals itself.
-    """
-    seen: dict[bytes, int] = {}
-    first: list[int] = []
-    which = np.empty(len(table), np.intp)
-    for n, row in enumerate(table):
-        key = row.tobytes()
-        if key not in seen:
-            seen[key] = len(first)
-            first.append(n)
-        which[n] = seen[key]
-    return first, which
 
 
 def _number(values: NumberOrColumn, row: int) -> float:
@@ -286,25 +264,19 @@ def _put_in_place(
     body, room, start = from_flat_fields(numbers)
     held = hold(body, room, measures, dimensions=dimensions)
     refuse_bad_start(held.body, held.room, start)
-    return {**body_fields(held.body), **room_fields(held.room)}, element_rows(held)
+    return {**fields_of("body", held.body), **fields_of("room", held.room)}, element_rows(held)
 
 
 Axes: TypeAlias = "Mapping[str | tuple[str, ...], Any]"
 
-OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str, float]]]] = {
-    "body": (Body, body_fields),
-    "room": (Room, room_fields),
-    "room.floor": (Floor, floor_fields),
-    **{f"room.{name}": ((Wall, type(None)), partial(surface_fields, name)) for name in WALLS_AROUND},
-    "room.ceiling": ((Ceiling, type(None)), partial(surface_fields, "ceiling")),
+OBJECT_PATHS: dict[str, type | tuple[type, ...]] = {
+    "body": Body,
+    "room": Room,
+    "room.floor": Floor,
+    **{f"room.{name}": (Wall, type(None)) for name in WALLS_AROUND},
+    "room.ceiling": (Ceiling, type(None)),
 }
-"""Paths whose values are objects: the types of these, and the function that returns an object's numbers."""
-
-
-def base_numbers(case: Case) -> dict[str, float]:
-    """Return a case's numbers by path; its motion is the first in the grid's list of motions."""
-    numbers = flat_fields(case.body, case.room, case.initial, case.gravity)
-    return {**numbers, MOTION: 0.0, LAW: float(law_number(case.contact))}
+"""Paths whose values are objects, and the types of these."""
 
 
 def make_grid(case: Case, axes: Axes) -> Grid:
@@ -317,18 +289,20 @@ def make_grid(case: Case, axes: Axes) -> Grid:
     InputError
         An unknown path, a path on two axes, values of the wrong kind, or cases that are not possible.
     """
-    base = base_numbers(instance_of("case", case, Case))
+    instance_of("case", case, Case)
+    base = flat_fields(case.body, case.room, case.initial, case.gravity)
+    base |= {MOTION: 0.0, LAW: float(law_number(case.contact))}  # the motion is the first of the list
     motions: list[Motion] = [case.motion]
     grid_axes: list[Axis] = []
+    changed: set[str] = set()
     instance_of("axes", axes, Mapping)
     for paths, values in axes.items():
         names = (paths,) if isinstance(paths, str) else tuple(paths)
         value_lists = (values,) if isinstance(paths, str) else list_of("axes", values)
         if len(names) != len(value_lists) or not names:
             raise InputError("simulation.axis_lists", "axes", names=str(names), count=len(value_lists))
-        grid_axes.append(_axis(names, value_lists, base, motions))
-    _refuse_repeats(grid_axes)
-    _refuse_missing_surfaces(base, grid_axes)
+        grid_axes.append(_axis(names, value_lists, base, motions, changed))
+    _refuse_missing_surfaces(base, changed)
     dimensions = 3 if case.in_space else 2
     grid = Grid(base, tuple(grid_axes), tuple(motions), tuple(case.measures), dimensions)
     grid.refuse_bad_cases()
@@ -336,15 +310,20 @@ def make_grid(case: Case, axes: Axes) -> Grid:
 
 
 def _axis(
-    names: tuple[str, ...], value_lists: tuple[Any, ...], base: dict[str, float], motions: list[Motion]
+    names: tuple[str, ...],
+    value_lists: tuple[Any, ...],
+    base: dict[str, float],
+    motions: list[Motion],
+    changed: set[str],
 ) -> Axis:
+    """Return an axis; motions and the paths that it changes are added to those of the axes before."""
     columns: Columns = {}
     labels: dict[str, Any] = {}
     for name, values in zip(names, value_lists, strict=True):
         added, label = _columns(name, values, base, motions)
-        repeated = columns.keys() & added.keys()
-        if repeated:
-            raise InputError("simulation.path_twice", min(repeated), names=str(names), path=min(repeated))
+        if repeated := changed & added.keys():
+            raise InputError("simulation.path_twice", min(repeated), path=min(repeated))
+        changed.update(added)
         columns |= added
         labels[name] = label
     lengths = {name: len(label) for name, label in labels.items()}
@@ -371,9 +350,8 @@ def _columns(
             place = {key: len(motions) + n for n, key in enumerate(dict.fromkeys(map(id, items)))}
             motions.extend({id(item): item for item in items}.values())
             return {MOTION: np.array([place[id(item)] for item in items])}, [item.name for item in items]
-        kind, numbers_of = OBJECT_PATHS[name]
-        _refuse_other(name, items, kind)
-        table = [numbers_of(item) for item in items]
+        _refuse_other(name, items, OBJECT_PATHS[name])
+        table = [fields_of(name, item) for item in items]
         return {path: np.array([row[path] for row in table]) for path in table[0]}, np.arange(len(items))
     if name not in base:
         known = sorted({*base, *OBJECT_PATHS})
@@ -402,17 +380,7 @@ def _refuse_other(name: str, items: list[Any], kind: type | tuple[type, ...]) ->
             raise InputError("simulation.value_type", name, path=name, value=repr(item), wanted=wanted)
 
 
-def _refuse_repeats(axes: list[Axis]) -> None:
-    seen: set[str] = set()
-    for axis in axes:
-        repeated = seen & axis.columns.keys()
-        if repeated:
-            raise InputError("simulation.path_on_two_axes", min(repeated), path=min(repeated))
-        seen |= axis.columns.keys()
-
-
-def _refuse_missing_surfaces(base: dict[str, float], axes: list[Axis]) -> None:
-    changed = {path for axis in axes for path in axis.columns}
+def _refuse_missing_surfaces(base: dict[str, float], changed: set[str]) -> None:
     for name in WALLS_AND_CEILING:
         distance = distance_to(name)
         touched = [path for path in changed if path.startswith(f"room.{name}.")]

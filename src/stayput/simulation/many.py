@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of, whole_within
+from stayput.errors import instance_of, whole_within
 from stayput.execution import Pool, Shared
 from stayput.mechanics.columns import RESULT
 from stayput.mechanics.devices.columns import DEVICE, ELEMENT, NONE
@@ -94,7 +94,6 @@ def run_columns(
     *,
     dimensions: int = 2,
     threads: int | None = None,
-    progress: bool | None = None,
     on_progress: Callable[[int], None] | None = None,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Run cases on threads, each with its own devices and motion, under the "coulomb" contact law.
@@ -114,8 +113,6 @@ def run_columns(
         2 in the plane, 3 in space: the cases have lengths then, and each device is an element of its own.
     threads : int, optional
         Threads; default one for each core that this process may use.
-    progress : bool, optional
-        Whether to draw a bar on standard error; default on a terminal.
     on_progress : callable, optional
         Called on this thread with the number of cases just done; an exception that it raises stops the work.
 
@@ -128,29 +125,19 @@ def run_columns(
     Raises
     ------
     InputError
-        Arrays of different lengths, an index outside the motions, or elements that are not possible.
+        Elements that are not possible.
     """
     rows = np.zeros((len(cases), 0), ELEMENT) if elements is None else elements
-    indices = np.asarray(motion)
-    if len(rows) != len(cases) or indices.shape != (len(cases),):
-        raise InputError(
-            "simulation.lengths_differ", cases=len(cases), elements=len(rows), motions=len(indices)
-        )
-    if len(indices) and (indices.min() < 0 or indices.max() >= len(motions)):
-        wrong = indices[(indices < 0) | (indices >= len(motions))][0]
-        raise InputError("simulation.motion_index", "motion", value=wrong, last=len(motions) - 1)
-    used = {int(n): motions[int(n)] for n in np.unique(indices)}
-    prepared = {n: prepared_motion(motion, dimensions) for n, motion in used.items()}
+    prepared = {int(n): prepared_motion(motions[int(n)], dimensions) for n in np.unique(motion)}
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)
 
     def run(chunk: NDArray[np.intp]) -> int:
-        motion = prepared[int(indices[chunk[0]])]
-        results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], motion)
+        shaken = prepared[int(motion[chunk[0]])]
+        results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], shaken)
         return len(chunk)
 
-    with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
-        for _, done in pool.as_completed(partial(run, chunk) for chunk in _chunks(indices)):
-            advance(done)
+    with Pool(threads) as pool:
+        for _, done in pool.as_completed(partial(run, chunk) for chunk in _chunks(motion)):
             if on_progress is not None:
                 on_progress(done)
     return results, devices

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.measures.element import failures_of
+from stayput.mechanics import columns as col
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 
 if TYPE_CHECKING:
@@ -137,33 +138,15 @@ class Event:
     slide_rate: float
 
 
-HISTORIES: dict[str, tuple[str, str]] = {
-    "slide": ("m", "displacement of the base relative to the floor, + right"),
-    "slide_rate": ("m/s", "rate of the slide"),
-    "tilt": ("rad", "rotation, + clockwise"),
-    "tilt_rate": ("rad/s", "rate of the tilt"),
-    "x": ("m", "centre of gravity right of where the middle of the base stood"),
-    "z": ("m", "centre of gravity above the floor"),
+HISTORIES: dict[str, tuple[int, str, str]] = {
+    "slide": (col.H_SLIDE, "m", "displacement of the base relative to the floor, + right"),
+    "slide_rate": (col.H_SLIDE_RATE, "m/s", "rate of the slide"),
+    "tilt": (col.H_TILT, "rad", "rotation, + clockwise"),
+    "tilt_rate": (col.H_TILT_RATE, "rad/s", "rate of the tilt"),
+    "x": (col.H_X, "m", "centre of gravity right of where the middle of the base stood"),
+    "z": (col.H_Z, "m", "centre of gravity above the floor"),
 }
-"""Unit and meaning of each history."""
-
-RESULTS: dict[str, tuple[str, str]] = {
-    "overturn_time": ("s", "time at which the tilt reached 90°, or nan"),
-    "peak_slide": ("m", "largest magnitude of the slide"),
-    "residual_slide": ("m", "slide at the end"),
-    "peak_tilt": ("rad", "largest magnitude of the tilt"),
-    "residual_tilt": ("rad", "tilt at the end"),
-    "device_failure_time": ("s", "time at which the first device failed, or nan"),
-    "device_utilisation": ("", "largest force in a device over its strength; at least 1 where one failed"),
-}
-"""Unit and meaning of each result that is a quantity."""
-
-COUNTS: dict[str, str] = {
-    "floor_impacts": "landings on the floor",
-    "wall_impacts": "hits on the walls and the ceiling",
-    "device_failures": "devices that failed",
-}
-"""Meaning of each result that is a number of events."""
+"""Column in the mechanics' history, unit and meaning of each history."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,8 +171,21 @@ class ResultColumn:
 QUANTITIES = (
     ResultColumn("outcome", "i1", "", "what became of the body: the flag's place in flag_meanings"),
     ResultColumn("overturned", "?", "", "whether the tilt reached 90°"),
-    *(ResultColumn(name, "f8", unit, meaning) for name, (unit, meaning) in RESULTS.items()),
-    *(ResultColumn(name, "i4", "", meaning) for name, meaning in COUNTS.items()),
+    ResultColumn("overturn_time", "f8", "s", "time at which the tilt reached 90°, or nan"),
+    ResultColumn("peak_slide", "f8", "m", "largest magnitude of the slide"),
+    ResultColumn("residual_slide", "f8", "m", "slide at the end"),
+    ResultColumn("peak_tilt", "f8", "rad", "largest magnitude of the tilt"),
+    ResultColumn("residual_tilt", "f8", "rad", "tilt at the end"),
+    ResultColumn("device_failure_time", "f8", "s", "time at which the first device failed, or nan"),
+    ResultColumn(
+        "device_utilisation",
+        "f8",
+        "",
+        "largest force in a device over its strength; at least 1 where one failed",
+    ),
+    ResultColumn("floor_impacts", "i4", "", "landings on the floor"),
+    ResultColumn("wall_impacts", "i4", "", "hits on the walls and the ceiling"),
+    ResultColumn("device_failures", "i4", "", "devices that failed"),
     ResultColumn("events", "i4", "", "all events"),
 )
 """The columns of results."""

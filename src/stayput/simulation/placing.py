@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures.element import CAUSES, DeviceResult, at_rest, damper, utilisation
+from stayput.measures.element import DeviceResult, at_rest, damper, device_result, utilisation
 from stayput.measures.measure import Held, element_rows, hold
 from stayput.measures.wall import WallDevice
-from stayput.mechanics.devices.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, PLANAR
+from stayput.mechanics.devices.columns import AXIAL, NONE, PLANAR
 from stayput.mechanics.space.columns import LAW_OF_ELEMENT, SPRING
 from stayput.mechanics.space.touching import ROOM
 from stayput.model.body import Body
@@ -68,13 +68,18 @@ def springs_of(
     anchors = np.stack([elements["x"], elements["y"], elements["z"]], 1)
     anchors = np.where(np.isnan(elements["x"])[:, None], at_point, anchors)
     normals = np.stack([-elements["sin"], np.zeros(len(elements)), elements["cos"]], 1)
-    for name, vectors in (("p", points @ axes), ("a", anchors), ("n", normals)):
-        for number, axis in enumerate("xyz"):
-            springs[f"{name}{axis}"] = vectors[:, number]
+    _set_vectors(springs, p=points @ axes, a=anchors, n=normals)
     springs["length"] = elements["length"]
     for name in LAW_OF_ELEMENT:
         springs[name] = elements[name]
     return springs
+
+
+def _set_vectors(springs: NDArray[np.void] | np.void, **vectors: NDArray[np.float64]) -> None:
+    """Set vectors of springs, shape (..., 3), by the letters that their components begin with."""
+    for name, values in vectors.items():
+        for number, axis in enumerate("xyz"):
+            springs[f"{name}{axis}"] = values[..., number]
 
 
 def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDArray[np.void]:
@@ -88,13 +93,8 @@ def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDAr
         spring["kind"] = PLANAR if joint.to is None else AXIAL
         axes = second.turn @ second.solid.principal[1]
         upwards = 1.0 if first.place[2] >= second.place[2] else -1.0
-        for name, vector in (
-            ("p", (at - first.place) @ first.turn @ first.solid.principal[1]),
-            ("a", (to - second.place) @ axes),
-            ("n", np.array([0.0, 0.0, upwards]) @ axes),
-        ):
-            for axis, value in zip("xyz", vector, strict=True):
-                spring[f"{name}{axis}"] = value
+        point = (at - first.place) @ first.turn @ first.solid.principal[1]
+        _set_vectors(spring, p=point, a=(to - second.place) @ axes, n=[0.0, 0.0, upwards] @ axes)
         spring["length"] = float(np.linalg.norm(to - at))
         damping = damper(joint.damping, joint.stiffness, min(first.solid.mass, second.solid.mass))
         spring["stiffness"], spring["damping"] = joint.stiffness, damping
@@ -113,23 +113,12 @@ def joint_results(
 ) -> tuple[DeviceResult, ...]:
     """Return what became of the joints of an assembly, by the devices and forces of its run."""
     used = utilisation(springs, devices)
+    each = zip(joints, _places(joints), devices, strict=True)
     return tuple(
-        DeviceResult(
-            JOINT,
-            JOINT_LABEL,
-            place,
-            float(device["peak_pull"]),
-            float(device["peak_push"]),
-            float(device["peak_shear"]),
-            float(used[n]),
-            int(device["failure"]) != HOLDS,
-            float(device["failure_time"]),
-            CAUSES[int(device["failure"])],
-            forces[:, n, F_NORMAL],
-            forces[:, n, F_TANGENT],
-            between=(joint.first, joint.second),
+        device_result(
+            (JOINT, JOINT_LABEL, place), device, used[n], forces[:, n], between=(joint.first, joint.second)
         )
-        for n, (joint, place, device) in enumerate(zip(joints, _places(joints), devices, strict=True))
+        for n, (joint, place, device) in enumerate(each)
     )
 
 
@@ -198,15 +187,9 @@ def placed(members: Sequence[Standing | Piece], room: Room, strength: float = 1.
     return tuple(
         _placed(number, member, room, planes, strength)
         if isinstance(member, Piece)
-        else Placed(member, None, _springs(number, member))
+        else Placed(member, None, np.zeros(0, SPRING))
         for number, member in enumerate(members)
     )
-
-
-def _springs(number: int, standing: Standing) -> NDArray[np.void]:
-    """Return the devices of a body that has none."""
-    nothing = element_rows(Held(Body(1.0, 1.0, 1.0), Room()))
-    return springs_of(nothing, standing.turn, standing.place, standing.solid.principal[1], number)
 
 
 def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], strength: float) -> Placed:
@@ -221,10 +204,8 @@ def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], str
     place = np.array([x, 0.0, z])
     rows = element_rows(held, strength)
     springs = springs_of(rows, upright.turn, place, upright.solid.principal[1], number)
-    for names, shift in ((("ax", "ay", "az"), base), (("nx", "ny", "nz"), np.zeros(3))):
-        vectors = np.stack([springs[name] for name in names], axis=1) @ facing.T + shift
-        for name, values in zip(names, vectors.T, strict=True):
-            springs[name] = values
+    anchors, normals = (np.stack([springs[f"{name}{axis}"] for axis in "xyz"], axis=1) for name in "an")
+    _set_vectors(springs, a=anchors @ facing.T + base, n=normals @ facing.T + 0.0)  # of −0 comes 0
     for name in IN_NEWTONS:
         springs[name] *= body.mass
     return Placed(standing, held, springs)
@@ -238,10 +219,8 @@ def standing_of(piece: Piece, held: Held) -> Standing:
     body, settlement = held.body, held.room.floor.settlement if piece.at[2] == 0.0 else 0.0
     same = body == piece.body and settlement == 0.0
     solid = piece.standing.solid if same else Solid.of(body, settlement=settlement)
-    upright, facing = (
-        Standing(solid, tilt=(0.0, body.resting_tilt, 0.0)),
-        Standing(solid, heading=piece.heading),
-    )
+    upright = Standing(solid, tilt=(0.0, body.resting_tilt, 0.0))
+    facing = Standing(solid, heading=piece.heading)
     x, z = at_rest(body, body.centre_of_gravity)
     place = np.array([x, 0.0, z]) - upright.turn @ solid.centre_of_gravity
     origin = _base_of(piece, held) + facing.turn @ place
@@ -287,7 +266,7 @@ def hold_piece(piece: Piece, room: Room, planes: NDArray[np.void]) -> Held:
         elements = tuple(
             replace(element, point=(element.point[0], element.point[1] - height)) for element in tied.elements
         )
-        held = Held(own.body, tied.room, elements, piece.measures)
+        held = Held(own.body, tied.room, elements, tuple(piece.measures))
     if held.room.ceiling != seen.ceiling:
         pole = next(one for one in piece.measures if one.acts_on == "the tie")
         raise InputError("measures.no_ceiling", "room.ceiling", measure=pole.label)

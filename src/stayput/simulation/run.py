@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -10,7 +11,7 @@ import numpy as np
 
 from stayput.mechanics import columns as col
 from stayput.saved import InNetcdf
-from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
+from stayput.simulation.outcome import HISTORIES, Event, EventKind, Mode, Outcome
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -209,12 +210,10 @@ class Run(InNetcdf):
         InputError
             Another history, or another language.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.plot import draw_run
 
-        axis = axes_of(ax)
-        draw_run(axis, self, what, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_run, self, what, check_language(language), **line)
 
     def figure(self, title: str = "", *, language: str = "en") -> Figure:
         """Return a figure with the floor's acceleration, the tilt, the slide and the modes over time.
@@ -255,38 +254,37 @@ def run_of(
     most_events: int | None = None,
 ) -> Run:
     """Return the `Run` of the mechanics' numbers, with names of modes, events and outcome."""
-    modes = np.array([mode.value for mode in Mode])
     history = traced.history.T.copy()
     first, cut, last = _split(traced.events, most_events)
     result = traced.result
     outcome = list(Outcome)[int(result["outcome"])]
+    inputs: dict[str, Any] = {
+        name: getattr(case, name) for name in ("body", "room", "motion", "contact", "initial", "gravity")
+    }
+    numbers: dict[str, Any] = {
+        name: result[name].item()
+        for name in (
+            "peak_slide",
+            "residual_slide",
+            "peak_tilt",
+            "residual_tilt",
+            "floor_impacts",
+            "wall_impacts",
+        )
+    }
+    histories: dict[str, Any] = {name: history[column] for name, (column, _, _) in HISTORIES.items()}
     return Run(
-        body=case.body,
-        room=case.room,
-        motion=case.motion,
-        contact=case.contact,
-        initial=case.initial,
-        gravity=case.gravity,
+        **inputs,
+        **numbers,
+        **histories,
         outcome=outcome,
         overturn_time=float(result["end"]) if outcome is Outcome.OVERTURNED else math.nan,
-        peak_slide=float(result["peak_slide"]),
-        residual_slide=float(result["residual_slide"]),
-        peak_tilt=float(result["peak_tilt"]),
-        residual_tilt=float(result["residual_tilt"]),
-        floor_impacts=int(result["floor_impacts"]),
-        wall_impacts=int(result["wall_impacts"]),
         time=np.arange(history.shape[1], dtype=np.float64) * case.motion.dt,
-        slide=history[col.H_SLIDE],
-        slide_rate=history[col.H_SLIDE_RATE],
-        tilt=history[col.H_TILT],
-        tilt_rate=history[col.H_TILT_RATE],
-        x=history[col.H_X],
-        z=history[col.H_Z],
-        mode=modes[history[col.H_MODE].astype(np.intp)],
+        mode=np.array(_MODES)[history[col.H_MODE].astype(np.intp)],
         events=tuple(_event(row) for part in (first, last) for row in part.tolist()),
         held=held,
         devices=devices,
-        unlisted={kind: n for kind, n in zip(EventKind, _counts(cut), strict=True) if n},
+        unlisted=dict(Counter(_KINDS[int(kind)] for kind in cut["kind"])),
     )
 
 
@@ -295,11 +293,6 @@ def _split(events: NDArray[np.void], most: int | None) -> tuple[NDArray[np.void]
     if most is None or len(events) <= most:
         return events, events[:0], events[:0]
     return events[: most - 1], events[most - 1 : -1], events[-1:]
-
-
-def _counts(events: NDArray[np.void]) -> list[int]:
-    kinds = events["kind"].astype(np.intp)
-    return np.bincount(kinds, minlength=len(EventKind)).tolist()
 
 
 def _event(row: tuple[float, ...]) -> Event:

@@ -9,7 +9,6 @@ import numpy as np
 
 from stayput.errors import InputWarning, warn, within
 from stayput.measures.element import device_results
-from stayput.measures.measure import element_rows, hold
 from stayput.model.parameters import GRAVITY
 from stayput.model.room import friction_factor
 from stayput.simulation.flat_fields import case_columns, room_row
@@ -32,8 +31,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.measures.element import DeviceResult
-    from stayput.measures.measure import Held, Measure
-    from stayput.model.body import Body
+    from stayput.measures.measure import Held
     from stayput.model.room import Room
     from stayput.model.state import State
     from stayput.motion import Motion
@@ -153,26 +151,6 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
     return _run(standing, room, motion, planes, trace, tuple(devices), held)
 
 
-def simulate_piece(
-    body: Body,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure],
-    initial: State,
-    gravity: float,
-    step: float | None = None,
-) -> SpaceRun:
-    """Simulate a piece of furniture with measures in space; see `stayput.simulate`.
-
-    Raises
-    ------
-    InputError
-        A body without a length, or measures that cannot be put in place.
-    """
-    held = hold(body, room, measures, dimensions=3)
-    return run_held(held, element_rows(held), motion, initial, gravity, checked_step(step))
-
-
 def run_held(
     held: Held,
     rows: NDArray[np.void],
@@ -195,12 +173,12 @@ def run_held(
     case = case_columns(held.body, held.room, initial, gravity)[0]
     m = held.body.mass
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
-    piece, trace = trace_case(case, rows, shaking, step, m)
+    piece, planes, trace = trace_case(case, rows, shaking, step, m)
     hits = trace.hits.copy()
     hits["impulse"] *= m
     trace = trace._replace(pressing=m * trace.pressing, hits=hits)
     devices = device_results(held, rows, trace.devices, trace.forces, held.body.mass)
-    return _run((piece.standing,), held.room, motion, piece.planes, trace, devices, (held,))
+    return _run((piece,), held.room, motion, planes, trace, devices, (held,))
 
 
 def _run(

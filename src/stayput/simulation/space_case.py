@@ -8,25 +8,17 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.mechanics.columns import (
-    FAILED_OUTCOME,
-    LEANING,
-    OVERTURNED_OUTCOME,
-    RESTED,
-    RESULT,
-    ROCKED,
-    SLID,
-)
+from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, NONE
 from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
 from stayput.model.soft_base import landing_factor
 from stayput.model.solid import Solid
-from stayput.simulation.outcome import Outcome
+from stayput.simulation.outcome import OUTCOMES, Outcome
 from stayput.simulation.placing import springs_of
 from stayput.simulation.space_engine import STEP, SpaceTrace, run_world
 from stayput.simulation.space_fate import fates_of
@@ -47,17 +39,6 @@ if TYPE_CHECKING:
 
     from stayput.motion import Motion
 
-NUMBERS = {
-    Outcome.RESTED: RESTED,
-    Outcome.SLID: SLID,
-    Outcome.ROCKED: ROCKED,
-    Outcome.LEANING: LEANING,
-    Outcome.OVERTURNED: OVERTURNED_OUTCOME,
-    Outcome.FELL_OFF: OVERTURNED_OUTCOME,
-    Outcome.FAILED: FAILED_OUTCOME,
-}
-"""Numbers of the outcomes in the mechanics, which know of no body that another bears."""
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SpaceShaking:
@@ -76,13 +57,6 @@ def acceleration_of(motion: Motion) -> NDArray[np.float64]:
     """Return the floor's acceleration along x, y and z, shape (samples, 3) [m/s²]."""
     given = motion.components
     return np.stack([given.get(name, np.zeros(len(motion.x))) for name in "xyz"], axis=1)
-
-
-class PieceInRoom(NamedTuple):
-    """A piece of furniture as it rests, and its room; the middle of its base is at the origin of the room."""
-
-    standing: Standing
-    planes: NDArray[np.void]
 
 
 def solid_of(case: np.void, mass: float = 1.0) -> Solid:
@@ -142,8 +116,8 @@ def _pose(case: np.void) -> tuple[NDArray[np.float64], ...]:
     return turn, place, np.array([float(case["slide_rate"]), 0.0, 0.0]) - np.cross(spin, foot), spin
 
 
-def piece_of(case: np.void, mass: float = 1.0) -> PieceInRoom:
-    """Return the piece of a case as it rests."""
+def piece_of(case: np.void, mass: float = 1.0) -> Standing:
+    """Return the piece of a case as it rests; the middle of its base is at the origin of the room."""
     resting = case.copy()
     for name in ("tilt", "tilt_rate", "slide", "slide_rate"):
         resting[name] = 0.0
@@ -152,14 +126,13 @@ def piece_of(case: np.void, mass: float = 1.0) -> PieceInRoom:
     origin = place - turn @ solid.centre_of_gravity
     u, v = case["u"], case["v"]
     lean = math.atan2(v[1] - v[0], u[1] - u[0])
-    standing = Standing(solid, (float(origin[0]), 0.0, float(origin[2])), tilt=(0.0, lean, 0.0))
-    return PieceInRoom(standing, planes_of([standing], case))
+    return Standing(solid, (float(origin[0]), 0.0, float(origin[2])), tilt=(0.0, lean, 0.0))
 
 
 def trace_case(
     case: np.void, elements: NDArray[np.void], motion: SpaceShaking, step: float = STEP, mass: float = 1.0
-) -> tuple[PieceInRoom, SpaceTrace]:
-    """Run a case in space, per unit mass.
+) -> tuple[Standing, NDArray[np.void], SpaceTrace]:
+    """Run a case in space, per unit mass; return the piece as it rests, its room (PLANE), and the run.
 
     Parameters
     ----------
@@ -180,13 +153,13 @@ def trace_case(
         A case without a length, or one that begins in a wall or the ceiling.
     """
     piece = piece_of(case)
-    solid = piece.standing.solid
-    world = world_of([solid], [_laws_of_piece(case)], piece.planes, (0.0, 0.0))
-    springs = springs_of(elements, piece.standing.turn, piece.standing.place, solid.principal[1])
+    solid, planes = piece.solid, planes_of([piece], case)
+    world = world_of([solid], [_laws_of_piece(case)], planes, (0.0, 0.0))
+    springs = springs_of(elements, piece.turn, piece.place, solid.principal[1])
     pose = pose_of(solid, *_pose(case))
     shaken = float(case["scale"]) * motion.acceleration
     trace = run_world(world, pose[np.newaxis], springs, shaken, motion.dt, step, float(case["gravity"]))
-    return piece if mass == 1.0 else piece_of(case, mass), trace
+    return piece if mass == 1.0 else piece_of(case, mass), planes, trace
 
 
 def _laws_of_piece(case: np.void) -> FloorLaws:
@@ -217,7 +190,9 @@ def results_of(
     for body, (result, fate) in enumerate(zip(results, fates, strict=True)):
         falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
         end = min(falls, default=len(time) - 1)
-        result["outcome"] = NUMBERS[fate.outcome]
+        # the mechanics know of no body that another bears
+        fell_off = fate.outcome is Outcome.FELL_OFF
+        result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
         result["end"] = time[end]
         result["peak_tilt"] = fate.tilt[: end + 1].max() if falls else trace.peak_tilt[body]
         result["peak_slide"] = fate.way[: end + 1].max()
@@ -235,7 +210,7 @@ def run_rows_in_space(
     devices["failure_time"] = np.nan
     time = motion.times
     for n, (case, rows) in enumerate(zip(cases, elements, strict=True)):
-        piece, trace = trace_case(case, rows, motion)
-        results[n] = results_of([piece.standing], trace, time)[0]
+        piece, _, trace = trace_case(case, rows, motion)
+        results[n] = results_of([piece], trace, time)[0]
         devices[n, rows["kind"] != NONE] = trace.devices
     return results, devices

@@ -193,22 +193,18 @@ def fates_of(
         fell_off = _falls_off(b, standing, place, turn, bears, touching)
         # what it stands on and what stands on it do not hold it aside
         beside = touching[b] & ~bears[:, b] & ~bears[b]
-        found.append(
-            Fate(
-                _outcome(
-                    overturned is not None,
-                    fell_off is not None,
-                    tilt,
-                    bool((last.room[b, 1:] <= TOUCHES).any() or beside.any()),
-                    float(way.max()),
-                    float(np.ptp(places[:, 2])),
-                ),
-                overturned,
-                fell_off,
-                tilt,
-                way,
-            )
-        )
+        held = (last.room[b, 1:] <= TOUCHES).any() or beside.any()
+        if fell_off is not None:
+            outcome = Outcome.FELL_OFF
+        elif overturned is not None:
+            outcome = Outcome.OVERTURNED
+        elif tilt[-1] > ROCKED and held:
+            outcome = Outcome.LEANING
+        elif tilt.max() > ROCKED or np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
+            outcome = Outcome.ROCKED
+        else:
+            outcome = Outcome.SLID if way.max() > SLID else Outcome.RESTED
+        found.append(Fate(outcome, overturned, fell_off, tilt, way))
     return found
 
 
@@ -229,33 +225,6 @@ def _moves(
 def _chosen(poses: NDArray[np.float64], moved: NDArray[np.intp]) -> NDArray[np.float64]:
     """Return some samples of poses, in whose memory each number is beside that of the next sample."""
     return np.moveaxis(np.take(np.moveaxis(poses, 0, -1), moved, axis=-1), -1, 0)
-
-
-def _outcome(
-    overturned: bool, fell_off: bool, tilt: NDArray[np.float64], held: bool, way: float, height: float
-) -> Outcome:
-    """Return the worst that became of a body, as in the plane, where one that was in the air has rocked too.
-
-    Parameters
-    ----------
-    overturned, fell_off : bool
-        Whether it did.
-    tilt : ndarray, shape (samples,)
-        Its tilts [rad].
-    held : bool
-        Whether a wall, the ceiling or a body beside touches it at the end.
-    way, height : float
-        How far it slid in plan, and came up or down [m].
-    """
-    if fell_off:
-        return Outcome.FELL_OFF
-    if overturned:
-        return Outcome.OVERTURNED
-    if tilt[-1] > ROCKED and held:
-        return Outcome.LEANING
-    if tilt.max() > ROCKED or height > LIFTED:
-        return Outcome.ROCKED
-    return Outcome.SLID if way > SLID else Outcome.RESTED
 
 
 def lies_on_floor(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, overload
+from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, overload
 
 import numpy as np
 
@@ -35,16 +35,17 @@ if TYPE_CHECKING:
 SpaceDrawing = Literal["tilt", "yaw", "plan", "acceleration"]
 """What `SpaceRun.plot` draws."""
 
-SEVERITY = (
-    Outcome.RESTED,
-    Outcome.SLID,
-    Outcome.ROCKED,
-    Outcome.LEANING,
-    Outcome.OVERTURNED,
-    Outcome.FELL_OFF,
-    Outcome.FAILED,
-)
+SEVERITY = (*list(Outcome)[: list(Outcome).index(Outcome.FAILED)], Outcome.FELL_OFF, Outcome.FAILED)
 """Outcomes, the worst last."""
+
+
+class _Film(TypedDict, total=False):
+    """Options of `SpaceRun.animate`."""
+
+    names: Sequence[str] | None
+    fps: float
+    speed: float
+    language: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -313,12 +314,10 @@ class SpaceRun(InNetcdf):
         InputError
             Something else to draw, another language, or not a name for each body.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.space.plot import draw_space_run
 
-        axis = axes_of(ax)
-        draw_space_run(axis, self, what, names, language)
-        return drawn(axis)
+        return plotted(ax, draw_space_run, self, what, names, language)
 
     def figure(self, title: str = "", *, names: Sequence[str] | None = None, language: str = "en") -> Figure:
         """Return a figure with the floor's acceleration, tilts and turns over time, and the ways in plan."""
@@ -327,24 +326,9 @@ class SpaceRun(InNetcdf):
         return plot_space_run(self, names=names, title=title, language=language)
 
     @overload
-    def animate(
-        self,
-        path: None = ...,
-        *,
-        names: Sequence[str] | None = ...,
-        speed: float = ...,
-        language: str = ...,
-    ) -> Player: ...
+    def animate(self, path: None = ..., **film: Unpack[_Film]) -> Player: ...
     @overload
-    def animate(
-        self,
-        path: str | Path,
-        *,
-        names: Sequence[str] | None = ...,
-        fps: float = ...,
-        speed: float = ...,
-        language: str = ...,
-    ) -> Path: ...
+    def animate(self, path: str | Path, **film: Unpack[_Film]) -> Path: ...
     def animate(
         self,
         path: str | Path | None = None,

@@ -162,22 +162,15 @@ class Piece:
     body: Body
     at: tuple[float, float, float] = (0.0, 0.0, 0.0)
     heading: float = 0.0
-    measures: tuple[Measure, ...] = ()
+    measures: Sequence[Measure] = ()
     standing: Standing = field(init=False, repr=False, compare=False)
 
-    def __init__(
-        self,
-        body: Body,
-        at: tuple[float, float, float] = (0.0, 0.0, 0.0),
-        heading: float = 0.0,
-        measures: Sequence[Measure] = (),
-    ) -> None:
-        object.__setattr__(self, "body", instance_of("body", body, Body))
-        object.__setattr__(self, "measures", list_of("measures", measures, Measure))
+    def __post_init__(self) -> None:
+        instance_of("body", self.body, Body)
+        object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
         refuse_conflicts(self.measures)
-        standing = Standing(Solid.of(body), at, heading)
+        standing = Standing(Solid.of(self.body), self.at, self.heading)
         object.__setattr__(self, "at", standing.at)
-        object.__setattr__(self, "heading", heading)
         object.__setattr__(self, "standing", standing)
 
 
@@ -310,22 +303,14 @@ class Assembly:
     [0.01, 0.08]
     """
 
-    members: tuple[Standing | Piece, ...]
+    members: Sequence[Standing | Piece]
     friction: tuple[float, float] = (0.4, 0.3)
-    joints: tuple[Joint, ...] = ()
+    joints: Sequence[Joint] = ()
 
-    def __init__(
-        self,
-        members: Sequence[Standing | Piece],
-        friction: tuple[float, float] = (0.4, 0.3),
-        joints: Sequence[Joint] = (),
-    ) -> None:
-        standing = list_of("members", members, (Standing, Piece))
-        if not standing:
-            raise InputError("simulation.no_bodies", "members")
-        if len(standing) > MOST_BODIES:
-            raise InputError("simulation.too_many_bodies", "members", count=len(standing), most=MOST_BODIES)
-        joined = list_of("joints", joints, Joint)
+    def __post_init__(self) -> None:
+        standing = list_of("members", self.members, (Standing, Piece))
+        whole_within("simulation.bodies", len(standing), 1, MOST_BODIES, "", "members")
+        joined = list_of("joints", self.joints, Joint)
         for number, joint in enumerate(joined):
             last = max(joint.first, joint.second)
             if last >= len(standing):
@@ -343,7 +328,7 @@ class Assembly:
                         "simulation.joint_astray", name, name=name, member=holds, apart=apart, most=reach
                     )
         object.__setattr__(self, "members", standing)
-        object.__setattr__(self, "friction", friction_between(friction))
+        object.__setattr__(self, "friction", friction_between(self.friction))
         object.__setattr__(self, "joints", joined)
 
 

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from stayput.errors import InputError, list_of
+from stayput.errors import InputError, list_of, word_of
 from stayput.execution import Pool
-from stayput.mechanics import columns as col
 from stayput.mechanics.runner import Shaking, trace
 from stayput.simulation.flat_fields import unit_of
 from stayput.simulation.grid import make_grid
@@ -25,16 +24,6 @@ if TYPE_CHECKING:
 
     from stayput.simulation.case import Case
     from stayput.simulation.grid import Axes, Grid
-
-HISTORY_COLUMNS = {
-    "slide": col.H_SLIDE,
-    "slide_rate": col.H_SLIDE_RATE,
-    "tilt": col.H_TILT,
-    "tilt_rate": col.H_TILT_RATE,
-    "x": col.H_X,
-    "z": col.H_Z,
-}
-"""Columns of a history in the arrays of the mechanics."""
 
 MOST_NUMBERS = 2**27
 """Most numbers in all histories together: 1 GiB."""
@@ -106,14 +95,12 @@ def sweep(
 
 def _frame(grid: Grid, case: Case) -> xr.Dataset:
     """Return the dataset with its coordinates, and no data yet."""
-    data = xr.Dataset(attrs={"contact": case.contact, "motion": case.motion.name})
-    for axis in grid.axes:
-        for path, labels in axis.labels.items():
-            unit = unit_of(path)
-            data = data.assign_coords(
-                {path: (axis.name, np.asarray(labels), {"units": unit} if unit else {})}
-            )
-    return data
+    coordinates = {
+        path: (axis.name, np.asarray(labels), {"units": unit} if (unit := unit_of(path)) else {})
+        for axis in grid.axes
+        for path, labels in axis.labels.items()
+    }
+    return xr.Dataset(coords=coordinates, attrs={"contact": case.contact, "motion": case.motion.name})
 
 
 def _histories(
@@ -129,8 +116,7 @@ def _histories(
         An unknown name, motions of different time steps, or more numbers than `MOST_NUMBERS`.
     """
     for name in names:
-        if name not in HISTORIES:
-            raise InputError("simulation.unknown_history", "histories", name=name, known=", ".join(HISTORIES))
+        word_of("simulation.history", name, HISTORIES, "histories")
     if grid.dimensions == 3:
         raise InputError("simulation.histories_in_space", "histories")
     prepared = prepared_motions(grid.motions, groups_of(grid), 2)
@@ -149,13 +135,13 @@ def _histories(
         (cases, elements), motion = block.held(), motions[int(block.group()[0])]
         history = trace(cases[0], motion, elements[0]).history
         for name in names:
-            tables[name][place, : len(history)] = history[:, HISTORY_COLUMNS[name]]
+            tables[name][place, : len(history)] = history[:, HISTORIES[name][0]]
 
     with Pool(threads) as pool:
         for _ in pool.as_completed(partial(run, place) for place in range(len(grid))):
             pass
     shape = (*grid.shape, samples)
     return np.arange(samples, dtype=np.float64) * steps[0], {
-        name: (values.reshape(shape), {"units": HISTORIES[name][0], "long_name": HISTORIES[name][1]})
+        name: (values.reshape(shape), {"units": HISTORIES[name][1], "long_name": HISTORIES[name][2]})
         for name, values in tables.items()
     }

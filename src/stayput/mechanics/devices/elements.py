@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.columns import ENDED, LIMIT, PLANE
+from stayput.mechanics.columns import PLANE
 from stayput.mechanics.devices.columns import (
     AXIAL,
     F_NORMAL,
@@ -32,8 +32,7 @@ from stayput.mechanics.devices.device_law import (
     update_element,
 )
 from stayput.mechanics.elementary import sine_and_cosine
-from stayput.mechanics.flat import BLOCK
-from stayput.mechanics.records import loads, lowest_product, record_sample
+from stayput.mechanics.records import lowest_product
 
 
 @inner
@@ -281,14 +280,8 @@ def add_wrench(work, wrench):
 
 
 @inner
-def _block_stays_at_rest(case, work, block, extremes):
-    """Whether the body stays at rest throughout a block of the record, by the extremes of its loads."""
-    a_low, a_high, z_low, z_high = extremes
-    k = case.scale
-    a0, a1, z0, z1 = k * a_low[block], k * a_high[block], k * z_low[block], k * z_high[block]
-    if k < 0.0:
-        a0, a1, z0, z1 = a1, a0, z1, z0
-    z0, z1 = case.gravity + z0, case.gravity + z1
+def range_within_facets(work, a0, a1, z0, z1):
+    """Whether all loads with ẍ_G from a0 to a1 and G from z0 to z1 are inside all facets."""
     for j in range(work.facets):
         f = work.facet[j]
         if f[0] + lowest_product(f[1], a0, a1) + lowest_product(f[2], z0, z1) < 0.0:
@@ -297,8 +290,8 @@ def _block_stays_at_rest(case, work, block, extremes):
 
 
 @inner
-def _time_until_released(work, a0, G0, a1, G1, h):
-    """Time in a step, with these loads at its ends, at which rest ends, or h."""
+def time_within_facets(work, a0, G0, a1, G1, h):
+    """Time in a step, with these loads at its ends, at which they leave the facets, or h."""
     first = h
     for j in range(work.facets):
         f = work.facet[j]
@@ -306,30 +299,3 @@ def _time_until_released(work, a0, G0, a1, G1, h):
         if m1 < 0.0:
             first = min(first, 0.0 if m0 <= 0.0 else h * m0 / (m0 - m1))
     return first
-
-
-@inner
-def advance_held_rest(case, held, s, motion, output):
-    """Advance a body at rest, exactly unmoved, until the contacts can no longer balance the load."""
-    ax, az, dt, extremes = motion.ax, motion.az, motion.dt, motion.extremes
-    work, history = held.work, output.history
-    last = ax.shape[0] - 1
-    per_second = case.scale / dt
-    has_history = history.shape[0] > 0
-    while s.k < last:
-        at_block = s.tau == 0.0 and s.k % BLOCK == 0 and not has_history
-        if at_block and _block_stays_at_rest(case, work, s.k // BLOCK, extremes):
-            s.k = min(last, s.k + BLOCK)
-            continue
-        h = dt - s.tau
-        a0, _, G0, _ = loads(case, ax, az, per_second, s.k, s.tau)
-        a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
-        t = _time_until_released(work, a0, G0, a1, G1, h)
-        if t < h:
-            s.tau += t
-            return LIMIT
-        s.k += 1
-        s.tau = 0.0
-        record_sample(history, case, s)
-        note_forces_of_links(output.forces, held.links, s)
-    return ENDED

@@ -23,9 +23,8 @@ from stayput.mechanics.devices.step import (
     evaluate_state,
     project_on_constraints,
     set_state,
-    state_of,
 )
-from stayput.mechanics.geometry import RIGHT_ANGLE, arm_at, gap, sin_cos, to_plane_axes
+from stayput.mechanics.geometry import RIGHT_ANGLE, gap, gap_rates, sin_cos, state_of
 from stayput.mechanics.roots import (
     MIN_START_VALUE,
     closed_level,
@@ -138,18 +137,7 @@ def _gap_rates(contacts, s, work, c, y, k, sin, cos):
         reach = work.reach[c]
         lever, fall = reach[2] * cos - reach[1] * sin, reach[1] * cos + reach[2] * sin
         return reach[0] + fall, y[5] * lever, k[2] * lever - y[5] * y[5] * fall
-    con = contacts[c]
-    sigma, kappa = arm_at(con, sin, cos)
-    place, rate, fall = (
-        to_plane_axes(con, y[0], y[1])[1],
-        to_plane_axes(con, y[3], y[4])[1],
-        to_plane_axes(con, k[0], k[1])[1],
-    )
-    return (
-        place + con.offset - kappa,
-        rate - y[5] * sigma,
-        fall - k[2] * sigma + y[5] * y[5] * kappa,
-    )
+    return gap_rates(contacts[c], y, k, sin, cos)
 
 
 @inline

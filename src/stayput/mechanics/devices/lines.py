@@ -20,7 +20,7 @@ from stayput.mechanics.devices.device_law import (
     push_of,
     utilization_of,
 )
-from stayput.mechanics.roots import parabola_negative_at
+from stayput.mechanics.roots import SLACK_FORCE, level_of, parabola_negative_at
 
 
 @inline
@@ -108,10 +108,6 @@ def place_of(line, sin, cos, moves, x, z, vx, vz, omega):
     return far + line.a, rate, nx, nz, lever
 
 
-SLACK_FORCE = 1e-8
-"""Slack by which a force that starts a step at its limit must exceed it to count as an event [m/s²]."""
-
-
 @inline
 def line_force(work, sin, cos, moves, x, z, vx, vz, omega):
     """Force of the lines on the body and its moment about the origin, + clockwise; stores nothing."""
@@ -153,16 +149,10 @@ def evaluate_lines(work, sin, cos, moves, x, z, vx, vz, omega):
 
 
 @inline
-def level_of(margin, slack):
-    """Value below which a margin is crossed in a step that starts with it; see `roots.closed_level`."""
-    return 0.0 if margin > slack else min(margin, 0.0) - slack
-
-
-@inline
 def begin_step(work):
     """Start a step from the values last evaluated, and set the levels of the margins that end it.
 
-    A margin that starts at its limit must fall below it by a slack; see `roots.closed_level`.
+    A margin that starts at its limit must fall below it by a slack; see `roots.level_of`.
     """
     slack = work.slack_factor * SLACK_FORCE
     for r in range(work.lines):

@@ -24,7 +24,7 @@ import numpy as np
 
 from stayput.compiling import inline, inner
 from stayput.mechanics import columns as col
-from stayput.mechanics.contact import PAINLEVE_LIMIT, fill_rows, forces_of_slipping_pair
+from stayput.mechanics.contact import PAINLEVE_LIMIT, slide_on_two_planes
 from stayput.mechanics.devices.lines import evaluate_lines, line_force, set_lines
 from stayput.mechanics.devices.moment import expand_tilt, sum_lines, tilt_at
 from stayput.mechanics.geometry import (
@@ -37,7 +37,9 @@ from stayput.mechanics.geometry import (
     project_on_plane,
     set_pivot_velocity,
     sin_cos,
+    slip_rate,
     to_plane_axes,
+    to_room_axes,
     value_or,
 )
 from stayput.mechanics.roots import last_reversal
@@ -121,21 +123,12 @@ def _flat(contacts, case, s, d, sin, cos, vx, vz, A, Γ, fl):
 
 
 @inner
-def _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl):
+def _on_two_planes(rows, contacts, case, s, a, G, fl):
     """Accelerations and event margins of a body that slides on two planes at once."""
-    I = case.inertia
-    fill_rows(rows, contacts, s.closed, sin, cos, case)
-    for k in range(2):
-        row = rows[k]
-        row.bias_n = to_plane_axes(contacts[row.index], -a, -G)[1] - omega * omega * row.tl + row.nl * fl / I
-        row.target = 0.0
-    i, j = (0, 1) if s.i < s.j else (1, 0)
-    ri, rj = rows[i], rows[j]
-    Ni, Nj, fx, fz, moment = forces_of_slipping_pair(ri, float(s.d), rj, float(s.dj), I)
+    ax, az, alpha, Ni, Nj = slide_on_two_planes(rows, contacts, case, s, s.sin, s.cos, s.omega, a, G, fl)
     least = -1.0 if math.isnan(Ni) else min(Ni, Nj)
-    slip_i = ri.tx * vx + ri.tz * vz + ri.tl * omega
-    slip_j = rj.tx * vx + rj.tz * vz + rj.tl * omega
-    return fx - a, fz - G, (moment + fl) / I, least, min(float(s.d) * slip_i, float(s.dj) * slip_j)
+    slip_i, slip_j = slip_rate(contacts[s.i], s), slip_rate(contacts[s.j], s)
+    return ax, az, alpha, least, min(float(s.d) * slip_i, float(s.dj) * slip_j)
 
 
 @inline
@@ -147,7 +140,7 @@ def _accelerations_under(contacts, rows, case, s, load, t, fx, fz, fl):
     if kind == col.FLIGHT:
         return -a, -G, fl / case.inertia, math.inf, math.inf
     if kind == col.LEAN:
-        return _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl)
+        return _on_two_planes(rows, contacts, case, s, a, G, fl)
     con = contacts[s.i]
     A, Γ = to_plane_axes(con, a, G)
     if kind == col.SLIDE:
@@ -155,7 +148,7 @@ def _accelerations_under(contacts, rows, case, s, load, t, fx, fz, fl):
         tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
     else:
         tangential, normal, alpha, f, g = _on_corner(con, case, float(s.d), sin, cos, vx, vz, omega, A, Γ, fl)
-    return con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal, alpha, f, g
+    return *to_room_axes(con, tangential, normal), alpha, f, g
 
 
 @inline
@@ -201,8 +194,7 @@ def set_about_fulcrum(elements, links, contacts, case, s, work):
 def stand_on_fulcrum(con, s, foot):
     """Set position and velocity of G from the tilt, with the sticking corner at its place along the plane."""
     sigma, kappa = arm(con, s)
-    right, height = foot - sigma, kappa - con.offset
-    s.x, s.z = con.cos * right - con.sin * height, con.sin * right + con.cos * height
+    s.x, s.z = to_room_axes(con, foot - sigma, kappa - con.offset)
     set_pivot_velocity(con, s)
 
 
@@ -216,7 +208,7 @@ def _under(con, case, s, load, t, fx, fz, moment):
     tangential, normal = kappa * alpha + sigma * spin, sigma * alpha - kappa * spin
     along_plane, off_plane = to_plane_axes(con, fx, fz)
     N, T = Γ - off_plane + normal, A - along_plane + tangential
-    k = con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal, alpha
+    k = *to_room_axes(con, tangential, normal), alpha
     return k, con.mu_static * N - T, con.mu_static * N + T
 
 
@@ -341,12 +333,6 @@ def set_state(s, y, base):
     """Write (x, z, θ, ẋ, ż, θ̇) into the state record."""
     s.x, s.z, s.theta, s.vx, s.vz, s.omega = y
     s.sin, s.cos = sin_cos(y[2], base[0], base[1], base[2])
-
-
-@inline
-def state_of(s):
-    """Read (x, z, θ, ẋ, ż, θ̇) from the state record."""
-    return s.x, s.z, s.theta, s.vx, s.vz, s.omega
 
 
 @inner

@@ -22,9 +22,7 @@ from stayput.mechanics.devices.events import (
     set_gap_levels,
 )
 from stayput.mechanics.devices.lines import (
-    SLACK_FORCE,
     begin_step,
-    level_of,
     note_forces_within,
     reaches_peak,
     record_forces,
@@ -36,14 +34,14 @@ from stayput.mechanics.devices.step import (
     end_fulcrum_step,
     evaluate_state,
     set_about_fulcrum,
-    state_of,
     take_free_step,
     turning_tilt_on_fulcrum,
 )
 from stayput.mechanics.elementary import fifth_root
-from stayput.mechanics.geometry import arm_at, reason_of_end, to_plane_axes, update_peaks
+from stayput.mechanics.fulcrum import NEAR_LIMIT
+from stayput.mechanics.geometry import arm_at, reason_of_end, state_of, to_plane_axes, update_peaks
 from stayput.mechanics.records import advance_clock, loads, record_sample
-from stayput.mechanics.roots import hermite, horner, last_reversal
+from stayput.mechanics.roots import SLACK_FORCE, SLACK_SLIP, hermite, horner, last_reversal, level_of
 
 PLACE_OFF, RATE_OFF = 4 / 27, 0.75
 """Largest deviation of a cubic, and of its slope, from the chord, per difference of end and chord slopes.
@@ -145,14 +143,8 @@ def no_line_event(work, h, beyond):
     return none, whole
 
 
-SLACK_SLIP = 5e-11
-"""Slack of a slip rate that starts a step at zero [m/s]; see `active_elements.SLACK_FORCE`."""
-
 REST_RATE = 1e-9
 """Rate up to which a slipping corner, or a moving body, is at rest [m/s]."""
-
-NEAR_LIMIT = 0.01
-"""Margin, as a part of g, below which at either end of a step it is also evaluated at the midpoint."""
 
 FORCE_SWING = 2.0
 """Change of a contact's margin per force of the lines, 1 + μ: what they may swing inside a step is added."""
