@@ -6,8 +6,7 @@ import warnings
 
 import numpy as np
 import pytest
-from test_readers_japan import jma
-from test_readers_world import cosmos, esm
+from record_files import cosmos, esm, jma
 
 import stayput as sp
 
@@ -194,3 +193,11 @@ def test_the_sensors_of_a_borehole_are_called_in_each_language():
     assert "'TST001, borehole, 2006'" in str(error)
     assert "「TST001, 地中, 2006」" in error.told("ja")
     assert "「TST001, 地表, 2006」" in error.told("ja")
+
+
+def test_ground_and_floor_are_not_put_together():
+    ground, floor = sp.Motion(0.01, WAVE, name="a"), sp.Motion(0.01, WAVE[::-1], name="b", floor="floor 5")
+    for pair in ((ground, floor), (floor, ground)):
+        error = refused(*pair)
+        assert "must be of the same place" in str(error)
+        assert "同じ場所の記録" in error.told("ja")
