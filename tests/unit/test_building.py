@@ -162,8 +162,8 @@ def test_dataset_has_units():
     ("make", "words"),
     [
         (lambda: Building(structure="brick"), "one of 'RC', 'steel', 'wood', 'base-isolated'"),
-        (lambda: Building(0), "whole number from 1"),
-        (lambda: Building(2.5), "whole number from 1"),
+        (lambda: Building(0), "must be between 1 and 199"),
+        (lambda: Building(2.5), "whole number"),
         (lambda: Building(period=-1.0), "Building period is -1 s"),
         (lambda: Building(damping=math.nan), "finite"),
         (lambda: Building(post_yield=0.1, nonlinear=False), "nonlinear"),

@@ -128,7 +128,7 @@ def test_the_plot_is_written_with_and_without_a_target(tmp_path, small):
     ("call", "told"),
     [
         (lambda: Suite(()), "no motions"),
-        (lambda: Suite((1.0,)), "float"),
+        (lambda: Suite((1.0,)), "of type Motion"),
         (lambda: synthetic_suite("tsunami"), "near-fault"),
         (lambda: synthetic_motion("mixed"), "crustal"),
         (lambda: synthetic_suite(count=0), "between 1 and 1000"),

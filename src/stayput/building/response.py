@@ -127,7 +127,7 @@ class FloorResponse:
         """Return the motion under the furniture of a storey (the roof's is that of the storeys + 1)."""
         self.model.place(storey)
         rows = {name: a[:, int(storey) - 1] for name, a in self.acceleration.items()}
-        return self.model._motion_of(self.motion, storey, self.dt, rows)  # pyright: ignore[reportPrivateUsage]
+        return self.model.motion_of(self.motion, storey, self.dt, rows)
 
     def to_dataset(self) -> xr.Dataset:
         """Return histories and peaks with units: ``acceleration_x`` over time and storey, ``drift_x``, ..."""

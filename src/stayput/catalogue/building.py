@@ -4,10 +4,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Refusals
     "modes": ("The number of modes", "モードの数"),
     "structure": ("The structure", "建物の構造"),
-    "storeys": (
-        "The number of storeys is {storeys}; it must be a whole number from 1 to {most}.",
-        "建物の階数が{storeys}になっています。1～{most}の整数にしてください。",
-    ),
     "needs_nonlinear": (
         "yield_coefficient and post_yield are given; they need a nonlinear building.",
         "yield_coefficientやpost_yieldは、非線形の建物にだけ指定できます。",
@@ -48,6 +44,5 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "建物の最も短い固有周期が{period:g}秒になっています。降伏を考える場合は{least:.2g}秒以上にしてください。",
     ),
-    # Doubts
 }
 """Texts by their keys: English, Japanese."""

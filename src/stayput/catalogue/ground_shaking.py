@@ -50,23 +50,19 @@ TEXTS: dict[str, tuple[str, str]] = {
     "scattered": (
         (
             "{about}. By {source} the peak velocity of the ground is {pgv:.3g} cm/s, times or over {spread:.2g} "
-            "(one standard deviation); each motion has a strength of its own out of this scatter. This is not "
-            "the seismic hazard at your site"
+            "(one standard deviation); {how}. This is not the seismic hazard at your site"
         ),
         (
             "{about}。{source}による地面の最大速度は{pgv:.3g} cm/sで、標準偏差は{spread:.2g}倍（または1/{spread:.2g}）"
-            "です。このばらつきに合わせて、地震動ごとに強さを変えます。お住まいの場所の地震危険度を示すものではありません"
+            "です。{how}。お住まいの場所の地震危険度を示すものではありません"
         ),
     ),
-    "middle": (
-        (
-            "{about}. By {source} the peak velocity of the ground is {pgv:.3g} cm/s, times or over {spread:.2g} "
-            "(one standard deviation); the one motion has the median, without this scatter. This is not the "
-            "seismic hazard at your site"
-        ),
-        (
-            "{about}。{source}による地面の最大速度は{pgv:.3g} cm/sで、標準偏差は{spread:.2g}倍（または1/{spread:.2g}）"
-            "です。地震動が1つなので中央値を使い、ばらつきは考慮しません。お住まいの場所の地震危険度を示すものではありません"
-        ),
+    "each_drawn": (
+        "each motion has a strength of its own out of this scatter",
+        "このばらつきに合わせて、地震動ごとに強さを変えます",
+    ),
+    "median_alone": (
+        "the one motion has the median, without this scatter",
+        "地震動が1つなので中央値を使い、ばらつきは考慮しません",
     ),
 }

@@ -5,7 +5,6 @@ from stayput.catalogue.motion_files import TEXTS as FILE_TEXTS
 TEXTS: dict[str, tuple[str, str]] = {
     **FILE_TEXTS,
     # What numbers and names are called, for the refusals of `stayput.catalogue.common`.
-    "name_motion_dt": ("Motion dt", "地震動の時間刻み"),
     "name_motion_scale": ("Motion scale", "地震動の倍率"),
     "name_motion_angle": ("Motion angle", "地震動を回転する角度"),
     "name_intensity": ("Intensity", "震度"),
@@ -25,7 +24,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "name_pulse_nu": ("Pulse nu", "パルスのν"),
     "name_pulse_duration": ("Pulse duration", "パルスの継続時間"),
     "name_pulse_frequency": ("Pulse frequency", "パルスの振動数"),
-    "name_pulse_dt": ("Pulse dt", "パルスの時間刻み"),
     "name_target_sa": ("Target Sa", "目標スペクトルのSa"),
     "name_target_damping": ("Target damping ratio", "目標スペクトルの減衰定数"),
     "name_target_period": ("Period of {target}", "「{target}」の周期"),
@@ -86,10 +84,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The new dt is {step:g} s; it must be a whole part or a multiple of {dt:g} s.",
         "新しい時間刻みが{step:g}秒になっています。{dt:g}秒の整数分の1か整数倍にしてください。",
     ),
-    "resampled_too_long": (
-        "The finer record would have {count} samples; {most} are allowed.",
-        "細かくした記録のデータが{count}個になります。{most}個以下にしてください。",
-    ),
     "resampled_too_short": (
         "The record has {count} samples; a step {ratio} times as long needs at least {least}.",
         "記録のデータは{count}個です。時間刻みを{ratio}倍にするには{least}個以上が必要です。",
@@ -132,9 +126,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion would have {count} samples; it must have at most {most}.",
         "地震動のデータが{count}個になります。{most}個以下にしてください。",
     ),
-    "sine_step": (
-        "Sine dt is {step:g} s; at most {most:g} s, period/{fewest}, is allowed.",
-        "正弦波の時間刻みが{step:g}秒になっています。周期の{fewest}分の1（{most:g}秒）以下にしてください。",
+    "coarse_step": (
+        "dt is {step:g} s; at most {most:g} s, a {fewest}th of the period or of the pulse, is allowed.",
+        "時間刻みが{step:g}秒になっています。周期やパルスの長さの{fewest}分の1（{most:g}秒）以下にしてください。",
     ),
     "pulse_needs": (
         (
@@ -146,12 +140,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "{wanted}だけを指定してください。"
         ),
     ),
-    "only_duration": ("duration", "継続時間"),
-    "only_frequency": ("frequency", "振動数"),
-    "pulse_step": (
-        "Pulse dt is {step:g} s; it must be at most a {fewest}th of {period:g} s.",
-        "パルスの時間刻みが{step:g}秒になっています。{period:g}秒の{fewest}分の1以下にしてください。",
-    ),
+    "frequency": ("frequency", "振動数"),
     # From the channels of a file to the components of a motion.
     "lengths_differ": (
         "The components have {listing} samples; their lengths must agree within 1 %.",
@@ -366,10 +355,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; a file must be read first: read_motion({value}).",
         "{name}が{value}になっています。ファイルは先にread_motion({value})で読み込んでください。",
     ),
-    "suite_item": (
-        "An item of the suite is of type {kind}; all must be motions.",
-        "地震動群に{kind}が含まれています。地震動（Motion）だけを入れてください。",
-    ),
     "suite_one_motion": (
         "The suite has 1 motion; a standard deviation needs at least 2.",
         "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",
@@ -408,10 +393,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "周期の範囲が{value}になっています。2つの周期（最短、最長）[s] を指定してください。",
     ),
     "target_level": ("The level", "地震動のレベル"),
-    "target_soil": (
-        "The class of soil is {soil!r}; it must be 1, 2 or 3.",
-        "地盤種別が{soil!r}になっています。1、2、3のいずれかにしてください。",
-    ),
+    "target_soil": ("The class of soil", "地盤種別"),
     "target_line": (
         "{file}, line {number} is {line!r}; it must be a period [s] and Sa [{unit}].",
         "「{file}」の{number}行目が「{line}」になっています。周期（秒）とSa（{unit}）を書いてください。",

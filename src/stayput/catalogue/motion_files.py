@@ -83,9 +83,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file states no unit and no time step; {option} must be given as one of {known}, and {other_option} [s].",
         "加速度の単位（{option}）と時間刻み（{other_option}）がファイルに書かれていません。単位を次から選び、時間刻みを秒単位で入力してください：{known}",
     ),
-    "another_unit": (
-        "The unit is given as {given!r}; it must be the one that the file states, {stated}.",
-        "「{given}」という単位が選ばれましたが、ファイルに書かれている単位は{stated}です。それを選んでください。",
+    "not_the_files_own": (
+        "The {what} is given as {given}; it must be the one that the file states, {stated}.",
+        "{what}に{given}が指定されましたが、ファイルでは{stated}です。それにしてください。",
     ),
     "unit_mentioned": (
         "The unit is given as {given!r} and the file's header mentions {mentioned!r}; check which it is.",
@@ -94,10 +94,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_time_step": (
         "The file states no time step; {option} must be given [s].",
         "時間刻み（{option}）がファイルに書かれていません。秒単位で入力してください。",
-    ),
-    "another_time_step": (
-        "The dt is given as {given:g} s; it must be the one that the file states, {stated:g} s.",
-        "時間刻みに{given:g}秒が指定されましたが、ファイルの時間刻みは{stated:g}秒です。それを入力してください。",
     ),
     "time_counts": (
         (
@@ -123,24 +119,14 @@ TEXTS: dict[str, tuple[str, str]] = {
             "重力を除いた加速度が必要です。平均を除いてください（{option}）。"
         ),
     ),
-    "offset_refused": (
-        (
-            "The acceleration of {component} oscillates about {mean:.4g} m/s², {share:.0f} % of its peak, which would "
-            "leave the floor moving at {velocity:.3g} m/s; the mean must be taken off ({option})."
-        ),
-        (
-            "{component}成分の加速度が{mean:.4g} m/s²（最大値の{share:.0f}%）を中心に振動しており、最後に床が"
-            "{velocity:.3g} m/sで動き続けることになります。平均を除いてください（{option}）。"
-        ),
-    ),
     "offset": (
         (
-            "The acceleration of {component} oscillates about {mean:.4g} m/s², which would leave the floor moving at "
-            "{velocity:.3g} m/s; where that is the instrument's offset, take the mean off ({option})."
+            "The acceleration of {component} oscillates about {mean:.4g} m/s², {share:.3g} % of its peak, which would "
+            "leave the floor moving at {velocity:.3g} m/s; an instrument's offset must be taken off ({option})."
         ),
         (
-            "{component}成分の加速度が{mean:.4g} m/s²を中心に振動しており、最後に床が{velocity:.3g} m/sで"
-            "動き続けることになります。計器のオフセットであれば、平均を除いてください（{option}）。"
+            "{component}成分の加速度が{mean:.4g} m/s²を中心に振動しており（最大値の{share:.3g}%）、最後に床が"
+            "{velocity:.3g} m/sで動き続けることになります。計器のオフセットであれば、平均を除いてください（{option}）。"
         ),
     ),
     "late_offset": (
@@ -154,10 +140,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "less_mean": (", less the mean of each component", "、各成分の平均を除去"),
-    "time_not_growing": (
-        "The time runs from {start:g} s to {end:g} s; it must grow.",
-        "時刻が{start:g}秒から{end:g}秒になっています。時刻は増えていかなければなりません。",
-    ),
     "irregular_sampling": (
         "The sampling is irregular near {time:g} s; the time must grow by equal steps.",
         "時刻が{time:g}秒付近で等間隔になっていません。等間隔の記録が必要です。",
@@ -169,6 +151,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_offsets": ("offsets", "オフセット"),
     "the_peak": ("peak acceleration", "最大加速度"),
     "the_time_step": ("time step", "時間刻み"),
+    "the_unit": ("unit", "単位"),
     "number_of_samples": ("number of samples", "データの数"),
     "the_integer_header": ("integer header", "整数ヘッダー"),
     "the_real_header": ("real header", "実数ヘッダー"),
@@ -285,10 +268,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ObsPy cannot read the file; it must be complete.",
         "ObsPyでファイルを読み取れません。壊れていないファイルが必要です。",
     ),
-    "seismogram_cut": (
-        "The last record of the file has {size} bytes; it must have {length} like the others.",
-        "ファイルの最後のレコードが{size}バイトしかありません。ほかと同じ{length}バイトが必要です。",
-    ),
     "borehole_left_out": (
         "The channels {channels} are of the borehole below the ground and are left out; the surface's are taken.",
         "地中（ボアホール）の地震計の成分「{channels}」は使いません。地表の成分を使います。",
@@ -357,19 +336,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The line {line} stands between the headings and the numbers; only the units of the columns may.",
         "見出しと数値の間に{line}という行があります。ここには各列の単位だけを書けます。",
     ),
-    "column_negative": (
+    "other_sign": (
         (
-            "The column {column} is positive the other way; its numbers must change sign, and its heading be "
-            "written without that."
+            "By {said} numbers are positive the other way; they must change sign, and that be left out, or the column of "
+            "the vertical be headed 'Down'."
         ),
-        "列{column}は正負の向きが逆です。数値の符号を反転し、見出しを直してください。",
-    ),
-    "positive_down": (
-        (
-            "The line {line} says that the vertical is positive downward; its numbers must be positive upward, and the "
-            "line be left out, or its column be headed 'Down'."
-        ),
-        "{line}の行によると、上下動は下向きが正です。上向きを正として行を消すか、列の見出しを「Down」としてください。",
+        "{said}によると、数値の正負の向きが逆です。符号を反転してその記載を消すか、上下動の列の見出しを「Down」としてください。",
     ),
     "spectral": ("a peak or a spectrum", "最大値やスペクトル"),
     "two_units": (

@@ -186,13 +186,10 @@ class GroundStrength:
         """Return what was stated, and how so many motions have their strengths by it; without a full stop."""
         if self.scatter == 0.0:
             return self.about
-        key = "middle" if motions == 1 else "scattered"
+        how = phrase(f"ground_shaking.{'median_alone' if motions == 1 else 'each_drawn'}")
+        pgv, spread = 100.0 * self.median, 10.0**self.scatter
         return phrase(
-            f"ground_shaking.{key}",
-            about=self.about,
-            source=self.source,
-            pgv=100.0 * self.median,
-            spread=10.0**self.scatter,
+            "ground_shaking.scattered", about=self.about, source=self.source, pgv=pgv, spread=spread, how=how
         )
 
     def factor(self, motion: Motion) -> float:

@@ -107,7 +107,7 @@ def refine(a: NDArray[np.float64], parts: int) -> NDArray[np.float64]:
     """Return the same piecewise linear function with each step cut into ``parts``, shape ((n−1)·parts+1,)."""
     if (len(a) - 1) * parts >= MOST_SAMPLES:
         count = (len(a) - 1) * parts + 1
-        raise InputError("motion.resampled_too_long", "dt", count=count, most=MOST_SAMPLES)
+        raise InputError("motion.too_many_samples", "dt", count=count, most=MOST_SAMPLES)
     steps = np.arange(parts) / parts
     cut = a[:-1, None] + np.diff(a)[:, None] * steps
     return np.append(cut.ravel(), a[-1])

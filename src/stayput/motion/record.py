@@ -120,7 +120,7 @@ class Motion:
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "dt", within("motion.name_motion_dt", self.dt, *STEP_RANGE, "s", "dt"))
+        object.__setattr__(self, "dt", within("motion.name_dt", self.dt, *STEP_RANGE, "s", "dt"))
         for name in ("name", "source", "floor"):  # a file's header may hold anything
             object.__setattr__(self, name, visible(instance_of(name, getattr(self, name), str)))
         for name in COMPONENTS:
@@ -405,7 +405,7 @@ class Motion:
         so nothing is folded down; what is faster than that is lost, and up to one new step at the end.
         For any other step do one after the other.
         """
-        step = within("motion.name_motion_dt", dt, *STEP_RANGE, "s", "dt")
+        step = within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
         source = self._note(f"resampled from {self.dt:g} s to {step:g} s")
         if parts := whole_ratio(self.dt, step):
             return self._each(lambda a: refine(a, parts), dt=self.dt / parts, source=source)

@@ -50,12 +50,6 @@ if TYPE_CHECKING:
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
-_STATED_OTHERWISE = (
-    "motion.another_unit",
-    "motion.another_time_step",
-)
-"""Refusals of a unit or a time step that is not the one that the file states."""
-
 READERS = (databases.PEER, *japan.READERS, databases.ESM, *california.READERS, COLUMNS)
 """The readers, in the order in which they are asked whether a file is theirs.
 
@@ -318,7 +312,7 @@ def _channels(
     try:
         return read(unit, dt)
     except InputError as error:
-        if not several or error.code not in _STATED_OTHERWISE:
+        if not several or error.code != "motion.not_the_files_own":
             raise
         unit, dt = (None, dt) if error.field == "unit" else (unit, None)
         return _channels(read, unit, dt, several)

@@ -13,6 +13,7 @@ from stayput.motion.units import (
     acceleration_unit,
     known_unit,
     mentioned_unit,
+    not_the_files_own,
     quantity_of,
     unit_factor,
     unknown_unit,
@@ -186,5 +187,5 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
     if stated is not None and unit_factor(stated) != unit_factor(unit):
         raise InputError("motion.two_units", first=excerpt(stated), second=excerpt(text))
     if given is not None and unit_factor(given) != unit_factor(unit):
-        raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(text))
+        raise not_the_files_own("unit", excerpt(given), excerpt(text))
     return unit

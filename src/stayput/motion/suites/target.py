@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, numbers, within, word_of
+from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within, word_of
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.processing import LARGEST_ACCELERATION
@@ -183,8 +183,7 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     very rare [ 9.3 12.   5.2]
     """
     word_of("motion.target_level", level, LEVELS, "level")
-    if soil not in (1, *SITE_GV):
-        raise InputError("motion.target_soil", "soil", soil=soil)
+    soil = whole_within("motion.target_soil", soil, 1, max(SITE_GV), field="soil")
     corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
     t = _table_periods(corners)
     name = f"Japanese design spectrum, {level}, soil {soil}"
