@@ -17,7 +17,7 @@ def test_scaled_scales_every_component_and_says_so():
     for name, values in THREE.components.items():
         assert np.array_equal(double.components[name], -2.0 * values)
     assert double.source == "test; scaled by -2"
-    with pytest.raises(InputError, match="scale is nan"):
+    with pytest.raises(InputError, match="factor is nan"):
         THREE.scaled(math.nan)
 
 
@@ -58,7 +58,7 @@ def test_padded_adds_a_still_floor():
     assert len(padded) == len(THREE) + 15
     assert np.all(padded.y[:5] == 0.0)
     assert np.array_equal(padded.z[5:-10], THREE.z)
-    with pytest.raises(InputError, match="Padding"):
+    with pytest.raises(InputError, match="before is -1 s"):
         THREE.padded(-1.0)
 
 

@@ -121,8 +121,8 @@ class Isolation:
     def bilinear(self, mass: float) -> tuple[float, float]:
         """Return the stiffness before yielding [N/m] and the yield force [N] under a mass [kg].
 
-        ζ = (2/π)(1 − r)(μ − 1)/(μ(1 + r(μ − 1))), with μ the displacement over that at yielding, holds at two μ;
-        the larger is a layer that has yielded well.
+        ζ = (2/π)(1 − r)(μ − 1)/(μ(1 + r(μ − 1))) holds at two μ, the displacement over that at yielding; the
+        larger is a layer that has yielded well.
         """
         r = self.post_yield
         z = 0.5 * math.pi * self.damping / (1.0 - r)

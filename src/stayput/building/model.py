@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar, overload
 
 import numpy as np
 
-from stayput.building.modes import ModalModel, Modes, natural_modes
+from stayput.building.modes import Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
 from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
 from stayput.execution import Pool
@@ -286,13 +286,6 @@ class ShearModel(ShakenFloors):
         """Itself."""
         return self
 
-    @cached_property
-    def _modal(self) -> ModalModel:
-        shears = None if self.yield_shears is None else np.array(self.yield_shears)
-        return ModalModel(
-            self.modes, np.array(self.damping), np.array(self.stiffnesses), np.array(self.post_yield), shears
-        )
-
     def histories(
         self, a: NDArray[np.float64], dt: float, storeys: Sequence[int], *, drifts: bool = False
     ) -> Histories:
@@ -301,11 +294,11 @@ class ShearModel(ShakenFloors):
 
         # Storey 1 stands on the ground, −1, or above a layer of isolators on the lowest mass, 0.
         floors = [int(storey) - 2 + int(self.isolated) for storey in storeys]
-        return component_response(self._modal, a, dt, floors, drifts=drifts)
+        return component_response(self, a, dt, floors, drifts=drifts)
 
     def in_order(self, calls: Iterable[Callable[[], T]], threads: int | None) -> Iterator[T]:
         """Give what calls return, in their order, on several threads."""
-        _ = self._modal  # once, not in every thread
+        _ = self.modes  # once, not in every thread
         with Pool(threads) as pool:
             yield from pool.in_order(calls)
 

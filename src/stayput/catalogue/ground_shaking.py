@@ -4,16 +4,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "intensity": ("JMA intensity {value:.3g}", "計測震度{value:.3g}"),
     "value": ("{value:.3g}", "計測震度{value:.3g}"),
     "pga": (
-        "peak ground acceleration {gal:.4g} gal = {value:.4g} m/s²",
-        "地面の最大加速度{gal:.4g} gal = {value:.4g} m/s²",
+        "peak ground acceleration {hundredfold:.4g} gal = {value:.4g} m/s²",
+        "地面の最大加速度{hundredfold:.4g} gal = {value:.4g} m/s²",
     ),
     "pgv": (
-        "peak ground velocity {kine:.4g} cm/s = {value:.4g} m/s",
-        "地面の最大速度{kine:.4g} cm/s = {value:.4g} m/s",
+        "peak ground velocity {hundredfold:.4g} cm/s = {value:.4g} m/s",
+        "地面の最大速度{hundredfold:.4g} cm/s = {value:.4g} m/s",
     ),
     "sa": (
-        "spectral acceleration {gal:.4g} gal = {value:.4g} m/s² at {period:g} s",
-        "周期{period:g}秒の加速度応答{gal:.4g} gal = {value:.4g} m/s²",
+        "spectral acceleration {hundredfold:.4g} gal = {value:.4g} m/s² at {period:g} s",
+        "周期{period:g}秒の加速度応答{hundredfold:.4g} gal = {value:.4g} m/s²",
     ),
     "magnitude": (
         "magnitude {magnitude:.3g} at {distance:.3g} km",

@@ -334,7 +334,7 @@ class Motion:
 
     def scaled(self, factor: float) -> Motion:
         """Return the motion with every component times ``factor``."""
-        k = finite("motion.name_motion_scale", factor, "factor")
+        k = finite("factor", factor, "factor")
         return self._each(lambda a: k * a, source=self._note(f"scaled by {k:g}"))
 
     def to_intensity(self, intensity: float | str) -> Motion:
@@ -363,7 +363,7 @@ class Motion:
         InputError
             There is no y component.
         """
-        turn = finite("motion.name_motion_angle", angle, "angle")
+        turn = finite("angle", angle, "angle")
         if self.y is None:
             raise InputError("motion.rotation_without_y")
         c, s = math.cos(turn), math.sin(turn)
@@ -375,8 +375,8 @@ class Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""
         last = longest = self.duration
         if end is not None:  # a duration that was printed and rounded up is the end too
-            last = within("motion.name_trim_end", end, 0.0, longest + 1e-9, "s", "end")
-        first = within("motion.name_trim_start", start, 0.0, longest, "s", "start")
+            last = within("end", end, 0.0, longest + 1e-9, "s", "end")
+        first = within("start", start, 0.0, longest, "s", "start")
         i, j = math.ceil(first / self.dt - 1e-6), math.floor(last / self.dt + 1e-6)
         if j - i < 1:
             raise InputError("motion.trim_too_short", "end", start=first, end=last)
@@ -391,7 +391,7 @@ class Motion:
         """
         most = MOST_SAMPLES * self.dt
         lead, tail = (
-            round(within("motion.name_padding", time, 0.0, most, "s", field) / self.dt)
+            round(within(field, time, 0.0, most, "s", field) / self.dt)
             for field, time in (("before", before), ("after", after))
         )
         source = self._note(f"padded by {lead * self.dt:g} s and {tail * self.dt:g} s")
@@ -418,7 +418,7 @@ class Motion:
 
         The order is that of what is taken from the acceleration: 0 a constant, 1 a line, up to 5.
         """
-        whole_within("motion.baseline_order", order, 0, 5, field="order")
+        whole_within("order", order, 0, 5, field="order")
         source = f"baseline of order {order} removed"
         return self._each(lambda a: without_baseline(a, self.dt, order), source=self._note(source))
 

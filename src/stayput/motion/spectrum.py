@@ -116,7 +116,7 @@ def konno_ohmachi(
     b : float
         Bandwidth; 20 is strong smoothing, 40 weaker. 1 to 1000.
     """
-    within("motion.name_konno_ohmachi", b, 1.0, 1000.0, field="b")
+    within("b", b, 1.0, 1000.0, field="b")
     f, size = frequencies[frequencies > 0.0], amplitude[frequencies > 0.0]
     log_f = np.log10(f)
     smooth = np.empty(len(at))

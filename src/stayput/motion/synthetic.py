@@ -174,7 +174,7 @@ def pulse(
     >>> round(shake.pga, 2)
     5.0
     """
-    word_of("motion.pulse_kind", kind, PULSE_KINDS, "kind")
+    word_of("kind", kind, PULSE_KINDS, "kind")
     by_length = kind in PULSE_KINDS[:2]
     needed, other = (duration, frequency) if by_length else (frequency, duration)
     quantity = "duration" if by_length else "frequency"
@@ -183,15 +183,15 @@ def pulse(
         raise InputError("motion.pulse_needs", quantity, wanted=phrase(f"motion.{quantity}"), **about)
     largest = LARGEST_ACCELERATION if kind != PULSE_KINDS[3] else 100.0
     unit = "m/s" if kind == PULSE_KINDS[3] else "m/s²"
-    a0 = within("motion.name_pulse_amplitude", amplitude, -largest, largest, unit, "amplitude")
-    still = within("motion.name_pulse_quiet", quiet, 0.0, 1e5, "s", "quiet")
-    g = within("motion.name_pulse_gamma", gamma, 1.0, 50.0, field="gamma")
-    phase = within("motion.name_pulse_nu", nu, -1e3, 1e3, "rad", "nu")
+    a0 = within("amplitude", amplitude, -largest, largest, unit, "amplitude")
+    still = within("quiet", quiet, 0.0, 1e5, "s", "quiet")
+    g = within("gamma", gamma, 1.0, 50.0, field="gamma")
+    phase = within("nu", nu, -1e3, 1e3, "rad", "nu")
     if by_length:
-        period = within("motion.name_pulse_duration", needed, 1e-3, 1e3, "s", "duration")
+        period = within("duration", needed, 1e-3, 1e3, "s", "duration")
         length = period
     else:
-        period = 1.0 / within("motion.name_pulse_frequency", needed, 1e-3, 1e3, "Hz", "frequency")
+        period = 1.0 / within("frequency", needed, 1e-3, 1e3, "Hz", "frequency")
         length = period * (3.0 if kind == "ricker" else g)
     step = min(1e-3, period / 200.0)
     if dt is not None:

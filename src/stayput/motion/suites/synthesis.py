@@ -211,7 +211,7 @@ def synthetic_motion(family: str, number: int = 1, seed: int = 1) -> Motion:
     key = (
         whole_within("motion.name_seed", seed, *SEED_RANGE, field="seed"),
         FAMILIES.index(family),
-        whole_within("motion.name_number", number, *NUMBER_RANGE, field="number"),
+        whole_within("number", number, *NUMBER_RANGE, field="number"),
     )
     params = draw_parameters(chosen, Draws(*key))
     n = step_count(chosen, params) + 1
