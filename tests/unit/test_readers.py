@@ -30,13 +30,13 @@ def test_missing_file_and_directory(tmp_path):
         read_motion(tmp_path / "no.at2")
     with pytest.raises(InputError, match="is a directory"):
         read_motion(tmp_path)
-    with pytest.raises(InputError, match="path of a file"):
+    with pytest.raises(InputError, match=r"path is 3\.5; it must be of type str"):
         read_motion(3.5)
     if hasattr(os, "mkfifo"):  # it would be waited for without end
         os.mkfifo(tmp_path / "pipe")
         with pytest.raises(InputError, match="device or a pipe"):
             read_motion(tmp_path / "pipe")
-    with pytest.raises(InputError, match=r"cannot be read|path of a file|no such file"):
+    with pytest.raises(InputError, match=r"cannot be read|no such file"):
         read_motion("a\0b")
 
 

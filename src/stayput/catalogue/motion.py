@@ -37,14 +37,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地震動の{component}成分に数値でない値が含まれています（データ番号{index}が{value}）。",
     ),
     "samples_too_large": (
-        (
-            "Motion {component} at sample {index} is {value:g} m/s²; it must be between "
-            "{low:g} and {high:g} m/s²."
-        ),
-        (
-            "加速度が大きすぎます（{component}成分のデータ番号{index}が{value:g} m/s²）。"
-            "{low:g}～{high:g} m/s²が有効です。単位を確かめてください。"
-        ),
+        "Motion {component} at sample {index} is {value:g} m/s²; it must be from -{most:g} to {most:g} m/s².",
+        "加速度が大きすぎます（{component}成分の{index}番で{value:g} m/s²）。±{most:g} m/s²以内の値にし、単位を確かめてください。",
     ),
     "components_differ": (
         "Motion {component} has {count} samples and x has {x_count}; they must be as many.",
@@ -110,14 +104,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "時間刻みが{step:g}秒になっています。周期やパルスの長さの{fewest}分の1（{most:g}秒）以下にしてください。",
     ),
     "pulse_needs": (
-        (
-            "A {kind} pulse is given duration {duration} and frequency {frequency}; "
-            "it must be given its {wanted} only."
-        ),
-        (
-            "「{kind}」のパルスに継続時間{duration}、振動数{frequency}が指定されました。"
-            "{wanted}だけを指定してください。"
-        ),
+        "A {kind} pulse has duration {duration} and frequency {frequency}; it must have its {wanted} only.",
+        "「{kind}」のパルスには{wanted}だけを指定してください（継続時間{duration}、振動数{frequency}）。",
     ),
     "frequency": ("frequency", "振動数"),
     # From the channels of a file to the components of a motion.
@@ -159,14 +147,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "「{component}」は上下動の成分です。水平の成分を次から選んでください：「{channels}」",
     ),
     "vertical_as_x": (
-        (
-            "The component {component!r} is a vertical channel and is taken as x, along the shaking; the file has the "
-            "horizontal channels {channels}."
-        ),
-        (
-            "「{component}」は上下動の成分ですが、揺れの方向（x）に使います。"
-            "ファイルには水平の成分「{channels}」があります。"
-        ),
+        "The vertical channel {component!r} is taken as x; the file has the horizontal channels {channels}.",
+        "上下動の成分「{component}」をxに使います。ファイルには水平の成分「{channels}」があります。",
     ),
     "not_one_vertical": (
         "The channels are {channels}; exactly one must be vertical.",
@@ -183,31 +165,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "vertical_by_name": (
-        (
-            "The name of the file ends in {ending!r}, as that of a vertical component does; it is taken as x, the "
-            "horizontal shaking."
-        ),
+        "The name of the file ends in {ending!r} like a vertical; it is taken as x, the horizontal shaking.",
         "ファイル名の末尾が上下動の成分を表す「{ending}」ですが、水平の揺れ（x）として使います。",
     ),
     "vertical_alone": (
-        (
-            "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "
-            "{option} must name it where that is meant."
-        ),
-        (
-            "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れとして使います。"
-            "それでよければ、この成分を選んでください（{option}）。"
-        ),
+        "The file has a vertical channel alone, {label!r}, taken as x; if that is meant, name it ({option}).",
+        "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れに使うのであれば、選んでください（{option}）。",
     ),
     "x_chosen": (
-        (
-            "The file has the horizontal channels {channels} and none of them was chosen; {label} is taken as x, along "
-            "the shaking."
-        ),
-        (
-            "ファイルには水平の成分が「{channels}」とあります。成分が選ばれていないので、"
-            "このうち{label}を揺れの方向（x）に使います。"
-        ),
+        "Of the horizontal channels {channels} none was chosen; {label} is taken as x, along the shaking.",
+        "水平の成分「{channels}」のどれも選ばれていないので、{label}を揺れの方向（x）に使います。",
     ),
     "the_first": ("the first", "最初の成分"),
     "large_peak": (
@@ -218,10 +185,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "upper_floor": (
-        (
-            "The name or the header says that it was recorded on {floor} of a building; "
-            "it is not a motion of the ground."
-        ),
+        "The name or the header says that it is of {floor} of a building; it is no motion of the ground.",
         "建物の上の階で観測された記録のようです（{floor}）。地面の揺れではありません。",
     ),
     "not_of_the_ground": (
@@ -361,10 +325,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
     "and_more": (" and {count} more", "など（ほか{count}件）"),
     "target_lengths": (
-        (
-            "The target has {periods} periods and {values} values of Sa; it must have "
-            "as many of each, at least 2."
-        ),
+        "The target has {periods} periods and {values} values of Sa; it must have as many, at least 2.",
         "目標スペクトルの周期が{periods}個、Saが{values}個です。同じ数で、2個以上にしてください。",
     ),
     "band_not_two": (

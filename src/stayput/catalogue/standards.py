@@ -2,14 +2,8 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     "lifted": (
-        (
-            "The peak vertical acceleration is {vertical:.3g} m/s²; it must be below {most:.3g} m/s², at which the "
-            "method leaves no friction."
-        ),
-        (
-            "鉛直方向の最大加速度が{vertical:.3g} m/s²です。この方法では{most:.3g} m/s²以上で摩擦がなくなるため、"
-            "それより小さくしてください。"
-        ),
+        "Peak vertical acceleration is {vertical:.3g} m/s²; friction is left below {most:.3g} m/s² only.",
+        "鉛直方向の最大加速度が{vertical:.3g} m/s²です。摩擦が残るように{most:.3g} m/s²未満にしてください。",
     ),
 }
 """Texts by their keys: English, Japanese."""

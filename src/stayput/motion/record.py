@@ -312,8 +312,7 @@ class Motion:
         InputError
             Another ending, or several components for AT2.
         """
-        as_text = FORMATS[word_of("ending", ending, FORMATS)]
-        return as_text(self.dt, self.components, self.name, self.source, self.synthetic)
+        return FORMATS[word_of("ending", ending, FORMATS)](self)
 
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""
