@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -104,15 +105,11 @@ class Isolation:
 
     def __post_init__(self) -> None:
         check_fields(self, place="isolation.")
-        most = 2.0 / math.pi * (1.0 - math.sqrt(self.post_yield)) / (1.0 + math.sqrt(self.post_yield))
+        root = math.sqrt(self.post_yield)
+        most = 2.0 / math.pi * (1.0 - root) / (1.0 + root)
         if self.damping >= most:
-            raise InputError(
-                "building.isolation_too_damped",
-                "isolation.damping",
-                damping=self.damping,
-                most=most,
-                post_yield=self.post_yield,
-            )
+            about: dict[str, Any] = {"damping": self.damping, "most": most, "post_yield": self.post_yield}
+            raise InputError("building.isolation_too_damped", "isolation.damping", **about)
 
     def stiffness(self, mass: float) -> float:
         """Return the effective stiffness under a mass [kg], m(2π/T)² [N/m]."""

@@ -87,12 +87,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value:g} {unit}になっています。0より大きくしてください。",
     ),
     "periods_shape": (
-        "The periods have shape {shape}; they must be one row of at least one.",
-        "周期の配列の形状が{shape}です。1個以上の周期を1列に並べて指定してください。",
-    ),
-    "periods_not_increasing": (
-        "The periods are not increasing; each must be longer than the one before it.",
-        "周期が昇順に並んでいません。短い順に指定してください。",
+        "The periods have shape {shape}; they must be one row, each longer than the one before it.",
+        "周期の配列の形状が{shape}です。1個以上の周期を短い順に1列に並べて指定してください。",
     ),
     # Computed motions.
     "too_many_samples": (

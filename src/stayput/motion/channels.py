@@ -398,9 +398,7 @@ def motion_fields(
     place = f"; recorded on {floor_phrase(floor)[0]}" if floor else ""
     return {
         "dt": x.dt,
-        "x": samples["x"],
-        "y": samples.get("y"),
-        "z": samples.get("z"),
+        **samples,
         "name": ", ".join(part for part in (x.name, x.label) if part) if x.name else name,
         "source": f"{source}: {roles}{cut}{place}",
         "floor": floor,

@@ -225,15 +225,12 @@ def acceleration_unit(
     if not known and given is None:
         if stated is not None:
             raise unknown_unit(stated)
+        about: dict[str, Any] = {"known": UNIT_NAMES, "option": "unit"}
         if mentioned is not None:
-            raise InputError(
-                "motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES, option="unit"
-            )
+            raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, **about)
         if step_missing:
-            raise InputError(
-                "motion.no_unit_nor_step", "unit", known=UNIT_NAMES, option="unit", other_option="dt"
-            )
-        raise InputError("motion.no_unit", "unit", known=UNIT_NAMES, option="unit")
+            raise InputError("motion.no_unit_nor_step", "unit", other_option="dt", **about)
+        raise InputError("motion.no_unit", "unit", **about)
     factor = unit_factor(known or given or "")
     if not known and mentioned and ACCELERATION_UNITS.get(known_unit(mentioned) or "") != factor:
         warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=mentioned))

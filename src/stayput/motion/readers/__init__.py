@@ -32,7 +32,7 @@ from stayput.motion.channels import (
     refuse_vertical,
     warn_of_vertical,
 )
-from stayput.motion.floors import BOREHOLE, upper_floor_warning
+from stayput.motion.floors import BOREHOLE, floor_phrase
 from stayput.motion.processing import STEP_RANGE
 from stayput.motion.readers import california, databases, japan
 from stayput.motion.readers.columns import COLUMNS, MOST_SKIPPED, ReadingOptions, chosen_columns, read_columns
@@ -358,7 +358,7 @@ def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], s
         motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
         motion = checked_record(motion, remove_mean=first.remove_mean)
         if motion.floor not in ("", BOREHOLE):  # the choice of its channel has warned
-            warn(upper_floor_warning(motion.floor))
+            warn(InputWarning("motion.upper_floor", floor=floor_phrase(motion.floor)))
     for warning in (warning for file in files for warning in file.warnings):
         warn(warning)
     return replace(motion, synthetic=any(file.synthetic for file in files))
