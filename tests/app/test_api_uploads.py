@@ -156,7 +156,7 @@ def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.C
     assert told.keys() == {"component", "unit", None}
     assert "階で観測された記録のようです（12階）" in told[None]["message_ja"]
     assert "horizontal channels NS, EW" in told["component"]["message"]
-    assert "ファイルには水平の成分が「NS、EW」とあります" in told["component"]["message_ja"]
+    assert "水平の成分「NS、EW」のどれも選ばれていない" in told["component"]["message_ja"]
     assert all(one["message"].startswith("floor12.csv") for one in answer["warnings"])
     assert any("6 g" in (one["message_ja"] or "") for one in answer["warnings"])
     assert any("ヘッダーには「gal」" in (one["message_ja"] or "") for one in answer["warnings"])

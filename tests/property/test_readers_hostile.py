@@ -15,6 +15,7 @@ from damage import damaged, odd_spellings
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from record_files import at2, block, cosmos, csmip_channel, esm, jma, knet, knet_csv
 from stayput.errors import LONGEST_SENTENCE, InputError, warnings_to
 from stayput.motion import Motion, read_motion
 
@@ -22,88 +23,16 @@ pytestmark = pytest.mark.hostile
 
 N = 96
 WAVE = np.round(200.0 * np.sin(np.arange(N) * 0.37) * np.exp(-np.arange(N) / 60.0), 3)  # gal, or g/1000
-PEAK = float(np.abs(WAVE).max())
 
 
-def _block(values, form, per_line):
-    rows = (values[i : i + per_line] for i in range(0, len(values), per_line))
-    return "".join("".join(form % v for v in row) + "\n" for row in rows)
-
-
-def peer():
-    size = f"NPTS= {N:5d}, DT= .01000 SEC"
-    head = f"PEER DATABASE RECORD\nQUAKE 1/2/99, PLACE, 090\nACCELERATION HISTORY IN UNITS OF G\n{size}\n"
-    return head + _block(WAVE / 1000, "%15.7E", 5)
-
-
-def jma():
-    head = "SITE CODE= 1試験  ,1,2\n LAT.= 0.0\n LON.= 0.0\n SAMPLING RATE= 100Hz\n UNIT  = gal(cm/s/s)\n"
-    rows = "".join(f"{a:.3f},{-a:.3f},{a / 2:.3f}\n" for a in WAVE)
-    return f"{head}INITIAL TIME = 2016 04 14 21 26 20\n NS,EW,UD\n{rows}".replace("\n", "\r\n")
-
-
-def knet():
-    counts = np.round(WAVE * 1000).astype(int) + 12345
-    peak = np.abs(counts - counts.mean()).max() / 1000
-    entries = [
-        ("Origin Time", "2006/01/18 23:25:00"),
-        *[(key, "1.0") for key in ("Lat.", "Long.", "Depth. (km)", "Mag.")],
-        ("Station Code", "TST001"),
-        *[(key, "1.0") for key in ("Station Lat.", "Station Lon.", "Station Height(m)")],
-        ("Record Time", "2006/01/18 23:25:46"),
-        ("Sampling Freq(Hz)", "100Hz"),
-        ("Duration Time(s)", "0.96"),
-        ("Dir.", "N-S"),
-        ("Scale Factor", "1000(gal)/1000000"),
-        ("Max. Acc. (gal)", f"{peak:.3f}"),
-        ("Last Correction", "2006/01/18 23:25:31"),
-        ("Memo.", ""),
-    ]
-    return "".join(f"{key:<18}{value}\n" for key, value in entries) + _block(counts, "%9d", 8)
-
-
-def knet_csv():
-    head = "#Station Code,TST001\n#Offset(gal),1.5,2.5,-3.5\n#Datetime,Relative Time(s),NS,EW,UD\n"
-    rows = "".join(
-        f"2024/01/01 16:10:00,{i / 100:.2f},{a + 1.5:.3f},{2.5 - a:.3f},{a / 2 - 3.5:.3f}\n"
-        for i, a in enumerate(WAVE)
-    )
-    return head + rows
-
-
-def esm():
-    head = (
-        f"EVENT_ID: T\nSAMPLING_INTERVAL_S: 0.01\nNDATA: {N}\nDURATION_S: 0.96\nSTREAM: HNN\nUNITS: cm/s^2\n"
-    )
-    return f"{head}PGA_CM/S^2: {PEAK}\nDATA_TYPE: ACCELERATION\n" + _block(WAVE, "%.6f", 1)
+KNET_COUNTS = np.round(WAVE * 1000).astype(int) + 12345
 
 
 def csmip():
-    def channel(number, direction, values):
-        block = _block(values, "%10.3f", 8)
-        head = f"CORRECTED ACCELEROGRAM   1   CHAN  {number}: {direction}     FROM\n" + "TEXT LINE\n" * 7
-        head += "".join(f"{i:5d}" for i in (number, 1, number, 3, 3, *[0] * 11)) + "\n"
-        peak = f"PEAK ACCELERATION = {np.abs(values).max():9.3f}    CM/SEC/SEC  AT 1.0   SEC.\n"
-        kinds = {"ACCEL": "CM/SEC/SEC", "VELOC": "CM/SEC", "DISPL": "CM"}
-        blocks = "".join(
-            f" {N} POINTS OF {kind} DATA EQUALLY SPACED AT  .010 SEC.  (UNITS: {unit})\n{block}"
-            for kind, unit in kinds.items()
-        )
-        return f"{head}{peak}{blocks}/&  ----------  END OF DATA FOR CHANNEL  {number}  ----------\n"
-
-    return channel(1, "360 DEG", WAVE) + channel(2, "UP", WAVE / 2) + channel(3, " 90 DEG", -WAVE)
-
-
-def cosmos():
-    real = np.full(100, -999.0)
-    real[61], real[63] = 10.0, PEAK
-    text = "Corrected acceleration    (Format v01.20 with 13 text lines)\nRecord of Test\n" + "text\n" * 6
-    text += "Sta Chan   1: 360 Deg (Rcrdr Chan  1)\n" + "text\n" * 3
-    text += "Values used when parameter or data value is unknown/unspecified:   -999, -999.00\n"
-    text += " 100 Integer-header values follow on  10 lines, Format= (10I8)\n" + ("    -999" * 10 + "\n") * 10
-    text += " 100 Real-header values follow on  20 lines, Format= (5F15.6)\n" + _block(real, "%15.6f", 5)
-    text += f"   {N} acceleration pts, approx  1 secs, units=cm/sec2(04),Format=(1E15.6)\n"
-    return text + _block(WAVE, "%15.6e", 1) + "End-of-data for Chan 1 acceleration\n"
+    integers = "".join(f"{i:5d}" for i in (1, 1, 1, 3, 3, *[0] * 11)) + "\n"
+    channels = ((1, "360 DEG", WAVE), (2, "UP", WAVE / 2), (3, " 90 DEG", -WAVE))
+    text = "".join(csmip_channel(*channel, integers=integers) for channel in channels)
+    return text.replace(".020 SEC", ".010 SEC")
 
 
 def columns():
@@ -126,16 +55,32 @@ def titled():
 
 def counted():
     """One column below the number of its samples and the time step."""
-    return f"Quake of May\n{N} 0.01\n" + _block(WAVE, "%.3f", 1)
+    return f"Quake of May\n{N} 0.01\n" + block(WAVE, "%.3f", 1)
 
 
-def swapped_case():
-    """ESM with its header in small letters and wider spacing."""
-    return esm().lower().replace(": ", " : ")
-
-
-WRITERS = (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns, ordered, titled, counted, swapped_case)
-FORMATS = {write.__name__: write().encode("cp932") for write in WRITERS}
+ESM = esm(WAVE, SAMPLING_INTERVAL_S="0.01", DURATION_S="0.96", STREAM="HNN")
+FORMATS = {
+    name: text.encode("cp932")
+    for name, text in {
+        "peer": at2(f"NPTS= {N:5d}, DT= .01000 SEC", "QUAKE 1/2/99, PLACE, 090", values=WAVE / 1000),
+        "jma": jma(rows=[(a, -a, a / 2) for a in WAVE]),
+        "knet": knet(
+            counts=KNET_COUNTS,
+            peak=np.abs(KNET_COUNTS - KNET_COUNTS.mean()).max() / 1000,
+            seconds=0.96,
+            scale="1000(gal)/1000000",
+        ),
+        "knet_csv": knet_csv(rows=[(a, -a, a / 2) for a in WAVE]),
+        "esm": ESM,
+        "csmip": csmip(),
+        "cosmos": cosmos(WAVE, interval=10.0),
+        "columns": columns(),
+        "ordered": ordered(),
+        "titled": titled(),
+        "counted": counted(),
+        "swapped_case": ESM.lower().replace(": ", " : "),  # small letters, wider spacing
+    }.items()
+}
 UNITS = {"columns": "gal", "counted": "gal"}
 COUNTED = {"peer", "knet", "esm", "csmip", "cosmos", "counted", "swapped_case"}  # they state how many samples
 
@@ -304,14 +249,14 @@ def _first(name):
         "jma": "NS,EW,UD",
         "knet": "Memo.",
         "knet_csv": "EW,UD",
-        "esm": "DATA_TYPE",
+        "esm": "in it\n",
         "csmip": "(UNITS: CM/SEC/SEC)",
-        "cosmos": "Format=(1E15.6)",
+        "cosmos": "Format=(8F10.3)",
         "columns": "y, z",
         "ordered": "4F10.3",
         "titled": '"(gal)"\n',
         "counted": "0.01\n",
-        "swapped_case": "data_type",
+        "swapped_case": "in it\n",
     }[name]
 
 

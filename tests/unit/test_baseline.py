@@ -68,7 +68,7 @@ def test_a_count_of_samples_is_no_time(tmp_path, start):
         sp.InputError, match=f"counts {start}, {start + 1}, …, .* dt must be given"
     ) as refused:
         sp.read_motion(file, unit="m/s²")
-    assert "1ずつ増えていて" in refused.value.told("ja")
+    assert "1ずつ増えています" in refused.value.told("ja")
     motion = sp.read_motion(file, unit="m/s²", dt=0.02)
     assert (motion.dt, len(motion)) == (0.02, 500)
     np.testing.assert_allclose(motion.x, WAVE, atol=1e-5)
@@ -137,7 +137,7 @@ def test_an_offset_that_begins_within_the_record_is_warned_of(tmp_path, share, l
     warning = next(one.message for one in heard if one.message.code == "motion.late_offset")
     assert warning.values["begin"] >= least
     assert "the acceleration of x oscillates about 0." in str(warning)
-    assert "秒付近からあとだけ" in warning.told("ja")
+    assert "秒付近から" in warning.told("ja")
     assert sum(one.message.code == "motion.late_offset" for one in heard) == 1  # x alone
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from test_readers_japan import knet
+from record_files import knet
 
 import stayput as sp
 from stayput.errors import warnings_to

@@ -1,314 +1,536 @@
-"""Columns of numbers: what counts as a record, and what is refused."""
+"""Columns of numbers: what stands above them of time, order, unit, factor and step is read or refused."""
 
+from __future__ import annotations
+
+import math
 import re
 
 import numpy as np
 import pytest
 
-from stayput.errors import InputError, InputWarning
-from stayput.motion import read_motion
+import stayput as sp
+
+SIZES = (10.0, 30.0, 20.0, 5.0, 2.0, 7.0)  # of the columns behind the time; peaks in gal
 
 
-@pytest.fixture
-def read(tmp_path):
-    def reader(text, **kwargs):
-        file = tmp_path / "record.txt"
-        file.write_bytes(text.encode() if isinstance(text, str) else text)
-        return read_motion(file, **kwargs)
+def table(head: str, columns: int | None = None) -> str:
+    """Return a head and, parted as its last line, rows of a time and sines; one column is a sine alone."""
+    last = head.rpartition("\n")[2]
+    mark = next((mark for mark in "\t;," if mark in last), ",")
+    count = columns or last.count(mark) + 1
+    rows = ([f"{0.02 * i:.2f}", *(f"{k * math.sin(0.12 * i):.3f}" for k in SIZES)] for i in range(60))
+    lines = [mark.join(row[1:2] if count == 1 else row[:count]) for row in rows]
+    return "\n".join([*([head] if head else []), *lines, ""])
 
-    return reader
+
+def peaks(motion: sp.Motion) -> dict[str, float]:
+    return {name: round(float(np.abs(a).max()), 3) for name, a in motion.components.items()}
+
+
+UP_FIRST = {"x": 0.3, "y": 0.2, "z": 0.1}
+UP_LAST = {"x": 0.1, "y": 0.3, "z": 0.2}
+OF_UP_FIRST = [
+    "#DATASEQUENCE: TIME U(+); N(+); E(+)",
+    "# columns: t, UD, NS, EW",
+    "# Data columns = Time; Vertical; N-S; E-W",
+    "# Fields: time UP NORTH EAST",
+    "# column 1: Time (s)\n# column 2: UD\n# column 3: NS\n# column 4: EW",
+    "% col 1 = t | col 2 = Z (gal) | col 3 = N (gal) | col 4 = E (gal)",
+    "# t [s]  UD  NS  EW\n# event of magnitude 7, unit: gal",
+    "A record\nColumns: time, UD, NS, EW",
+    "# ch1: UD, ch2: NS, ch3: EW",
+    "# UP NORTH EAST",
+    "# Channels: UD, NS, EW",
+    "# x: UD, y: NS, z: EW",
+    "! time | UD | NS | EW",
+    "t UD NS EW\n---- ---- ---- ----",
+    "# t UD NS EW\n# s gal gal gal",
+    "t,UD,NS,EW\ns,gal,gal,gal",
+    "# tZNE",
+    "# UNE order",
+    "# components: ZNE",
+    "# column order: t Z N E",
+    "# Order: Z N E",
+    "t,V,L,T",
+    "Time (s),U,N,E",
+    "時刻［秒］,上下動（gal）,東西動（gal）,南北動（gal）",
+    "経過時間（秒）,UD成分加速度（ガル）,EW成分加速度（ガル）,NS成分加速度（ガル）",
+    "秒,加速度UD[gal],加速度EW[gal],加速度NS[gal]",
+    "時間[s],縦揺れ[gal],横揺れ1[gal],横揺れ2[gal]",
+    "时间[s],垂直[gal],南北[gal],东西[gal]",
+]
+OF_UP_LAST = [
+    "# NEZ",
+    "# channels: 1 2 3",
+    "# x, y and z in gal",
+    "# Record of the first floor, up to 30 s",
+    "# Lat 35.1 N, Lon 139.2 E, Version V2",
+    "Quake of 2020\nTime (s),NS (gal),EW (gal),UD (gal)",
+    "1968 quake of May\nStation: PLACE, 34.5 N 135.5 E\n\nDT = 0.02\nt,NS (gal),EW (gal),UD (gal)",
+    "Time,N-S,E-W,U-D\n[s],[cm/s/s],[cm/s/s],[cm/s/s]",
+    '"Time","NS","EW","UD"\n"(sec)","(Gal)","(Gal)","(Gal)"',
+    "地震の記録\n時間,南北,東西,上下\n秒,ガル,ガル,ガル",
+    "Time,L (gal),T (gal),V (gal)",
+    "time,BHN00,BHE00,BHZ00",
+    '"Time (s)","Linear Acceleration x (gal)","Linear Acceleration y (gal)","Linear Acceleration z (gal)"',
+    "time\tgFx\tgFy\tgFz",
+    "Time (s)\tAcc NS (gal)\tAcc EW (gal)\tAcc UD (gal)",
+    "t,Sta N-S,Sta E-W,Sta U-D",
+    "t,CH1 NS,CH2 EW,CH3 UD",
+    "t,S1 NS,S1 EW,S1 UD",
+    "t,NS_1,EW_2,UD_3",
+    "t,No.1 NS,No.2 EW,No.3 UD",
+    "t,N (0 deg),E (90 deg),Z",
+    "t,H1-000,H2-090,UP",
+    "t,NS (No.1),EW (No.1),UD (No.1)",
+    "t,ax,ay,az",
+    "t,NS2,EW2,UD2",
+    *(f"{mark}time [s],NS [gal],EW [gal],UD [gal]" for mark in ("\ufeff\ufeff", "\u202e", "\u200b")),
+]
+OF_OTHERS = [
+    ("t,y,x,z", {"x": 0.3, "y": 0.1, "z": 0.2}),
+    ("t,acc_y,acc_x,z", {"x": 0.3, "y": 0.1, "z": 0.2}),
+    ("t,NS1,EW1,UD1,NS2,EW2,UD2", {"x": 0.05, "y": 0.02, "z": 0.07}),  # of KiK-net the sensor at the surface
+    ("t,NS [m/s],EW [gal],UD [gal]", {"x": 0.3, "z": 0.2}),
+    ("time,acceleration,velocity,displacement", {"x": 0.1}),
+    ("Time (s);Vel (cm/s);Accel;Disp (cm)", {"x": 0.3}),
+    ("# t [s], v, a, d", {"x": 0.3}),
+    ("時間(秒),加速度,速度(kine),変位(cm)", {"x": 0.1}),
+    *(
+        (f"t,ax (gal),ay (gal),az (gal),{last}", UP_LAST)
+        for last in ("Absolute acceleration (gal)", "total (gal)", "magnitude", "aT (gal)", "合成 (gal)")
+    ),
+]
 
 
 @pytest.mark.parametrize(
-    "text", ["0\n1.5\n-2\n", " 0.\r\n+1.5e0\r\n-.2E+1\r\n", "# gal\n\n0\n1.5\n-2", "\ufeff0\n1.5\n-2\n\x1a"]
+    ("head", "expected"),
+    [*((head, UP_FIRST) for head in OF_UP_FIRST), *((head, UP_LAST) for head in OF_UP_LAST), *OF_OTHERS],
 )
-def test_one_column(read, text):
-    motion = read(text, unit="gal", dt=0.01)
-    assert motion.x == pytest.approx([0.0, 0.015, -0.02])
-    assert motion.dt == 0.01
-    assert motion.name == "record"
+def test_what_a_head_says_of_the_columns_is_followed(read, head, expected):
+    count = 4 if head.rpartition("\n")[2].startswith(("#", "%", "!", "A ", "Col", "---")) else None
+    motion, warned = read(table(head, count), unit="gal")
+    assert peaks(motion) == expected
+    left_out = "borehole" if "NS1,EW1" in head else "columns" if (head, expected) in OF_OTHERS[3:] else ""
+    codes = {warning.code for warning in warned} - {"motion.x_chosen", "motion.unit_mentioned"}
+    assert codes == ({f"motion.{left_out}_left_out"} if left_out else set())
 
 
-@pytest.mark.parametrize("mark", [" ", "\t", ",", ", ", ";", "; "])
-def test_two_columns_are_time_and_x(read, mark):
-    motion = read("".join(f"{0.02 * i:.2f}{mark}{i}\n" for i in range(5)), unit="m/s²")
-    assert motion.dt == pytest.approx(0.02)
-    assert motion.x.tolist() == [0.0, 1.0, 2.0, 3.0, 4.0]
-
-
-def test_time_may_begin_anywhere_and_be_rounded(read):
-    motion = read("".join(f"{12.0 + i / 128:.3f} {i}\n" for i in range(129)), unit="gal")
-    assert motion.dt == pytest.approx(1 / 128, rel=1e-5)
-    motion = read("".join(f"{1e-5 * round(1999.9999 * (i + 1)):.5f} {i}\n" for i in range(500)), unit="gal")
-    assert motion.dt == pytest.approx(0.02, rel=1e-6)
-
-
-def test_four_columns_are_time_x_y_z(read):
-    motion = read("0.00 1 2 3\n0.01 4 5 6\n0.02 7 8 9\n", unit="g")
-    assert motion.x == pytest.approx(9.80665 * np.array([1, 4, 7]))
-    assert motion.y == pytest.approx(9.80665 * np.array([2, 5, 8]))
-    assert motion.z == pytest.approx(9.80665 * np.array([3, 6, 9]))
+REFUSED = {
+    ("column_order", 4): ["# columns: t, A, B, C", "#DataSequence: Time U(+); N(+)"],
+    ("column_order", 2): ["# t, UD, NS, EW\n# from 2020", "t,UD,NS,EW", "# column 1: time\n# column 3: UD"],
+    ("column_order", None): ["time [s],αβγ[gal],δεζ[gal],ηθι[gal]"],
+    ("column_order_unread", 4): [
+        "# z first, then x, y",
+        "# Vertical component first",
+        "# Dir: 3 1 2",
+        "# Data ZNE of A",
+        "# third: vertical",
+        "# time -> UD -> NS -> EW",
+        "# 1) time\n# 2) UD\n# 3) NS\n# 4) EW",
+        "Station ABC  Channels V NS EW",
+    ],
+    ("column_line", 2): ["time,acc\nof the north"],
+    ("other_sign", 4): [
+        "#DataSequence: Time U(-); N(+); E(+)",
+        "# z positive down",
+        "# UD: + down",
+        "# 上下動は下向きが正",
+        "# Positive downwards\nt,NS,EW,UD",
+    ],
+    ("other_sign", None): [
+        "t,NS,EW,-Z",
+        "t,NS,EW,\N{MINUS SIGN}UD",
+        "t,NS,EW,UD-",
+        "t,NS,EW,UD(-)",
+        "t,NS,EW,Z (positive down)",
+        "t,NS,EW,az_down",
+        "t,NS,EW,上下（下向き）",
+    ],
+    ("column_times", None): ["time,time 2,NS,EW"],
+    ("column_time_unit", None): [
+        "time [min],NS [gal]",
+        "time [s*10],acc",
+        "time x 10,acc",
+        "time (10 ms),acc",
+        "Time (1/100 s),acc",
+        "t (s/100),acc",
+        "time (ds),acc",
+    ],
+    ("column_no_time", None): [
+        "no,L,V,T",
+        "NS,EW,UD,clock",
+        "NS [gal],EW [gal],UD [gal],UP [gal]",
+        "X,Y",
+        "L,T,V,R",
+        "f (Hz),acc (gal)",
+        "Period (s),acc (gal)",
+        "distance (km),x (gal)",
+        "Frame,x (gal)",
+        "周期(秒),x (gal)",
+        "# Period (s), acc (gal)",
+    ],
+    ("not_acceleration", None): [
+        "T (s),Sa (g)",
+        "T (s),PSA [gal]",
+        "T (s),PGA (gal)",
+        "time,Fourier amplitude (gal)",
+        "time,Max acc (gal)",
+        "time,最大加速度 (gal)",
+        "t,NS (cm/sec)",
+        "t,NS_kine",
+        "t,vel_NS",
+        "t,NS [mm]",
+        "t,NS_cm",
+        "t,Displacement NS",
+        "t,Gyroscope x (rad/s)",
+        "t,vel\ns,in/s",
+        "時間(秒),南北速度(cm/s)",
+        "時間(秒),変位(cm)",
+        "time,acc [counts]",
+    ],
+    ("stated_quantity", 2): ["# unit: counts", "# UNITS: cm/s"],
+    ("column_unit_factor", None): [
+        "t,acc (gal)x10",
+        "t,acc x 1000 (gal)",
+        "t,acc (cm/s²·10)",
+        "t,acc*10 (gal)",
+        "t,acc (gal) / 10",
+        "t,acc 100x (gal)",
+        "t,acc (gal) 1e-3",
+        "t,加速度(0.1gal)",
+        "t,acc [g x1000]",
+        "t,acc [10-3 g]",
+        "t,acc (x10^-2 m/s2)",
+        "t,acc [G (X 1000)]",
+    ],
+    ("column_factor", 2): ["# scale factor: 0.1", "# multiply by 0.001", "# factor = 2", "# 倍率：10"],
+    ("two_units", 2): ["# unit: gal\n# unit: g"],
+    ("two_sensors", None): [
+        "t,STA1_NS,STA2_EW,STA1_UD",
+        "t,roof NS,ground EW,roof UD",
+        "t,NS,NS,UD",
+        "t,N,S,UD",
+        "t,NS,HNN,UD",
+        "t,NS raw,NS corrected,UD",
+        "t,NS1,EW2,UD2",
+        "t,NS_1,EW_2,UD_1",
+        "t,NS 1F,EW 5F,UD 1F",
+        "t,NS (roof),EW (base),UD (roof)",
+    ],
+    ("column_count", None): ["t,foo (gal),bar (gal)", "t,z (gal),x (gal),y (gal),foo (gal)"],
+    ("no_time_step", 1): [
+        "# dt: 0,01",
+        "# sampling interval 0.01 min",
+        "# dt = 10 us",
+        "# sampling rate 0.1 kHz",
+        "# dt = 1/0",
+        "# 0 sps",
+        "# interval 5",
+        "# Epicentral delta = 30",
+    ],
+}
+UNIT_OPEN = {
+    ("column_no_unit", None): ["t,NS (gal),EW (g),UD"],
+    ("two_units", None): ["# unit: m/s²\nt,NS (gal),EW (gal),UD (gal)"],
+    ("no_unit", None): ["t,acc (filtered)", "t,acc (NS)", "t,acc_µgal"],
+    ("no_unit", 2): ["", "# recorder unit (S/N 3)", "Taken from RENADIC\nt,acc"],
+    ("no_unit_nor_step", 1): [""],
+    ("no_unit_but_mentioned", 2): ["# acc_gal (band-passed)", "# acceleration [cm/s²]", "# no,acc(gal)"],
+    ("no_unit_but_mentioned", None): ["t,NS (gal),EW (gal),UD"],
+    ("unknown_stated_unit", None): ["time [s],acc [km/h2]", "Time,Acc\n(s),(kip)", "t,acc (μm/s²)"],
+    ("unknown_stated_unit", 2): [
+        "# UNITS OF G * 10",
+        "# unit: G (X 1000)",
+        "# units = 0.01 g",
+        "# unit: g/10",
+    ],
+}
+FIELDS = {
+    "unit": (
+        "no_unit",
+        "no_unit_nor_step",
+        "no_unit_but_mentioned",
+        "unknown_stated_unit",
+        "column_unit_factor",
+    ),
+    "columns": ("column_no_time",),
+    "skip_lines": ("column_factor",),
+    "component": ("two_sensors",),
+    "dt": ("no_time_step",),
+}
 
 
 @pytest.mark.parametrize(
-    "names", ["time,UD,EW,NS", "# t [s], UD [m/s²], EW [m/s²], NS [m/s²]", '"Time","UD","EW","NS"']
-)
-def test_named_columns_are_taken_by_name(read, names):
-    text = f"{names}\n0.00,1,2,3\n0.01,4,5,6\n0.02,7,8,9\n"
-    assert read(text, unit="m/s2", component="NS").x.tolist() == [3.0, 6.0, 9.0]
-    assert read(text, unit="m/s2", component="NS").z.tolist() == [1.0, 4.0, 7.0]
-    assert read(text, unit="m/s2").x.tolist() == [2.0, 5.0, 8.0]
-
-
-def test_component_of_unnamed_columns(read):
-    text = "0.00 1 2 3\n0.01 4 5 6\n"
-    assert read(text, unit="m/s2", component="y").x.tolist() == [2.0, 5.0]
-    with pytest.raises(InputError, match="'NS' is no channel"):
-        read(text, unit="m/s2", component="NS")
-
-
-def test_dt_that_agrees_with_the_time_column(read):
-    text = "".join(f"{0.02 * i:.2f} {i}\n" for i in range(50))
-    assert read(text, unit="gal", dt=0.02).dt == 0.02
-    with pytest.raises(InputError, match=r"file states, 0\.02 s"):
-        read(text, unit="gal", dt=0.01)
-
-
-@pytest.mark.parametrize(
-    ("text", "kwargs", "message"),
+    ("code", "head", "columns", "given"),
     [
-        ("0\n1\n", {"dt": 0.01}, "no unit"),
-        ("0\n1\n", {"unit": "gal"}, "no time step"),
-        ("0 1\n0.01 2\n", {}, "no unit"),
-        ("0\n", {"unit": "gal", "dt": 0.01}, "at least 2"),
-        ("0 1 2\n0.01 2 3\n", {"unit": "gal"}, "3 columns"),
-        ("0 1 2 3 4\n0.01 2 3 4 5\n", {"unit": "gal"}, "5 columns"),
-        ("0 1\n0.01 2 3\n0.02 3\n", {"unit": "gal"}, "Row 2 has 3 values"),
-        ("0,1\n0.01,\n0.02,3\n", {"unit": "gal"}, "Row 2 has 1 values"),
-        ("0,1,2,3\n0.01,4,,6\n", {"unit": "gal"}, "''"),
-        ("0 1\n0.01 nan\n0.02 3\n", {"unit": "gal"}, "'nan'"),
-        ("0 1\n0.01 inf\n0.02 3\n", {"unit": "gal"}, "'inf'"),
-        ("0 1\n0.01 1_0\n0.02 3\n", {"unit": "gal"}, "'1_0'"),
-        ("0 1\n0.01 ٣\n0.02 3\n", {"unit": "gal"}, "'٣'"),
-        ("0 1\n0.01 1.0D+01\n0.02 3\n", {"unit": "gal"}, "'1.0D"),
-        ("0 1\n0.01 1e999\n0.02 3\n", {"unit": "gal"}, "'1e999'"),
-        ("0 1\n0.01 0x10\n0.02 3\n", {"unit": "gal"}, "'0x10'"),
-        ("0;1\n0,01;2\n0,02;3\n", {"unit": "gal"}, "'0,01'"),
-        ("0 1\n0.01 2\n0.03 3\n0.04 4\n", {"unit": "gal"}, "irregular"),
-        ("0 1\n0.01 2\n0.01 3\n0.02 4\n", {"unit": "gal"}, "irregular"),
-        ("0.02 1\n0.01 2\n0.00 3\n", {"unit": "gal"}, "must grow"),
-        ("0 1\n0 2\n", {"unit": "gal"}, "must grow"),
-        ("0 1\n5 2\n10 3\n", {"unit": "gal"}, "time step"),
-        ("20\n" + "0.1\n" * 20, {"unit": "gal", "dt": 0.01}, "looks like a count"),
-        ("0\n9e6\n", {"unit": "gal", "dt": 0.01}, "10000"),
-        ("time,acc\nthen,words\n0,1\n", {"unit": "gal"}, "line 'then,words' stands between the headings"),
+        (code, head, columns, given)
+        for cases, given in ((REFUSED, {"unit": "gal"}), (UNIT_OPEN, {}))
+        for (code, columns), heads in cases.items()
+        for head in heads
     ],
 )
-def test_columns_that_are_refused(read, text, kwargs, message):
-    with pytest.raises(InputError, match=message):
-        read(text, **kwargs)
-
-
-@pytest.mark.parametrize("place", [1, 50, 98])
-def test_a_missing_row_is_noticed_wherever_it_is(read, place):
-    rows = [f"{0.01 * i:.2f} {i}\n" for i in range(100)]
-    del rows[place]
-    with pytest.raises(InputError, match="irregular"):
-        read("".join(rows), unit="gal")
+def test_a_head_that_is_not_understood_or_forbids_it_is_refused(refusal, code, head, columns, given):
+    error = refusal(table(head, columns), **given)
+    assert error.code == f"motion.{code}"
+    assert error.field == next((field for field, codes in FIELDS.items() if code in codes), None)
 
 
 @pytest.mark.parametrize(
-    ("names", "size"),
+    ("head", "factor"),
     [
-        ("Time (s),NS (gal),EW (gal),UD (gal)", 0.01),
-        ("# t [s]; NS [cm/s²]; EW [gal]; UD [cm/s/s]", 0.01),
-        ('"time_s","ax_g","ay_g","az_g"', 9.80665),
-        ("t\tNS_gal\tEW_gal\tUD_gal", 0.01),
+        ("t,acc (mG)", 9.80665e-3),
+        ("t,acc_mg", 9.80665e-3),
+        ("t,acc [%g]", 9.80665e-2),
+        ("t,acc [in/s2]", 0.0254),
+        ("t,acc (in/sec/sec)", 0.0254),
+        ("t,acc [ft/s^2]", 0.3048),
+        ("t,acc_x_m_s2", 1.0),
+        ("t,ax_mps2", 1.0),
+        ("t,Acceleration (m·s⁻²)", 1.0),
+        ("t,acc [cm/sec**2]", 0.01),
+        ("Time [S],NS (Gal)", 0.01),
+        ("t,g", 9.80665),
+        ('"time_s","ax_g"', 9.80665),
+        ("t,acc (ch 1) [gal]", 0.01),
+        ("t,acc 2011/3/10 (gal)", 0.01),
+        ("t,acc x2 [gal]", 0.01),
+        ("# Unit = gal", 0.01),
+        ("#AmplitudeUnit:  gal. DCoffset(corr)", 0.01),
+        ("# unit of measurement: gal, filtered below 50 Hz", 0.01),
+        ("# time unit: s, unit: gal", 0.01),
+        ("# Unit of time: s\n# unit of acceleration: gal", 0.01),
+        ("# unit: gal\n# unit: cm/s2", 0.01),
+        ("# 単位：gal", 0.01),
+        ("# unit: gal\n# station at x: 135.2 E, y: 35.1 N", 0.01),
+        ("# unit: gal\n# scaled record, large scale test 2 of 3, scale factor: 1.0", 0.01),
     ],
 )
-def test_the_unit_is_that_of_the_columns_names_where_all_have_the_same(read, names, size):
-    mark = next(mark for mark in ",;\t" if mark in names)
-    rows = "".join(f"{mark.join(map(str, row))}\n" for row in ((0.0, 1, 2, 3), (0.01, 4, 5, 6)))
-    motion = read(f"{names}\n{rows}")
-    assert motion.x == pytest.approx(size * np.array([1, 4]))
-    assert motion.z == pytest.approx(size * np.array([3, 6]))
-    with pytest.raises(InputError, match="must be the one that the file states"):
-        read(f"{names}\n{rows}", unit="mm/s²")
+def test_a_unit_that_is_stated_is_used(read, refusal, head, factor):
+    motion, warned = read(table(head, 2))
+    assert motion.pga == pytest.approx(10.0 * factor, rel=1e-3)
+    assert {warning.code for warning in warned} <= {"motion.large_peak"}
+    error = refusal(table(head, 2), unit="mm/s²")
+    assert (error.code, error.field) == ("motion.not_the_files_own", "unit")
+
+
+def test_each_column_has_the_unit_of_its_own_heading(read):
+    spaced = table("t [s]  NS [m/s2]  EW [gal]  UD [%g]", 4).replace(",", " ")
+    for text in (table("time [s],NS [m/s2],EW [gal],UD [%g]"), table("# t; NS_m/s/s; EW_gal; UD_%g"), spaced):
+        motion, _ = read(text, component="NS")
+        assert peaks(motion) == pytest.approx({"x": 10.0, "y": 0.3, "z": 0.2 * 9.80665}, rel=1e-3)
 
 
 @pytest.mark.parametrize(
-    "names",
-    ["t,NS (gal),EW (gal),UD", "t,NS,EW,UD", "# no,NS (gal),EW (gal),UD (gal)"],
+    "head", [head for heads in UNIT_OPEN.values() for head in heads if "G" in head or "k" in head]
 )
-def test_the_unit_must_be_given_where_the_columns_names_leave_it_open(read, names):
-    rows = "0.00,1,2,3\n0.01,4,5,6\n"
-    with pytest.raises(InputError, match="unit must be given"):
-        read(f"{names}\n{rows}")
-    assert read(f"{names}\n{rows}", unit="gal").x == pytest.approx([0.01, 0.04])
+def test_a_unit_that_is_not_known_may_be_given(read, head):
+    motion, warned = read(table(head, 2), unit="gal")
+    assert motion.pga == pytest.approx(0.1, rel=1e-3)
+    assert {warning.code for warning in warned} <= {"motion.unit_mentioned"}
 
 
-def test_unit_and_step_are_asked_for_together_where_both_are_missing(read):
-    with pytest.raises(InputError, match=r"no unit and no time step; .*, and dt \[s\]") as caught:
-        read("0\n1\n0\n")
-    assert caught.value.code == "motion.no_unit_nor_step"
-    with pytest.raises(InputError, match=r"no unit; "):
-        read("0\n1\n0\n", dt=0.01)
+OF_STEP = [
+    "dt = 0.005",
+    "DT=.005 s",
+    "dt: 5 ms",
+    "dt [s]: 0.005",
+    "Sampling interval (sec) = 5e-3",
+    "sampling rate: 200 Hz",
+    "Sampling frequency [Hz] 200",
+    "時間刻み：0.005秒",
+    "サンプリング周波数 200Hz",
+    "fs = 200",
+    "SPS: 200",
+    "200 samples per second",
+    "delta = 0.005",
+    "dt = 1/200",
+    "dt 5 milliseconds",
+]
 
 
-ROWS = "".join(f"{0.01 * i:.2f},{i},{2 * i},{3 * i}\n" for i in range(4))
+@pytest.mark.parametrize("mark", ["# ", ""])
+@pytest.mark.parametrize("line", OF_STEP)
+def test_a_time_step_that_is_stated_is_used_or_contradicted(read, refusal, line, mark):
+    head = f"{mark}{line}"
+    for dt in (None, 0.005):
+        assert read(table(head, 1), unit="gal", dt=dt)[0].dt == pytest.approx(0.005)
+    assert refusal(table(head, 1), unit="gal", dt=0.02).code == "motion.not_the_files_own"
+    error = refusal(table(head, 2), unit="gal")
+    assert "states the time step 0.005 s and the file has 0.02 s" in str(error)
 
 
-@pytest.mark.parametrize("names", ["time [s],NS [m/s2],EW [gal],UD [g]", "# t; NS_m/s/s; EW_gal; UD_g"])
-def test_each_column_has_the_unit_of_its_own_heading(read, names):
-    text = f"{names}\n{ROWS}".replace(",", ";" if ";" in names else ",")
-    motion = read(text, component="NS")
-    assert motion.x == pytest.approx([0.0, 1.0, 2.0, 3.0])
-    assert motion.y == pytest.approx([0.0, 0.02, 0.04, 0.06])
-    assert motion.z == pytest.approx(9.80665 * np.array([0, 3, 6, 9]))
-    assert read(text, component="EW").x == pytest.approx([0.0, 0.02, 0.04, 0.06])
-    with pytest.raises(InputError, match=r"'m/s2'; it must be the one that the file states, 'EW") as caught:
-        read(text, unit="m/s2", component="EW")
-    assert caught.value.field == "unit"
+@pytest.mark.parametrize("line", ["# dt = 0.02", "# 50 Hz", "# duration 1.2 s", "# dt unknown", "# No. 5"])
+def test_lines_that_contradict_nothing_are_read_over(read, line):
+    assert read(table(line, 2), unit="gal")[0].dt == 0.02
 
 
 @pytest.mark.parametrize(
-    ("names", "message"),
-    [
-        ("t,NS (gal),EW (g),UD", "'UD' states no unit, and the other columns have different ones"),
-        ("# unit: m/s²\nt,NS (gal),EW (gal),UD (gal)", r"units 'm/s²' and 'NS \(gal\)'"),
-        ("no,NS (gal),EW (gal),UD (gal)", "first column is headed 'no'"),
-        ("NS [gal],EW [gal],UD [gal],UP [gal]", r"first column is headed 'NS \[gal\]'"),
-        ("NS,EW,UD,clock", "first column is headed 'NS'"),
-        ("time,time 2,NS,EW", "'time', 'time 2' are all headed as the time"),
-        ("time [min],NS [gal],EW [gal],UD [gal]", r"headed 'time \[min\]'; it must be in s or ms"),
-    ],
+    ("head", "dt"),
+    [("time [ms],x", 2e-5), ("t (msec),x", 2e-5), ("time_ms,x", 2e-5), ("Zeit [ms],x", 2e-5)]
+    + [(f"{name},x", 0.02) for name in ("T", "Frame time (s)", "Periodic time (s)", "sec")],
 )
-def test_headings_that_are_refused(read, names, message):
-    with pytest.raises(InputError, match=message):
-        read(f"{names}\n{ROWS}")
+def test_a_time_of_any_name_is_one(read, head, dt):
+    assert read(table(head), unit="gal")[0].dt == pytest.approx(dt)
 
 
-@pytest.mark.parametrize("unit", [None, "m/s2"])
-@pytest.mark.parametrize(
-    ("heading", "quantity"),
-    [
-        ("NS [m/s]", "velocity"),
-        ("NS (cm/sec)", "velocity"),
-        ("NS_kine", "velocity"),
-        ("vel_NS", "velocity"),
-        ("NS [mm]", "displacement"),
-        ("NS_cm", "displacement"),
-        ("Displacement NS", "displacement"),
-    ],
-)
-def test_velocity_and_displacement_are_never_read_as_acceleration(read, heading, quantity, unit):
-    with pytest.raises(InputError, match=f"is of {quantity}, by"):
-        read("\n".join([f"t,{heading}", *(row.rsplit(",", 2)[0] for row in ROWS.splitlines())]), unit=unit)
-    with pytest.warns(InputWarning, match="left out"):
-        motion = read(f"t,{heading},EW [m/s2],UD [m/s2]\n{ROWS}", unit=unit)
-    assert list(motion.components) == ["x", "z"]
-
-
-@pytest.mark.parametrize(
-    "names",
-    [
-        "time,acceleration,velocity,displacement",
-        "Time (s);Vel (cm/s);Accel;Disp (cm)",
-        "t\ta\tv\td",
-        "# t [s], v, a, d",
-        "時間(秒),加速度,速度(kine),変位(cm)",
-    ],
-)
-def test_velocity_and_displacement_beside_the_acceleration_are_left_out_and_told(read, names):
-    mark = next(mark for mark in ";\t," if mark in names)
-    place = [re.match("a|加", name.strip(), re.IGNORECASE) is not None for name in names.split(mark)].index(
-        True
-    )
-    rows = "".join(f"{mark.join(row)}\n" for row in (["0.00", *"123"], ["0.01", *"456"], ["0.02", *"789"]))
-    with pytest.warns(InputWarning, match="velocities, displacements or magnitudes and are left out") as told:
-        motion = read(f"{names}\n{rows}", unit="m/s²")
-    assert motion.x.tolist() == [place, place + 3, place + 6]
-    assert list(motion.components) == ["x"]
-    (warning,) = (one.message for one in told if one.message.code == "motion.columns_left_out")
-    others = [name.strip(" #") for i, name in enumerate(names.split(mark)) if i not in (0, place)]
-    assert names.isascii() is all(name in str(warning) for name in others)
-    assert "速度、変位、大きさの列" in warning.told("ja")
-
-
-@pytest.mark.parametrize("heading", ["time [ms]", "t (msec)", "time_ms", "Zeit [ms]"])
-def test_time_in_milliseconds(read, heading):
-    motion = read(f"{heading},NS [gal],EW [gal],UD [gal]\n0,0,0,0\n10,1,2,3\n20,2,4,6\n")
-    assert motion.dt == 0.01
-
-
-@pytest.mark.parametrize("comment", ["", "# "])
-def test_the_time_is_the_column_that_is_headed_so(read, comment):
+def test_the_time_is_the_column_that_is_headed_so(read):
     rows = "".join(f"{-i},{2 * i},{3 * i},{0.01 * i:.2f}\n" for i in range(4))
-    motion = read(f"{comment}NS [gal],EW [gal],UD [gal],time [s]\n{rows}", component="EW")
-    assert motion.dt == 0.01
-    assert motion.x == pytest.approx([0.0, 0.02, 0.04, 0.06])
-    assert motion.y == pytest.approx([0.0, -0.01, -0.02, -0.03])
+    for comment in ("", "# "):
+        motion, _ = read(f"{comment}NS [gal],EW [gal],UD [gal],time [s]\n{rows}", component="EW")
+        assert motion.dt == 0.01
+        assert peaks(motion) == {"x": 0.06, "y": 0.03, "z": 0.09}
+
+
+@pytest.mark.parametrize(
+    ("head", "columns", "codes"),
+    [
+        *(
+            (f"{line}\n# unit: gal", columns, ["vertical_alone"])
+            for columns in (1, 2)
+            for line in ("# Component: UD", "# channel = HNZ", "Direction: Up", "# 成分：上下")
+        ),
+        ("# component: NS\n# unit: gal", 2, []),
+        ("time,Linear Acceleration z (gal)", None, ["vertical_alone"]),
+        ("time,Acceleration UD", None, ["vertical_alone"]),
+        ("time,V", None, ["vertical_alone"]),
+        ("# borehole -100 m\nt,NS,EW,UD", None, ["x_chosen", "borehole"]),
+        ("t,NS1,EW1,UD1", None, ["x_chosen", "borehole"]),
+        ("# 地中 GL-100m\nt,acc", None, ["borehole"]),
+        ("# surface sensor of a borehole array\nt,acc", None, []),
+        ("# 42nd floor\nt,acc", None, ["upper_floor"]),
+        ("# seismogram of a large gallery\nt,acc", None, []),
+        ("# Station: TST, component 3 of 3", 2, []),
+    ],
+)
+def test_what_is_doubtful_is_told(read, head, columns, codes):
+    motion, warned = read(table(head, columns), unit="gal", dt=0.02)
+    assert motion.pga == pytest.approx(0.1, rel=1e-3)
+    assert [warning.code for warning in warned] == [f"motion.{code}" for code in codes]
+
+
+def test_a_sensor_that_is_chosen_is_read_alone(read):
+    text = table("t,STA1_NS,STA2_EW,STA1_UD")
+    assert peaks(read(text, unit="gal", component="channel 2")[0]) == {"x": 0.3}
+    assert peaks(read(text, unit="gal", columns="t=1,x=2,z=4")[0]) == {"x": 0.1, "z": 0.2}
+
+
+@pytest.mark.parametrize("name", ["Down", "DN", "acc_down"])
+def test_a_channel_that_is_called_down_is_turned(read, name):
+    motion, _ = read(table(f"# positive down\nt,NS,EW,{name}"), component="NS", unit="gal")
+    assert motion.z == pytest.approx(-2.0 * motion.x, abs=2e-5)
 
 
 @pytest.mark.parametrize(
     "names", ["UD,UD2,UD3", "acceleration_UD,acceleration_UD2,acceleration_UD3", "a 1 (x),a 2 (x),a 3 (x)"]
 )
 def test_columns_have_names_of_their_own(read, names):
-    motion = read(f"time,{names}\n{ROWS}", unit="m/s2", component=names.split(",")[1].split(" (")[0])
-    assert motion.x.tolist() == [0.0, 2.0, 4.0, 6.0]
-    assert motion.listing is not None
+    motion, _ = read(table(f"time,{names}"), unit="gal", component=names.split(",")[1].split(" (")[0])
+    assert motion.pga == pytest.approx(0.3, rel=1e-3)
     assert len(set(motion.listing.names)) == 3
 
 
-@pytest.mark.parametrize("mark", ["\ufeff\ufeff", "\u202e", "\u200b"])
-@pytest.mark.parametrize("head", ["{}time [s],{}NS [gal],EW [gal],UD [gal]", "{}# unit: gal"])
-def test_characters_that_are_not_seen_before_a_heading(read, head, mark):
-    motion = read(f"{head.replace('{}', mark)}\n{ROWS}")
-    assert motion.dt == 0.01
-    assert motion.x == pytest.approx([0.0, 0.01, 0.02, 0.03])
+@pytest.mark.parametrize(
+    "text", ["0\n1.5\n-2\n", " 0.\r\n+1.5e0\r\n-.2E+1\r\n", "# gal\n\n0\n1.5\n-2", "\ufeff0\n1.5\n-2\n\x1a"]
+)
+def test_one_column_in_any_writing(read, text):
+    motion, _ = read(text, name="record.txt", unit="gal", dt=0.01)
+    assert motion == sp.Motion(
+        0.01, [0.0, 0.015, -0.02], name="record", source="columns of numbers: x = unnamed"
+    )
 
 
-def test_headings_parted_by_blanks_keep_their_units(read):
-    motion = read("t [s]  NS [gal]  EW [g]  UD [gal]\n" + ROWS.replace(",", " "), component="EW")
-    assert motion.x == pytest.approx(9.80665 * np.array([0, 2, 4, 6]))
+@pytest.mark.parametrize("mark", [" ", "\t", ",", ", ", ";", "; "])
+def test_two_columns_are_time_and_x(read, mark):
+    motion, _ = read("".join(f"{0.02 * i:.2f}{mark}{i}\n" for i in range(5)), unit="m/s²")
+    assert motion.dt == pytest.approx(0.02)
+    assert motion.x.tolist() == [0.0, 1.0, 2.0, 3.0, 4.0]
 
 
-def test_the_heading_of_a_single_column(read):
-    assert read("NS [gal]\n0\n1\n2\n", dt=0.01).x == pytest.approx([0.0, 0.01, 0.02])
+def test_time_may_begin_anywhere_and_be_rounded(read):
+    motion, _ = read("".join(f"{12.0 + i / 128:.3f} {i}\n" for i in range(129)), unit="gal")
+    assert motion.dt == pytest.approx(1 / 128, rel=1e-5)
+    rows = "".join(f"{1e-5 * round(1999.9999 * (i + 1)):.5f} {i}\n" for i in range(500))
+    assert read(rows, unit="gal", dt=0.02)[0].dt == pytest.approx(0.02, rel=1e-6)
+
+
+def test_quoted_cells_and_codings_of_spreadsheets(read, refusal):
+    quoted = table("t,x,y,z").replace(",", '","').replace("\n", '"\n"').removesuffix('"')
+    assert peaks(read(f'"{quoted}', unit="gal")[0]) == UP_LAST
+    two = table("", 2).replace(",", '","').replace("\n", '"\n"').removesuffix('"')
+    assert refusal(f'"{two}'.replace(".", ","), unit="gal").code == "motion.not_a_decimal"
+    for coding in ("utf-16", "utf-8-sig", "cp932"):
+        head = "時間 (秒)\t南北 (gal)\tEW (gal)\tUD (gal)"
+        assert peaks(read(table(head).replace("\n", "\r\n").encode(coding))[0]) == UP_LAST
 
 
 @pytest.mark.parametrize(
-    "names",
+    ("text", "given", "message"),
     [
-        "時間(s),上下(gal),東西(gal),南北(gal)",
-        "時刻［秒］，上下動（gal），東西動（gal），南北動（gal）".replace("，", ","),
-        "経過時間（秒）,UD成分加速度（ガル）,EW成分加速度（ガル）,NS成分加速度（ガル）",
-        "秒,加速度UD[gal],加速度EW[gal],加速度NS[gal]",
-        "時間　上下方向(gal)　東西方向(gal)　南北方向(gal)",
-        '"時間(ミリ秒)","上下(cm/s²)","東西(cm/s²)","南北(cm/s²)"',
+        ("0\n", {"dt": 0.01}, "at least 2"),
+        ("0 1 2\n0.01 2 3\n", {}, "3 columns"),
+        ("0 1\n0.01 2 3\n0.02 3\n", {}, "Row 2 has 3 values"),
+        ("0,1,2,3\n0.01,4,,6\n", {}, "''"),
+        ("0 1\n0.01 nan\n0.02 3\n", {}, "'nan'"),
+        ("0 1\n0.01 inf\n0.02 3\n", {}, "'inf'"),
+        ("0 1\n0.01 1_0\n0.02 3\n", {}, "'1_0'"),
+        ("0 1\n0.01 ٣\n0.02 3\n", {}, "'٣'"),
+        ("0 1\n0.01 1.0D+01\n0.02 3\n", {}, "'1.0D"),
+        ("0 1\n0.01 1e999\n0.02 3\n", {}, "'1e999'"),
+        ("0;1\n0,01;2\n0,02;3\n", {}, "'0,01'"),
+        ("0 1\n0.01 2\n0.03 3\n0.04 4\n", {}, "irregular"),
+        ("0 1\n0.01 2\n0.01 3\n0.02 4\n", {}, "irregular"),
+        ("0.02 1\n0.01 2\n0.00 3\n", {}, "irregular"),
+        ("0 1\n5 2\n10 3\n", {}, "time step"),
+        ("20\n" + "0.1\n" * 20, {"dt": 0.01}, "looks like a count.* skip_lines passes"),
+        ("20\n" + "0 0.1\n" * 20, {}, "skip_lines passes"),
+        ("0\n1e30\n", {"dt": 0.01}, r"sample 1 is 1e\+28 m/s²"),
+        ("0 1\n0.02 2\n0.04 3\n", {"dt": 0.01}, r"file states, 0\.02 s"),
+        ("0 1 2 3\n0.01 4 5 6\n", {"component": "NS"}, "'NS' is no channel"),
+        ("0 1\n0.01 2\n", {"location": "00"}, "location is given and the file is columns of numbers"),
     ],
 )
-@pytest.mark.parametrize("coding", ["utf-8", "utf-8-sig", "cp932"])
-def test_japanese_headings_are_read(read, names, coding):
-    step = 10.0 if "ミリ" in names else 0.01
-    if coding == "cp932":
-        names = names.replace("²", "2")
-    text = f"{names}\n" + "".join(f"{step * i:.2f},{i},{2 * i},{3 * i}\n" for i in range(4))
-    if "　" in names:
-        text = text.replace(",", " ")
-    content = text.encode(coding)
-    motion = read(content)
-    assert motion.dt == pytest.approx(0.01)
-    assert read(content, component="NS").x == pytest.approx([0.0, 0.03, 0.06, 0.09])
-    assert read(content, component="EW").x == pytest.approx([0.0, 0.02, 0.04, 0.06])
-    assert motion.z == pytest.approx([0.0, 0.01, 0.02, 0.03])
+def test_numbers_that_are_refused(refusal, text, given, message):
+    assert re.search(message, str(refusal(text, unit="gal", **given)))
 
 
-def test_a_japanese_comment_states_the_unit(read):
-    assert read("# 単位：gal\n時間,加速度\n0,1\n0.01,2\n0.02,3\n").x == pytest.approx([0.01, 0.02, 0.03])
+@pytest.mark.parametrize("place", [1, 50, 98])
+def test_a_missing_row_is_noticed_wherever_it_is(refusal, place):
+    rows = [f"{0.01 * i:.2f} {i}\n" for i in range(100) if i != place]
+    assert refusal("".join(rows), unit="gal").code == "motion.irregular_sampling"
 
 
-@pytest.mark.parametrize("heading", ["速度(kine)", "南北速度(cm/s)", "変位(cm)"])
-def test_japanese_headings_of_other_quantities_are_refused(read, heading):
-    with pytest.raises(InputError, match=r"velocity|displacement"):
-        read(f"時間(秒),{heading}\n0,1\n0.01,2\n0.02,3\n", unit="gal")
+@pytest.mark.parametrize("line", ["{} 0.02", "  {}, 0.02", "0.02 {}", "A quake\n{}\t.02E0", "# x\n{} 0.02"])
+@pytest.mark.parametrize("each", [1, 3, 8])
+def test_the_number_of_samples_and_the_step_may_stand_above_rows_of_any_length(read, refusal, line, each):
+    wave = table("", 1).split()
+    rows = "".join(" ".join(wave[i : i + each]) + "\n" for i in range(0, len(wave), each))
+    motion, _ = read(f"{line.format(60)}\n{rows}", unit="gal")
+    assert (len(motion), motion.dt, peaks(motion)) == (60, 0.02, {"x": 0.1})
+    assert refusal(f"{line.format(61)}\n{rows}", unit="gal").code == "motion.not_as_stated"
+    assert refusal(f"{line.format(60)}\n{rows}", unit="gal", dt=0.01).code == "motion.not_the_files_own"
+
+
+def test_a_line_may_be_passed_over(read):
+    for head, columns, dt in (("60", 1, 0.02), ("60", 2, None), ("# factor = 2", 2, None)):
+        assert len(read(table(head, columns), unit="gal", dt=dt, skip_lines=1)[0]) == 60
+
+
+@pytest.mark.parametrize("above", ["1;2;3\n\nstarted 12:00;;\n", "3 lines\n2 lines\n1 line\n"])
+def test_lines_at_the_beginning_are_passed_over(read, refusal, above):
+    text = f"{above}time;acc [g]\n0.00;0.1\n0.01;0.2\n"
+    assert read(text, skip_lines=3)[0].x == pytest.approx([0.980665, 1.96133])
+    assert refusal(text)
+    assert read(text.replace(above.split("\n")[0], "synthetic"), skip_lines=3)[0].synthetic
+    for count in (6, 7, 100):
+        assert f"skip_lines is {count}; the file must have more" in str(refusal(text, skip_lines=count))
+
+
+@pytest.mark.parametrize("mark", [";", "\t", " "])
+def test_numbers_may_have_a_decimal_comma(read, refusal, mark):
+    rows = "".join(f"0,0{i}{mark}{i},5\n" for i in range(4))
+    motion, _ = read(rows, unit="m/s²", decimal_comma=True)
+    assert (motion.dt, motion.x.tolist()) == (0.01, [0.5, 1.5, 2.5, 3.5])
+    if mark == ";":
+        assert "'0,00'" in str(error := refusal(rows, unit="m/s²"))
+        assert error.code == "motion.decimal_comma"

@@ -1,5 +1,7 @@
 """`Suite`, `synthetic_suite` and `read_suite`: what they hold, how they scale, what they refuse."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -12,6 +14,7 @@ from stayput.motion.suites import (
     TargetSpectrum,
     japanese_design,
     read_suite,
+    synthesis,
     synthetic_motion,
     synthetic_suite,
 )
@@ -128,7 +131,7 @@ def test_the_plot_is_written_with_and_without_a_target(tmp_path, small):
     ("call", "told"),
     [
         (lambda: Suite(()), "no motions"),
-        (lambda: Suite((1.0,)), "float"),
+        (lambda: Suite((1.0,)), "of type Motion"),
         (lambda: synthetic_suite("tsunami"), "near-fault"),
         (lambda: synthetic_motion("mixed"), "crustal"),
         (lambda: synthetic_suite(count=0), "between 1 and 1000"),
@@ -154,3 +157,13 @@ def test_nonsense_is_refused_with_a_sentence(call, told):
 def test_an_empty_folder_is_refused(tmp_path):
     with pytest.raises(InputError, match="no files"):
         read_suite(tmp_path)
+
+
+def test_a_motion_that_two_threads_ask_for_is_made_once_and_counted_by_its_bytes():
+    before = synthesis._CACHE.currsize
+    with ThreadPoolExecutor(4) as pool:
+        suites = list(pool.map(lambda _: synthetic_suite("crustal", 1, seed=987), range(8)))
+    assert all(suite == suites[0] for suite in suites)
+    assert synthetic_suite("crustal", 1, seed=987)[0] is synthetic_suite("crustal", 1, seed=987)[0]
+    added = sum(samples.nbytes for samples in suites[0][0].components.values())
+    assert synthesis._CACHE.currsize == before + added <= synthesis.CACHE_SIZE

@@ -6,7 +6,7 @@ import json
 
 import numpy as np
 import pytest
-from test_readers_japan import knet
+from record_files import knet
 from typer.testing import CliRunner
 
 import stayput as sp
@@ -202,3 +202,11 @@ def test_the_suite_s_flags_are_refused_by_their_keys(peer, tmp_path, lang, said)
     assert done.exit_code == 2
     assert said in done.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_a_vertical_record_alone_is_no_motion_of_a_suite(tmp_path):
+    for name, direction in (("a", "UP"), ("b", "090")):
+        (tmp_path / f"{name}.at2").write_text(peer_file(f"QUAKE, {name}, {direction}", 1.0), encoding="utf-8")
+    suite, (left_out,) = read(tmp_path)
+    assert [list(motion.components) for motion in suite] == [["x"]]
+    assert "a.at2 (vertical alone)" in str(left_out)

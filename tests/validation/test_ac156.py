@@ -76,8 +76,8 @@ def test_motions_are_independent_and_the_same_again():
     ("arguments", "words"),
     [
         ((0.0,), "SDS"),
-        ((1.0, 1.5), "z/h"),
-        ((1.0, 0.5, "7-10"), "Edition"),
+        ((1.0, 1.5), "height_ratio"),
+        ((1.0, 0.5, "7-10"), "edition"),
     ],
 )
 def test_refusals(arguments, words):
@@ -86,7 +86,7 @@ def test_refusals(arguments, words):
 
 
 def test_a_motion_s_number_and_band_are_checked():
-    with pytest.raises(sp.InputError, match="Lowest frequency"):
+    with pytest.raises(sp.InputError, match="lowest is 10 Hz"):
         sp.ac156_motion(sp.ac156(1.0), lowest=10.0)
     with pytest.raises(sp.InputError):
         sp.ac156_motion(sp.ac156(1.0), 0)

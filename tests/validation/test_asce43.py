@@ -54,7 +54,7 @@ def test_it_lies_above_simulated_sliding():
 
 
 def test_refusals():
-    with pytest.raises(sp.InputError, match="Friction"):
+    with pytest.raises(sp.InputError, match="friction"):
         sp.asce43_sliding(sp.near_fault(), 0.0)
 
 

@@ -65,17 +65,17 @@ def test_what_a_simulation_says_under_a_held_load():
 def test_refusals():
     body = sp.Body(0.4, 1.8, 100.0)
     for call, words in (
-        (lambda: sp.equipment_coefficient("cellar", "A"), "Position"),
-        (lambda: sp.equipment_coefficient("upper", "C"), "Class"),
-        (lambda: sp.equipment_coefficient("upper", "A", 1.2), "Regional"),
-        (lambda: position_of(9, 7), "Storey"),
-        (lambda: position_of(2.5, 10), "Storey is 2.5; it must be a whole number"),
+        (lambda: sp.equipment_coefficient("cellar", "A"), "position"),
+        (lambda: sp.equipment_coefficient("upper", "C"), "grade"),
+        (lambda: sp.equipment_coefficient("upper", "A", 1.2), "zone"),
+        (lambda: position_of(9, 7), "storey"),
+        (lambda: position_of(2.5, 10), "storey is 2.5; it must be a whole number"),
         (lambda: position_of(2, 10.5), "whole number"),
         (lambda: sp.anchor_tension(body, 1.0, 0.3, 2.5), "anchors is 2.5"),
-        (lambda: equipment_loads(body, "upper", 0.6), "Regional"),
+        (lambda: equipment_loads(body, "upper", 0.6), "zone"),
         (lambda: equipment_loads(body, "upper", gravity=0.0), "Gravity is 0"),
         (lambda: sp.holding_force(body, 1.0, 2.5), "1.8"),
-        (lambda: sp.anchor_tension(body, 1.0, 0.5), "Spacing"),
+        (lambda: sp.anchor_tension(body, 1.0, 0.5), "spacing"),
         (lambda: sp.anchor_tension(body, 1.0, 0.3, 0), "anchors"),
     ):
         with pytest.raises(sp.InputError, match=words):

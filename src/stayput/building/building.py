@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from numbers import Real
-from typing import TYPE_CHECKING, overload
+from typing import Any
 
 import numpy as np
 
-from stayput.building.model import AMPLIFICATION_RANGE, MOST_STOREYS, ShearModel
+from stayput.building.model import AMPLIFICATION_RANGE, MOST_STOREYS, ShakenFloors, ShearModel
 from stayput.building.modes import (
     ai_distribution,
     natural_modes,
@@ -23,16 +22,6 @@ from stayput.errors import InputError, instance_of
 from stayput.model.parameters import STANDARD_GRAVITY, check_fields, parameter, quantity
 from stayput.vocabulary import preset_meant
 from stayput.wording import brief
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
-
-    from matplotlib.axes import Axes
-    from numpy.typing import NDArray
-
-    from stayput.building.response import FloorPeaks, FloorResponse
-    from stayput.motion import Motion
-    from stayput.motion.suites import Suite
 
 _DAMPING = ("", 0.0, 0.5, ("Building damping", "建物の減衰定数"))
 _YIELD = ("", 1e-3, 10.0, ("Building yield_coefficient", "建物の降伏せん断力係数"))
@@ -116,40 +105,32 @@ class Isolation:
 
     def __post_init__(self) -> None:
         check_fields(self, place="isolation.")
-        most = 2.0 / math.pi * (1.0 - math.sqrt(self.post_yield)) / (1.0 + math.sqrt(self.post_yield))
+        root = math.sqrt(self.post_yield)
+        most = 2.0 / math.pi * (1.0 - root) / (1.0 + root)
         if self.damping >= most:
-            raise InputError(
-                "building.isolation_too_damped",
-                "isolation.damping",
-                damping=self.damping,
-                most=most,
-                post_yield=self.post_yield,
-            )
+            about: dict[str, Any] = {"damping": self.damping, "most": most, "post_yield": self.post_yield}
+            raise InputError("building.isolation_too_damped", "isolation.damping", **about)
 
     def stiffness(self, mass: float) -> float:
         """Return the effective stiffness under a mass [kg], m(2π/T)² [N/m]."""
         return mass * (2.0 * math.pi / self.period) ** 2
 
-    @property
-    def ductility(self) -> float:
-        """Displacement over the yield displacement, μ, at which the bilinear law has the damping.
+    def bilinear(self, mass: float) -> tuple[float, float]:
+        """Return the stiffness before yielding [N/m] and the yield force [N] under a mass [kg].
 
-        ζ = (2/π)(1 − r)(μ − 1)/(μ(1 + r(μ − 1))) holds at two μ; the larger is a layer that has yielded well.
+        ζ = (2/π)(1 − r)(μ − 1)/(μ(1 + r(μ − 1))) holds at two μ, the displacement over that at yielding; the
+        larger is a layer that has yielded well.
         """
         r = self.post_yield
         z = 0.5 * math.pi * self.damping / (1.0 - r)
         b = 1.0 - z * (1.0 - r)  # z r μ² − b μ + 1 = 0
-        return (b + math.sqrt(b * b - 4.0 * z * r)) / (2.0 * z * r)
-
-    def bilinear(self, mass: float) -> tuple[float, float]:
-        """Return the stiffness before yielding [N/m] and the yield force [N] under a mass [kg]."""
-        mu = self.ductility
-        first = self.stiffness(mass) * mu / (1.0 + self.post_yield * (mu - 1.0))
+        mu = (b + math.sqrt(b * b - 4.0 * z * r)) / (2.0 * z * r)
+        first = self.stiffness(mass) * mu / (1.0 + r * (mu - 1.0))
         return first, first * self.displacement / mu
 
 
 @dataclass(frozen=True, repr=False)
-class Building:
+class Building(ShakenFloors):
     """A regular building: storeys of one height and one mass, stiffnesses from the Ai distribution.
 
     Furniture of storey 1 stands on the ground (of a base-isolated building: on the slab above the
@@ -240,15 +221,12 @@ class Building:
     def __post_init__(self) -> None:
         structure = preset_meant("structure", "building.structure", self.structure, STRUCTURES, "structure")
         object.__setattr__(self, "structure", structure)
-        if not isinstance(self.storeys, Real) or self.storeys not in range(1, MOST_STOREYS):
-            most = MOST_STOREYS - 1
-            raise InputError("building.storeys", "storeys", storeys=repr(self.storeys), most=most)
-        object.__setattr__(self, "storeys", int(self.storeys))
         instance_of("nonlinear", self.nonlinear, bool)
         instance_of("isolation", self.isolation, Isolation)
         if not self.nonlinear and (self.yield_coefficient is not None or self.post_yield is not None):
             raise InputError("building.needs_nonlinear", "nonlinear")
         check_fields(self)
+        object.__setattr__(self, "storeys", int(self.storeys))
         if self.structure == ISOLATED and self.fixed_period >= self.isolation.period:
             fixed, isolators = self.fixed_period, self.isolation.period
             raise InputError("building.period_of_isolated", "period", period=fixed, isolators=isolators)
@@ -271,21 +249,21 @@ class Building:
     @property
     def fixed_period(self) -> float:
         """First natural period on fixed ground [s]: the given one, or by height."""
-        return self._values.period_per_height * self.height if self.period is None else float(self.period)
-
-    @property
-    def _values(self) -> Structure:
-        return STRUCTURES[self.structure]
+        by_height = STRUCTURES[self.structure].period_per_height * self.height
+        return by_height if self.period is None else float(self.period)
 
     @cached_property
     def model(self) -> ShearModel:
         """The building as masses and stiffnesses."""
-        values, isolated = self._values, self.structure == ISOLATED
+        values, period, isolated = STRUCTURES[self.structure], self.fixed_period, self.structure == ISOLATED
         masses = np.full(self.storeys, FLOOR_MASS)
-        stiffnesses = storey_stiffnesses(masses, self.fixed_period)
+        stiffnesses = storey_stiffnesses(masses, period)
         zeta = values.damping if self.damping is None else self.damping
         ratio = np.full(self.storeys, values.post_yield if self.post_yield is None else self.post_yield)
-        shears = self._yield_shears(masses)
+        coefficient = self.yield_coefficient
+        if coefficient is None:
+            coefficient = values.yield_coefficient * spectral_factor(period)
+        shears = coefficient * ai_distribution(masses, period) * (STANDARD_GRAVITY * weight_above(masses))
         damping = np.full(self.storeys, zeta)
         if isolated:  # the isolators are one more storey below, and the slab on them one more mass
             total = float(masses.sum()) + FLOOR_MASS
@@ -308,39 +286,3 @@ class Building:
             self.vertical_amplification,
             self.name,
         )
-
-    def _yield_shears(self, masses: NDArray[np.float64]) -> NDArray[np.float64]:
-        period = self.fixed_period
-        coefficient = self.yield_coefficient
-        if coefficient is None:
-            coefficient = self._values.yield_coefficient * spectral_factor(period)
-        weight = STANDARD_GRAVITY * weight_above(masses)
-        return coefficient * ai_distribution(masses, period) * weight
-
-    def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
-        """Draw the slowest mode shapes: `ShearModel.plot`."""
-        return self.model.plot(ax, modes=modes, language=language)
-
-    def respond(self, motion: Motion) -> FloorResponse:
-        """Return the response of all floors to a motion of the ground: `ShearModel.respond`."""
-        return self.model.respond(motion)
-
-    @overload
-    def floor_motion(self, motion: Motion, storey: int) -> Motion: ...
-    @overload
-    def floor_motion(self, motion: Suite, storey: int) -> Suite: ...
-    def floor_motion(self, motion: Motion | Suite, storey: int) -> Motion | Suite:
-        """Return the motion under the furniture of a storey, of a suite one: `ShearModel.floor_motion`."""
-        return self.model.floor_motion(motion, storey)
-
-    def floor_motions(
-        self, motions: Iterable[Motion], storeys: Sequence[int], *, threads: int | None = None
-    ) -> Iterator[tuple[Motion, ...]]:
-        """Give, motion by motion, the floor motions of the wanted storeys: `ShearModel.floor_motions`."""
-        return self.model.floor_motions(motions, storeys, threads=threads)
-
-    def floor_peaks(
-        self, motions: Iterable[Motion], *, component: str = "x", threads: int | None = None
-    ) -> FloorPeaks:
-        """Return the peaks of all floors under many motions: `ShearModel.floor_peaks`."""
-        return self.model.floor_peaks(motions, component=component, threads=threads)

@@ -16,8 +16,8 @@ from stayput.building.superposition import (
     linear_histories,
     yielding_histories,
 )
-from stayput.compiling import entry
 from stayput.errors import InputError
+from stayput.motion.integrals import peak_velocity
 from stayput.motion.processing import refine
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.building.modes import ModalModel
+    from stayput.building.model import ShearModel
 
 SUBSTEPS_IN_A_PERIOD = (400.0, 16.0)
 """Fewest sub-steps in the longest and in the shortest period where storeys may yield.
@@ -88,19 +88,18 @@ class Histories:
 
     def peaks(self) -> NDArray[np.float64]:
         """Return the peaks of the floors' accelerations [m/s²] and velocities [m/s], shape (2, floors)."""
-        peaks = np.empty((2, self.acceleration.shape[1]))
-        column_peaks(self.acceleration, self.dt, np.empty(peaks.shape[1]), peaks)
-        return peaks
+        columns = [np.ascontiguousarray(a) for a in self.acceleration.T]
+        return np.array([[np.abs(a).max() for a in columns], [peak_velocity(a, self.dt) for a in columns]])
 
 
 def component_response(
-    model: ModalModel, a: NDArray[np.float64], dt: float, floors: Sequence[int], *, drifts: bool = False
+    model: ShearModel, a: NDArray[np.float64], dt: float, floors: Sequence[int], *, drifts: bool = False
 ) -> Histories:
     """Return the histories of the wanted floors under one component of the ground's motion.
 
     Parameters
     ----------
-    model : ModalModel
+    model : ShearModel
         The building.
     a : ndarray, shape (n,)
         Acceleration of the ground [m/s²].
@@ -124,12 +123,14 @@ def component_response(
     drift_shapes = np.ascontiguousarray(modes.drifts.T)
     masses = np.empty((len(ground), shapes.shape[1]))
     if model.yield_shears is not None:
-        drift, energy = _yielding(model, model.yield_shears, ground, h, shapes, drift_shapes, masses)
+        drift, energy = _yielding(
+            model, np.array(model.yield_shears), ground, h, shapes, drift_shapes, masses
+        )
     else:
         shown = drift_shapes if drifts else drift_shapes[:, :0].copy()
         drift = np.empty((len(ground), shown.shape[1]))
         step = np.empty((STEP_ROWS, len(modes.omega)))
-        fill_step(modes.omega, model.damping, h, step)
+        fill_step(modes.omega, np.array(model.damping), h, step)
         scratch = np.empty((3, len(modes.omega)))
         linear_histories(ground, step, modes.participation, shapes, shown, scratch, masses, drift)
         energy = None
@@ -140,7 +141,7 @@ def component_response(
 
 
 def _yielding(
-    model: ModalModel,
+    model: ShearModel,
     yield_shears: NDArray[np.float64],
     ground: NDArray[np.float64],
     dt: float,
@@ -158,9 +159,9 @@ def _yielding(
         raise InputError("building.period_too_short", "stiffnesses", period=shortest, least=least)
     h = dt / substeps
     step = np.empty((STEP_ROWS, len(modes.omega)))
-    fill_step(modes.omega, model.damping, h, step)
-    stiffness = model.stiffnesses
-    storeys = np.stack((stiffness, (1.0 - model.post_yield) * stiffness, yield_shears / stiffness))
+    fill_step(modes.omega, np.array(model.damping), h, step)
+    stiffness, softened = np.array(model.stiffnesses), 1.0 - np.array(model.post_yield)
+    storeys = np.stack((stiffness, softened * stiffness, yield_shears / stiffness))
     # Row 3 of a step is what a unit of a at its end adds to q, so −Σ d · row 3 · d is what a unit of the
     # force κp at the end of the sub-step adds to the drifts.
     coupling = -np.einsum("js,j,jt->st", drift_shapes, step[3], drift_shapes, optimize=False)
@@ -182,32 +183,3 @@ def _yielding(
         energy,
     )
     return drift, Energy(*np.ascontiguousarray(energy.T))
-
-
-@entry
-def column_peaks(
-    a: NDArray[np.float64], dt: float, v: NDArray[np.float64], peaks: NDArray[np.float64]
-) -> None:
-    """Compute the peaks of accelerations that are linear between samples, and of their integrals.
-
-    Parameters
-    ----------
-    a : ndarray, shape (n, floors)
-        Accelerations [m/s²].
-    dt : float
-        Time step [s].
-    v : ndarray, shape (floors,)
-        Working memory.
-    peaks : ndarray, shape (2, floors)
-        Filled with the largest magnitudes of acceleration [m/s²] and velocity [m/s].
-    """
-    for r in range(a.shape[1]):
-        v[r], peaks[0, r], peaks[1, r] = 0.0, abs(a[0, r]), 0.0
-    for k in range(1, len(a)):
-        for r in range(a.shape[1]):
-            a0, a1 = a[k - 1, r], a[k, r]
-            if a0 * a1 < 0.0:  # the velocity has an extreme in between
-                peaks[1, r] = max(peaks[1, r], abs(v[r] + 0.5 * dt * a0 * a0 / (a0 - a1)))
-            v[r] += 0.5 * dt * (a0 + a1)
-            peaks[0, r] = max(peaks[0, r], abs(a1))
-            peaks[1, r] = max(peaks[1, r], abs(v[r]))

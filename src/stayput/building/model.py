@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar, overload
 
 import numpy as np
 
-from stayput.building.modes import ModalModel, Modes, natural_modes
+from stayput.building.modes import Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
 from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
 from stayput.execution import Pool
@@ -37,8 +37,127 @@ AMPLIFICATION_RANGE = (0.0, 10.0)
 """Smallest and largest factor on the vertical motion at the roof that is accepted."""
 
 
+class ShakenFloors:
+    """What the floors of a building do under motions of the ground, by its shear model."""
+
+    @cached_property
+    def model(self) -> ShearModel:
+        """The building as masses and stiffnesses."""
+        raise NotImplementedError
+
+    def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
+        """Draw the slowest mode shapes over the height, times their participation factors.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        modes : int
+            How many, where the building has them.
+        language : str
+            Language of the texts, "en" or "ja".
+        """
+        from stayput.report.building import draw_modes
+        from stayput.report.figures import axes_of, drawn
+
+        number = whole_within("building.modes", modes, 1, MOST_STOREYS, "", "modes")
+        axis = axes_of(ax)
+        draw_modes(axis, self.model, number, check_language(language))
+        return drawn(axis)
+
+    def respond(self, motion: Motion) -> FloorResponse:
+        """Return the response of all floors to a motion of the ground.
+
+        Parameters
+        ----------
+        motion : Motion
+            The ground's motion; x and y act on the same model, each for itself.
+        """
+        ground, model = _ground(motion), self.model
+        storeys = range(1, model.storeys + 2)
+        histories = {
+            name: model.histories(a, ground.dt, storeys, drifts=True)
+            for name, a in _horizontal(ground).items()
+        }
+        return FloorResponse(
+            model,
+            ground,
+            histories["x"].dt,
+            {name: component.acceleration for name, component in histories.items()},
+            {name: component.drift for name, component in histories.items()},
+            {name: component.energy for name, component in histories.items() if component.energy is not None},
+        )
+
+    @overload
+    def floor_motion(self, motion: Motion, storey: int) -> Motion: ...
+    @overload
+    def floor_motion(self, motion: Suite, storey: int) -> Suite: ...
+    def floor_motion(self, motion: Motion | Suite, storey: int) -> Motion | Suite:
+        """Return the motion of the floor on which the furniture of a storey stands; a suite's, as a suite.
+
+        Parameters
+        ----------
+        motion : Motion or Suite
+            The ground's motion, or motions.
+        storey : int
+            From 1; the roof is the number of storeys + 1.
+        """
+        self.model.place(storey)
+        if isinstance(motion, Suite):
+            floors = self.floor_motions(motion, (storey,))
+            return replace(motion, motions=tuple(floor for (floor,) in floors))
+        return self.model.floors_of(_ground(motion), (storey,))[0]
+
+    def floor_motions(
+        self, motions: Iterable[Motion], storeys: Sequence[int], *, threads: int | None = None
+    ) -> Iterator[tuple[Motion, ...]]:
+        """Give, motion by motion in their order, the floor motions of the wanted storeys.
+
+        A few motions are computed at a time, so that memory does not grow with their number.
+
+        Parameters
+        ----------
+        motions : iterable of Motion
+            The ground's motions.
+        storeys : sequence of int
+            The wanted storeys.
+        threads : int, optional
+            Threads; as many as there are cores by default. The bits do not depend on them.
+        """
+        wanted, model = tuple(storeys), self.model
+        for storey in wanted:
+            model.place(storey)
+        return model.in_order((partial(model.floors_of, _ground(m), wanted) for m in motions), threads)
+
+    def floor_peaks(
+        self, motions: Iterable[Motion], *, component: str = "x", threads: int | None = None
+    ) -> FloorPeaks:
+        """Return the peaks of all floors under many motions, without keeping the histories.
+
+        Parameters
+        ----------
+        motions : iterable of Motion
+            The ground's motions.
+        component : str
+            "x" or "y".
+        threads : int, optional
+            Threads; as many as there are cores by default. The bits do not depend on them.
+        """
+        model = self.model
+        storeys = range(1, model.storeys + 2)
+
+        def peaks_of(motion: Motion) -> NDArray[np.float64]:
+            rows = _horizontal(motion)
+            word_of("motion.the_component", component, rows, "component")
+            return model.histories(rows[component], motion.dt, storeys).peaks()
+
+        found = list(model.in_order((partial(peaks_of, _ground(motion)) for motion in motions), threads))
+        peaks = np.array(found).reshape(-1, 2, len(storeys))
+        return FloorPeaks(np.array(storeys), peaks[:, 0], peaks[:, 1])
+
+
 @dataclass(frozen=True, repr=False)
-class ShearModel:
+class ShearModel(ShakenFloors):
     """Masses, one above the other, each on a storey that shears; the ground moves under the lowest.
 
     Storey 1 stands on the ground, storey n on mass n − 1, and the highest mass is the roof. Where
@@ -163,13 +282,11 @@ class ShearModel:
         return "roof" if storey == self.storeys + 1 else f"storey {int(storey)}"
 
     @cached_property
-    def _modal(self) -> ModalModel:
-        shears = None if self.yield_shears is None else np.array(self.yield_shears)
-        return ModalModel(
-            self.modes, np.array(self.damping), np.array(self.stiffnesses), np.array(self.post_yield), shears
-        )
+    def model(self) -> ShearModel:
+        """Itself."""
+        return self
 
-    def _histories(
+    def histories(
         self, a: NDArray[np.float64], dt: float, storeys: Sequence[int], *, drifts: bool = False
     ) -> Histories:
         """Return the histories of storeys under one component of the ground's motion."""
@@ -177,132 +294,19 @@ class ShearModel:
 
         # Storey 1 stands on the ground, −1, or above a layer of isolators on the lowest mass, 0.
         floors = [int(storey) - 2 + int(self.isolated) for storey in storeys]
-        return component_response(self._modal, a, dt, floors, drifts=drifts)
+        return component_response(self, a, dt, floors, drifts=drifts)
 
-    def _ground(self, motion: Motion) -> Motion:
-        """Return the motion; refuse one that is not of the ground."""
-        return of_the_ground(Motion.given(motion), "building")
-
-    def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
-        """Draw the slowest mode shapes over the height, times their participation factors.
-
-        Parameters
-        ----------
-        ax : Axes, optional
-            Where to draw; by default in a new figure of pyplot.
-        modes : int
-            How many, where the building has them.
-        language : str
-            Language of the texts, "en" or "ja".
-        """
-        from stayput.report.building import draw_modes
-        from stayput.report.figures import axes_of, drawn
-
-        number = whole_within("building.modes", modes, 1, MOST_STOREYS, "", "modes")
-        axis = axes_of(ax)
-        draw_modes(axis, self, number, check_language(language))
-        return drawn(axis)
-
-    def respond(self, motion: Motion) -> FloorResponse:
-        """Return the response of all floors to a motion of the ground.
-
-        Parameters
-        ----------
-        motion : Motion
-            The ground's motion; x and y act on the same model, each for itself.
-        """
-        ground, storeys = self._ground(motion), range(1, self.storeys + 2)
-        histories = {
-            name: self._histories(a, ground.dt, storeys, drifts=True)
-            for name, a in _horizontal(ground).items()
-        }
-        return FloorResponse(
-            self,
-            ground,
-            histories["x"].dt,
-            {name: component.acceleration for name, component in histories.items()},
-            {name: component.drift for name, component in histories.items()},
-            {name: component.energy for name, component in histories.items() if component.energy is not None},
-        )
-
-    @overload
-    def floor_motion(self, motion: Motion, storey: int) -> Motion: ...
-    @overload
-    def floor_motion(self, motion: Suite, storey: int) -> Suite: ...
-    def floor_motion(self, motion: Motion | Suite, storey: int) -> Motion | Suite:
-        """Return the motion of the floor on which the furniture of a storey stands; a suite's, as a suite.
-
-        Parameters
-        ----------
-        motion : Motion or Suite
-            The ground's motion, or motions.
-        storey : int
-            From 1; the roof is the number of storeys + 1.
-        """
-        self.place(storey)
-        if isinstance(motion, Suite):
-            floors = self.floor_motions(motion, (storey,))
-            return replace(motion, motions=tuple(floor for (floor,) in floors))
-        return self._floor_motions(self._ground(motion), (storey,))[0]
-
-    def floor_motions(
-        self, motions: Iterable[Motion], storeys: Sequence[int], *, threads: int | None = None
-    ) -> Iterator[tuple[Motion, ...]]:
-        """Give, motion by motion in their order, the floor motions of the wanted storeys.
-
-        A few motions are computed at a time, so that memory does not grow with their number.
-
-        Parameters
-        ----------
-        motions : iterable of Motion
-            The ground's motions.
-        storeys : sequence of int
-            The wanted storeys.
-        threads : int, optional
-            Threads; as many as there are cores by default. The bits do not depend on them.
-        """
-        wanted = tuple(storeys)
-        for storey in wanted:
-            self.place(storey)
-        return self._in_order(
-            (partial(self._floor_motions, self._ground(m), wanted) for m in motions), threads
-        )
-
-    def floor_peaks(
-        self, motions: Iterable[Motion], *, component: str = "x", threads: int | None = None
-    ) -> FloorPeaks:
-        """Return the peaks of all floors under many motions, without keeping the histories.
-
-        Parameters
-        ----------
-        motions : iterable of Motion
-            The ground's motions.
-        component : str
-            "x" or "y".
-        threads : int, optional
-            Threads; as many as there are cores by default. The bits do not depend on them.
-        """
-        storeys = range(1, self.storeys + 2)
-
-        def peaks_of(motion: Motion) -> NDArray[np.float64]:
-            rows = _horizontal(motion)
-            word_of("motion.the_component", component, rows, "component")
-            return self._histories(rows[component], motion.dt, storeys).peaks()
-
-        found = list(self._in_order((partial(peaks_of, self._ground(motion)) for motion in motions), threads))
-        peaks = np.array(found).reshape(-1, 2, len(storeys))
-        return FloorPeaks(np.array(storeys), peaks[:, 0], peaks[:, 1])
-
-    def _in_order(self, calls: Iterable[Callable[[], T]], threads: int | None) -> Iterator[T]:
-        _ = self._modal  # once, not in every thread
+    def in_order(self, calls: Iterable[Callable[[], T]], threads: int | None) -> Iterator[T]:
+        """Give what calls return, in their order, on several threads."""
+        _ = self.modes  # once, not in every thread
         with Pool(threads) as pool:
             yield from pool.in_order(calls)
 
-    def _floor_motions(self, ground: Motion, storeys: Sequence[int]) -> tuple[Motion, ...]:
+    def floors_of(self, ground: Motion, storeys: Sequence[int]) -> tuple[Motion, ...]:
         """Return the floor motions of the wanted storeys, and compute no others."""
-        histories = {name: self._histories(a, ground.dt, storeys) for name, a in _horizontal(ground).items()}
+        histories = {name: self.histories(a, ground.dt, storeys) for name, a in _horizontal(ground).items()}
         return tuple(
-            self._motion_of(
+            self.motion_of(
                 ground,
                 storey,
                 histories["x"].dt,
@@ -311,7 +315,7 @@ class ShearModel:
             for i, storey in enumerate(storeys)
         )
 
-    def _motion_of(
+    def motion_of(
         self, ground: Motion, storey: int, dt: float, rows: dict[str, NDArray[np.float64]]
     ) -> Motion:
         """Return a floor's motion from its horizontal accelerations and the ground's vertical one."""
@@ -331,6 +335,11 @@ class ShearModel:
             source=f"{ground.source}; {note}".removeprefix("; "),
             floor=place if storey > 1 else ground.floor,
         )
+
+
+def _ground(motion: Motion) -> Motion:
+    """Return the motion; refuse one that is not of the ground."""
+    return of_the_ground(Motion.given(motion), "building")
 
 
 def _horizontal(ground: Motion) -> dict[str, NDArray[np.float64]]:

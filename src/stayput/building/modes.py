@@ -56,31 +56,6 @@ class Modes:
         return np.diff(self.shapes, axis=0, prepend=0.0)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class ModalModel:
-    """What the equations of motion need of a building.
-
-    Parameters
-    ----------
-    modes : Modes
-        The natural modes, before yielding.
-    damping : ndarray, shape (n,)
-        Damping ratio of each mode.
-    stiffnesses : ndarray, shape (n,)
-        Of the storeys before yielding [N/m], bottom to top.
-    post_yield : ndarray, shape (n,)
-        Ratio of each storey's stiffness after yielding to that before it.
-    yield_shears : ndarray or None, shape (n,)
-        Shear at which each storey yields [N]; None: none yields.
-    """
-
-    modes: Modes
-    damping: NDArray[np.float64]
-    stiffnesses: NDArray[np.float64]
-    post_yield: NDArray[np.float64]
-    yield_shears: NDArray[np.float64] | None
-
-
 def natural_modes(masses: NDArray[np.float64], stiffnesses: NDArray[np.float64]) -> Modes:
     """Return the modes of masses [kg] on storeys of given stiffness [N/m], both shape (n,), bottom to top.
 

@@ -127,34 +127,26 @@ class FloorResponse:
         """Return the motion under the furniture of a storey (the roof's is that of the storeys + 1)."""
         self.model.place(storey)
         rows = {name: a[:, int(storey) - 1] for name, a in self.acceleration.items()}
-        return self.model._motion_of(self.motion, storey, self.dt, rows)  # pyright: ignore[reportPrivateUsage]
+        return self.model.motion_of(self.motion, storey, self.dt, rows)
 
     def to_dataset(self) -> xr.Dataset:
         """Return histories and peaks with units: ``acceleration_x`` over time and storey, ``drift_x``, ..."""
         import xarray as xr
 
-        data = xr.Dataset(
-            coords={
-                "time": ("time", self.time, {"units": "s"}),
-                "storey": (
-                    "storey",
-                    self.storeys,
-                    {"long_name": "storey on the floor; the last is the roof"},
-                ),
-                "layer": (
-                    "layer",
-                    np.arange(1, len(self.model.masses) + 1),
-                    {"long_name": "what lies below each mass, from the ground"},
-                ),
-            },
-            attrs={
-                "building": self.model.name,
-                "motion": self.motion.name,
-                "synthetic": int(self.motion.synthetic),
-                "period": float(self.model.periods[0]),
-                "nonlinear": int(self.model.yields),
-            },
-        )
+        layers = np.arange(1, len(self.model.masses) + 1)
+        coordinates = {
+            "time": ("time", self.time, {"units": "s"}),
+            "storey": ("storey", self.storeys, {"long_name": "storey on the floor; the last is the roof"}),
+            "layer": ("layer", layers, {"long_name": "what lies below each mass, from the ground"}),
+        }
+        about = {
+            "building": self.model.name,
+            "motion": self.motion.name,
+            "synthetic": int(self.motion.synthetic),
+            "period": float(self.model.periods[0]),
+            "nonlinear": int(self.model.yields),
+        }
+        data = xr.Dataset(coords=coordinates, attrs=about)
         for key, dims, values, unit, meaning in self._variables():
             data[key] = (dims, values, {"units": unit, "long_name": meaning})
         return data

@@ -4,30 +4,17 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Refusals
     "modes": ("The number of modes", "モードの数"),
     "structure": ("The structure", "建物の構造"),
-    "storeys": (
-        "The number of storeys is {storeys}; it must be a whole number from 1 to {most}.",
-        "建物の階数が{storeys}になっています。1～{most}の整数にしてください。",
-    ),
     "needs_nonlinear": (
         "yield_coefficient and post_yield are given; they need a nonlinear building.",
         "yield_coefficientやpost_yieldは、非線形の建物にだけ指定できます。",
     ),
     "period_of_isolated": (
-        (
-            "The building's period on fixed ground is {period:g} s; it must be shorter than that of the "
-            "isolators, {isolators:g} s."
-        ),
-        "基礎固定時の建物の固有周期が{period:g}秒になっています。免震層の周期{isolators:g}秒より短くしてください。",
+        "The building's fixed-base period is {period:g} s; it must be below the isolators', {isolators:g} s.",
+        "基礎固定時の建物の固有周期が{period:g}秒です。免震層の周期{isolators:g}秒より短くしてください。",
     ),
     "isolation_too_damped": (
-        (
-            "Isolation damping is {damping:g}; it must be below {most:.3f}, the most of a bilinear layer "
-            "with post_yield {post_yield:g}."
-        ),
-        (
-            "免震層の減衰定数が{damping:g}になっています。降伏後の剛性比が{post_yield:g}のバイリニア型で得られるのは"
-            "{most:.3f}未満です。"
-        ),
+        "Isolation damping is {damping:g}; with post_yield {post_yield:g} it must be below {most:.3f}.",
+        "免震層の減衰定数が{damping:g}です。降伏後の剛性比{post_yield:g}では{most:.3f}未満にしてください。",
     ),
     "masses": (
         "ShearModel has {count} masses; it must have {least} to {most}.",
@@ -42,12 +29,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "階が{storey}になっています。1～{most}の整数にしてください（屋上は{roof}）。",
     ),
     "period_too_short": (
-        (
-            "The building's shortest period is {period:g} s; with yielding storeys it must be at least "
-            "{least:.2g} s."
-        ),
+        "The building's shortest period is {period:g} s; if it yields it must be at least {least:.2g} s.",
         "建物の最も短い固有周期が{period:g}秒になっています。降伏を考える場合は{least:.2g}秒以上にしてください。",
     ),
-    # Doubts
 }
 """Texts by their keys: English, Japanese."""

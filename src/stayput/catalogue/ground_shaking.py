@@ -4,16 +4,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "intensity": ("JMA intensity {value:.3g}", "計測震度{value:.3g}"),
     "value": ("{value:.3g}", "計測震度{value:.3g}"),
     "pga": (
-        "peak ground acceleration {gal:.4g} gal = {value:.4g} m/s²",
-        "地面の最大加速度{gal:.4g} gal = {value:.4g} m/s²",
+        "peak ground acceleration {hundredfold:.4g} gal = {value:.4g} m/s²",
+        "地面の最大加速度{hundredfold:.4g} gal = {value:.4g} m/s²",
     ),
     "pgv": (
-        "peak ground velocity {kine:.4g} cm/s = {value:.4g} m/s",
-        "地面の最大速度{kine:.4g} cm/s = {value:.4g} m/s",
+        "peak ground velocity {hundredfold:.4g} cm/s = {value:.4g} m/s",
+        "地面の最大速度{hundredfold:.4g} cm/s = {value:.4g} m/s",
     ),
     "sa": (
-        "spectral acceleration {gal:.4g} gal = {value:.4g} m/s² at {period:g} s",
-        "周期{period:g}秒の加速度応答{gal:.4g} gal = {value:.4g} m/s²",
+        "spectral acceleration {hundredfold:.4g} gal = {value:.4g} m/s² at {period:g} s",
+        "周期{period:g}秒の加速度応答{hundredfold:.4g} gal = {value:.4g} m/s²",
     ),
     "magnitude": (
         "magnitude {magnitude:.3g} at {distance:.3g} km",
@@ -50,23 +50,19 @@ TEXTS: dict[str, tuple[str, str]] = {
     "scattered": (
         (
             "{about}. By {source} the peak velocity of the ground is {pgv:.3g} cm/s, times or over {spread:.2g} "
-            "(one standard deviation); each motion has a strength of its own out of this scatter. This is not "
-            "the seismic hazard at your site"
+            "(one standard deviation); {how}. This is not the seismic hazard at your site"
         ),
         (
             "{about}。{source}による地面の最大速度は{pgv:.3g} cm/sで、標準偏差は{spread:.2g}倍（または1/{spread:.2g}）"
-            "です。このばらつきに合わせて、地震動ごとに強さを変えます。お住まいの場所の地震危険度を示すものではありません"
+            "です。{how}。お住まいの場所の地震危険度を示すものではありません"
         ),
     ),
-    "middle": (
-        (
-            "{about}. By {source} the peak velocity of the ground is {pgv:.3g} cm/s, times or over {spread:.2g} "
-            "(one standard deviation); the one motion has the median, without this scatter. This is not the "
-            "seismic hazard at your site"
-        ),
-        (
-            "{about}。{source}による地面の最大速度は{pgv:.3g} cm/sで、標準偏差は{spread:.2g}倍（または1/{spread:.2g}）"
-            "です。地震動が1つなので中央値を使い、ばらつきは考慮しません。お住まいの場所の地震危険度を示すものではありません"
-        ),
+    "each_drawn": (
+        "each motion has a strength of its own out of this scatter",
+        "このばらつきに合わせて、地震動ごとに強さを変えます",
+    ),
+    "median_alone": (
+        "the one motion has the median, without this scatter",
+        "地震動が1つなので中央値を使い、ばらつきは考慮しません",
     ),
 }

@@ -5,42 +5,19 @@ from stayput.catalogue.motion_files import TEXTS as FILE_TEXTS
 TEXTS: dict[str, tuple[str, str]] = {
     **FILE_TEXTS,
     # What numbers and names are called, for the refusals of `stayput.catalogue.common`.
-    "name_motion_dt": ("Motion dt", "地震動の時間刻み"),
-    "name_motion_scale": ("Motion scale", "地震動の倍率"),
-    "name_motion_angle": ("Motion angle", "地震動を回転する角度"),
     "name_intensity": ("Intensity", "震度"),
-    "name_trim_start": ("Trim start", "切り出しの始まり"),
-    "name_trim_end": ("Trim end", "切り出しの終わり"),
-    "name_padding": ("Padding", "前後に加える静止時間"),
     "name_dt": ("dt", "時間刻み"),
     "name_time_step": ("The time step", "時間刻み"),
     "name_pgv": ("PGV", "最大速度（PGV）"),
     "name_pga": ("PGA", "最大加速度（PGA）"),
     "name_period": ("Period", "周期"),
     "name_damping": ("Damping ratio", "減衰定数"),
-    "name_konno_ohmachi": ("Konno-Ohmachi b", "Konno-Ohmachiウィンドウのb"),
-    "name_pulse_amplitude": ("Pulse amplitude", "パルスの振幅"),
-    "name_pulse_quiet": ("Pulse quiet", "パルスの後の静止時間"),
-    "name_pulse_gamma": ("Pulse gamma", "パルスのγ"),
-    "name_pulse_nu": ("Pulse nu", "パルスのν"),
-    "name_pulse_duration": ("Pulse duration", "パルスの継続時間"),
-    "name_pulse_frequency": ("Pulse frequency", "パルスの振動数"),
-    "name_pulse_dt": ("Pulse dt", "パルスの時間刻み"),
-    "name_target_sa": ("Target Sa", "目標スペクトルのSa"),
-    "name_target_damping": ("Target damping ratio", "目標スペクトルの減衰定数"),
     "name_target_period": ("Period of {target}", "「{target}」の周期"),
     "name_band_shortest": ("Band's shortest period", "周期帯の最短周期"),
     "name_band_longest": ("Band's longest period", "周期帯の最長周期"),
-    "name_sds": ("SDS", "SDS"),
-    "name_sd1": ("SD1", "SD1"),
-    "name_tl": ("TL", "TL"),
-    "name_ts": ("TS = SD1/SDS", "TS（SD1/SDS）"),
     "name_count": ("Number of motions", "地震動の数"),
-    "name_number": ("Number", "地震動の番号"),
     "name_seed": ("Seed", "乱数のシード"),
-    "baseline_order": ("Baseline order", "基線補正の次数"),
     "family": ("The family", "地震の種類"),
-    "pulse_kind": ("The pulse kind", "パルスの種類"),
     "the_component": ("The component", "成分"),
     # The samples of a motion.
     "samples_not_a_row": (
@@ -60,14 +37,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地震動の{component}成分に数値でない値が含まれています（データ番号{index}が{value}）。",
     ),
     "samples_too_large": (
-        (
-            "Motion {component} at sample {index} is {value:g} m/s²; it must be between "
-            "{low:g} and {high:g} m/s²."
-        ),
-        (
-            "加速度が大きすぎます（{component}成分のデータ番号{index}が{value:g} m/s²）。"
-            "{low:g}～{high:g} m/s²が有効です。単位を確かめてください。"
-        ),
+        "Motion {component} at sample {index} is {value:g} m/s²; it must be from -{most:g} to {most:g} m/s².",
+        "加速度が大きすぎます（{component}成分の{index}番で{value:g} m/s²）。±{most:g} m/s²以内の値にし、単位を確かめてください。",
     ),
     "components_differ": (
         "Motion {component} has {count} samples and x has {x_count}; they must be as many.",
@@ -85,10 +56,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "resampling_ratio": (
         "The new dt is {step:g} s; it must be a whole part or a multiple of {dt:g} s.",
         "新しい時間刻みが{step:g}秒になっています。{dt:g}秒の整数分の1か整数倍にしてください。",
-    ),
-    "resampled_too_long": (
-        "The finer record would have {count} samples; {most} are allowed.",
-        "細かくした記録のデータが{count}個になります。{most}個以下にしてください。",
     ),
     "resampled_too_short": (
         "The record has {count} samples; a step {ratio} times as long needs at least {least}.",
@@ -120,38 +87,23 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value:g} {unit}になっています。0より大きくしてください。",
     ),
     "periods_shape": (
-        "The periods have shape {shape}; they must be one row of at least one.",
-        "周期の配列の形状が{shape}です。1個以上の周期を1列に並べて指定してください。",
-    ),
-    "periods_not_increasing": (
-        "The periods are not increasing; each must be longer than the one before it.",
-        "周期が昇順に並んでいません。短い順に指定してください。",
+        "The periods have shape {shape}; they must be one row, each longer than the one before it.",
+        "周期の配列の形状が{shape}です。1個以上の周期を短い順に1列に並べて指定してください。",
     ),
     # Computed motions.
     "too_many_samples": (
         "The motion would have {count} samples; it must have at most {most}.",
         "地震動のデータが{count}個になります。{most}個以下にしてください。",
     ),
-    "sine_step": (
-        "Sine dt is {step:g} s; at most {most:g} s, period/{fewest}, is allowed.",
-        "正弦波の時間刻みが{step:g}秒になっています。周期の{fewest}分の1（{most:g}秒）以下にしてください。",
+    "coarse_step": (
+        "dt is {step:g} s; at most {most:g} s, a {fewest}th of the period or of the pulse, is allowed.",
+        "時間刻みが{step:g}秒になっています。周期やパルスの長さの{fewest}分の1（{most:g}秒）以下にしてください。",
     ),
     "pulse_needs": (
-        (
-            "A {kind} pulse is given duration {duration} and frequency {frequency}; "
-            "it must be given its {wanted} only."
-        ),
-        (
-            "「{kind}」のパルスに継続時間{duration}、振動数{frequency}が指定されました。"
-            "{wanted}だけを指定してください。"
-        ),
+        "A {kind} pulse has duration {duration} and frequency {frequency}; it must have its {wanted} only.",
+        "「{kind}」のパルスには{wanted}だけを指定してください（継続時間{duration}、振動数{frequency}）。",
     ),
-    "only_duration": ("duration", "継続時間"),
-    "only_frequency": ("frequency", "振動数"),
-    "pulse_step": (
-        "Pulse dt is {step:g} s; it must be at most a {fewest}th of {period:g} s.",
-        "パルスの時間刻みが{step:g}秒になっています。{period:g}秒の{fewest}分の1以下にしてください。",
-    ),
+    "frequency": ("frequency", "振動数"),
     # From the channels of a file to the components of a motion.
     "lengths_differ": (
         "The components have {listing} samples; their lengths must agree within 1 %.",
@@ -191,14 +143,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "「{component}」は上下動の成分です。水平の成分を次から選んでください：「{channels}」",
     ),
     "vertical_as_x": (
-        (
-            "The component {component!r} is a vertical channel and is taken as x, along the shaking; the file has the "
-            "horizontal channels {channels}."
-        ),
-        (
-            "「{component}」は上下動の成分ですが、揺れの方向（x）に使います。"
-            "ファイルには水平の成分「{channels}」があります。"
-        ),
+        "The vertical channel {component!r} is taken as x; the file has the horizontal channels {channels}.",
+        "上下動の成分「{component}」をxに使います。ファイルには水平の成分「{channels}」があります。",
     ),
     "not_one_vertical": (
         "The channels are {channels}; exactly one must be vertical.",
@@ -215,31 +161,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "vertical_by_name": (
-        (
-            "The name of the file ends in {ending!r}, as that of a vertical component does; it is taken as x, the "
-            "horizontal shaking."
-        ),
+        "The name of the file ends in {ending!r} like a vertical; it is taken as x, the horizontal shaking.",
         "ファイル名の末尾が上下動の成分を表す「{ending}」ですが、水平の揺れ（x）として使います。",
     ),
     "vertical_alone": (
-        (
-            "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "
-            "{option} must name it where that is meant."
-        ),
-        (
-            "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れとして使います。"
-            "それでよければ、この成分を選んでください（{option}）。"
-        ),
+        "The file has a vertical channel alone, {label!r}, taken as x; if that is meant, name it ({option}).",
+        "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れに使うのであれば、選んでください（{option}）。",
     ),
     "x_chosen": (
-        (
-            "The file has the horizontal channels {channels} and none of them was chosen; {label} is taken as x, along "
-            "the shaking."
-        ),
-        (
-            "ファイルには水平の成分が「{channels}」とあります。成分が選ばれていないので、"
-            "このうち{label}を揺れの方向（x）に使います。"
-        ),
+        "Of the horizontal channels {channels} none was chosen; {label} is taken as x, along the shaking.",
+        "水平の成分「{channels}」のどれも選ばれていないので、{label}を揺れの方向（x）に使います。",
     ),
     "the_first": ("the first", "最初の成分"),
     "large_peak": (
@@ -250,10 +181,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "upper_floor": (
-        (
-            "The name or the header says that it was recorded on {floor} of a building; "
-            "it is not a motion of the ground."
-        ),
+        "The name or the header says that it is of {floor} of a building; it is no motion of the ground.",
         "建物の上の階で観測された記録のようです（{floor}）。地面の揺れではありません。",
     ),
     "not_of_the_ground": (
@@ -366,10 +294,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; a file must be read first: read_motion({value}).",
         "{name}が{value}になっています。ファイルは先にread_motion({value})で読み込んでください。",
     ),
-    "suite_item": (
-        "An item of the suite is of type {kind}; all must be motions.",
-        "地震動群に{kind}が含まれています。地震動（Motion）だけを入れてください。",
-    ),
     "suite_one_motion": (
         "The suite has 1 motion; a standard deviation needs at least 2.",
         "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",
@@ -397,20 +321,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
     "and_more": (" and {count} more", "など（ほか{count}件）"),
     "target_lengths": (
-        (
-            "The target has {periods} periods and {values} values of Sa; it must have "
-            "as many of each, at least 2."
-        ),
+        "The target has {periods} periods and {values} values of Sa; it must have as many, at least 2.",
         "目標スペクトルの周期が{periods}個、Saが{values}個です。同じ数で、2個以上にしてください。",
     ),
     "band_not_two": (
         "The band is {value}; it must be two periods (shortest, longest) [s].",
         "周期の範囲が{value}になっています。2つの周期（最短、最長）[s] を指定してください。",
-    ),
-    "target_level": ("The level", "地震動のレベル"),
-    "target_soil": (
-        "The class of soil is {soil!r}; it must be 1, 2 or 3.",
-        "地盤種別が{soil!r}になっています。1、2、3のいずれかにしてください。",
     ),
     "target_line": (
         "{file}, line {number} is {line!r}; it must be a period [s] and Sa [{unit}].",

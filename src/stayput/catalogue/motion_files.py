@@ -26,10 +26,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion file {path!r} cannot be read ({reason}); it must be readable.",
         "「{path}」を読み込めません（{reason}）。読み込めるファイルを指定してください。",
     ),
-    "file_no_path": (
-        "The motion file is {path!r}; it must be the path of a file.",
-        "地震記録のファイルとして{path!r}が指定されました。ファイルのパスを指定してください。",
-    ),
     "file_long_line": (
         "The motion file {path!r} has a line of {length} characters; {most} are allowed.",
         "「{path}」に長すぎる行があります（{length}文字）。1行は{most}文字までです。",
@@ -70,22 +66,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "加速度の単位（{option}）がファイルに書かれていません。次から選んでください：{known}",
     ),
     "no_unit_but_mentioned": (
-        (
-            "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; {option} must be given "
-            "as one of {known}."
-        ),
-        (
-            "ヘッダーに「{mentioned}」とありますが、加速度の単位とは書かれていません。"
-            "単位（{option}）を次から選んでください：{known}"
-        ),
+        "The header mentions {mentioned!r}, but not as the unit; {option} must be given as one of {known}.",
+        "ヘッダーに「{mentioned}」とありますが、単位とは書かれていません。単位（{option}）を次から選んでください：{known}",
     ),
     "no_unit_nor_step": (
         "The file states no unit and no time step; {option} must be given as one of {known}, and {other_option} [s].",
         "加速度の単位（{option}）と時間刻み（{other_option}）がファイルに書かれていません。単位を次から選び、時間刻みを秒単位で入力してください：{known}",
     ),
-    "another_unit": (
-        "The unit is given as {given!r}; it must be the one that the file states, {stated}.",
-        "「{given}」という単位が選ばれましたが、ファイルに書かれている単位は{stated}です。それを選んでください。",
+    "not_the_files_own": (
+        "The {what} is given as {given}; it must be the one that the file states, {stated}.",
+        "{what}に{given}が指定されましたが、ファイルでは{stated}です。それにしてください。",
     ),
     "unit_mentioned": (
         "The unit is given as {given!r} and the file's header mentions {mentioned!r}; check which it is.",
@@ -95,69 +85,33 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file states no time step; {option} must be given [s].",
         "時間刻み（{option}）がファイルに書かれていません。秒単位で入力してください。",
     ),
-    "another_time_step": (
-        "The dt is given as {given:g} s; it must be the one that the file states, {stated:g} s.",
-        "時間刻みに{given:g}秒が指定されましたが、ファイルの時間刻みは{stated:g}秒です。それを入力してください。",
-    ),
     "time_counts": (
-        (
-            "The time column counts {first:g}, {second:g}, …, as a number of samples does; {option} must be given [s], "
-            "1 where these are seconds."
-        ),
-        (
-            "時刻の列が{first:g}、{second:g}、…と1ずつ増えていて、データの番号のようです。"
-            "時間刻み（{option}）を秒単位で指定してください（秒であれば1）。"
-        ),
+        "The time counts {first:g}, {second:g}, …, like samples; {option} must be given [s], 1 if in seconds.",
+        "時刻の列が{first:g}、{second:g}、…と1ずつ増えています。時間刻み（{option}）を指定してください（秒であれば1）。",
     ),
     "long_step": (
         "The time step is {dt:g} s, by which nothing faster than {frequency:g} Hz is seen; check the time column or dt.",
         "時間刻みが{dt:g}秒で、{frequency:g} Hzより速い揺れが記録に現れません。時刻の列か時間刻みを確かめてください。",
     ),
     "gravity": (
-        (
-            "The mean acceleration of {component} is {mean:.4g} m/s², which is gravity; a motion is without it: its "
-            "mean must be taken off ({option})."
-        ),
-        (
-            "{component}成分の加速度の平均が{mean:.4g} m/s²で、重力加速度が含まれています。"
-            "重力を除いた加速度が必要です。平均を除いてください（{option}）。"
-        ),
-    ),
-    "offset_refused": (
-        (
-            "The acceleration of {component} oscillates about {mean:.4g} m/s², {share:.0f} % of its peak, which would "
-            "leave the floor moving at {velocity:.3g} m/s; the mean must be taken off ({option})."
-        ),
-        (
-            "{component}成分の加速度が{mean:.4g} m/s²（最大値の{share:.0f}%）を中心に振動しており、最後に床が"
-            "{velocity:.3g} m/sで動き続けることになります。平均を除いてください（{option}）。"
-        ),
+        "The mean acceleration of {component} is {mean:.4g} m/s², which is gravity; take it off ({option}).",
+        "{component}成分の加速度の平均が{mean:.4g} m/s²で、重力加速度が含まれています。除いてください（{option}）。",
     ),
     "offset": (
         (
-            "The acceleration of {component} oscillates about {mean:.4g} m/s², which would leave the floor moving at "
-            "{velocity:.3g} m/s; where that is the instrument's offset, take the mean off ({option})."
+            "The acceleration of {component} oscillates about {mean:.4g} m/s², {share:.3g} % of its peak, which would "
+            "leave the floor moving at {velocity:.3g} m/s; an instrument's offset must be taken off ({option})."
         ),
         (
-            "{component}成分の加速度が{mean:.4g} m/s²を中心に振動しており、最後に床が{velocity:.3g} m/sで"
-            "動き続けることになります。計器のオフセットであれば、平均を除いてください（{option}）。"
+            "{component}成分の加速度が{mean:.4g} m/s²を中心に振動しており（最大値の{share:.3g}%）、最後に床が"
+            "{velocity:.3g} m/sで動き続けることになります。計器のオフセットであれば、平均を除いてください（{option}）。"
         ),
     ),
     "late_offset": (
-        (
-            "From about {begin:.3g} s on the acceleration of {component} oscillates about {mean:.4g} m/s², and not before; "
-            "where that is the instrument's offset, the record must be corrected there."
-        ),
-        (
-            "{component}成分の加速度が、{begin:.3g}秒付近からあとだけ{mean:.4g} m/s²を中心に振動しています。"
-            "計器のオフセットであれば、記録のその部分を補正してください。"
-        ),
+        "From {begin:.3g} s on the acceleration of {component} oscillates about {mean:.4g} m/s²; check it.",
+        "{component}成分の加速度が{begin:.3g}秒付近から{mean:.4g} m/s²を中心に振動しています。記録を確かめてください。",
     ),
     "less_mean": (", less the mean of each component", "、各成分の平均を除去"),
-    "time_not_growing": (
-        "The time runs from {start:g} s to {end:g} s; it must grow.",
-        "時刻が{start:g}秒から{end:g}秒になっています。時刻は増えていかなければなりません。",
-    ),
     "irregular_sampling": (
         "The sampling is irregular near {time:g} s; the time must grow by equal steps.",
         "時刻が{time:g}秒付近で等間隔になっていません。等間隔の記録が必要です。",
@@ -169,6 +123,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_offsets": ("offsets", "オフセット"),
     "the_peak": ("peak acceleration", "最大加速度"),
     "the_time_step": ("time step", "時間刻み"),
+    "the_unit": ("unit", "単位"),
     "number_of_samples": ("number of samples", "データの数"),
     "the_integer_header": ("integer header", "整数ヘッダー"),
     "the_real_header": ("real header", "実数ヘッダー"),
@@ -233,14 +188,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ヘッダーに{what}がありません。",
     ),
     "decimal_comma": (
-        (
-            "Value {index} of the {what} is {value}; it must be a finite decimal number with a point, unless "
-            "{option} says that it has a comma."
-        ),
-        (
-            "{what}の{index}番目の値が{value}になっています。小数点には「.」を使うか、「,」であることを"
-            "{option}で指定してください。"
-        ),
+        "Value {index} of the {what} is {value}; its decimal mark must be a point, unless {option} is given.",
+        "{what}の{index}番目の値が{value}です。小数点を「.」にするか、「,」であれば{option}を指定してください。",
     ),
     # What the caller says of a file.
     "columns_like": (
@@ -268,14 +217,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "xとする列が{other}で指定されているのに、{name}も「{component}」になっています。どちらか一方にしてください。",
     ),
     "other_instrument": (
-        (
-            "The channel {channel} is of no accelerometer by the instrument's letter in its SEED code, {letter}, which is N, L "
-            "or G of accelerometers; its numbers must be accelerations."
-        ),
-        (
-            "チャンネル{channel}は、SEEDコードの計器の文字が{letter}で、加速度計（N、L、G）のものではありません。"
-            "加速度の記録が必要です。"
-        ),
+        "Channel {channel} is of no accelerometer by its SEED code, whose letter {letter} must be N, L or G.",
+        "チャンネル{channel}は、SEEDコードの計器の文字が{letter}で、加速度計（N、L、G）のものではありません。",
     ),
     "no_obspy": (
         "ObsPy is absent; it must be installed to read {format}: pip install obspy.",
@@ -284,10 +227,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "seismogram_unread": (
         "ObsPy cannot read the file; it must be complete.",
         "ObsPyでファイルを読み取れません。壊れていないファイルが必要です。",
-    ),
-    "seismogram_cut": (
-        "The last record of the file has {size} bytes; it must have {length} like the others.",
-        "ファイルの最後のレコードが{size}バイトしかありません。ほかと同じ{length}バイトが必要です。",
     ),
     "borehole_left_out": (
         "The channels {channels} are of the borehole below the ground and are left out; the surface's are taken.",
@@ -318,14 +257,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "column_factor": (
-        (
-            "The line {line} states a factor; the numbers must be in their unit without one: where they are, {option} "
-            "passes the line over."
-        ),
-        (
-            "{line}の行に倍率が書かれています。倍率のない数値にしてください。すでにそうであれば、この行を「{option}」で"
-            "読み飛ばしてください。"
-        ),
+        "The line {line} states a factor; numbers must be without one: if so, {option} passes the line over.",
+        "{line}の行に倍率があります。倍率のない数値にして、この行を「{option}」で読み飛ばしてください。",
     ),
     "column_count_first": (
         "The first number, {number:g}, looks like a count; only samples may stand there, unless {option} passes it over.",
@@ -357,19 +290,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The line {line} stands between the headings and the numbers; only the units of the columns may.",
         "見出しと数値の間に{line}という行があります。ここには各列の単位だけを書けます。",
     ),
-    "column_negative": (
+    "other_sign": (
         (
-            "The column {column} is positive the other way; its numbers must change sign, and its heading be "
-            "written without that."
+            "By {said} numbers are positive the other way; they must change sign, and that be left out, or the column of "
+            "the vertical be headed 'Down'."
         ),
-        "列{column}は正負の向きが逆です。数値の符号を反転し、見出しを直してください。",
-    ),
-    "positive_down": (
-        (
-            "The line {line} says that the vertical is positive downward; its numbers must be positive upward, and the "
-            "line be left out, or its column be headed 'Down'."
-        ),
-        "{line}の行によると、上下動は下向きが正です。上向きを正として行を消すか、列の見出しを「Down」としてください。",
+        "{said}によると、数値の正負の向きが逆です。符号を反転してその記載を消すか、上下動の列の見出しを「Down」としてください。",
     ),
     "spectral": ("a peak or a spectrum", "最大値やスペクトル"),
     "two_units": (

@@ -117,11 +117,16 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
             warn(InputWarning("motion.gravity", "z", component=name, mean=mean, option=option))
         elif oscillates_about_offset(a, motion.dt):
             velocity = abs(mean) * motion.duration
-            about: dict[str, Any] = {"component": name, "mean": mean, "velocity": velocity, "option": option}
             share = abs(mean) / float(np.abs(a).max())
+            about: dict[str, Any] = {
+                "component": name,
+                "mean": mean,
+                "velocity": velocity,
+                "share": 100.0 * share,
+            }
             if recorded and velocity > _FASTEST_LEFT and share > _MOST_OF_PEAK:
-                raise InputError("motion.offset_refused", option, **about, share=100.0 * share)
-            warn(InputWarning("motion.offset", option, **about))
+                raise InputError("motion.offset", option, **about, option=option)
+            warn(InputWarning("motion.offset", option, **about, option=option))
         elif begin := offset_begins(a, motion.dt):
             about = {"component": name, "mean": float(a[begin:].mean()), "begin": begin * motion.dt}
             warn(InputWarning("motion.late_offset", name, **about))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -123,19 +123,6 @@ class Listing(NamedTuple):
         return self._replace(
             labels={"x": ""} | {name: self.labels.get(old, "") for name, old in components.items()}
         )
-
-
-class MotionFields(TypedDict):
-    """What a file's channels say of a motion: arguments of `Motion`."""
-
-    dt: float
-    x: NDArray[np.float64]
-    y: NDArray[np.float64] | None
-    z: NDArray[np.float64] | None
-    name: str
-    source: str
-    floor: str
-    listing: Listing
 
 
 def plain_label(label: str) -> str:
@@ -358,7 +345,7 @@ def common_length(lengths: Mapping[str, int]) -> tuple[int, str]:
 
 def motion_fields(
     channels: Sequence[Channel], component: str | None, source: str, name: str = ""
-) -> MotionFields:
+) -> dict[str, Any]:
     """Return the arguments of the `Motion` that a file's channels make.
 
     The chosen channel becomes x, the other horizontal one y, the vertical one z, up. A file of more than
@@ -411,9 +398,7 @@ def motion_fields(
     place = f"; recorded on {floor_phrase(floor)[0]}" if floor else ""
     return {
         "dt": x.dt,
-        "x": samples["x"],
-        "y": samples.get("y"),
-        "z": samples.get("z"),
+        **samples,
         "name": ", ".join(part for part in (x.name, x.label) if part) if x.name else name,
         "source": f"{source}: {roles}{cut}{place}",
         "floor": floor,

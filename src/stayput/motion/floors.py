@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, excerpt
+from stayput.errors import InputError, excerpt
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -68,11 +68,6 @@ def floor_phrase(floor: str) -> Phrase:
         return phrase(f"motion.{kind}_number", number=number)
     named = {"roof": "roof_place", "upper floor": "some_upper_floor", BOREHOLE: "borehole_place"}.get(floor)
     return phrase(f"motion.{named}") if named else (floor, floor)
-
-
-def upper_floor_warning(floor: str) -> InputWarning:
-    """Return the warning that a record is of an upper floor, not of the ground."""
-    return InputWarning("motion.upper_floor", floor=floor_phrase(floor))
 
 
 def of_the_ground(motion: Motion, rule: str) -> Motion:

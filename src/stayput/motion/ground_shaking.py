@@ -186,13 +186,10 @@ class GroundStrength:
         """Return what was stated, and how so many motions have their strengths by it; without a full stop."""
         if self.scatter == 0.0:
             return self.about
-        key = "middle" if motions == 1 else "scattered"
+        how = phrase(f"ground_shaking.{'median_alone' if motions == 1 else 'each_drawn'}")
+        pgv, spread = 100.0 * self.median, 10.0**self.scatter
         return phrase(
-            f"ground_shaking.{key}",
-            about=self.about,
-            source=self.source,
-            pgv=100.0 * self.median,
-            spread=10.0**self.scatter,
+            "ground_shaking.scattered", about=self.about, source=self.source, pgv=pgv, spread=spread, how=how
         )
 
     def factor(self, motion: Motion) -> float:
@@ -259,6 +256,13 @@ def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
     return peak
 
 
+def _of_peak(measure: StrengthMeasure, value: float, period: float = 0.0) -> GroundStrength:
+    """Return the strength of a peak or spectral acceleration [m/s², m/s], at a period [s]."""
+    brief = phrase(f"ground_shaking.{measure.lower()}", value=value, hundredfold=100.0 * value, period=period)
+    about = phrase("ground_shaking.scaled", stated=brief)
+    return GroundStrength(measure, math.log10(value), about=about, brief=brief, period=period)
+
+
 def strength_of_intensity(intensity: float) -> GroundStrength:
     """Return the strength of a JMA intensity."""
     about = phrase("ground_shaking.intensity", value=intensity)
@@ -279,10 +283,7 @@ def strength_of_intensity(intensity: float) -> GroundStrength:
 )
 def strength_of_pga(pga: float) -> GroundStrength:
     """Return the strength of a peak acceleration [m/s²]."""
-    brief = phrase("ground_shaking.pga", value=pga, gal=100.0 * pga)
-    return GroundStrength(
-        "PGA", math.log10(pga), about=phrase("ground_shaking.scaled", stated=brief), brief=brief
-    )
+    return _of_peak("PGA", pga)
 
 
 @arguments(
@@ -297,10 +298,7 @@ def strength_of_pga(pga: float) -> GroundStrength:
 )
 def strength_of_pgv(pgv: float) -> GroundStrength:
     """Return the strength of a peak velocity [m/s]."""
-    brief = phrase("ground_shaking.pgv", value=pgv, kine=100.0 * pgv)
-    return GroundStrength(
-        "PGV", math.log10(pgv), about=phrase("ground_shaking.scaled", stated=brief), brief=brief
-    )
+    return _of_peak("PGV", pgv)
 
 
 @arguments(
@@ -322,9 +320,7 @@ def strength_of_pgv(pgv: float) -> GroundStrength:
 )
 def strength_of_sa(period: float, value: float) -> GroundStrength:
     """Return the strength of a spectral acceleration [m/s²] at a period [s]."""
-    brief = phrase("ground_shaking.sa", period=period, value=value, gal=100.0 * value)
-    about = phrase("ground_shaking.scaled", stated=brief)
-    return GroundStrength("SA", math.log10(value), about=about, brief=brief, period=period)
+    return _of_peak("SA", value, period)
 
 
 @arguments(

@@ -49,14 +49,9 @@ def check_size(component: str, samples: NDArray[np.float64], field: str) -> None
     index = int(np.abs(samples).argmax())
     value = float(samples[index])
     if abs(value) > LARGEST_ACCELERATION:
+        most = LARGEST_ACCELERATION
         raise InputError(
-            "motion.samples_too_large",
-            field,
-            component=component,
-            index=index,
-            value=value,
-            low=-LARGEST_ACCELERATION,
-            high=LARGEST_ACCELERATION,
+            "motion.samples_too_large", field, component=component, index=index, value=value, most=most
         )
 
 
@@ -107,7 +102,7 @@ def refine(a: NDArray[np.float64], parts: int) -> NDArray[np.float64]:
     """Return the same piecewise linear function with each step cut into ``parts``, shape ((n−1)·parts+1,)."""
     if (len(a) - 1) * parts >= MOST_SAMPLES:
         count = (len(a) - 1) * parts + 1
-        raise InputError("motion.resampled_too_long", "dt", count=count, most=MOST_SAMPLES)
+        raise InputError("motion.too_many_samples", "dt", count=count, most=MOST_SAMPLES)
     steps = np.arange(parts) / parts
     cut = a[:-1, None] + np.diff(a)[:, None] * steps
     return np.append(cut.ravel(), a[-1])
@@ -187,16 +182,12 @@ def ending_at_rest(a: NDArray[np.float64]) -> NDArray[np.float64]:
     s0, s1 = float(np.sum(a)), float(np.sum(a * (tau - 0.5)))
     a = a - s0 / float(np.sum(window)) * window - s1 / float(np.sum(slant * (tau - 0.5))) * slant
     whole = np.rint(a / QUANTUM).astype(np.int64)
-    _add_quanta(whole, -int(whole.sum()))
+    excess = -int(whole.sum())
+    first = (len(whole) - abs(excess)) // 2
+    whole[first : first + abs(excess)] += 1 if excess > 0 else -1  # each to a sample of its own
     place = np.arange(len(a), dtype=np.int64) - len(a) // 2
     _add_couples(whole, -int(np.sum(whole * place)))
     return whole.astype(np.float64) * QUANTUM
-
-
-def _add_quanta(whole: NDArray[np.int64], excess: int) -> None:
-    """Add ``excess`` quanta, each to a sample of its own about the middle."""
-    first = (len(whole) - abs(excess)) // 2
-    whole[first : first + abs(excess)] += 1 if excess > 0 else -1
 
 
 def _add_couples(whole: NDArray[np.int64], moment: int) -> None:

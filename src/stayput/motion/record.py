@@ -120,7 +120,7 @@ class Motion:
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "dt", within("motion.name_motion_dt", self.dt, *STEP_RANGE, "s", "dt"))
+        object.__setattr__(self, "dt", within("motion.name_dt", self.dt, *STEP_RANGE, "s", "dt"))
         for name in ("name", "source", "floor"):  # a file's header may hold anything
             object.__setattr__(self, name, visible(instance_of(name, getattr(self, name), str)))
         for name in COMPONENTS:
@@ -312,8 +312,7 @@ class Motion:
         InputError
             Another ending, or several components for AT2.
         """
-        as_text = FORMATS[word_of("ending", ending, FORMATS)]
-        return as_text(self.dt, self.components, self.name, self.source, self.synthetic)
+        return FORMATS[word_of("ending", ending, FORMATS)](self)
 
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""
@@ -334,7 +333,7 @@ class Motion:
 
     def scaled(self, factor: float) -> Motion:
         """Return the motion with every component times ``factor``."""
-        k = finite("motion.name_motion_scale", factor, "factor")
+        k = finite("factor", factor, "factor")
         return self._each(lambda a: k * a, source=self._note(f"scaled by {k:g}"))
 
     def to_intensity(self, intensity: float | str) -> Motion:
@@ -363,7 +362,7 @@ class Motion:
         InputError
             There is no y component.
         """
-        turn = finite("motion.name_motion_angle", angle, "angle")
+        turn = finite("angle", angle, "angle")
         if self.y is None:
             raise InputError("motion.rotation_without_y")
         c, s = math.cos(turn), math.sin(turn)
@@ -375,8 +374,8 @@ class Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""
         last = longest = self.duration
         if end is not None:  # a duration that was printed and rounded up is the end too
-            last = within("motion.name_trim_end", end, 0.0, longest + 1e-9, "s", "end")
-        first = within("motion.name_trim_start", start, 0.0, longest, "s", "start")
+            last = within("end", end, 0.0, longest + 1e-9, "s", "end")
+        first = within("start", start, 0.0, longest, "s", "start")
         i, j = math.ceil(first / self.dt - 1e-6), math.floor(last / self.dt + 1e-6)
         if j - i < 1:
             raise InputError("motion.trim_too_short", "end", start=first, end=last)
@@ -391,7 +390,7 @@ class Motion:
         """
         most = MOST_SAMPLES * self.dt
         lead, tail = (
-            round(within("motion.name_padding", time, 0.0, most, "s", field) / self.dt)
+            round(within(field, time, 0.0, most, "s", field) / self.dt)
             for field, time in (("before", before), ("after", after))
         )
         source = self._note(f"padded by {lead * self.dt:g} s and {tail * self.dt:g} s")
@@ -405,7 +404,7 @@ class Motion:
         so nothing is folded down; what is faster than that is lost, and up to one new step at the end.
         For any other step do one after the other.
         """
-        step = within("motion.name_motion_dt", dt, *STEP_RANGE, "s", "dt")
+        step = within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
         source = self._note(f"resampled from {self.dt:g} s to {step:g} s")
         if parts := whole_ratio(self.dt, step):
             return self._each(lambda a: refine(a, parts), dt=self.dt / parts, source=source)
@@ -418,7 +417,7 @@ class Motion:
 
         The order is that of what is taken from the acceleration: 0 a constant, 1 a line, up to 5.
         """
-        whole_within("motion.baseline_order", order, 0, 5, field="order")
+        whole_within("order", order, 0, 5, field="order")
         source = f"baseline of order {order} removed"
         return self._each(lambda a: without_baseline(a, self.dt, order), source=self._note(source))
 

@@ -126,12 +126,10 @@ def checked_periods(periods: ArrayLike) -> NDArray[np.float64]:
         No periods, or periods that are not increasing or out of range.
     """
     row = np.atleast_1d(numbers("motion.name_period", periods, "periods"))
-    if row.ndim != 1 or row.size == 0:
-        raise InputError("motion.periods_shape", "periods", shape=str(row.shape))
-    for period in row:
+    for period in row.flat:
         within("motion.name_period", period, *PERIOD_RANGE, "s", "periods")
-    if not np.all(np.diff(row) > 0.0):
-        raise InputError("motion.periods_not_increasing", "periods")
+    if row.ndim != 1 or row.size == 0 or not np.all(np.diff(row) > 0.0):
+        raise InputError("motion.periods_shape", "periods", shape=str(row.shape))
     return row
 
 

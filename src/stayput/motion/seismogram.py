@@ -177,8 +177,8 @@ def read(
     try:
         traces: Any = obspy_read(BytesIO(Path(path).read_bytes()), format=form)
         lengths = [int(getattr(getattr(t.stats, "mseed", None), "record_length", 1)) for t in traces]
-        if size % (length := min(lengths, default=1)):
-            raise InputError("motion.seismogram_cut", size=size % length, length=length)
+        if size % min(lengths, default=1):
+            raise InputError("motion.seismogram_unread")
         for trace in traces:
             kind = _OTHER_THAN_ACCELERATION.get(getattr(getattr(trace.stats, "sac", None), "idep", 0))
             if kind is not None:

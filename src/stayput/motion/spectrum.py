@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import within
 from stayput.execution import Pool
 from stayput.motion.record import Motion
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, checked_periods
@@ -114,9 +113,8 @@ def konno_ohmachi(
     at : ndarray, shape (m,)
         Frequencies fc at which it is wanted [Hz].
     b : float
-        Bandwidth; 20 is strong smoothing, 40 weaker. 1 to 1000.
+        Bandwidth; 20 is strong smoothing, 40 weaker.
     """
-    within("motion.name_konno_ohmachi", b, 1.0, 1000.0, field="b")
     f, size = frequencies[frequencies > 0.0], amplitude[frequencies > 0.0]
     log_f = np.log10(f)
     smooth = np.empty(len(at))

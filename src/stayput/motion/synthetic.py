@@ -36,6 +36,13 @@ def _steps(duration: float, dt: float, quiet: float) -> tuple[int, int, float]:
     return steps, still, step
 
 
+def _check_step(step: float, period: float) -> None:
+    """Refuse a time step that is too long for the period, or for the length of a pulse [s]."""
+    most = period / _FEWEST_STEPS
+    if step > most * (1.0 + 1e-9):
+        raise InputError("motion.coarse_step", "dt", step=step, most=most, fewest=_FEWEST_STEPS)
+
+
 def _then_quiet(a: NDArray[np.float64], still: int) -> NDArray[np.float64]:
     """Append ``still`` zeros; the last sample is put half way, so that the jump's impulse stays exact."""
     if not still:
@@ -94,10 +101,7 @@ def sine(
     a0, f, length, angle, step, still = (
         about.check(value) for about, value in zip(parameters(sine), given, strict=True)
     )
-    if step * f * _FEWEST_STEPS > 1.0 + 1e-9:
-        raise InputError(
-            "motion.sine_step", "dt", step=step, most=1 / f / _FEWEST_STEPS, fewest=_FEWEST_STEPS
-        )
+    _check_step(step, 1.0 / f)
     n, zeros, step = _steps(length, step, still)
     a = a0 * np.sin(2.0 * math.pi * f * step * np.arange(n + 1) + angle)
     name = f"sine {a0:g} m/s², {f:g} Hz"
@@ -170,30 +174,29 @@ def pulse(
     >>> round(shake.pga, 2)
     5.0
     """
-    word_of("motion.pulse_kind", kind, PULSE_KINDS, "kind")
+    word_of("kind", kind, PULSE_KINDS, "kind")
     by_length = kind in PULSE_KINDS[:2]
     needed, other = (duration, frequency) if by_length else (frequency, duration)
     quantity = "duration" if by_length else "frequency"
     if needed is None or other is not None:
         about: dict[str, Any] = {"kind": kind, "duration": duration, "frequency": frequency}
-        raise InputError("motion.pulse_needs", quantity, wanted=phrase(f"motion.only_{quantity}"), **about)
+        raise InputError("motion.pulse_needs", quantity, wanted=phrase(f"motion.{quantity}"), **about)
     largest = LARGEST_ACCELERATION if kind != PULSE_KINDS[3] else 100.0
     unit = "m/s" if kind == PULSE_KINDS[3] else "m/s²"
-    a0 = within("motion.name_pulse_amplitude", amplitude, -largest, largest, unit, "amplitude")
-    still = within("motion.name_pulse_quiet", quiet, 0.0, 1e5, "s", "quiet")
-    g = within("motion.name_pulse_gamma", gamma, 1.0, 50.0, field="gamma")
-    phase = within("motion.name_pulse_nu", nu, -1e3, 1e3, "rad", "nu")
+    a0 = within("amplitude", amplitude, -largest, largest, unit, "amplitude")
+    still = within("quiet", quiet, 0.0, 1e5, "s", "quiet")
+    g = within("gamma", gamma, 1.0, 50.0, field="gamma")
+    phase = within("nu", nu, -1e3, 1e3, "rad", "nu")
     if by_length:
-        period = within("motion.name_pulse_duration", needed, 1e-3, 1e3, "s", "duration")
+        period = within("duration", needed, 1e-3, 1e3, "s", "duration")
         length = period
     else:
-        period = 1.0 / within("motion.name_pulse_frequency", needed, 1e-3, 1e3, "Hz", "frequency")
+        period = 1.0 / within("frequency", needed, 1e-3, 1e3, "Hz", "frequency")
         length = period * (3.0 if kind == "ricker" else g)
     step = min(1e-3, period / 200.0)
     if dt is not None:
-        step = within("motion.name_pulse_dt", dt, *STEP_RANGE, "s", "dt")
-    if step * _FEWEST_STEPS > period * (1.0 + 1e-9):
-        raise InputError("motion.pulse_step", "dt", step=step, fewest=_FEWEST_STEPS, period=period)
+        step = within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
+    _check_step(step, period)
     half, zeros, step = _steps(length / 2.0, step, still)
     tau = np.arange(-half, half + 1, dtype=np.float64) * step
     if kind == "rectangular":

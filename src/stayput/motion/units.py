@@ -221,23 +221,26 @@ def acceleration_unit(
         raise InputError("motion.stated_quantity", unit=excerpt(stated), quantity=name)
     known, mentioned = stated and known_unit(stated), stated or mentioned_unit(header)
     if known and given is not None and unit_factor(known) != unit_factor(given):
-        raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(stated or ""))
+        raise not_the_files_own("unit", excerpt(given), excerpt(stated or ""))
     if not known and given is None:
         if stated is not None:
             raise unknown_unit(stated)
+        about: dict[str, Any] = {"known": UNIT_NAMES, "option": "unit"}
         if mentioned is not None:
-            raise InputError(
-                "motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES, option="unit"
-            )
+            raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, **about)
         if step_missing:
-            raise InputError(
-                "motion.no_unit_nor_step", "unit", known=UNIT_NAMES, option="unit", other_option="dt"
-            )
-        raise InputError("motion.no_unit", "unit", known=UNIT_NAMES, option="unit")
+            raise InputError("motion.no_unit_nor_step", "unit", other_option="dt", **about)
+        raise InputError("motion.no_unit", "unit", **about)
     factor = unit_factor(known or given or "")
     if not known and mentioned and ACCELERATION_UNITS.get(known_unit(mentioned) or "") != factor:
         warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=mentioned))
     return factor
+
+
+def not_the_files_own(field: str, given: str | Phrase, stated: str | Phrase) -> InputError:
+    """Return the refusal of a unit or a time step ("dt") that is not the one that the file states."""
+    what = phrase("motion.the_unit" if field == "unit" else "motion.the_time_step")
+    return InputError("motion.not_the_files_own", field, what=what, given=given, stated=stated)
 
 
 def unknown_unit(unit: str) -> InputError:
@@ -251,7 +254,7 @@ def time_step(stated: float | None, given: float | None) -> float:
     if stated is None and given is None:
         raise InputError("motion.no_time_step", "dt", option="dt")
     if stated is not None and given is not None and not math.isclose(stated, given, rel_tol=_STEP_TOLERANCE):
-        raise InputError("motion.another_time_step", "dt", given=given, stated=stated)
+        raise not_the_files_own("dt", f"{given:g} s", f"{stated:g} s")
     step = stated if stated is not None else given or 0.0
     return within("motion.name_time_step", step, *STEP_RANGE, "s", "dt")
 
@@ -271,12 +274,9 @@ def regular_step(time: NDArray[np.float64]) -> float:
     """
     n = len(time)
     step = float(time[-1] - time[0]) / (n - 1)
-    if not step > 0.0:
-        raise InputError("motion.time_not_growing", start=float(time[0]), end=float(time[-1]))
     error = np.abs(time - (time[0] + step * np.arange(n)))
-    if error.max() > _ROUNDING_OF_TIMES * step:
-        worst = int(error.argmax())
-        raise InputError("motion.irregular_sampling", time=float(time[worst]))
+    if not step > 0.0 or error.max() > _ROUNDING_OF_TIMES * step:
+        raise InputError("motion.irregular_sampling", time=float(time[error.argmax()]))
     # Printed times are rounded, and so is the step that they give: 0.0099999 s of 0.01 s. The shortest
     # decimal that keeps the last sample within a thousandth of a step is what was meant.
     for digits in range(1, 12):

@@ -327,8 +327,7 @@ class BuildingTable(ValueTable):
     @property
     def yields(self) -> bool:
         """Whether the floors' motion does not scale with the ground's."""
-        building = self.building()
-        return building.yields if isinstance(building, ShearModel) else building.nonlinear
+        return self.building().model.yields
 
     def highest(self) -> int:
         """Return the number of the highest floor: the roof's."""

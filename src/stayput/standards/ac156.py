@@ -132,9 +132,9 @@ def ac156(sds: float, height_ratio: float = 0.0, edition: str = "7-16") -> Requi
     >>> round(ac156(1.0, 0.5, "7-22").rigid, 3)
     0.692
     """
-    s = within("motion.name_sds", sds, 0.001, 10.0, "g", "sds")
-    z = within("standards.height_ratio", height_ratio, 0.0, 1.0, "", "height_ratio")
-    if word_of("standards.edition", edition, EDITIONS, "edition") == "7-16":
+    s = within("SDS", sds, 0.001, 10.0, "g", "sds")
+    z = within("height_ratio", height_ratio, 0.0, 1.0, field="height_ratio")
+    if word_of("edition", edition, EDITIONS, "edition") == "7-16":
         amplified = s * (1.0 + 2.0 * z)
     else:
         amplified = s * (1.0 + 2.5 * z) / (DUCTILITY if z > 0.0 else 1.0)
@@ -182,18 +182,11 @@ def ac156_motion(
     [1.0, 1.0, 1.0, 0.9]
     """
     instance_of("required", required, RequiredSpectrum)
-    cut = within(
-        "standards.lowest",
-        LOWEST_CUTOFF if lowest is None else lowest,
-        0.1,
-        HIGHEST_CUTOFF,
-        "Hz",
-        "lowest",
-    )
+    cut = LOWEST_CUTOFF if lowest is None else within("lowest", lowest, 0.1, HIGHEST_CUTOFF, "Hz", "lowest")
     key = (
         whole_within("motion.name_seed", seed, *SEED_RANGE, field="seed"),
         _KEY,
-        whole_within("motion.name_number", number, *NUMBER_RANGE, field="number"),
+        whole_within("number", number, *NUMBER_RANGE, field="number"),
     )
     t = DT * np.arange(round((BUILD + HOLD + DECAY) / DT) + 1, dtype=np.float64)
     envelope = np.minimum(np.minimum(t / BUILD, 1.0), (t[-1] - t) / DECAY)

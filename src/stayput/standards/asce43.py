@@ -91,7 +91,7 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
     0.17
     """
     Motion.given(motion)
-    mu = within("standards.friction", friction, 0.001, 10.0, "", "friction")
+    mu = within("friction", friction, 0.001, 10.0, field="friction")
     GRAVITY.check(gravity)
     vertical = 0.0 if motion.z is None else float(np.abs(motion.z).max())
     most = gravity / VERTICAL_SHARE

@@ -53,8 +53,8 @@ def position_of(storey: int, storeys: int) -> str:
     >>> [position_of(storey, 10) for storey in (1, 7, 8, 11)]
     ['ground', 'middle', 'upper', 'upper']
     """
-    count = whole_within("standards.storeys", storeys, 1, 1000, "", "storeys")
-    level = whole_within("standards.storey", storey, 1, count + 1, "", "storey")
+    count = whole_within("storeys", storeys, 1, 1000, "", "storeys")
+    level = whole_within("storey", storey, 1, count + 1, "", "storey")
     if level == 1:
         return "ground"
     top = next((top for least, top in UPPER_STOREYS if count >= least), 0)
@@ -83,28 +83,17 @@ def equipment_coefficient(position: str, grade: str, zone: float = 1.0) -> float
     >>> equipment_coefficient("upper", "B"), equipment_coefficient("ground", "S", 0.9)
     (1.0, 0.9)
     """
-    by_class = COEFFICIENTS[word_of("standards.position", position, COEFFICIENTS, "position")]
-    k_s = by_class[word_of("standards.grade", grade, CLASSES, "grade")]
-    return within("standards.zone", zone, *ZONE_RANGE, "", "zone") * k_s
-
-
-def _lever(body: Body) -> float:
-    """Return the distance in plan from the centre of gravity to the nearer base edge at rest [m]."""
-    (left, _), (right, _), *_ = body.corners_at_rest
-    return min(-left, right)
-
-
-def _gravity_height(body: Body) -> float:
-    """Return the height of the centre of gravity above the lower base corner at rest [m]."""
-    (_, left), (_, right), *_ = body.corners_at_rest
-    return -min(left, right)
+    by_class = COEFFICIENTS[word_of("position", position, COEFFICIENTS, "position")]
+    k_s = by_class[word_of("grade", grade, CLASSES, "grade")]
+    return within("zone", zone, *ZONE_RANGE, "", "zone") * k_s
 
 
 def _moment(body: Body, coefficient: float, gravity: float) -> float:
     """Return the overturning moment less the restoring one about the nearer base edge [N m]."""
-    k = within("standards.coefficient", coefficient, 0.0, 100.0, "", "coefficient")
+    k = within("coefficient", coefficient, 0.0, 100.0, "", "coefficient")
     GRAVITY.check(gravity)
-    return body.mass * gravity * (k * _gravity_height(body) - _lever(body))
+    (left, left_z), (right, right_z), *_ = body.corners_at_rest  # from the centre of gravity
+    return body.mass * gravity * (k * -min(left_z, right_z) - min(-left, right))
 
 
 def holding_force(
@@ -180,8 +169,8 @@ def anchor_tension(
     858.1
     """
     feet = instance_of("body", body, Body).base_width
-    length = within("standards.spacing", feet if spacing is None else spacing, 1e-3, feet, "m", "spacing")
-    count = whole_within("standards.anchors", anchors, 1, 1000, "", "anchors")
+    length = within("spacing", feet if spacing is None else spacing, 1e-3, feet, "m", "spacing")
+    count = whole_within("anchors", anchors, 1, 1000, "", "anchors")
     inset = 0.5 * (feet - length)  # of the anchors from the edge that the moment is about
     moment = _moment(body, coefficient, gravity) + body.mass * gravity * inset
     return max(moment / (count * length), 0.0)

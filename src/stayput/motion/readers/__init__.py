@@ -32,7 +32,7 @@ from stayput.motion.channels import (
     refuse_vertical,
     warn_of_vertical,
 )
-from stayput.motion.floors import BOREHOLE, upper_floor_warning
+from stayput.motion.floors import BOREHOLE, floor_phrase
 from stayput.motion.processing import STEP_RANGE
 from stayput.motion.readers import california, databases, japan
 from stayput.motion.readers.columns import COLUMNS, MOST_SKIPPED, ReadingOptions, chosen_columns, read_columns
@@ -49,12 +49,6 @@ if TYPE_CHECKING:
 
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
-
-_STATED_OTHERWISE = (
-    "motion.another_unit",
-    "motion.another_time_step",
-)
-"""Refusals of a unit or a time step that is not the one that the file states."""
 
 READERS = (databases.PEER, *japan.READERS, databases.ESM, *california.READERS, COLUMNS)
 """The readers, in the order in which they are asked whether a file is theirs.
@@ -318,7 +312,7 @@ def _channels(
     try:
         return read(unit, dt)
     except InputError as error:
-        if not several or error.code not in _STATED_OTHERWISE:
+        if not several or error.code != "motion.not_the_files_own":
             raise
         unit, dt = (None, dt) if error.field == "unit" else (unit, None)
         return _channels(read, unit, dt, several)
@@ -364,7 +358,7 @@ def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], s
         motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
         motion = checked_record(motion, remove_mean=first.remove_mean)
         if motion.floor not in ("", BOREHOLE):  # the choice of its channel has warned
-            warn(upper_floor_warning(motion.floor))
+            warn(InputWarning("motion.upper_floor", floor=floor_phrase(motion.floor)))
     for warning in (warning for file in files for warning in file.warnings):
         warn(warning)
     return replace(motion, synthetic=any(file.synthetic for file in files))

@@ -35,6 +35,7 @@ from stayput.motion.readers.quantities import axes_of, column_factors, other_qua
 from stayput.motion.readers.text import Numbers, Reader, check_count, chunks, not_as_stated, numbers
 from stayput.motion.units import (
     known_unit,
+    not_the_files_own,
     regular_step,
     stated_factor,
     stated_step,
@@ -198,7 +199,7 @@ def read_columns(
         step = regular_step(times)
         # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
         if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
-            raise InputError("motion.another_time_step", "dt", given=dt, stated=step)
+            raise not_the_files_own("dt", f"{dt:g} s", f"{step:g} s")
         if written is not None and abs(written - step) > _STATED_STEP * step:
             raise not_as_stated("the_time_step", written, step, " s")
         step = time_step(step if dt is None else dt, None)

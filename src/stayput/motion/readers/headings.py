@@ -215,7 +215,7 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     downward = next(filter(_POSITIVE_DOWN.search, lines), None)
     turned = len(texts) == count and any(map(is_down, texts))
     if downward and not turned and (count > 3 or any(map(is_vertical, texts))):
-        raise InputError("motion.positive_down", line=excerpt(downward))
+        raise InputError("motion.other_sign", said=excerpt(downward))
     if len(texts) != count:
         if ordered or (_states_columns(texts) and _all_names(texts)):
             raise InputError("motion.column_order", columns=_listed(texts), count=count)
@@ -227,7 +227,7 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     if negative := next(
         (text for text, name in called if _NEGATIVE.search(text) and not is_down(name)), None
     ):
-        raise InputError("motion.column_negative", column=excerpt(negative))
+        raise InputError("motion.other_sign", said=excerpt(negative))
     first = names[0] if names else texts[0]
     names = names if any(map(is_direction, names)) else named or names
     alike = bool(times) and (times[0] == 0 or _mark(lines[place]) == _mark(row))

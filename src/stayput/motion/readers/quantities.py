@@ -13,6 +13,7 @@ from stayput.motion.units import (
     acceleration_unit,
     known_unit,
     mentioned_unit,
+    not_the_files_own,
     quantity_of,
     unit_factor,
     unknown_unit,
@@ -170,14 +171,8 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
         if quantity := next(filter(None, map(quantity_of, (text, *BRACKET.findall(text)))), None):
             name = phrase(f"motion.{quantity}")
             raise InputError("motion.not_acceleration", where=excerpt(text), quantity=name)
-        unknown = next(
-            (
-                u
-                for u in BRACKET.findall(text)
-                if _LIKE_A_UNIT.fullmatch(u) and not (is_direction(u) and u.isalnum())
-            ),
-            None,
-        )
+        names = (name for name in BRACKET.findall(text) if not (is_direction(name) and name.isalnum()))
+        unknown = next(filter(_LIKE_A_UNIT.fullmatch, names), None)
         if unknown is not None and given is not None:
             warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=unknown))
         elif unknown is not None and stated is None:
@@ -186,5 +181,5 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
     if stated is not None and unit_factor(stated) != unit_factor(unit):
         raise InputError("motion.two_units", first=excerpt(stated), second=excerpt(text))
     if given is not None and unit_factor(given) != unit_factor(unit):
-        raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(text))
+        raise not_the_files_own("unit", excerpt(given), excerpt(text))
     return unit

@@ -8,6 +8,7 @@ from __future__ import annotations
 import codecs
 import io
 import math
+import os
 import re
 from array import array
 from pathlib import Path
@@ -16,11 +17,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, excerpt, reason_of
+from stayput.errors import InputError, excerpt, instance_of, reason_of
 from stayput.files import LARGEST_RECORD
 
 if TYPE_CHECKING:
-    import os
     from collections.abc import Callable, Iterator, Sequence
 
     from numpy.typing import NDArray
@@ -55,6 +55,7 @@ def file_text(path: str | os.PathLike[str]) -> str:
     def refused(kind: str) -> InputError:
         return InputError("motion.file_is", path=str(path), what=phrase(f"motion.{kind}"))
 
+    instance_of("path", path, (str, os.PathLike))
     try:
         file = Path(path)
         if file.is_dir():
@@ -65,13 +66,10 @@ def file_text(path: str | os.PathLike[str]) -> str:
         if size > LARGEST_RECORD:
             raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_RECORD)
         data = file.read_bytes()
-    except OSError as error:
-        reason = reason_of(error)
-        raise InputError("motion.file_unreadable", path=str(path), reason=reason) from None
-    except (TypeError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError("motion.file_no_path", path=path) from None
+    except InputError:
+        raise
+    except (OSError, ValueError) as error:  # of a text that is no path
+        raise InputError("motion.file_unreadable", path=str(path), reason=reason_of(error)) from None
     if not data.strip():
         raise refused("empty")
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):

@@ -3,22 +3,14 @@
 from __future__ import annotations
 
 from stayput.motion.suites.families import FAMILIES, MIX
-from stayput.motion.suites.suite import Deviation, Suite, read_suite
+from stayput.motion.suites.suite import Suite, read_suite
 from stayput.motion.suites.synthesis import MIXED, synthetic_motion, synthetic_suite
-from stayput.motion.suites.target import (
-    DEFAULT_BAND,
-    TargetSpectrum,
-    asce7,
-    japanese_design,
-    read_target,
-)
+from stayput.motion.suites.target import TargetSpectrum, asce7, japanese_design, read_target
 
 __all__ = [
-    "DEFAULT_BAND",
     "FAMILIES",
     "MIX",
     "MIXED",
-    "Deviation",
     "Suite",
     "TargetSpectrum",
     "asce7",

@@ -86,8 +86,6 @@ class Family:
         Moment magnitudes, all equally likely.
     distances : (float, float)
         Distances from the fault [km], their logarithms equally likely.
-    stress_drop : float
-        Median of Δσ [MPa]; the standard deviation of its logarithm is 0.5.
     packets : tuple of float
         Shares of motions whose source breaks in 1, 2, ... parts.
     low_cut : float
@@ -103,7 +101,6 @@ class Family:
     label: str
     magnitudes: tuple[float, float]
     distances: tuple[float, float]
-    stress_drop: float
     packets: tuple[float, ...]
     low_cut: float
     lengths: tuple[float, float]
@@ -116,7 +113,6 @@ KINDS: dict[str, Family] = {
         label="near-fault",
         magnitudes=(6.5, 7.2),
         distances=(2.0, 12.0),
-        stress_drop=10.0,
         packets=(1.0,),
         low_cut=0.10,
         lengths=(30.0, 30.0),
@@ -126,7 +122,6 @@ KINDS: dict[str, Family] = {
         label="crustal",
         magnitudes=(6.2, 7.3),
         distances=(10.0, 60.0),
-        stress_drop=10.0,
         packets=(0.7, 0.3),
         low_cut=0.08,
         lengths=(40.0, 60.0),
@@ -135,7 +130,6 @@ KINDS: dict[str, Family] = {
         label="subduction",
         magnitudes=(7.8, 8.8),
         distances=(40.0, 120.0),
-        stress_drop=10.0,
         packets=(0.4, 0.4, 0.2),
         low_cut=0.05,
         lengths=(100.0, 240.0),
@@ -144,7 +138,6 @@ KINDS: dict[str, Family] = {
         label="long-period basin",
         magnitudes=(7.6, 8.8),
         distances=(50.0, 160.0),
-        stress_drop=10.0,
         packets=(0.5, 0.5),
         low_cut=0.04,
         lengths=(240.0, 300.0),
@@ -214,7 +207,7 @@ def draw_parameters(kind: Family, draw: Draws) -> Parameters:
     source = PointSource(
         magnitude=draw.uniform(*kind.magnitudes),
         distance=draw.log_uniform(*kind.distances),
-        stress_drop=draw.lognormal(kind.stress_drop, 0.5),
+        stress_drop=draw.lognormal(10.0, 0.5),
         kappa=draw.lognormal(0.035, 0.3),
     )
     soil = SoilLayer(period=draw.lognormal(0.5, 0.5), impedance=draw.uniform(0.25, 0.60))

@@ -8,7 +8,7 @@ is smooth, so a motion keeps its envelope.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -45,26 +45,18 @@ BAND_MARGIN = 1.25
 """Factor by which the filter goes on beyond the band, so that the band's ends are met too."""
 
 
-@dataclass(frozen=True, slots=True)
 class _FilteredComponent:
     """A component's transform, whose amplitudes are multiplied."""
 
-    transform: NDArray[np.complex128]
-    log_f: NDArray[np.float64]
-    dt: float
-    pad: int
-    n: int
-    n_fft: int
-
-    @classmethod
-    def of(cls, a: NDArray[np.float64], dt: float, longest: float) -> _FilteredComponent:
-        pad = math.ceil(PADDING * longest / dt)
-        n = len(a) + 2 * pad
-        n_fft = fft_length(n + pad)  # the zeros at the end keep filtered waves from wrapping around
-        f = np.fft.rfftfreq(n_fft, dt)
-        transform = np.fft.rfft(np.pad(a, pad), n_fft)
-        log_f = np.log(np.maximum(f, 0.1 * f[1]))  # finite at 0 Hz, below all others
-        return cls(transform, log_f, dt, pad, n, n_fft)
+    def __init__(self, a: NDArray[np.float64], dt: float, longest: float) -> None:
+        self.dt, self.pad = dt, math.ceil(PADDING * longest / dt)
+        self.n = len(a) + 2 * self.pad
+        self.n_fft = fft_length(
+            self.n + self.pad
+        )  # zeros at the end keep filtered waves from wrapping around
+        f = np.fft.rfftfreq(self.n_fft, dt)
+        self.transform = np.fft.rfft(np.pad(a, self.pad), self.n_fft)
+        self.log_f = np.log(np.maximum(f, 0.1 * f[1]))  # finite at 0 Hz, below all others
 
     def changed(self, periods: NDArray[np.float64], log_gain: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the acceleration with the gains exp(log_gain) at 1/periods, brought back to rest.
@@ -177,7 +169,7 @@ def matched(
         f"Fourier amplitudes changed to {target.name}, {band[0]:g}-{band[1]:g} s, {which}; baseline at rest"
     )
     filtered = [
-        {name: _FilteredComponent.of(a, motion.dt, band[1]) for name, a in motion.components.items()}
+        {name: _FilteredComponent(a, motion.dt, band[1]) for name, a in motion.components.items()}
         for motion in motions
     ]
     if together:

@@ -84,12 +84,9 @@ class Suite(Sequence[Motion]):
     name: str = ""
 
     def __post_init__(self) -> None:
-        motions = list_of("motions", self.motions)
+        motions = list_of("motions", self.motions, Motion)
         if not motions:
             raise InputError("motion.suite_empty", "motions")
-        for motion in motions:
-            if not isinstance(motion, Motion):  # pyright: ignore[reportUnnecessaryIsInstance]
-                raise InputError("motion.suite_item", "motions", kind=type(motion).__name__)
         object.__setattr__(self, "motions", motions)
 
     def __repr__(self) -> str:

@@ -42,8 +42,6 @@ from stayput.motion.suites.target import DEFAULT_BAND, TargetSpectrum
 from stayput.motion.synthetic import mavroeidis_papageorgiou
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from numpy.typing import NDArray
 
     from stayput.motion.suites.families import BasinWaves, Family, Parameters, Pulse
@@ -211,7 +209,7 @@ def synthetic_motion(family: str, number: int = 1, seed: int = 1) -> Motion:
     key = (
         whole_within("motion.name_seed", seed, *SEED_RANGE, field="seed"),
         FAMILIES.index(family),
-        whole_within("motion.name_number", number, *NUMBER_RANGE, field="number"),
+        whole_within("number", number, *NUMBER_RANGE, field="number"),
     )
     params = draw_parameters(chosen, Draws(*key))
     n = step_count(chosen, params) + 1
@@ -239,13 +237,9 @@ def _samples_size(motion: Motion) -> int:
     return sum(samples.nbytes for samples in motion.components.values())
 
 
-def with_cache(size: int) -> Callable[[str, int, int], Motion]:
-    """Return `synthetic_motion` with a cache of so many bytes; the least recently used motions go first."""
-    cache: LRUCache[Any, Motion] = LRUCache(size, getsizeof=_samples_size)
-    return cached(cache, lock=threading.Lock())(synthetic_motion)
+_CACHE: LRUCache[Any, Motion] = LRUCache(CACHE_SIZE, getsizeof=_samples_size)
 
-
-_cached_motion = with_cache(CACHE_SIZE)
+_cached_motion = cached(_CACHE, lock=threading.Lock())(synthetic_motion)
 """One cache for the process: a verification, its report and the next one ask for the same motions."""
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, numbers, within, word_of
+from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within, word_of
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.processing import LARGEST_ACCELERATION
@@ -89,12 +89,12 @@ class TargetSpectrum:
     def __post_init__(self) -> None:
         instance_of("of_the_ground", self.of_the_ground, bool)
         periods = checked_periods(self.periods)
-        sa = np.atleast_1d(numbers("motion.name_target_sa", self.sa, "sa"))
+        sa = np.atleast_1d(numbers("sa", self.sa, "sa"))
         if len(periods) < 2 or sa.shape != periods.shape:
             raise InputError("motion.target_lengths", "sa", periods=len(periods), values=sa.size)
         for value in sa:
-            within("motion.name_target_sa", value, 1e-6, LARGEST_ACCELERATION, "m/s²", "sa")
-        within("motion.name_target_damping", self.damping, 0.0, 0.95, field="damping")
+            within("sa", value, 1e-6, LARGEST_ACCELERATION, "m/s²", "sa")
+        within("damping", self.damping, 0.0, 0.95, field="damping")
         for array in (periods, sa):
             array.setflags(write=False)
         object.__setattr__(self, "periods", periods)
@@ -182,9 +182,8 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     rare [1.86 2.4  1.04]
     very rare [ 9.3 12.   5.2]
     """
-    word_of("motion.target_level", level, LEVELS, "level")
-    if soil not in (1, *SITE_GV):
-        raise InputError("motion.target_soil", "soil", soil=soil)
+    word_of("level", level, LEVELS, "level")
+    soil = whole_within("soil", soil, 1, max(SITE_GV), field="soil")
     corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
     t = _table_periods(corners)
     name = f"Japanese design spectrum, {level}, soil {soil}"
@@ -216,10 +215,10 @@ def asce7(sds: float, sd1: float, tl: float = 8.0) -> TargetSpectrum:
     >>> (target([0.2, 1.0, 4.0]) / 9.80665).round(2).tolist()  # g
     [1.0, 0.6, 0.15]
     """
-    short = within("motion.name_sds", sds, 0.001, 10.0, "g", "sds")
-    long = within("motion.name_sd1", sd1, 0.001, 10.0, "g", "sd1")
-    late = within("motion.name_tl", tl, 0.1, 100.0, "s", "tl")
-    ts = within("motion.name_ts", long / short, 0.01, late, "s", "sd1")
+    short = within("SDS", sds, 0.001, 10.0, "g", "sds")
+    long = within("SD1", sd1, 0.001, 10.0, "g", "sd1")
+    late = within("TL", tl, 0.1, 100.0, "s", "tl")
+    ts = within("TS = SD1/SDS", long / short, 0.01, late, "s", "sd1")
     t0 = 0.2 * ts
     t = _table_periods([t0, ts, late])
     rise = short * (0.4 + 0.6 * t / t0)
