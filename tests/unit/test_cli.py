@@ -10,21 +10,16 @@ from threading import Thread
 
 import numpy as np
 import pytest
+from commands import cli
 from interrupts import hears_interrupts
-from typer.testing import CliRunner
 
 import stayput
-from stayput.cli import app
 from stayput.compiling import entry
 from stayput.simulation.case import Case
 from waiting import PATIENCE, wait_until
 
 PROGRAM = [sys.executable, "-c", "from stayput.cli import main; main()"]
 RECORD = "\n".join(f"{k * 0.01:.2f} {300 * ((k // 40) % 2 * 2 - 1)}" for k in range(400))
-
-
-def cli(*arguments):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
 
 
 def process(*arguments, **options):

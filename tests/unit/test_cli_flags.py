@@ -5,6 +5,7 @@ import os
 from pathlib import Path
 
 import pytest
+from commands import cli
 from typer.testing import CliRunner
 
 import stayput as sp
@@ -45,10 +46,6 @@ samples = 2
 """
 
 
-def cli(*arguments):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
-
-
 def verified(folder, text, shaking, *flags):
     file = folder / "scene.toml"
     file.write_text(text.replace("SHAKING", shaking), encoding="utf-8")
@@ -82,32 +79,6 @@ def test_a_room_takes_the_same_flags(tmp_path):
     strong = verified(tmp_path, ROOM, "scale = 0.1", "--pga", "8")
     assert strong == verified(tmp_path, ROOM, "pga = 8.0")
     assert strong != verified(tmp_path, ROOM, "scale = 0.1")
-
-
-def test_a_record_of_a_flag_begins_in_the_working_folder_and_a_mesh_in_the_file_s(tmp_path, monkeypatch):
-    here, there = tmp_path / "here", tmp_path / "there"
-    for folder in (here, there):
-        folder.mkdir()
-    sp.sine(amplitude=0.5, frequency=1.0, duration=2.0).write(here / "mine.csv")
-    (there / "cube.obj").write_text(cube(), encoding="utf-8")
-    (there / "scene.toml").write_text(
-        '[[furniture]]\nname = "cube"\nmesh = "cube.obj"\nunit = "m"\nmass = 50.0\n'
-        '[shaking]\nbuiltin = "near-fault"\n',
-        encoding="utf-8",
-    )
-    monkeypatch.chdir(here)
-    done = cli("simulate", there / "scene.toml", "--motion", "mine.csv", "--json")
-    assert done.exit_code == 0, done.output
-    assert json.loads(done.stdout)["motion"]["name"] == "mine"
-
-
-def cube():
-    """Return a cube of 1 m as an OBJ file, its faces seen from outside."""
-    lines = [f"v {x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-    sides = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
-    for a, b, c, d in sides:
-        lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
-    return "\n".join(lines) + "\n"
 
 
 @pytest.mark.parametrize(
@@ -151,61 +122,39 @@ def test_report_and_plan_may_not_be_one_file(tmp_path):
     assert not (tmp_path / "r.html").exists()
 
 
+READ = {
+    "room.toml": ("simulate room.toml --plot .png", "simulate room.toml --animate .gif"),
+    "record.csv": (
+        "verify room.toml --plan .html",
+        "verify room.toml --report .html",
+        "verify room.toml --csv .csv",
+        "motion convert record.csv .csv",
+        "motion plot record.csv .svg",
+        "motion spectrum record.csv --out .csv",
+        "motion spectrum record.csv --plot .pdf",
+        "motion plot record.csv --building 9 .png",
+    ),
+    "other.csv": ("verify room.toml --motion other.csv --markdown .md",),
+}
+
+
 @pytest.mark.parametrize("link", [os.symlink, os.link])
-@pytest.mark.parametrize(
-    ("words", "ending"),
-    [
-        (("verify", "room.toml", "--plan"), ".html"),
-        (("verify", "room.toml", "--report"), ".html"),
-        (("verify", "room.toml", "--markdown"), ".md"),
-        (("verify", "room.toml", "--csv"), ".csv"),
-        (("simulate", "room.toml", "--plot"), ".png"),
-        (("simulate", "room.toml", "--animate"), ".gif"),
-    ],
-)
-def test_no_output_takes_the_place_of_the_scenario_or_of_its_record(
-    tmp_path, monkeypatch, link, words, ending
-):
+@pytest.mark.parametrize(("source", "words"), [(file, words) for file in READ for words in READ[file]])
+def test_no_output_takes_the_place_of_what_is_read(tmp_path, monkeypatch, link, source, words):
     monkeypatch.chdir(tmp_path)
-    record = sp.sine(amplitude=1.0, frequency=1.0, duration=1.0).write("record.csv")
+    for name, amplitude in (("record.csv", 1.0), ("other.csv", 2.0)):
+        sp.sine(amplitude=amplitude, frequency=1.0, duration=1.0).write(name)
     text = ROOM.replace('builtin = "near-fault"\nSHAKING', 'record = "record.csv"')
     Path("room.toml").write_text(text, encoding="utf-8")
-    other = sp.sine(amplitude=2.0, frequency=1.0, duration=1.0).write("other.csv")
-    for number, (source, flags) in enumerate(
-        [("room.toml", ()), (record, ()), (other, ("--motion", "other.csv"))]
-    ):
-        before = Path(source).read_bytes()
-        out = Path(f"out{number}{ending}")
-        link(source, out)
-        done = cli(*words, out, *flags)
-        assert done.exit_code == 2
-        assert done.stderr.startswith(f"The file to write is '{out}'; it must be another one than '{source}'")
-        assert out.samefile(source)
-        assert Path(source).read_bytes() == before
-
-
-@pytest.mark.parametrize(
-    ("words", "ending"),
-    [
-        (("motion", "convert", "record.csv"), ".csv"),
-        (("motion", "plot", "record.csv"), ".svg"),
-        (("motion", "spectrum", "record.csv", "--out"), ".csv"),
-        (("motion", "spectrum", "record.csv", "--plot"), ".pdf"),
-        (("motion", "convert", "record.csv", "--building", "9", "--storey", "3"), ".csv"),
-        (("motion", "plot", "record.csv", "--building", "9"), ".png"),
-    ],
-)
-def test_no_output_takes_the_place_of_a_record(tmp_path, monkeypatch, words, ending):
-    monkeypatch.chdir(tmp_path)
-    record = sp.sine(amplitude=1.0, frequency=1.0, duration=1.0).write("record.csv")
-    before = record.read_bytes()
+    before = Path(source).read_bytes()
+    *command, ending = words.split()
     out = Path(f"out{ending}")
-    out.symlink_to(record)
-    done = cli(*words, out)
+    link(source, out)
+    done = cli(*command, out)
     assert done.exit_code == 2
-    assert "it must be another one than 'record.csv', which is read" in done.stderr
-    assert out.is_symlink()
-    assert record.read_bytes() == before
+    assert f"'{out}'; it must be another one than '{source}'" in done.stderr
+    assert out.samefile(source)
+    assert Path(source).read_bytes() == before
 
 
 @pytest.mark.parametrize("mark", ["\x1b[31m", "\u202e", "\n", "\u200b"])

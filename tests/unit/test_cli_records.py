@@ -7,15 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
 import stayput as sp
-from stayput.cli import app
 from stayput.motion.measures import DisplacementPeak
-
-
-def cli(*arguments: object):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
 
 
 def at2(file: Path, direction: str, amplitude: float) -> Path:
@@ -150,7 +145,7 @@ def plain_columns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("plain_columns")
 def test_what_a_record_lacks_is_asked_for_by_its_flags(command: tuple[str, ...], lang: str) -> None:
     def told(*arguments: str) -> str:
-        return CliRunner().invoke(app, [*command, *arguments, "--lang", lang]).stderr
+        return cli(*command, *arguments, "--lang", lang).stderr
 
     both, step = told("bare.txt"), told("bare.txt", "--set", "shaking.unit=gal")
     assert "--unit" in both
@@ -165,7 +160,7 @@ def test_what_a_record_lacks_is_asked_for_by_its_flags(command: tuple[str, ...],
 @pytest.mark.usefixtures("plain_columns")
 def test_one_record_for_two_components_is_warned_of(lang: str, said: str) -> None:
     words = ["simulate", "--motion", "a.csv", "--set", "shaking.across=a.csv", "--lang", lang]
-    assert said in CliRunner().invoke(app, words).stderr
+    assert said in cli(*words).stderr
 
 
 def test_a_vertical_record_that_is_named_is_meant(tmp_path: Path, recwarn: pytest.WarningsRecorder) -> None:

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
 import stayput as sp
-from stayput.cli import app
 from stayput.cli.flags import changed, value_of
 from stayput.errors import InputError
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 FILE = """
 [furniture]
@@ -38,10 +34,6 @@ def file(tmp_path: Path) -> Path:
     path = tmp_path / "scene.toml"
     path.write_text(FILE, encoding="utf-8")
     return path
-
-
-def cli(*words: object):
-    return CliRunner().invoke(app, [str(word) for word in words])
 
 
 @pytest.mark.parametrize(
@@ -119,16 +111,10 @@ def test_a_motion_or_a_strength_stands_in_the_place_of_the_files(
             ("--set", "shaking.pgaa=1"),
             ("shaking.pgaa is unknown (did you mean 'pga'?)", "shaking.pgaaというキー"),
         ),
-        (("--set", "shakin.pga=1"), ("shakin is unknown (did you mean 'shaking'?)", "shakinというキー")),
-        (("--set", "shaking.pga=much"), ("shaking.pga is 'much'; it must be", "shaking.pgaが'much'に")),
-        (("--set", "shaking.pga=nan"), ("shaking.pga is NaN; it must be", "shaking.pgaがNaNに")),
         (("--set", "shaking.pga="), ("shaking.pga is ''; it must be", "shaking.pgaが''に")),
-        (("--set", "room.left_wall.gap=-1"), ("room.left_wall.gap is -1;", "room.left_wall.gapが-1に")),
         (("--set", "furniture[0].mass=3"), ("furniture is not a list;", "furnitureはリストでは")),
         (("--set", "measures[5].type=belt"), ("measures is a list of 1;", "measuresは1件のリスト")),
         (("--set", "measures.type=belt"), ("measures is a list of 1;", "measuresは1件のリスト")),
-        (("--set", "shaking.across=a.csv"), ("shaking.across is given without", "shaking.acrossは")),
-        (("--set", "dimensions=3"), ("furniture.length is missing;", "furniture.lengthが")),
         (
             ("--pga", "3", "--set", "shaking.pga=4"),
             ("shaking.pga is set by --pga and by", "shaking.pgaが--pgaと"),
@@ -137,16 +123,12 @@ def test_a_motion_or_a_strength_stands_in_the_place_of_the_files(
             ("--pga", "3", "--intensity", "6"),
             ("shaking.pga is given beside shaking.intensity", "shaking.intensityとshaking.pga"),
         ),
-        (("--pga", "0"), ("shaking.pga is 0;", "shaking.pgaが0に")),
-        (("--intensity", "6-uper"), ("shaking.intensity is '6-uper' (did", "shaking.intensityが'6-uper'に")),
         (("--motion", "sine:0,0"), ("shaking.sine.frequency is 0;", "shaking.sine.frequencyが0に")),
         (("--motion", "sine:1"), ("--motion is 'sine:1'; it must be written", "--motionが'sine:1'に")),
         (
             ("--building", "5,mud"),
             ("shaking.building.structure is 'mud';", "shaking.building.structureが'mud'に"),
         ),
-        (("--building", "5"), ("shaking.building is given without shaking.storey;", "shaking.buildingだけ")),
-        (("--storey", "9", "--building", "5"), ("shaking.storey is 9;", "shaking.storeyが9に")),
     ],
 )
 def test_what_is_wrong_is_refused_as_in_a_file(
@@ -184,10 +166,8 @@ def test_what_the_file_gets_wrong_is_told_with_its_name(file: Path) -> None:
     assert done.stderr.startswith("scene.toml: furniture.width is 0.0;")
 
 
-def test_a_piece_of_several_is_named_by_its_place(tmp_path: Path) -> None:
-    from pathlib import Path as Folder
-
-    dresser = Folder(__file__).parents[2] / "examples/dresser.toml"
+def test_a_piece_of_several_is_named_by_its_place() -> None:
+    dresser = Path(__file__).parents[2] / "examples/dresser.toml"
     done = cli("simulate", dresser, "--set", "furniture[0].mass=-1")
     assert done.stderr.startswith("furniture[0].mass is -1;")
 
@@ -223,18 +203,8 @@ def test_an_assessment_takes_it_of_each_of_its_scenarios(file: Path, monkeypatch
     assert both["a"] == both["b"] == one["a"]
     assert found("weak", "--scenario", "events", "--set", "shaking.pga=0.5") != both
     for language, told in (("en", "a.toml: shaking.pga is 0;"), ("ja", "a.toml：shaking.pgaが0に")):
-        refused = cli(
-            "assess",
-            "inventory.csv",
-            "--scenario",
-            "events",
-            "--out",
-            "none",
-            "--set",
-            "shaking.pga=0",
-            "--lang",
-            language,
-        )
+        line = "assess inventory.csv --scenario events --out none --set shaking.pga=0 --lang"
+        refused = cli(*line.split(), language)
         assert refused.exit_code == 2
         assert refused.stderr.startswith(told)
 

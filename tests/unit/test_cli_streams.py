@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
 import stayput as sp
-from stayput.cli import app, streams
+from stayput.cli import streams
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -33,10 +33,6 @@ samples = 4
 [[measures]]
 type = "belt"
 """
-
-
-def cli(*arguments: object, given: str | None = None):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments], input=given)
 
 
 @pytest.fixture

@@ -1,10 +1,9 @@
 """What is doubtful about a record: one line on standard error, told once."""
 
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
 import stayput as sp
-from stayput.cli import app
 
 ROWS = "".join(f"{0.01 * i:.2f} {2.0 * (i % 50 - 25) / 25:.3f}\n" for i in range(400))
 
@@ -20,7 +19,7 @@ def run(tmp_path):
     )
 
     def invoke(*words):
-        return CliRunner().invoke(app, [word.replace("{}", str(tmp_path)) for word in words])
+        return cli(*(word.replace("{}", str(tmp_path)) for word in words))
 
     return invoke
 

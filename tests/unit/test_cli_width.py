@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
+from commands import cli
 from rich.cells import cell_len
-from typer.testing import CliRunner
 
 from stayput.catalogue import LANGUAGES, say
-from stayput.cli import app
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -50,7 +49,7 @@ samples = 2
 def printed(folder: Path, scenario: str, width: int, *flags: str, command: str = "verify") -> str:
     file = folder / "scenario.toml"
     file.write_text(scenario, encoding="utf-8")
-    done = CliRunner().invoke(app, [command, str(file), *flags], env={"COLUMNS": str(width)})
+    done = cli(command, file, *flags, COLUMNS=str(width))
     assert done.exit_code == 0, done.output
     return done.stdout
 

@@ -64,7 +64,7 @@ def suite(
 ) -> None:
     """Run ``stayput motion suite``."""
     if out.exists() and not out.is_dir():
-        raise InputError("cli.folder_is_file", "--out", folder=repr(str(out)))
+        raise InputError("common.folder_is_file", "--out", folder=repr(str(out)), path=repr(str(out)))
     if fit not in FITS:
         raise unknown("--fit", fit, FITS, "--fit")
     if target is not None and "intensity" in said:

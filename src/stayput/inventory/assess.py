@@ -25,7 +25,7 @@ from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
-from stayput.inventory.shakemap_files import check_file, read_shakemap
+from stayput.inventory.shakemap_files import read_shakemap
 from stayput.inventory.store import Store
 from stayput.inventory.summary import export_results, formats_of, refuse_nowhere, summarise
 from stayput.inventory.work import Work
@@ -262,8 +262,6 @@ def _digest(name: str, path: Path) -> str:
     try:
         if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
             raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
-        if name != "inventory":
-            check_file(path)
         return digest_of(path)
     except OSError as error:
         reason = reason_of(error)

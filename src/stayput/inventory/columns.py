@@ -73,58 +73,17 @@ COLUMNS: dict[str, Column] = {
     "lat": Column("°", ("latitude", "緯度")),
     "lon": Column("°", ("lng", "long", "longitude", "経度")),
 }
-"""Columns of an inventory; what each holds stands in the catalogue under ``inventory.column_<name>``."""
+"""Columns of an inventory."""
 # fmt: on
 
 LISTS = ("cg_offset", "load", "costs", "floor")
 """Columns whose cells hold numbers with semicolons between them."""
 
-# fmt: off
-IN_OTHER_LANGUAGES: dict[str, tuple[str, ...]] = {
-    "id": (
-        "nr", "inventarnummer", "inventarnr", "inventar nr", "inv nr", "n° inventaire", "n° d'inventaire",
-        "numéro d'inventaire", "numéro",
-        "número", "código", "no inventario", "관리번호", "자산번호", "번호",
-        "编号", "編號", "资产编号", "資產編號", "序号", "序號",
-    ),
-    "name": (
-        "bezeichnung", "gegenstand", "möbel", "möbelstück", "désignation", "libellé", "meuble",
-        "nombre", "mueble", "artículo", "descripción", "품명", "가구", "비품명",
-        "名稱", "家具名称", "资产名称",
-    ),
-    "width": ("tiefe", "profondeur", "profundidad", "fondo", "깊이", "深度", "进深", "深"),
-    "height": ("höhe", "hauteur", "altura", "alto", "높이", "高度"),
-    "mass": ("gewicht", "poids", "masse", "peso", "무게", "중량", "质量", "重"),
-    "floor": ("bodenbelag", "revêtement de sol", "suelo", "바닥재", "地板"),
-    "gap": ("wandabstand", "distance au mur", "distancia a la pared", "벽과의 거리", "离墙距离"),
-    "building": (
-        "gebäude", "bâtiment", "edificio", "건물", "건물명", "建筑", "建筑物", "建築物", "楼栋", "樓棟",
-    ),
-    "storey": ("stockwerk", "geschoss", "etage", "étage", "planta", "piso", "층", "楼层", "樓層", "层", "層"),
-    "count": (
-        "anzahl", "menge", "stück", "stückzahl", "quantité", "cantidad", "unidades", "수량", "개수", "數量",
-    ),
-    "value": (
-        "preis", "wert", "anschaffungswert", "prix", "valeur", "precio", "valor", "가격", "단가",
-        "价格", "價格", "单价",
-    ),
-}
-"""What tables in German, French, Spanish, Korean and Chinese call columns: taken where it is said."""
-
-WIDTHS = (
-    "width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "breite",
-    "largeur", "ancho", "폭", "너비", "宽", "宽度", "寬度",
-)
-# fmt: on
+WIDTHS = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法")
 """What inventories call the size along the wall where nothing else can be meant."""
 
-ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ", "largo", "长", "长度", "長度")
+ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
 """What inventories call the size along the wall, which is across the shaking."""
-
-SIZES_TOGETHER = re.compile(
-    r"size|sizes|dimensions?|dims?|measurements|.*寸法|サイズ|.*(?:w|幅) ?[x×*] ?(?:d|奥行き?|h|高さ?).*"
-)
-"""Columns that hold several sizes in a cell."""
 
 TOTALS = ("total price", "total value", "金額", "取得金額", "合計金額", "総額")
 """Columns that may hold the value of all pieces of a row."""
@@ -143,8 +102,12 @@ LOOKS_LIKE_COUNT = re.compile(
 TOTAL_ROW = re.compile(r"(?:grand |sub ?)?totals?|sum|gesamt|summe|[合小総]?計")
 """What a row is called that is the sum of others."""
 
-LOOKS_LIKE_SIZE = re.compile(r"縦|横|丈|長辺|短辺|厚[さみ]|直?径")
-"""Columns that seem to be a size, and do not say whether along the wall, from front to back or upwards."""
+LOOKS_LIKE_SIZE = re.compile(
+    r"縦|横|丈|長辺|短辺|厚[さみ]|直?径"
+    r"|sizes?|dimensions?|dims?|measurements|.*寸法|サイズ|.*(?:w|幅) ?[x×*] ?(?:d|奥行き?|h|高さ?).*"
+)
+"""Columns that seem to be a size, and do not say whether along the wall, from front to back or upwards, or
+that hold several in a cell."""
 
 _LENGTHS = {
     ("mm", "millimetre", "millimetres", "millimeters", "ミリ"): NumberUnit("mm", over=1000.0),
@@ -181,7 +144,6 @@ LONGEST_HEADING = 100
 _ALIASES = {
     alias: name for name, column in COLUMNS.items() for alias in (name.replace("_", " "), *column.aliases)
 }
-_FOREIGN = {word: name for name, words in IN_OTHER_LANGUAGES.items() for word in words}
 JAPANESE = {
     name: alias
     for name, column in COLUMNS.items()
@@ -221,11 +183,6 @@ class HeaderName(NamedTuple):
         """The column that is called so."""
         return _ALIASES.get(self.base)
 
-    @property
-    def in_another_language(self) -> str | None:
-        """The column that is called so in a language other than English and Japanese."""
-        return _FOREIGN.get(self.base)
-
 
 def plain_name(text: str) -> str:
     """Return a name in one spelling: of width, case, blanks and marks between words."""
@@ -240,8 +197,8 @@ def is_heading(text: str) -> bool:
     if len(text) > LONGEST_HEADING:
         return False
     part = header_name(text)
-    named = part.column or part.in_another_language or part.base in ALONG_THE_WALL
-    return bool(named) or part.base.strip("()[]") in _ALL_UNITS
+    named = part.column is not None or part.base in ALONG_THE_WALL
+    return named or part.base.strip("()[]") in _ALL_UNITS
 
 
 def header_name(text: str) -> HeaderName:

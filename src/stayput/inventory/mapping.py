@@ -143,7 +143,7 @@ def _mapping(items: Sequence[tuple[str, object]]) -> ColumnMapping:
                 ignored.append(each)
             elif name not in COLUMNS:
                 known = (*COLUMNS, IGNORE)
-                raise unknown("inventory_tables.mapped_column", name, known, field="columns")
+                raise unknown("inventory_tables.column_name", name, known, field="columns")
             elif name in pairs:
                 raise InputError("inventory.column_twice", "columns", name=shown(name))
             else:

@@ -171,7 +171,7 @@ def make_plan(
     scenarios : Scenarios
         The scenarios.
     cache : int
-        Bytes for the cache of the data base; four times as many are for the texts of a workbook.
+        Bytes for the cache of the data base.
     advance : callable
         Called with the number of rows that were just read.
     check_unchanged : callable, optional
@@ -244,7 +244,7 @@ def _fill(
 
     with closing(Store(folder / STORE, cache)) as store:
         store.begin()
-        with Rejects(folder) as rejects, open_table(inventory, 4 * cache) as table:
+        with Rejects(folder) as rejects, open_table(inventory) as table:
             first = list(islice(table.rows, ROWS_LOOKED_AT))
             sample = [[] if isinstance(cells, InputError) else cells for _, cells in first]
             header = header_of(table.header, sample, columns, table.decimal_comma)

@@ -142,7 +142,7 @@ def read_as(facts: Mapping[str, Any]) -> Phrase:
     """Return how a table was read, in both languages, and how many of its rows are empty."""
     how: Phrase = facts["read as"], facts["read as"]
     encoding, _, between = facts["read as"].partition(" with ")
-    if between in ("tabs", "semicolons"):
+    if between in ("tabs", "semicolons", "bars"):
         how = phrase(f"inventory_report.with_{between}", encoding=encoding)
     elif sheet := _SHEET.fullmatch(facts["read as"]):
         key = "sheet" if sheet["others"] is None else "sheet_of_several"
