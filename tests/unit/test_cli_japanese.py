@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import pytest
 from commands import cli
 
-import stayput.progress as progress
 from stayput.cli.messages import of_locale
 from stayput.model.body import FURNITURE
 
@@ -183,14 +182,3 @@ def test_the_locale_says_the_language(
     assert of_locale() == language
     said = cli("verify", "none.toml").output
     assert ("ファイル" in said) == (language == "ja")
-
-
-def test_bars_speak_the_language_of_the_command(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setenv("FORCE_COLOR", "1")
-    monkeypatch.setenv("COLUMNS", "120")
-    with progress.told_in("ja"), progress.bar(3, "progress.verifying", True):
-        (drawn,) = progress._drawn
-        assert [task.description for task in drawn.tasks] == ["検証"]
-    assert "検証" in capsys.readouterr().err

@@ -136,8 +136,6 @@ def plain_columns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "bare.txt").write_text("\n".join(values), encoding="utf-8")
     rows = [f"{0.01 * i:.2f},{value}" for i, value in enumerate(values)]
     (tmp_path / "up.csv").write_text("\n".join(["time,UD[gal]", *rows]), encoding="utf-8")
-    (tmp_path / "a.csv").write_text("\n".join(["time,acc[gal]", *rows]), encoding="utf-8")
-    (tmp_path / "b.csv").write_text("\n".join(["time,acc[g]", *rows]), encoding="utf-8")
 
 
 @pytest.mark.parametrize("lang", ["en", "ja"])
@@ -154,13 +152,6 @@ def test_what_a_record_lacks_is_asked_for_by_its_flags(command: tuple[str, ...],
     assert "--dt" in step
     assert "--set shaking.component" in told("up.csv")
     assert "shaking.component" not in told("up.csv", "--set", "shaking.component=UD")
-
-
-@pytest.mark.parametrize(("lang", "said"), [("en", "components are the same record"), ("ja", "同じ記録")])
-@pytest.mark.usefixtures("plain_columns")
-def test_one_record_for_two_components_is_warned_of(lang: str, said: str) -> None:
-    words = ["simulate", "--motion", "a.csv", "--set", "shaking.across=a.csv", "--lang", lang]
-    assert said in cli(*words).stderr
 
 
 def test_a_vertical_record_that_is_named_is_meant(tmp_path: Path, recwarn: pytest.WarningsRecorder) -> None:

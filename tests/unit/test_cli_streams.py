@@ -94,20 +94,6 @@ def test_what_is_printed_of_a_record_has_the_format_that_is_asked_for(here: Path
     assert not (here / "out.csv").exists()
 
 
-@pytest.mark.parametrize(
-    "command",
-    [
-        ("motion", "info", "-"),
-        ("simulate", "--motion", "-"),
-        ("motion", "info", "-", "--building", "9", "--pga", "3"),
-    ],
-)
-def test_a_record_on_standard_input(command: tuple[str, ...]) -> None:
-    done = cli(*command, "--json", given=sp.sine(3.0, 1.0, 4.0).text())
-    assert done.exit_code == 0, done.output
-    json.loads(done.stdout)
-
-
 def test_a_refusal_of_a_record_on_standard_input_names_no_temporary_file() -> None:
     done = cli("motion", "info", "-", given="")
     assert done.exit_code == 2

@@ -1,4 +1,4 @@
-"""Grids of USGS ShakeMap and maps with units and scatter: what they say of a place, and what is refused."""
+"""Shake maps: what a grid or a CSV says of a place, motions that have its strength, and what is refused."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from stayput.inventory import assess
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.shakemap import GroundLevel, unwrapped
 from stayput.inventory.shakemap_files import read_shakemap
-from stayput.montecarlo.hazard import Ground
+from stayput.montecarlo.hazard import Ground, factors_to_level_zero
 from stayput.motion.ground_shaking import MERCALLI_SCATTER, horizontal_peak
 from stayput.motion.intensity import pgv_of_mercalli
 
@@ -275,27 +275,6 @@ def test_of_several_columns_one_is_chosen(tmp_path):
     assert read_shakemap(file, "PGV[cm/s]").measure == PGV
 
 
-@pytest.mark.parametrize("field", ["PGA", "PGV"])
-def test_motions_have_the_peaks_of_the_map(tmp_path, field):
-    inventory = table(tmp_path, ["p,chest,35,135"], "id,preset,lat,lon")
-    scenario = city(tmp_path)
-    done = assess(
-        inventory, scenario, tmp_path / "out", shakemap=grid(tmp_path, ROWS), field=field, progress=False
-    )
-    (row,) = rows_of_results(done)
-    measure = {"PGA": PGA, "PGV": PGV}[field]
-    wanted = {"PGA": 0.4 * G, "PGV": 0.4}[field]
-    assert row[field.lower()] / measure.shown == pytest.approx(wanted, rel=0.03)
-    assert row["sa"] is None
-    file = read_scenarios(scenario).all[0]
-    ground = Ground(file.ground, measure=measure)
-    scaled = [
-        m.scaled(float(k)) for m, k in zip(file.ground, ground.factors(math.log10(wanted)), strict=True)
-    ]
-    assert [horizontal_peak(motion, field) for motion in scaled] == pytest.approx([wanted] * len(scaled))
-    assert row["intensity"] == pytest.approx(np.median([m.intensity for m in scaled]), abs=0.03)
-
-
 MANY = """
 [room]
 floor = "wood flooring"
@@ -358,3 +337,114 @@ def test_an_uncertainty_without_an_event_is_warned_of(tmp_path):
     with pytest.warns(sp.InputWarning, match="do not both say of which event they are") as heard:
         read_shakemap(map_file, uncertainty=file)
     assert "同じ地震のものかどうか" in heard[0].message.told("ja")
+
+
+GRID = ["35,135,5", "35,136,6", "36,135,6", "36,136,7"]
+
+
+def test_a_shake_map_is_bilinear_on_a_grid(tmp_path):
+    file = table(tmp_path, GRID, "lat,lon,intensity", "map.csv")
+    found = read_shakemap(file)
+    assert found.at(35.0, 135.0).level == 5.0
+    assert found.at(35.5, 135.5).level == 6.0
+    assert found.at(35.25, 135.25).level == 5.5
+    assert found.at(36.0, 136.0).level == 7.0
+    with pytest.raises(sp.InputError, match="lat on the shake map is 37"):
+        found.at(37.0, 135.5)
+
+
+def test_a_shake_map_of_any_places_gives_the_nearest(tmp_path):
+    file = table(tmp_path, [*GRID[:3], "35.5,135.6,6.66"], "lat,lon,intensity", "map.csv")
+    assert read_shakemap(file).at(35.5, 135.5).level == 6.7
+
+
+def test_a_shake_map_says_how_strong_it_shakes(tmp_path):
+    grid = table(tmp_path, GRID, "lat,lon,intensity", "map.csv")
+    inventory = table(tmp_path, ["p,chest,35,135", "q,chest,35.5,135.5", "r,chest,1,1"], "id,preset,lat,lon")
+    done = assess(inventory, city(tmp_path), tmp_path / "out", shakemap=grid, progress=False)
+    assert [row["intensity"] for row in rows_of_results(done)] == [5.0, 6.0]
+    assert "shake map" in done.rejects.to_pylist()[0]["reason"]
+
+
+def geometric_mean_of_sa(motion, period):
+    spectra = [sp.response_spectrum(motion, [period], 0.05, name).sa[0] for name in ("x", "y")]
+    return np.sqrt(np.prod(spectra)) / G
+
+
+@pytest.mark.parametrize("field", ["sa_0.05", "sa_0.3", "sa_1", "pga[g]", "pgv[m/s]"])
+def test_motions_have_the_strength_of_the_map(tmp_path, field):
+    places = ["35,135,0.1", "35,136,0.4", "36,135,0.4", "36,136,1.6"]
+    rows = ["p,chest,35,135", "q,chest,35.5,135.5"]
+    inventory, scenario = table(tmp_path, rows, "id,preset,lat,lon"), city(tmp_path)
+    shakemap = table(tmp_path, places, f"lat,lon,{field}", "map.csv")
+    done = assess(inventory, scenario, tmp_path / "out", shakemap=shakemap, progress=False)
+    suite, name, measure = (
+        read_scenarios(scenario).all[0].ground,
+        field[:3].strip("_"),
+        read_shakemap(shakemap).measure,
+    )
+    ground = Ground(suite, measure=measure)
+    unit = {"sa": 1.0, "pga": G, "pgv": 100.0}[name]  # of the results: g, m/s², cm/s
+    for row, wanted in zip(rows_of_results(done), (0.1, 0.4), strict=True):
+        assert row[name] == pytest.approx(wanted * unit, rel=0.03)
+        assert [row[other] for other in ("sa", "pga", "pgv") if other != name] == [None, None]
+        level = np.log10(row[name] / (100.0 if name == "pgv" else 1.0))
+        felt = [motion.scaled(float(k)) for motion, k in zip(suite, ground.factors(level), strict=True)]
+        if name == "sa":
+            found = [geometric_mean_of_sa(motion, measure.period) for motion in felt]
+        else:
+            found = [horizontal_peak(motion, name.upper()) for motion in felt]
+        assert found == pytest.approx([10.0**level] * len(felt), rel=1e-9)
+        assert row["intensity"] == pytest.approx(np.median([motion.intensity for motion in felt]), abs=0.03)
+    if name == "sa":
+        page = (done.folder / "report.html").read_text(encoding="utf-8").replace("\N{NO-BREAK SPACE}", " ")
+        assert f"Sa at {measure.period:g} s, 5 % damping, geometric mean" in page
+
+
+def test_a_motion_of_one_component_has_its_sa():
+    motion = sp.sine(5.0, 1.0, 10.0)
+    (factor,) = factors_to_level_zero(spectral_acceleration(0.5), [motion])
+    assert motion.scaled(factor).spectrum([0.5]).sa[0] / G == pytest.approx(1.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "lat,lon",
+        "lat,lon,pga",
+        "lat,lon,sa(0.3)",
+        "lat,lon,sa_-1",
+        "lat,intensity,sa_0.3",
+        "lat,lon,sa_0.3,sa_1.0",
+        "lat,lon,lon,sa_0.3",
+        "",
+    ],
+)
+def test_a_map_tells_one_thing(tmp_path, header):
+    file = table(tmp_path, ["35,135,0.4"], header, "map.csv")
+    with pytest.raises(sp.InputError, match=r"must be lat, lon and one of intensity|unit must be one of"):
+        read_shakemap(file)
+
+
+@pytest.mark.parametrize(
+    ("header", "row", "told"),
+    [
+        ("sa_20", "35,135,1", "the period 20 s; it must be 0.01 to 10 s"),
+        (
+            "sa_0.3",
+            "35,135,40",
+            "sa_0.3 in row 2 of the shake map is 40 g; it must be between",
+        ),
+        ("sa_0.3", "35,135,0", "sa_0.3 in row 2 of the shake map is 0 g"),
+        ("sa_0.3", "35,135,nan", "is nan; it must be a finite number"),
+        ("sa_0.3", "35,135,0.4 g", "is '0.4 g'; it must be a number"),
+        ("sa_0.3", "35,135,,", "4 cells; it must have 3"),
+        ("intensity", "35,135,10", "is 10; it must be between -3 and 9"),
+        ("intensity", "35,135,5\n35.0,135,6", "Row 3 of the shake map is at 35°, 135°, as row 2 is"),
+    ],
+)
+def test_a_bad_map_is_refused(tmp_path, header, row, told):
+    file = table(tmp_path, [row], f"lat,lon,{header}", "map.csv")
+    with pytest.raises(sp.InputError) as error:
+        read_shakemap(file)
+    assert told in str(error.value)
