@@ -5,7 +5,6 @@ import time
 import pytest
 from damage import damaged
 from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from stayput.errors import LONGEST_SENTENCE, InputError
 from stayput.scenario import Scenario, read_scenario
@@ -90,10 +89,4 @@ def test_the_undamaged_file_is_read(file):
 @hostile
 @given(text=damaged(WHOLE))
 def test_one_piece_of_damage(file, text):
-    _check(file, text)
-
-
-@hostile
-@given(text=damaged(WHOLE).flatmap(lambda once: damaged(once) if once else st.just(once)))
-def test_two_pieces_of_damage(file, text):
     _check(file, text)

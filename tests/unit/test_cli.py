@@ -5,7 +5,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from threading import Thread
 
 import numpy as np
@@ -222,33 +221,13 @@ def test_compiling_is_announced_on_standard_error(compiling, lang, said):
     json.loads(result.stdout)
 
 
-def test_on_a_terminal_compiling_shows_a_bar_in_place_of_the_line(compiling, monkeypatch):
-    monkeypatch.setattr("stayput.progress.is_drawn", lambda: True)
-    monkeypatch.setenv("FORCE_COLOR", "1")
-    result = cli("simulate", "--motion", "sine:1,1,1", "--json")
-    assert "Compiling the mechanics once" in result.stderr
-    assert "/?" in result.stderr
-    assert "which takes" not in result.stderr
-    json.loads(result.stdout)
-
-
-def test_help_is_quick_and_loads_nothing_heavy():
+def test_help_loads_nothing_heavy():
     look = "import sys; from stayput.cli import main\ntry: main()\nexcept SystemExit: pass\n"
     heavy = {"numba", "numpy", "obspy", "matplotlib", "pydantic", "xarray"}
-    look += f"print({heavy} & set(sys.modules))"
-
-    def seconds():
-        started = time.perf_counter()
-        result = subprocess.run(
-            [sys.executable, "-c", look, "--help"], capture_output=True, text=True, check=True
-        )
-        took = time.perf_counter() - started
-        assert result.stdout.rstrip().endswith("set()")
-        assert "simulate" in result.stdout
-        return took
-
-    # about 0.2 s; a busy machine is given room, and three attempts
-    assert any(seconds() < 2.0 for _ in range(3))
+    line = [sys.executable, "-c", f"{look}print({heavy} & set(sys.modules))", "--help"]
+    shown = subprocess.run(line, capture_output=True, text=True, check=True).stdout
+    assert "simulate" in shown
+    assert shown.rstrip().endswith("set()")
 
 
 def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):

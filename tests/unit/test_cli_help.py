@@ -79,6 +79,12 @@ def test_help_is_japanese(words: tuple[str, ...], command) -> None:
     assert said == told(*words, flag=False)
 
 
+@pytest.mark.parametrize(("words", "command"), COMMANDS)
+def test_every_command_has_short_flags_for_help_and_quiet(words: tuple[str, ...], command) -> None:
+    assert cli(*words, "-h").stdout == cli(*words, "--help").stdout
+    assert any("-q" in parameter.opts for parameter in command.params) or words == ("motion",)
+
+
 @pytest.mark.parametrize("width", [60, 80])
 @pytest.mark.parametrize("words", [case.values[0] for case in COMMANDS], ids=" ".join)
 def test_japanese_lines_fit_and_begin_with_no_mark(words: tuple[str, ...], width: int) -> None:

@@ -9,10 +9,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 from commands import cli
-from typer.main import get_command
 
 import stayput as sp
-from stayput.cli import app
 from stayput.cli.flags import words
 from stayput.fragility import INTENSITY_MEASURES
 from stayput.measures import MEASURES
@@ -23,27 +21,6 @@ from stayput.progress import bar, is_drawn, is_quiet, keep_quiet
 
 if TYPE_CHECKING:
     from pathlib import Path
-
-
-def commands(group=None, before: tuple[str, ...] = ()):
-    for name, command in (group or get_command(app)).commands.items():
-        if hasattr(command, "commands"):
-            yield from commands(command, (*before, name))
-        else:
-            yield (*before, name), command
-
-
-@pytest.mark.parametrize("words", [(), ("motion",), *(words for words, _ in commands())], ids=" ".join)
-def test_h_is_help(words: tuple[str, ...]) -> None:
-    short, long = cli(*words, "-h"), cli(*words, "--help")
-    assert short.exit_code == 0
-    assert short.stdout == long.stdout
-
-
-@pytest.mark.parametrize(("words", "command"), list(commands()), ids=lambda given: str(given))
-def test_every_command_can_be_quiet(words: tuple[str, ...], command) -> None:
-    assert words
-    assert any("-q" in parameter.opts for parameter in command.params)
 
 
 def test_the_module_is_the_program() -> None:

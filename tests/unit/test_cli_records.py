@@ -51,26 +51,6 @@ def test_three_files_are_one_motion(records: list[Path], tmp_path: Path) -> None
     assert all(np.array_equal(read.components[name], a) for name, a in combined.components.items())
 
 
-def test_a_flag_replaces_one_file_of_the_scenarios(records: list[Path], tmp_path: Path) -> None:
-    x, _, z = records
-    file = tmp_path / "scenario.toml"
-    shaking = f'[shaking]\nrecord = "{x.name}"\nvertical = "{z.name}"\n'
-    file.write_text(f'[furniture]\npreset = "chest"\n{shaking}', encoding="utf-8")
-    other = at2(tmp_path / "other.at2", "UP", 4.0)
-    plain, replaced, without = (
-        cli("simulate", file, "--json", *flags)
-        for flags in ((), ("--set", f"shaking.vertical={other}"), ("--set", "shaking.vertical=false"))
-    )
-    assert len({done.stdout for done in (plain, replaced, without)}) == 3
-
-
-def test_a_horizontal_record_in_a_verticals_place_is_refused(records: list[Path]) -> None:
-    x, y, _ = records
-    done = cli("simulate", "--motion", x, *beside(y, y))
-    assert done.exit_code == 2
-    assert "vertical" in done.stderr
-
-
 @pytest.mark.parametrize("of_file", [True, False])
 @pytest.mark.parametrize("key", ["record", "across"])
 def test_a_vertical_record_is_named_by_the_key_that_it_is_given_for(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import os
 import subprocess
@@ -100,16 +99,6 @@ def test_a_refusal_of_a_record_on_standard_input_names_no_temporary_file() -> No
     assert done.stderr.startswith("The motion file 'standard input' is empty; it must be a text of a record")
     done = cli("motion", "info", "-", given=sp.near_fault().component("x").text(".at2")[:2000])
     assert done.stderr.startswith("standard input (PEER AT2): ")
-
-
-def test_spectra_and_floor_motions_are_printed_alone(here: Path) -> None:
-    done = cli("motion", "spectrum", "near-fault", "--out", "-")
-    first, *rows = csv.reader(done.stdout.splitlines())
-    assert first[0] == "period_s"
-    assert all(len(row) == len(first) for row in rows)
-    done = cli("motion", "convert", "sine:2,1,2", "-", "--building", "3", "--storey", "2")
-    assert done.stdout.startswith("# ")
-    assert done.stdout.splitlines()[2].startswith("t,x")
 
 
 def test_one_table_on_standard_output_and_another_in_a_file(here: Path) -> None:

@@ -98,20 +98,6 @@ def test_what_is_wrong_is_refused_before_any_work(file, arguments, said):
     assert result.stdout == ""
 
 
-def test_every_run_is_made_on_request_with_the_same_verdict(tmp_path):
-    file = tmp_path / "block.toml"
-    file.write_text(SCENARIO.replace("samples = 6", "samples = 8"))
-    usual, whole = (
-        json.loads(cli("verify", file, "--json", *flags).stdout) for flags in ((), ("--every-run",))
-    )
-    assert usual["settled_runs"] > 0
-    assert usual.pop("runs") + usual.pop("settled_runs") == whole.pop("runs")
-    assert whole.pop("settled_runs") == 0
-    usual.pop("seconds")
-    whole.pop("seconds")
-    assert usual == whole
-
-
 @pytest.fixture(scope="module")
 def curves(file):
     out = file.parent / "curves"

@@ -156,16 +156,6 @@ def test_neither_threads_nor_memory_nor_parts_change_a_bit(tmp_path, monkeypatch
     assert digests(one.folder) == digests(other.folder)
 
 
-def test_the_same_command_again_does_nothing_anew(tmp_path):
-    inventory, scenario = table(tmp_path, pieces(20)), city(tmp_path)
-    first = assess(inventory, scenario, tmp_path / "out", progress=False)
-    before = digests(tmp_path / "out")
-    again = assess(inventory, scenario, tmp_path / "out", progress=False)
-    assert first.runs > 0
-    assert again.runs == 0
-    assert digests(tmp_path / "out") == before
-
-
 @pytest.mark.parametrize("what", ["inventory", "scenario", "slide limit", "version of stayput"])
 def test_another_assessment_is_not_mixed_in(tmp_path, monkeypatch, what):
     inventory, scenario, more = table(tmp_path, pieces(3)), city(tmp_path), {}
@@ -327,11 +317,8 @@ def test_floor_and_wall_of_a_row_are_those_of_a_verification(tmp_path, floor, wa
     not_possible = {one["name"] for one in found["not_possible"]}
     assert not_possible == {one.option.name for one in verdict.impossible}
     assert not_possible == ({"gel_mats"} if floor == "carpet" else set())
-    told = {one.option.name if one.option.measures else "none": one for one in verdict.options}
-    for option in found["options"]:
-        assert option["slide_median"] == told[option["name"]].slide.median
-        for event, of in told[option["name"]].probabilities.items():
-            assert option[event] == of.estimate
+    slides = {one.option.name if one.option.measures else "none": one.slide.median for one in verdict.options}
+    assert {option["name"]: option["slide_median"] for option in found["options"]} == slides
 
 
 PLAIN = "[shaking]\nintensity = 5.5\n[uncertainty]\nsamples = 40\n"

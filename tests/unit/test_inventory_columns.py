@@ -6,13 +6,11 @@ import json
 import re
 
 import pytest
-from inventories import CITY, city, planned
+from inventories import CITY, planned
 
 import stayput as sp
-from stayput.inventory import assess
-from stayput.inventory.columns import COLUMNS, plain_name
+from stayput.inventory.columns import COLUMNS, plain_name, read_columns
 from stayput.inventory.header import header_of
-from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import ROWS_LOOKED_AT
 from stayput.inventory.words import narrow_told
 from stayput.model.body import FURNITURE
@@ -326,9 +324,3 @@ def test_words_stand_for_presets_that_there_are():
     assert WORDS["preset"]["本棚"] == "bookcase"
     header = header_of(["id", "preset", "床材"])
     assert header.cells(["a", "食器棚", "カーペット"]) == {"id": "a", "preset": "cupboard", "floor": "carpet"}
-
-
-def test_a_table_of_pandas_is_to_be_written_first(tmp_path):
-    frame = pytest.importorskip("pandas").DataFrame({"id": ["a"], "preset": ["chest"]})
-    with pytest.raises(sp.InputError, match=r"inventory is a DataFrame; .* with to_parquet or to_csv first"):
-        assess(frame, city(tmp_path), tmp_path / "out", progress=False)

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import replace
 
 import numpy as np
-import pyarrow.parquet as pq
 import pytest
-from commands import cli
 from inventories import CITY, city, rows_of_results, table
 
 from stayput.fragility import difference
@@ -149,19 +146,6 @@ def test_a_measure_is_best_only_where_it_helps(without, held, best):
     named = dict(zip(("overturned", "slid", "hit_wall", "device_failed"), range(4), strict=True))
     rows = [[row[named[event]] for event in EVENTS] for row in (without, held)]
     assert choose(chances(*rows), [0, 1], None, None).best == best
-
-
-def test_where_no_measure_helps_results_summary_report_and_screen_say_so(tmp_path):
-    scenario = city(tmp_path, CITY.replace("6.0", "7.0"))
-    file = table(tmp_path, ["a,0.2,1.8,80,wedge", "b,0.3,1.8,80,wedge"], "id,width,height,mass,measures")
-    told = cli("assess", file, "--scenario", scenario, "--out", tmp_path / "out").stdout
-    page = (tmp_path / "out" / "report.html").read_text()
-    for shown in (told, page):
-        assert "For 2 pieces none of the compared measures is seen to help." in shown
-    rows = pq.read_table(tmp_path / "out" / "pieces").to_pylist()
-    assert [(row["overturned"], row["best"]) for row in rows] == [(1.0, "none")] * 2
-    assert pq.read_table(tmp_path / "out" / "summary.parquet")["pieces_helped"].to_pylist() == [0]
-    assert len(re.findall(r"<td[^>]*>none seen to help</td><td></td>", page)) == 2
 
 
 @pytest.mark.parametrize(

@@ -93,13 +93,6 @@ def test_a_bad_table_is_refused_whole(tmp_path, name):
         plan(tmp_path, file)
 
 
-def test_empty_rows_are_counted(tmp_path):
-    facts, rejects = plan(tmp_path, table(tmp_path, [GOOD, ",,,,,,,,,,,,", "", row(id="b", preset="chest")]))
-    assert facts["empty rows"] == 2
-    assert facts["pieces"] == 2
-    assert not rejects
-
-
 def excel(folder, rows):
     book = openpyxl.Workbook()
     for cells in rows:
@@ -167,9 +160,3 @@ def test_a_broken_page_of_parquet_is_refused(tmp_path):
     file.write_bytes(content)
     with pytest.raises(sp.InputError, match=r"could not be read|is broken"):
         plan(tmp_path, file)
-
-
-def test_rejects_cannot_be_taken_for_formulas(tmp_path):
-    bad = row(id="@SUM(1)", preset="nothing")
-    done = assess(table(tmp_path, [GOOD, bad]), city(tmp_path), tmp_path / "out", progress=False)
-    assert ",'@SUM(1)," in (done.folder / "rejects.csv").read_text()

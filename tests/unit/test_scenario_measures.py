@@ -59,13 +59,6 @@ def test_what_the_file_says_arrives(file):
     assert scenario.case(scenario.measures[1].measures).measures == scenario.measures[1].measures
 
 
-def test_without_a_word_there_are_no_measures():
-    scenario = Scenario.parse(LEAST)
-    assert scenario.measures == ()
-    told = scenario.uncertainty
-    assert (told.samples, told.seed, told.precision) == (400, 1, None)
-
-
 @pytest.mark.parametrize("kind", MEASURES)
 def test_every_default_written_out_is_the_default(kind):
     given = {about.name: about.default for about in parameters(MEASURES[kind]) if about.default is not None}

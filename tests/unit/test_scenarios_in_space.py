@@ -128,12 +128,6 @@ def test_sweeps_over_side_walls() -> None:
         sp.sweep(case, {"room.near_side_wall.friction": [0.1]})
 
 
-def test_side_walls_of_a_verdict() -> None:
-    scenario = Scenario.parse({**BOOKCASE, "room": {**SIDES, "back_wall": {"gap": 0.02}}})
-    verdict = sp.verify(scenario, levels=[], threads=2)
-    assert verdict.without.probabilities["hit_wall"].estimate == 1.0
-
-
 def test_what_is_refused() -> None:
     own = {"width": 0.4, "height": 1.8, "mass": 100.0}
     for data, said in (
@@ -180,19 +174,6 @@ def test_the_file_of_several_pieces() -> None:
     assert [body["name"] for body in printed["bodies"]] == list(scenario.names)
     assert printed["devices"][0]["failed"]
     assert {hit["on"] for hit in printed["hits"]} >= {"floor", "lower part"}
-
-
-def test_the_command_line(tmp_path: Path) -> None:
-    picture, film = tmp_path / "run.png", tmp_path / "run.html"
-    flags = ("--set=dimensions=3", "--set=shaking.scale=0.5")
-    said = run("simulate", *flags, "--plot", str(picture), "--animate", str(film))
-    assert "Peak turn in plan" in said
-    assert picture.stat().st_size > 10_000
-    assert "webgl2" in film.read_text(encoding="utf-8")
-    own = run(
-        "simulate", "--body", "0.3x1.2x40", "--set", "furniture.length=0.5", "--set", "dimensions=3", "--json"
-    )
-    assert json.loads(own)["bodies"][0]["name"] == "body"
 
 
 def test_a_verdict_and_its_report(tmp_path: Path) -> None:

@@ -16,10 +16,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {file} is {path}; it must be a file.",
         "{file}が{path}になっています。ファイルを指定してください。",
     ),
-    "a_data_frame": (
-        "inventory is a {kind}; it must be a file: write it with to_parquet or to_csv first, and give that file.",
-        "inventoryが{kind}になっています。先にto_parquetまたはto_csvでファイルに書き、そのファイルを指定してください。",
-    ),
     "changed": (
         "The {file} {path} was changed while it was read; give the command again.",
         "{file}（{path}）が読み込み中に変更されました。コマンドをもう一度実行してください。",

@@ -163,10 +163,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # exports
     "export": ("The format of an export", "書き出しの形式"),
-    "nowhere": (
-        "No piece has lat and lon, which {formats} must have; csv needs none.",
-        "緯度・経度のある家具がないため、{formats}には書き出せません。csvには要りません。",
-    ),
     # cells
     "column": ("Column {header}", "列{header}"),
 }

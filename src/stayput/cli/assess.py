@@ -154,7 +154,7 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
         lines.append(tell("reason_of_rows", lang, rows=rows, reason=reason))
     lines.append(empty_told(facts, lang))
     without = facts["pieces"] - facts["with coordinates"]
-    if 0 < without < facts["pieces"]:
+    if without and (without < facts["pieces"] or "geojson" in exported):
         lines.append(tell("without_coordinates", lang, pieces=pieces_counted(without)))
     choices = counted_phrase(facts["choices"], "combination", "通り")
     runs = counted_phrase(assessment.runs, "run", "回")

@@ -25,17 +25,18 @@ from stayput.inventory.cells import (
 from stayput.inventory.columns import (
     ALONG_THE_WALL,
     COLUMNS,
+    IGNORE,
     LISTS,
     LOOKS_LIKE_COUNT,
     LOOKS_LIKE_SIZE,
     TOTALS,
     UNITS,
     WIDTHS,
+    ColumnMapping,
     header_name,
     is_heading,
     plain_name,
 )
-from stayput.inventory.mapping import IGNORE, ColumnMapping
 from stayput.vocabulary import WORDS, meant
 
 if TYPE_CHECKING:

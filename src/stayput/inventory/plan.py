@@ -26,10 +26,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.inventory.cells import Cell
+    from stayput.inventory.columns import ColumnMapping
     from stayput.inventory.folder import Workspace
     from stayput.inventory.header import Header
     from stayput.inventory.items import Item
-    from stayput.inventory.mapping import ColumnMapping
     from stayput.inventory.scenarios import Scenarios
 
 ROWS_PER_PART = 20_000
