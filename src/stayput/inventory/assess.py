@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 import shutil
@@ -20,7 +21,7 @@ from stayput.execution import Pool
 from stayput.extras import arrow
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.columns import read_columns
-from stayput.inventory.folder import MANIFEST, check_parts, claimed, digest_of, inputs_of
+from stayput.inventory.folder import MANIFEST, check_parts, claimed, inputs_of
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
@@ -213,8 +214,8 @@ def assess(
             simulating = time.perf_counter() - started
             strengths = _strengths(work)
             manifest = _manifest(scenarios, limit, work, strengths)
-            digest = digest_of_inputs(inputs)
-            about = {"stayput": json.dumps({"inputs": digest, **manifest}, sort_keys=True)}
+            digest = hashlib.sha256(json.dumps([inputs, stayput.__version__]).encode())
+            about = {"stayput": json.dumps({"inputs": digest.hexdigest(), **manifest}, sort_keys=True)}
             rows = facts["pieces"] * len(scenarios.events)
             with bar(rows, "progress.writing", progress, "progress.rows") as advance:
                 Writer(folder, space, work.outcomes, about, strengths).write(facts["parts"], advance)
@@ -248,18 +249,12 @@ def memory_of(value: float | str) -> int:
     return int(within("inventory.memory", value, 2**28, 2**50, "bytes"))
 
 
-def digest_of_inputs(inputs: dict[str, Any]) -> str:
-    """Return the digest that identifies a plan."""
-    import hashlib
-
-    return hashlib.sha256(json.dumps([inputs, stayput.__version__]).encode()).hexdigest()
-
-
 def _digest(name: str, path: Path) -> str:
     try:
         if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
             raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
-        return digest_of(path)
+        with path.open("rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
     except OSError as error:
         reason = reason_of(error)
         raise InputError(

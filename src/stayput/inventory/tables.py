@@ -6,8 +6,8 @@ import codecs
 import csv
 import re
 import warnings
-from contextlib import ExitStack, closing, contextmanager
-from dataclasses import dataclass, replace
+from contextlib import AbstractContextManager, ExitStack, closing, contextmanager
+from dataclasses import dataclass
 from datetime import date, time
 from decimal import Decimal
 from functools import lru_cache
@@ -55,6 +55,9 @@ _TORN = re.compile(r"[A-Za-z][㐀-鿿ｦ-ﾟ\ue000-\uf8ff][a-z]")
 TableRow = tuple[int, "list[Cell] | InputError"]
 """Number of a row, the header being row 1, and its cells or why it cannot be read."""
 
+Opened = tuple["Iterator[TableRow]", str, bool]
+"""The rows of a file, the header among them, how it was read, and whether commas may be decimal."""
+
 
 @dataclass(frozen=True, slots=True)
 class OpenTable:
@@ -92,7 +95,7 @@ def open_table(path: Path) -> Generator[OpenTable]:
     InputError
         Another kind of file, one that cannot be read, or an empty one.
     """
-    openers: dict[str, Callable[[Path], Any]] = {
+    openers: dict[str, Callable[[Path], AbstractContextManager[Opened]]] = {
         **dict.fromkeys((".csv", ".tsv", ".txt"), _csv),
         ".parquet": _parquet,
         ".xlsx": _excel,
@@ -103,8 +106,13 @@ def open_table(path: Path) -> Generator[OpenTable]:
         raise InputError("inventory.file_ending", "inventory", path=repr(str(path)), endings=endings)
     with ExitStack() as stack:
         with _readable(path):
-            table = stack.enter_context(opener(path))
-        yield replace(table, rows=_guarded(path, table.rows))
+            rows, read_as, decimal_comma = stack.enter_context(opener(path))
+            _, header = next(rows, (1, None))
+        if header is None or isinstance(header, InputError):
+            empty = phrase("inventory.is_empty")
+            reason = empty if header is None else (header.told("en"), header.told("ja"))
+            raise InputError("inventory.first_row", "inventory", reason=reason)
+        yield OpenTable(header, _guarded(path, rows), read_as, decimal_comma)
 
 
 def _guarded(path: Path, rows: Iterator[TableRow]) -> Iterator[TableRow]:
@@ -157,22 +165,16 @@ def _is_western(text: str) -> bool:
 
 
 @contextmanager
-def _csv(path: Path) -> Generator[OpenTable]:
+def _csv(path: Path) -> Generator[Opened]:
     encoding = _encoding(path)
     before = csv.field_size_limit(LARGEST_CELL)
     try:
         with path.open(encoding=encoding, newline="") as file:
             delimiter = _delimiter(file)
             rows = _csv_rows(csv.reader(file, strict=True, delimiter=delimiter))
-            first = next(rows, None)
-            if first is None or isinstance(first[1], InputError):
-                reason = phrase("inventory.is_empty")
-                if first is not None and isinstance(error := first[1], InputError):
-                    reason = error.told("en"), error.told("ja")
-                raise InputError("inventory.first_row", "inventory", reason=reason)
             read_as = {"utf-8-sig": "UTF-8", "utf-16": "UTF-16"}.get(encoding, encoding)
             between = {";": " with semicolons", "\t": " with tabs", "|": " with bars"}.get(delimiter, "")
-            yield OpenTable(first[1], rows, read_as + between, delimiter == ";")
+            yield rows, read_as + between, delimiter == ";"
     finally:
         csv.field_size_limit(before)
 
@@ -220,18 +222,18 @@ def _csv_rows(reader: Any) -> Iterator[TableRow]:
 
 
 @contextmanager
-def _parquet(path: Path) -> Generator[OpenTable]:
+def _parquet(path: Path) -> Generator[Opened]:
     try:
         file: Any = arrow("parquet").ParquetFile(path)
     except arrow().ArrowInvalid:
         raise InputError("inventory.other_kind", "inventory", path=repr(str(path)), kind="Parquet") from None
     with file:
-        names = cast("list[Cell]", list(file.schema_arrow.names))
-        yield OpenTable(names, _parquet_rows(file), "Parquet")
+        yield _parquet_rows(file), "Parquet", False
 
 
 def _parquet_rows(file: Any) -> Iterator[TableRow]:
     number = 1
+    yield number, list(file.schema_arrow.names)
     for batch in file.iter_batches(BATCH):
         columns = [column.to_pylist() for column in batch.columns]
         for row in zip(*columns, strict=True):
@@ -258,7 +260,7 @@ def _cell(value: Any) -> Cell:
 
 
 @contextmanager
-def _excel(path: Path) -> Generator[OpenTable]:
+def _excel(path: Path) -> Generator[Opened]:
     try:
         from openpyxl import load_workbook
     except ModuleNotFoundError as error:
@@ -275,16 +277,11 @@ def _excel(path: Path) -> Generator[OpenTable]:
                 "inventory.other_kind", "inventory", path=repr(str(path)), kind="Excel"
             ) from None
         with closing(book):
-            rows = _excel_rows(sheet)
-            first = next(rows, None)
-            if first is None:
-                reason = phrase("inventory.is_empty")
-                raise InputError("inventory.first_row", "inventory", reason=reason)
             names = ", ".join(repr(other.title) for other in others)
-            yield OpenTable(first[1], rows, f"sheet {sheet.title!r}" + (f"; not {names}" if names else ""))
+            yield _excel_rows(sheet), f"sheet {sheet.title!r}" + (f"; not {names}" if names else ""), False
 
 
-def _excel_rows(sheet: Any) -> Iterator[tuple[int, list[Cell]]]:
+def _excel_rows(sheet: Any) -> Iterator[TableRow]:
     sheet.reset_dimensions()  # which some programs write wrongly
     width = filled = 0
     for number, cells in enumerate(sheet.iter_rows(), 1):
