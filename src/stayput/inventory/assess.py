@@ -21,7 +21,7 @@ from stayput.execution import Pool
 from stayput.extras import arrow
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.columns import read_columns
-from stayput.inventory.folder import MANIFEST, check_parts, claimed, inputs_of
+from stayput.inventory.folder import MANIFEST, check_parts, claimed, digest_of, inputs_of
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
@@ -253,8 +253,7 @@ def _digest(name: str, path: Path) -> str:
     try:
         if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
             raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
-        with path.open("rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+        return digest_of(path)
     except OSError as error:
         reason = reason_of(error)
         raise InputError(

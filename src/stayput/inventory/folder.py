@@ -6,6 +6,7 @@ done, which SQLite keeps whole.
 
 from __future__ import annotations
 
+import hashlib
 import itertools
 import json
 import os
@@ -102,6 +103,12 @@ def remove(path: Path) -> None:
         shutil.rmtree(path)
     else:
         path.unlink(missing_ok=True)
+
+
+def digest_of(path: Path) -> str:
+    """Return the SHA-256 of a file."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 @contextmanager

@@ -214,19 +214,17 @@ class _Reading:
         sized = {"width", "height"} <= self.places.keys()
         for place in self.free:
             base, unit, header = self.parts[place].base, self.parts[place].unit, self.names[place]
-            if base in ALONG_THE_WALL:
-                if "width" not in self.places:
-                    self.doubt("no_depth", place, f"width=?,{IGNORE}={header}")
-                    continue
-            elif LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.places:
+            across = base in ALONG_THE_WALL
+            if across and "width" not in self.places:
+                self.doubt("no_depth", place, f"width=?,{IGNORE}={header}")
+            elif not across and LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.places:
                 self.doubt("count", place, f"count={header}")
-                continue
-            elif not sized and (LOOKS_LIKE_SIZE.fullmatch(base) or unit in UNITS["m"]):
+            elif not (across or sized) and (LOOKS_LIKE_SIZE.fullmatch(base) or unit in UNITS["m"]):
                 self.doubt("size", place, f"?={header}")
-                continue
-            elif get_close_matches(base.replace(" ", "_"), COLUMNS, 1, LIKENESS):
+            elif not across and get_close_matches(base.replace(" ", "_"), COLUMNS, 1, LIKENESS):
                 raise unknown("inventory_tables.column_name", header, COLUMNS, header)
-            self.unused.append(header[:200])
+            else:
+                self.unused.append(header[:200])
 
     def look_at_cells(self) -> None:
         """Doubt what the cells speak against: storeys for a surface, totals for the value of one piece."""
@@ -334,13 +332,12 @@ def header_of(
     Raises
     ------
     InputError
-        Too many columns, two of one name, no name of a piece and no size, one that is unclear or misspelt.
+        Two columns of one name, no name of a piece and no size, one that is unclear or misspelt.
     """
     names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
     _refuse_headings_elsewhere(names, sample)
     reading = _Reading(names, sample, mapping or ColumnMapping())
-    plain = [plain_name(name) for name in names]
-    for name, times in Counter(plain).items():
+    for name, times in Counter(map(plain_name, names)).items():
         if name and times > 1:
             raise InputError("inventory.column_twice", name, name=shown(name))
     reading.take_known()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import io
 import itertools
 from dataclasses import dataclass
 from enum import StrEnum
@@ -15,6 +17,7 @@ from stayput.extras import arrow
 from stayput.fragility import difference
 from stayput.fragility.paired import score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
+from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.plan import ROWS, not_possible
 from stayput.inventory.store import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90
@@ -287,12 +290,23 @@ class Writer:
         self.folder.mkdir(exist_ok=True)
 
     def write(self, parts: int, advance: Callable[[int], None]) -> None:
-        """Write all parts, each atomically: what is there already becomes the same again."""
+        """Write all parts that are not complete yet."""
         for name in part_names(parts):
-            table = self._table(self.space.folder / "plan" / ROWS / name)
-            with self.space.durable(self.folder / name) as file:
-                arrow("parquet").write_table(table, file, compression="zstd", row_group_size=20_000)
-            advance(table.num_rows)
+            advance(self._part(name))
+
+    def _part(self, name: str) -> int:
+        target = self.folder / name
+        rows, digest = self.outcomes.part(name) or (0, None)
+        if target.exists() and digest_of(target) == digest:
+            return rows
+        table = self._table(self.space.folder / "plan" / ROWS / name)
+        buffer = io.BytesIO()
+        arrow("parquet").write_table(table, buffer, compression="zstd", row_group_size=20_000)
+        content = buffer.getvalue()
+        with self.space.durable(target) as file:
+            file.write(content)
+        self.outcomes.complete(name, table.num_rows, hashlib.sha256(content).hexdigest())
+        return table.num_rows
 
     def _table(self, path: Path) -> Any:
         rows: list[dict[str, Any]] = arrow("parquet").read_table(path).to_pylist()

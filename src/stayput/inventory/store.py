@@ -226,7 +226,10 @@ def record_type(motions: int, samples: int) -> np.dtype[np.void]:
     )
 
 
-_OUTCOMES = "CREATE TABLE IF NOT EXISTS outcomes (unit INTEGER PRIMARY KEY, record BLOB NOT NULL)"
+_OUTCOMES = """
+CREATE TABLE IF NOT EXISTS outcomes (unit INTEGER PRIMARY KEY, record BLOB NOT NULL);
+CREATE TABLE IF NOT EXISTS parts (name TEXT PRIMARY KEY, rows INTEGER NOT NULL, digest TEXT NOT NULL);
+"""
 
 
 class OutcomeStore:
@@ -256,7 +259,7 @@ class OutcomeStore:
 
     def _open(self, path: Path) -> None:
         self._base = sqlite3.connect(path)
-        self._base.execute(_OUTCOMES)
+        self._base.executescript(_OUTCOMES)
         units = self._base.execute("SELECT unit FROM outcomes")
         self.done[np.fromiter((unit for (unit,) in units), np.int64)] = True
 
@@ -280,3 +283,12 @@ class OutcomeStore:
             )
             records += [record for (record,) in rows]
         return np.frombuffer(b"".join(records), self.kind)
+
+    def part(self, name: str) -> tuple[int, str] | None:
+        """Return the rows and the digest of a part of the results that is complete."""
+        return self._base.execute("SELECT rows, digest FROM parts WHERE name = ?", (name,)).fetchone()
+
+    def complete(self, name: str, rows: int, digest: str) -> None:
+        """Note that a part of the results is complete."""
+        with self._base:
+            self._base.execute("INSERT OR REPLACE INTO parts VALUES (?, ?, ?)", (name, rows, digest))
