@@ -26,21 +26,18 @@ def harmless(cell: object) -> object:
     return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) else cell
 
 
-def text_cell(text: str) -> str:
-    """Return a text for a cell of a CSV file whose lines end in LF alone; see `harmless`.
-
-    There `csv` leaves a lone carriage return without quotes, and it would end the row: it becomes a blank.
-    """
-    return str(harmless(text)).replace("\r", " ")
-
-
 def csv_text(names: Sequence[str], rows: Iterable[Iterable[object]], end: str = "\r\n") -> str:
-    """Return a table as CSV, whose lines end in CR LF or in LF alone."""
+    """Return a table as CSV, whose lines end in CR LF or in LF alone; see `harmless`.
+
+    With LF alone `csv` leaves a lone carriage return without quotes, and it would end the row: it becomes
+    a blank.
+    """
     text = io.StringIO()
     lines = csv.writer(text, lineterminator=end)
     for row in (names, *rows):
+        cells = map(harmless, row)
         lines.writerow(
-            text_cell(cell) if isinstance(cell, str) and end == "\n" else harmless(cell) for cell in row
+            cell.replace("\r", " ") if isinstance(cell, str) and end == "\n" else cell for cell in cells
         )
     return text.getvalue()
 

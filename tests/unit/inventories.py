@@ -86,8 +86,8 @@ def digests(folder: Path) -> dict[str, str]:
 
 def planned(folder: Path, file: Path, scenario: str = CITY, columns: Any = None) -> Plan:
     """The plan of a table, made in a folder."""
+    from stayput.inventory.columns import read_columns
     from stayput.inventory.folder import Workspace
-    from stayput.inventory.mapping import read_columns
     from stayput.inventory.plan import make_plan
     from stayput.inventory.scenarios import read_scenarios
     from stayput.inventory.store import Store, ground_of, piece_of

@@ -8,7 +8,6 @@ import pytest
 import stayput as sp
 from stayput.measures import AntiSlipSheet, FreeCasters, LockedCasters, hold
 from stayput.model.body import Body
-from stayput.model.parameters import parameters
 from stayput.model.room import LOCKED_CASTER, SURFACES, Floor, Room, Wall
 from stayput.model.state import State
 from stayput.montecarlo.hazard import FloorMotions
@@ -24,7 +23,7 @@ from stayput.montecarlo.sampling import (
 )
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.space import trace_assembly
-from stayput.uncertainty import USUAL, Confidence
+from stayput.uncertainty import USUAL
 
 BODY = Body(0.4, 1.8, 100.0, base_insets=(0.01, 0.02), base_heights=(0.0, -0.001))
 ROOM = Room(Floor.of("tatami, along the weave", restitution=0.97), left_wall=Wall(0.03, restitution=0.55))
@@ -138,15 +137,3 @@ def test_it_is_drawn_alike_in_space(factor: float, friction: float, monkeypatch:
     with pytest.raises(StopIteration):
         trace_assembly(sp.Assembly([piece]), sp.Room(sp.Floor.of("vinyl")), None, 9.8, friction=factor)  # type: ignore[arg-type]
     assert found == pytest.approx([friction])
-
-
-def test_its_grade_is_that_of_an_assumption_and_both_languages_say_why() -> None:
-    known = [about for about in parameters(LockedCasters) if about.name.endswith("friction")]
-    assert [about.confidence for about in known] == [Confidence.LOW] * 2
-    assert {about.confidence for about in parameters(FreeCasters)} == {Confidence.MEDIUM}
-    english, japanese = LockedCasters.about
-    assert "did not always lessen how far it moved" in english
-    assert "移動量が必ずしも減らず" in japanese
-    (caution,) = LockedCasters().cautions(CART, EMPTY)
-    assert "may roll or slip all the same" in caution[0]
-    assert "ロックしても転がったり滑ったりすることがあります" in caution[1]

@@ -5,26 +5,20 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from threading import Thread
 
 import numpy as np
 import pytest
+from commands import cli
 from interrupts import hears_interrupts
-from typer.testing import CliRunner
 
 import stayput
-from stayput.cli import app
 from stayput.compiling import entry
 from stayput.simulation.case import Case
 from waiting import PATIENCE, wait_until
 
 PROGRAM = [sys.executable, "-c", "from stayput.cli import main; main()"]
 RECORD = "\n".join(f"{k * 0.01:.2f} {300 * ((k // 40) % 2 * 2 - 1)}" for k in range(400))
-
-
-def cli(*arguments):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
 
 
 def process(*arguments, **options):
@@ -115,23 +109,15 @@ def test_plot_and_animation_are_written(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["simulate", "--body", "0.4xtallx1"], "--body is"),
-        (["simulate", "--body", "0.4x-1.8x100"], "furniture.height is -1.8"),
         (["simulate", "--body", "0.4xnanx100"], "furniture.height is NaN"),
         (["simulate", "--motion", "nowhere.txt"], "nowhere.txt"),
-        (
-            ["simulate", "--set", "room.floor={ static_friction = 0.1, kinetic_friction = 0.5 }"],
-            "kinetic friction is 0.5",
-        ),
         (["simulate", "nowhere.toml"], "could not be read"),
         (["simulate", "."], "could not be read"),
         (["simulate", "--plot", "nowhere/a.png"], "its folder must exist"),
         (["simulate", "--plot", "a.txt"], "must end in .png, .svg, .pdf"),
         (["simulate", "--animate", "a.png"], "must end in .gif, .mp4, .html"),
         (["simulate", "--animate", "a.gif", "--fps", "0"], "fps is 0"),
-        (["motion", "info", "nowhere.txt"], "nowhere.txt"),
         (["motion", "info", "."], "'.'"),
-        (["motion", "plot", "near-fault", "nowhere/a.png"], "its folder must exist"),
         (["motion", "plot", "near-fault", "a.txt"], "must end in .png, .svg, .pdf"),
         (["motion", "spectrum", "near-fault", "--damping", "1"], "Damping ratio is 1"),
         (["motion", "spectrum", "near-fault", "--out", "a.txt"], "must end in .csv"),
@@ -235,33 +221,13 @@ def test_compiling_is_announced_on_standard_error(compiling, lang, said):
     json.loads(result.stdout)
 
 
-def test_on_a_terminal_compiling_shows_a_bar_in_place_of_the_line(compiling, monkeypatch):
-    monkeypatch.setattr("stayput.progress.is_drawn", lambda: True)
-    monkeypatch.setenv("FORCE_COLOR", "1")
-    result = cli("simulate", "--motion", "sine:1,1,1", "--json")
-    assert "Compiling the mechanics once" in result.stderr
-    assert "/?" in result.stderr
-    assert "which takes" not in result.stderr
-    json.loads(result.stdout)
-
-
-def test_help_is_quick_and_loads_nothing_heavy():
+def test_help_loads_nothing_heavy():
     look = "import sys; from stayput.cli import main\ntry: main()\nexcept SystemExit: pass\n"
     heavy = {"numba", "numpy", "obspy", "matplotlib", "pydantic", "xarray"}
-    look += f"print({heavy} & set(sys.modules))"
-
-    def seconds():
-        started = time.perf_counter()
-        result = subprocess.run(
-            [sys.executable, "-c", look, "--help"], capture_output=True, text=True, check=True
-        )
-        took = time.perf_counter() - started
-        assert result.stdout.rstrip().endswith("set()")
-        assert "simulate" in result.stdout
-        return took
-
-    # about 0.2 s; a busy machine is given room, and three attempts
-    assert any(seconds() < 2.0 for _ in range(3))
+    line = [sys.executable, "-c", f"{look}print({heavy} & set(sys.modules))", "--help"]
+    shown = subprocess.run(line, capture_output=True, text=True, check=True).stdout
+    assert "simulate" in shown
+    assert shown.rstrip().endswith("set()")
 
 
 def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):

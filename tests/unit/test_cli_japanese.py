@@ -7,10 +7,8 @@ from codecs import BOM_UTF8
 from typing import TYPE_CHECKING
 
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
-import stayput.progress as progress
-from stayput.cli import app
 from stayput.cli.messages import of_locale
 from stayput.model.body import FURNITURE
 
@@ -74,7 +72,7 @@ def written(folder: Path, shaking: str) -> Path:
 
 
 def japanese(*arguments: object, code: int = 0) -> str:
-    done = CliRunner().invoke(app, [*map(str, arguments), "--lang", "ja"])
+    done = cli(*arguments, "--lang", "ja")
     assert done.exit_code == code, done.output
     return done.output
 
@@ -182,16 +180,5 @@ def test_the_locale_says_the_language(
     for name in ("LANG", "LC_ALL", "LC_MESSAGES"):
         monkeypatch.setenv(name, variables.get(name, ""))
     assert of_locale() == language
-    said = CliRunner().invoke(app, ["verify", "none.toml"]).output
+    said = cli("verify", "none.toml").output
     assert ("ファイル" in said) == (language == "ja")
-
-
-def test_bars_speak_the_language_of_the_command(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setenv("FORCE_COLOR", "1")
-    monkeypatch.setenv("COLUMNS", "120")
-    with progress.told_in("ja"), progress.bar(3, "progress.verifying", True):
-        (drawn,) = progress._drawn
-        assert [task.description for task in drawn.tasks] == ["検証"]
-    assert "検証" in capsys.readouterr().err

@@ -54,51 +54,49 @@ def test_where_nothing_can_be_said_the_exit_code_says_it():
     assert done.returncode == 2
 
 
-@pytest.mark.skipif(os.name != "posix", reason="a shell closes the output")
-@pytest.mark.parametrize(
-    ("language", "said"),
-    [
-        ("en", "The output could not be written: it is closed."),
-        ("ja", "出力を書き込めませんでした（閉じられています）。"),
-    ],
-)
+def shelled(redirected, *arguments):
+    """What a shell sees of the program whose streams it has redirected: code, output, error output."""
+    line = ["sh", "-c", f'"$@" {redirected}', "sh", *PROGRAM, *map(str, arguments)]
+    done = subprocess.run(line, capture_output=True, text=True, encoding="utf-8", check=False)
+    return done.returncode, done.stdout, done.stderr
+
+
+ON_POSIX = pytest.mark.skipif(os.name != "posix", reason="a shell redirects streams")
+IN_BOTH = pytest.mark.parametrize("place", [0, 1], ids=["en", "ja"])
+
+
+@ON_POSIX
+@IN_BOTH
 @pytest.mark.parametrize("also", ["", "<&-"])
-def test_a_closed_output_loses_the_result_and_is_said(language, said, also):
-    line = ["sh", "-c", f'"$@" >&- {also}', "sh", *PROGRAM, "simulate", *BODY, "--lang", language]
-    done = subprocess.run(line, stderr=subprocess.PIPE, text=True, encoding="utf-8", check=False)
-    assert (done.returncode, done.stderr) == (2, f"{said}\n")
+def test_a_closed_output_loses_the_result_and_is_said(place, also):
+    said = (
+        "The output could not be written: it is closed.",
+        "出力を書き込めませんでした（閉じられています）。",
+    )
+    found = shelled(f">&- {also}", "simulate", *BODY, "--lang", ("en", "ja")[place])
+    assert found == (2, "", f"{said[place]}\n")
 
 
-@pytest.mark.skipif(os.name != "posix", reason="a shell closes the output")
+@ON_POSIX
 def test_a_command_that_prints_nothing_needs_no_output(tmp_path):
-    convert = ["motion", "convert", "near-fault", str(tmp_path / "a.csv"), "--quiet"]
-    line = ["sh", "-c", '"$@" >&-', "sh", *PROGRAM, *convert]
-    done = subprocess.run(line, stderr=subprocess.PIPE, text=True, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
+    found = shelled(">&-", "motion", "convert", "near-fault", tmp_path / "a.csv", "--quiet")
+    assert found == (0, "", "")
 
 
-@pytest.mark.skipif(os.name != "posix", reason="a shell closes the output")
+@ON_POSIX
 @pytest.mark.parametrize("there", ["2>&-", "2>/dev/full"])
 def test_a_result_does_not_need_standard_error(there):
     plain = given(["simulate", *BODY], stdout=subprocess.PIPE)
-    line = ["sh", "-c", f'"$@" {there}', "sh", *PROGRAM, "simulate", *BODY]
-    done = subprocess.run(line, stdout=subprocess.PIPE, text=True, check=False)
-    assert (done.returncode, done.stdout) == (0, plain.stdout)
+    assert shelled(there, "simulate", *BODY) == (0, plain.stdout, "")
 
 
-@pytest.mark.skipif(os.name != "posix", reason="a shell closes the input")
-@pytest.mark.parametrize(
-    ("arguments", "flag"),
-    [(["simulate", "-"], "SCENARIO"), (["simulate", "--motion", "-"], "--motion")],
-)
-@pytest.mark.parametrize(
-    ("language", "said"),
-    [
-        ("en", "{flag} is -, standard input, which could not be read: it is closed."),
-        ("ja", "{flag}が-（標準入力）になっていますが、読み込めませんでした（閉じられています）。"),
-    ],
-)
-def test_a_closed_input_is_refused(arguments, flag, language, said):
-    line = ["sh", "-c", '"$@" <&-', "sh", *PROGRAM, *arguments, "--lang", language]
-    done = subprocess.run(line, capture_output=True, text=True, encoding="utf-8", check=False)
-    assert (done.returncode, done.stdout, done.stderr) == (2, "", f"{said.format(flag=flag)}\n")
+@ON_POSIX
+@IN_BOTH
+@pytest.mark.parametrize("flag", ["SCENARIO", "--motion"])
+def test_a_closed_input_is_refused(flag, place):
+    said = (
+        f"{flag} is -, standard input, which could not be read: it is closed.\n",
+        f"{flag}が-（標準入力）になっていますが、読み込めませんでした（閉じられています）。\n",
+    )
+    words = ("-",) if flag == "SCENARIO" else (flag, "-")
+    assert shelled("<&-", "simulate", *words, "--lang", ("en", "ja")[place]) == (2, "", said[place])

@@ -7,15 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
 import stayput as sp
-from stayput.cli import app
 from stayput.motion.measures import DisplacementPeak
-
-
-def cli(*arguments: object):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
 
 
 def at2(file: Path, direction: str, amplitude: float) -> Path:
@@ -54,26 +49,6 @@ def test_three_files_are_one_motion(records: list[Path], tmp_path: Path) -> None
     combined = sp.Motion.combine(*(sp.read_motion(file, component="channel 1") for file in records))
     read = sp.read_motion(out)
     assert all(np.array_equal(read.components[name], a) for name, a in combined.components.items())
-
-
-def test_a_flag_replaces_one_file_of_the_scenarios(records: list[Path], tmp_path: Path) -> None:
-    x, _, z = records
-    file = tmp_path / "scenario.toml"
-    shaking = f'[shaking]\nrecord = "{x.name}"\nvertical = "{z.name}"\n'
-    file.write_text(f'[furniture]\npreset = "chest"\n{shaking}', encoding="utf-8")
-    other = at2(tmp_path / "other.at2", "UP", 4.0)
-    plain, replaced, without = (
-        cli("simulate", file, "--json", *flags)
-        for flags in ((), ("--set", f"shaking.vertical={other}"), ("--set", "shaking.vertical=false"))
-    )
-    assert len({done.stdout for done in (plain, replaced, without)}) == 3
-
-
-def test_a_horizontal_record_in_a_verticals_place_is_refused(records: list[Path]) -> None:
-    x, y, _ = records
-    done = cli("simulate", "--motion", x, *beside(y, y))
-    assert done.exit_code == 2
-    assert "vertical" in done.stderr
 
 
 @pytest.mark.parametrize("of_file", [True, False])
@@ -128,8 +103,6 @@ def plain_columns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "bare.txt").write_text("\n".join(values), encoding="utf-8")
     rows = [f"{0.01 * i:.2f},{value}" for i, value in enumerate(values)]
     (tmp_path / "up.csv").write_text("\n".join(["time,UD[gal]", *rows]), encoding="utf-8")
-    (tmp_path / "a.csv").write_text("\n".join(["time,acc[gal]", *rows]), encoding="utf-8")
-    (tmp_path / "b.csv").write_text("\n".join(["time,acc[g]", *rows]), encoding="utf-8")
 
 
 @pytest.mark.parametrize("lang", ["en", "ja"])
@@ -137,7 +110,7 @@ def plain_columns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("plain_columns")
 def test_what_a_record_lacks_is_asked_for_by_its_flags(command: tuple[str, ...], lang: str) -> None:
     def told(*arguments: str) -> str:
-        return CliRunner().invoke(app, [*command, *arguments, "--lang", lang]).stderr
+        return cli(*command, *arguments, "--lang", lang).stderr
 
     both, step = told("bare.txt"), told("bare.txt", "--set", "shaking.unit=gal")
     assert "--unit" in both
@@ -146,13 +119,6 @@ def test_what_a_record_lacks_is_asked_for_by_its_flags(command: tuple[str, ...],
     assert "--dt" in step
     assert "--set shaking.component" in told("up.csv")
     assert "shaking.component" not in told("up.csv", "--set", "shaking.component=UD")
-
-
-@pytest.mark.parametrize(("lang", "said"), [("en", "components are the same record"), ("ja", "同じ記録")])
-@pytest.mark.usefixtures("plain_columns")
-def test_one_record_for_two_components_is_warned_of(lang: str, said: str) -> None:
-    words = ["simulate", "--motion", "a.csv", "--set", "shaking.across=a.csv", "--lang", lang]
-    assert said in CliRunner().invoke(app, words).stderr
 
 
 def test_a_vertical_record_that_is_named_is_meant(tmp_path: Path, recwarn: pytest.WarningsRecorder) -> None:

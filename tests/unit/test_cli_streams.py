@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import os
 import subprocess
@@ -11,10 +10,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
 import stayput as sp
-from stayput.cli import app, streams
+from stayput.cli import streams
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -33,10 +32,6 @@ samples = 4
 [[measures]]
 type = "belt"
 """
-
-
-def cli(*arguments: object, given: str | None = None):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments], input=given)
 
 
 @pytest.fixture
@@ -98,36 +93,12 @@ def test_what_is_printed_of_a_record_has_the_format_that_is_asked_for(here: Path
     assert not (here / "out.csv").exists()
 
 
-@pytest.mark.parametrize(
-    "command",
-    [
-        ("motion", "info", "-"),
-        ("simulate", "--motion", "-"),
-        ("motion", "info", "-", "--building", "9", "--pga", "3"),
-    ],
-)
-def test_a_record_on_standard_input(command: tuple[str, ...]) -> None:
-    done = cli(*command, "--json", given=sp.sine(3.0, 1.0, 4.0).text())
-    assert done.exit_code == 0, done.output
-    json.loads(done.stdout)
-
-
 def test_a_refusal_of_a_record_on_standard_input_names_no_temporary_file() -> None:
     done = cli("motion", "info", "-", given="")
     assert done.exit_code == 2
     assert done.stderr.startswith("The motion file 'standard input' is empty; it must be a text of a record")
     done = cli("motion", "info", "-", given=sp.near_fault().component("x").text(".at2")[:2000])
     assert done.stderr.startswith("standard input (PEER AT2): ")
-
-
-def test_spectra_and_floor_motions_are_printed_alone(here: Path) -> None:
-    done = cli("motion", "spectrum", "near-fault", "--out", "-")
-    first, *rows = csv.reader(done.stdout.splitlines())
-    assert first[0] == "period_s"
-    assert all(len(row) == len(first) for row in rows)
-    done = cli("motion", "convert", "sine:2,1,2", "-", "--building", "3", "--storey", "2")
-    assert done.stdout.startswith("# ")
-    assert done.stdout.splitlines()[2].startswith("t,x")
 
 
 def test_one_table_on_standard_output_and_another_in_a_file(here: Path) -> None:

@@ -1,13 +1,15 @@
-"""``stayput verify`` and its curves: what it prints and writes, and what it refuses."""
+"""``stayput verify`` and its curves: what it prints and writes, how wide, and what it refuses."""
 
 import csv
 import json
 from codecs import BOM_UTF8
+from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
+from commands import cli
+from rich.cells import cell_len
 
-from stayput.cli import app
+from stayput.catalogue import LANGUAGES, say
 
 SCENARIO = """
 title = "A slender block"
@@ -28,10 +30,6 @@ type = "belt"
 name = "glides"
 type = "felt_glides"
 """
-
-
-def cli(*arguments):
-    return CliRunner().invoke(app, [str(argument) for argument in arguments])
 
 
 @pytest.fixture(scope="module")
@@ -100,20 +98,6 @@ def test_what_is_wrong_is_refused_before_any_work(file, arguments, said):
     assert result.stdout == ""
 
 
-def test_every_run_is_made_on_request_with_the_same_verdict(tmp_path):
-    file = tmp_path / "block.toml"
-    file.write_text(SCENARIO.replace("samples = 6", "samples = 8"))
-    usual, whole = (
-        json.loads(cli("verify", file, "--json", *flags).stdout) for flags in ((), ("--every-run",))
-    )
-    assert usual["settled_runs"] > 0
-    assert usual.pop("runs") + usual.pop("settled_runs") == whole.pop("runs")
-    assert whole.pop("settled_runs") == 0
-    usual.pop("seconds")
-    whole.pop("seconds")
-    assert usual == whole
-
-
 @pytest.fixture(scope="module")
 def curves(file):
     out = file.parent / "curves"
@@ -159,5 +143,72 @@ def test_curves_are_refused_in_a_sentence(file, tmp_path, arguments, said):
 
 def test_the_folder_of_the_curves_must_be_one(file, tmp_path):
     (tmp_path / "there").write_text("")
-    assert "that is a file" in cli("verify", file, "--curves", tmp_path / "there").stderr
-    assert "must exist" in cli("verify", file, "--curves", tmp_path / "not" / "there").stderr
+    assert "there' is a file" in cli("verify", file, "--curves", tmp_path / "there").stderr
+
+
+PIECE = """
+[furniture]
+preset = "bookcase"
+[room]
+back_wall = { gap = 0.02 }
+[shaking]
+intensity = "6-lower"
+suite = { family = "near-fault", count = 2 }
+[uncertainty]
+samples = 4
+"""
+
+ROOM = """
+[plan]
+width = 3.6
+length = 2.7
+[[furniture]]
+name = "bookcase"
+preset = "bookcase"
+against = "left_wall"
+along = 1.9
+[[places]]
+kind = "bed"
+at = [1.4, 1.9]
+heading = 1.5707963
+[shaking]
+intensity = "6-upper"
+suite = { family = "near-fault", count = 2 }
+[uncertainty]
+samples = 2
+"""
+
+
+def printed(folder: Path, scenario: str, width: int, *flags: str, command: str = "verify") -> str:
+    file = folder / "scenario.toml"
+    file.write_text(scenario, encoding="utf-8")
+    done = cli(command, file, *flags, COLUMNS=str(width))
+    assert done.exit_code == 0, done.output
+    return done.stdout
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_changes_of_a_room_are_a_list_where_their_table_would_break(tmp_path: Path, language: str) -> None:
+    narrow, wide = (printed(tmp_path, ROOM, width, "--lang", language) for width in (80, 200))
+    heading = say("rooms.hit_less", language)
+    assert narrow.count(f"{heading} ") == 3  # beside each value
+    assert wide.count(heading) == 1
+    assert all(cell_len(line) <= 80 for line in narrow.splitlines())
+    assert len({line for line in narrow.splitlines() if line.startswith(("Move", "「", "ベッドを"))}) == 3
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_ranking_that_is_too_wide_leaves_out_its_capacities(tmp_path: Path, language: str) -> None:
+    narrow, wide = (printed(tmp_path, PIECE, width, "--lang", language).splitlines() for width in (60, 100))
+    (told, *_) = (line for line in wide if "I50" in line)
+    assert told.rstrip().endswith("I50")
+    table = narrow[: next(n for n, line in enumerate(narrow) if line.startswith("–"))]
+    table = [line for line in table if line[:1] in "123456789 "]
+    assert any("I50" in line for line in table) == (language == "ja")  # which is narrower
+    assert all(cell_len(line) <= 60 for line in table)
+
+
+def test_simulate_names_the_stated_shaking(tmp_path: Path) -> None:
+    assert "peak ground velocity 50 cm/s = 0.5 m/s" in printed(
+        tmp_path, PIECE, 200, "--set", "shaking.pgv=0.5", command="simulate"
+    )

@@ -45,11 +45,6 @@ def test_a_killed_worker_loses_nothing(client, expected):
     assert found.identical(expected)
 
 
-def test_an_error_on_the_cluster_comes_back(client):
-    with pytest.raises(sp.InputError, match="Body width"):
-        sp.sweep(CASE, {"body.width": [0.3, -1.0]}, executor=client.get_executor())
-
-
 def test_a_lost_scheduler_is_told(client):
     from dask.distributed import Client
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
-from stayput.cli import app
 from stayput.errors import InputError
 from stayput.files import check_target, draft, folder_draft
 
@@ -51,7 +50,7 @@ def test_a_name_that_is_too_long_is_refused_in_a_sentence(
     (tmp_path / "s.toml").write_text(SCENARIO, encoding="utf-8")
     (tmp_path / "t.csv").write_text("id,width,height,mass\n1,0.3,1.8,60\n", encoding="utf-8")
     before = set(tmp_path.iterdir())
-    done = CliRunner().invoke(app, command.format(name=name).split())
+    done = cli(*command.format(name=name).split())
     assert done.exit_code == 2, done.exception
     assert "too long" in done.stderr
     assert len(done.stderr.splitlines()) == 1

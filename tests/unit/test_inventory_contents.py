@@ -6,12 +6,10 @@ import csv
 import json
 
 import pytest
-import typer
+from commands import cli
 from inventories import city, digests, rows_of_results, table, verified
-from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.cli.assess import assess as command
 from stayput.inventory import assess
 from stayput.inventory.items import contents_of
 from stayput.inventory.store import piece_of, piece_spec
@@ -82,12 +80,10 @@ def test_summary_report_and_command_tell_the_mean_over_what_has_contents(small, 
     page = (small.folder / "report.html").read_text(encoding="utf-8")
     assert "Of what is inside 3 pieces" in page
     assert "Contents out with it" in page
-    app = typer.Typer()
-    app.command()(command)
-    where = table(tmp_path, ROWS, HEADER), city(tmp_path)
-    arguments = [str(where[0]), "--scenario", str(where[1]), "--out", str(tmp_path / "out")]
-    assert "Of what is inside 3 pieces" in CliRunner().invoke(app, arguments).output
-    told = json.loads(CliRunner().invoke(app, [*arguments, "--json"]).output)
+    inventory, scenario = table(tmp_path, ROWS, HEADER), city(tmp_path)
+    line = "assess", inventory, "--scenario", scenario, "--out", tmp_path / "out"
+    assert "Of what is inside 3 pieces" in cli(*line).stdout
+    told = json.loads(cli(*line, "--json").stdout)
     assert told["events"]["city"]["contents_out_share"] == total.share_out
 
 

@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import replace
 
 import numpy as np
-import pyarrow.parquet as pq
 import pytest
-import typer
 from inventories import CITY, city, rows_of_results, table
-from typer.testing import CliRunner
 
-from stayput.cli.assess import assess as command
 from stayput.fragility import difference
 from stayput.inventory import assess
 from stayput.inventory.report import UNTOLD
@@ -54,15 +49,6 @@ def row_of(records, not_possible=()):
     """What `finding_of` reads of a row whose options have these records."""
     options = [str(place) for place in range(len(records))]
     return numbers_of(records[0]) | {"options": options, "not_possible": not_possible}
-
-
-@pytest.mark.parametrize(
-    ("not_possible", "finding"), [((), Finding.NONE_COMPARED), (("pole",), Finding.NONE_POSSIBLE)]
-)
-def test_no_set_that_is_compared_is_no_set_that_does_not_help(not_possible, finding):
-    for share, found in ((0.5, finding), (0.0, Finding.TOO_FEW_RUNS)):
-        records = chances([share, 0, 0, 0], motions=40)
-        assert finding_of(row_of(records, not_possible), choose(records, [0], None, None)) == found
 
 
 @pytest.mark.parametrize(
@@ -160,23 +146,6 @@ def test_a_measure_is_best_only_where_it_helps(without, held, best):
     named = dict(zip(("overturned", "slid", "hit_wall", "device_failed"), range(4), strict=True))
     rows = [[row[named[event]] for event in EVENTS] for row in (without, held)]
     assert choose(chances(*rows), [0, 1], None, None).best == best
-
-
-def test_where_no_measure_helps_results_summary_report_and_screen_say_so(tmp_path):
-    scenario = city(tmp_path, CITY.replace("6.0", "7.0"))
-    file = table(tmp_path, ["a,0.2,1.8,80,wedge", "b,0.3,1.8,80,wedge"], "id,width,height,mass,measures")
-    app = typer.Typer()
-    app.command()(command)
-    arguments = [str(file), "--scenario", str(scenario), "--out", str(tmp_path / "out")]
-    told = CliRunner().invoke(app, arguments)
-    assert "For 2 pieces none of the compared measures is seen to help." in told.output
-    rows = pq.read_table(tmp_path / "out" / "pieces").to_pylist()
-    assert [row["overturned"] for row in rows] == [1.0, 1.0]
-    assert [row["best"] for row in rows] == ["none", "none"]
-    assert pq.read_table(tmp_path / "out" / "summary.parquet")["pieces_helped"].to_pylist() == [0]
-    page = (tmp_path / "out" / "report.html").read_text()
-    assert "For 2 pieces none of the compared measures is seen to help." in page
-    assert len(re.findall(r"<td[^>]*>none seen to help</td><td></td>", page)) == 2
 
 
 @pytest.mark.parametrize(

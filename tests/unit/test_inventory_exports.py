@@ -6,6 +6,7 @@ import csv
 import json
 
 import pytest
+from commands import cli
 from inventories import city, rows_of_results, table
 
 import stayput as sp
@@ -50,11 +51,11 @@ def test_an_export_may_follow(tmp_path):
     assert not list((done.folder / "work" / "drafts").iterdir())
 
 
-def test_a_map_needs_coordinates(tmp_path):
+def test_that_a_map_has_no_points_is_said(tmp_path):
     file = table(tmp_path, ["a,chest"], "id,preset")
-    with pytest.raises(sp.InputError, match="No piece has lat and lon, which geojson must have"):
-        assess(file, city(tmp_path), tmp_path / "out", export="csv,geojson", progress=False)
-    assert (assess(file, city(tmp_path), tmp_path / "out", export="csv", progress=False)).facts["pieces"] == 1
+    line = "assess", file, "--scenario", city(tmp_path), "--out", tmp_path / "out", "--export"
+    assert "Without coordinates: 1 piece; on a map they have no point." in cli(*line, "geojson").stdout
+    assert "Without coordinates" not in cli(*line, "csv").stdout
 
 
 def test_other_formats_are_refused(tmp_path):

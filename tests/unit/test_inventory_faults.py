@@ -149,27 +149,6 @@ def test_a_full_disk_is_said_and_gone_on_from(inputs, expected, small_parts, tmp
     check(tmp_path / "out", expected)
 
 
-def mounted(folder: Path, size: str) -> bool:
-    folder.mkdir()
-    told = os.system(f"mount -t tmpfs -o size={size} tmpfs {folder} 2>/dev/null")
-    return told == 0
-
-
-@pytest.mark.parametrize("size", ["192k", *long("128k", "256k")])
-def test_a_disk_that_is_really_full(inputs, expected, small_parts, tmp_path, size):
-    disk = tmp_path / "disk"
-    if not mounted(disk, size):
-        pytest.skip("a small file system cannot be mounted here")
-    try:
-        with pytest.raises(sp.InputError, match=r"no space left|full"):
-            assess(*inputs, disk / "out", progress=False)
-        os.system(f"mount -o remount,size=64m {disk}")
-        assess(*inputs, disk / "out", progress=False)
-        check(disk / "out", expected)
-    finally:
-        os.system(f"umount --lazy {disk}")
-
-
 def _cut(path: Path) -> None:
     path.write_bytes(path.read_bytes()[:-100])
 

@@ -6,10 +6,9 @@ import json
 import re
 
 import pytest
+from commands import cli
 from inventories import CITY, city, rows_of_results, table
-from typer.testing import CliRunner
 
-from stayput.cli import app
 from stayput.inventory import assess
 from stayput.inventory.words import measures_named
 
@@ -39,11 +38,10 @@ def done(tmp_path_factory):
 def said(done, language):
     """What the command prints for the results, which are complete."""
     folder = done.folder.parent
-    inventory, scenario = folder / "inventory.csv", folder / "city.toml"
-    line = ["assess", str(inventory), "--scenario", str(scenario), "--out", str(done.folder)]
-    result = CliRunner().invoke(app, [*line, "--lang", language, "--quiet"])
+    line = "assess", folder / "inventory.csv", "--scenario", folder / "city.toml", "--out", done.folder
+    result = cli(*line, "--lang", language, "--quiet")
     assert result.exit_code == 0, result.output
-    return result.stdout, CliRunner().invoke(app, [*line, "--json"]).stdout
+    return result.stdout, cli(*line, "--json").stdout
 
 
 def test_every_row_is_counted(done):

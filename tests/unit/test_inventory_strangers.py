@@ -159,11 +159,11 @@ def test_killed_at_any_file_it_goes_on_and_leaves_others_alone(finished, tmp_pat
 
 
 @pytest.mark.parametrize("content", ["", "[]", "[" * 100_000, "\x00\xff", '{"inputs": 3}'])
-def test_a_damaged_manifest_is_named(done, content):
+def test_a_damaged_manifest_is_that_of_somebody_else(done, content):
     inputs, out = done
     (out / "manifest.json").write_text(content, encoding="latin-1")
     before = everything(out)
-    with pytest.raises(sp.InputError, match=r"a manifest\.json that is damaged"):
+    with pytest.raises(sp.InputError, match=r"holds 'manifest\.json' and no assessment"):
         assess(*inputs, out, progress=False)
     assert everything(out) == before
 

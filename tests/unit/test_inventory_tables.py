@@ -29,7 +29,7 @@ def row(**cells):
 
 # ruff: noqa: E501 - a case a line
 REJECTED = {
-    "unit in a cell": (row(id="x", width="40 ken", height="1", mass="1"), "width is '40 ken'; it must be a plain number in m, without its unit"),
+    "unit in a cell": (row(id="x", width="40 ken", height="1", mass="1"), "width is '40 ken'; it must be a plain number in m."),
     "negative size": (row(id="x", width="-0.4", height="1", mass="1"), "width is -0.4 m; it must be between 0.01 and 10 m"),
     "infinity": (row(id="x", width="1e999", height="1", mass="1"), "width is inf"),
     "formula": (row(id="x", width="=1+1", height="1", mass="1"), "width is a formula"),
@@ -37,12 +37,12 @@ REJECTED = {
     "no such preset": (row(id="x", preset="wardrob"), "did you mean 'wardrobe'"),
     "friction": (row(id="x", preset="chest", floor="0.3;0.4"), "kinetic friction is 0.4"),
     "no such building": (row(id="x", preset="chest", building="tower", storey="1"), "building is 'tower'"),
-    "no storey of a name": (row(id="x", preset="chest", building="office", storey="PH1"), "storey is 'PH1'; it must be a number, 1 on the ground, or such as 3F, M2F, B1 or RF"),
-    "storey of nought": (row(id="x", preset="chest", building="office", storey="0"), "storey is 0; it must be 1 to 5, the roof, or a basement from B1 to B9"),
+    "no storey of a name": (row(id="x", preset="chest", building="office", storey="PH1"), "storey is 'PH1'; it must be 1 (on the ground) to 5 (the roof), or such as 3F, M2F, B1 to B9 or RF"),
+    "storey of nought": (row(id="x", preset="chest", building="office", storey="0"), "storey is '0'; it must be 1"),
     "decimal comma between commas": (row(id="x", width='"0,4"', height="1", mass="1"), "a comma is a decimal one where semicolons stand between the columns"),
     "no storey": (row(id="x", preset="chest", building="office"), "storey is missing"),
     "no building": (row(id="x", preset="chest", storey="2"), "building is missing"),
-    "no such measure": (row(id="x", preset="chest", measures="glue"), "measures has 'glue'"),
+    "no such measure": (row(id="x", preset="chest", measures="glue"), "measures is 'glue'; it must be one of"),
     "measure twice": (row(id="x", preset="chest", measures="wedge;wedge"), "twice"),
     "measures for one place": (row(id="x", preset="chest", measures="wedge_stopper+gel_mats"), "only one of them"),
     "taller than the room": (row(id="x", width="1", height="2.5", mass="9"), "inside the ceiling"),
@@ -52,7 +52,7 @@ REJECTED = {
     "more cells": (GOOD.replace("good", "x") + ",1", "14 cells"),
     "fewer cells": ("x,chest", "2 cells"),
     "a million characters": (row(id="x", preset="c" * 10**6), "preset has 1000000 characters"),
-    "several lines": (row(id="x", preset='"chest\nchest"'), "several lines"),
+    "several lines": (row(id="x", preset='"chest\nchest"'), "a line break"),
     "stray quote": ('x,"chest"z,,,,,,,,,,,', "cannot be read"),
     "invisible character": (row(id="x\u200b", preset="chest"), "an invisible one"),
     "control character": (row(id="x\x07", preset="chest"), "control character"),
@@ -74,12 +74,10 @@ def test_a_bad_row_is_rejected_with_its_reason(tmp_path, name):
 
 REFUSED = {
     "no header": ("p1,chest\n", "No heading of the first row is known"),
-    "bars": ("id|preset\np|chest\n", "semicolons or tabs must be between"),
     "unit that is none of a size": ("id,preset,Mass (cm)\np,chest,40\n", "no unit that is known for it"),
-    "endless cell": ("id,preset\np," + "c" * (2**24 + 1) + "\n", "goes beyond 16,777,216 characters"),
+    "endless cell": ("id,preset\np," + "c" * (2**24 + 1) + "\n", "within 16,777,216 characters"),
     "misspelt": ("id,presett\np,chest\n", "did you mean 'preset'"),
     "column twice": ("id,preset,preset\np,chest,chest\n", "there twice"),
-    "too many columns": (",".join(["id", *(f"c{n}" for n in range(300))]) + "\n", "301 columns"),
     "empty": ("", "it is empty"),
     "only a header": ("id,preset\n", "a row below its header"),
     "open quote": ('id,preset\np,"chest\nq,chest\n', "row 2 of the inventory .line 2. a quote opens"),
@@ -93,13 +91,6 @@ def test_a_bad_table_is_refused_whole(tmp_path, name):
     file.write_text(content)
     with pytest.raises(sp.InputError, match=reason):
         plan(tmp_path, file)
-
-
-def test_empty_rows_are_counted(tmp_path):
-    facts, rejects = plan(tmp_path, table(tmp_path, [GOOD, ",,,,,,,,,,,,", "", row(id="b", preset="chest")]))
-    assert facts["empty rows"] == 2
-    assert facts["pieces"] == 2
-    assert not rejects
 
 
 def excel(folder, rows):
@@ -169,9 +160,3 @@ def test_a_broken_page_of_parquet_is_refused(tmp_path):
     file.write_bytes(content)
     with pytest.raises(sp.InputError, match=r"could not be read|is broken"):
         plan(tmp_path, file)
-
-
-def test_rejects_cannot_be_taken_for_formulas(tmp_path):
-    bad = row(id="@SUM(1)", preset="nothing")
-    done = assess(table(tmp_path, [GOOD, bad]), city(tmp_path), tmp_path / "out", progress=False)
-    assert ",'@SUM(1)," in (done.folder / "rejects.csv").read_text()

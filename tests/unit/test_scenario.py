@@ -195,10 +195,6 @@ def test_a_record_stands_beside_its_scenario(tmp_path, monkeypatch):
     assert both.z[4] == pytest.approx(0.08)
 
 
-def test_vertical_can_be_left_out():
-    assert Scenario.parse({**LEAST, "shaking": {"vertical": False}}).case().motion.z is None
-
-
 @pytest.mark.parametrize(
     ("content", "message"),
     [

@@ -4,10 +4,9 @@ import json
 import re
 
 import pytest
-from typer.testing import CliRunner
+from commands import cli
 
 import stayput as sp
-from stayput.cli import app
 from stayput.measures import MEASURES, GelMats, LBracket, TensionPole, WedgeStopper, parameters
 from stayput.scenario import Scenario, read_scenario
 
@@ -58,13 +57,6 @@ def test_what_the_file_says_arrives(file):
     assert (told.samples, told.seed, told.precision) == (100, 7, 0.05)
     assert scenario.case().measures == ()
     assert scenario.case(scenario.measures[1].measures).measures == scenario.measures[1].measures
-
-
-def test_without_a_word_there_are_no_measures():
-    scenario = Scenario.parse(LEAST)
-    assert scenario.measures == ()
-    told = scenario.uncertainty
-    assert (told.samples, told.seed, told.precision) == (400, 1, None)
 
 
 @pytest.mark.parametrize("kind", MEASURES)
@@ -130,13 +122,6 @@ def test_a_wrong_measure_is_refused_in_one_sentence(measure, message):
     assert "\n" not in str(refused.value)
 
 
-def test_two_measures_of_one_name_are_refused():
-    with pytest.raises(
-        sp.InputError, match=r"^measures\[1\].name is 'belt'; it must not be that of measures\[0\].$"
-    ):
-        parsed({"type": "belt"}, {"type": "belt", "slack": 0.0})
-
-
 @pytest.mark.parametrize("kind", MEASURES)
 def test_every_parameter_that_is_wrong_is_named(kind):
     for about in parameters(MEASURES[kind]):
@@ -160,7 +145,7 @@ def test_the_schema_has_every_measure_with_its_parameters_and_their_units():
 
 def test_a_measure_on_the_command_line_is_a_name_of_the_file_or_a_type(file):
     def run(*flags):
-        done = CliRunner().invoke(app, ["simulate", str(file), "--json", *flags])
+        done = cli("simulate", file, "--json", *flags)
         assert done.exit_code == 0, done.output
         return json.loads(done.output)
 

@@ -7,10 +7,9 @@ from typing import Any
 
 import pytest
 import tomli_w
-from typer.testing import CliRunner
+from commands import cli
 
 import stayput as sp
-from stayput.cli import app
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BOX = {"width": 0.4, "length": 0.6, "height": 0.5, "mass": 20.0}
@@ -43,7 +42,7 @@ def written(folder: Path, data: dict[str, Any]) -> Path:
 
 
 def printed(file: Path, *flags: str, command: str = "simulate") -> str:
-    found = CliRunner().invoke(app, [command, str(file), *flags])
+    found = cli(command, file, *flags)
     assert found.exit_code == 2, found.output
     return found.stderr
 
@@ -70,6 +69,15 @@ def printed(file: Path, *flags: str, command: str = "simulate") -> str:
             {"furniture": [{"name": "stone", "mesh": "stone.stl", "unit": "furlong", "mass": 5.0}]},
             "In [furniture[0]]: The unit is 'furlong'; it must be one of",
         ),
+        (piece(2, width=0.1), "The piece 'vase' needs one shape"),
+        (
+            {"furniture": [{"name": "box", "width": 0.4, "length": 0.4, "height": 0.4}]},
+            "furniture[0].mass is missing",
+        ),
+        (piece(0, on="shelf"), "furniture[0].on is 'shelf', which names no piece above it"),
+        (piece(1, name="chest"), "furniture[1].name is 'chest'"),
+        ({"joints": 1}, "joints is 1; it must be a list"),
+        (joint(second="door"), "joints[0].second is 'door'"),
         (joint(slack=0.1), "In [joints[0]]: A joint at one point has a slack of 0.1 m"),
         (joint(second="chest"), "In [joints[0]]: A joint joins 'chest' to itself"),
         (joint(at=[0.0, 0.0, 9.0]), "joints[0] holds 'chest' at a point 8.75 m from its centre of gravity"),
@@ -127,5 +135,5 @@ def test_a_file_of_several_pieces_names_what_reads_it(file: str, told: str, tmp_
     path = EXAMPLES / file
     with pytest.raises(sp.InputError, match=told):
         sp.read_scenario(path)
-    done = CliRunner().invoke(app, ["verify", str(path), "--curves", str(tmp_path / "out")])
+    done = cli("verify", path, "--curves", tmp_path / "out")
     assert done.stderr.startswith("--curves is of one piece")

@@ -16,12 +16,6 @@ def refused(keys, message, folder="."):
         Scenario.parse({"furniture": {"preset": "bookcase"}, "shaking": keys}).case()
 
 
-def test_nothing_said_is_the_near_fault_motion(tmp_path):
-    table = shaking(tmp_path)
-    assert table.motion(tmp_path) == sp.near_fault()
-    assert list(table.motions(tmp_path)) == [sp.near_fault()]
-
-
 def test_an_intensity_alone_is_the_built_in_suite(tmp_path):
     table = shaking(tmp_path, intensity="6-lower")
     suite = table.motions(tmp_path)

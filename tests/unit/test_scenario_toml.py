@@ -38,9 +38,9 @@ def refusal(tmp_path):
         ("a = " + "9" * 5000, "it must fit in 64 bits"),
         ("[furniture]\nwidth = 0x" + "f" * 20_000, "it must fit in 64 bits"),
         (f"a = {2**63}", "it must fit in 64 bits"),
-        (".".join("a" * 20_000) + " = 1", "has 20000 parts; it must have at most 8"),
-        (" . ".join(['"a.b"'] * 9) + " = 1", "has 9 parts; it must have at most 8"),
-        ("[" + ".".join("a" * 20_000) + "]", "has 20000 parts; it must have at most 8"),
+        (".".join("a" * 20_000) + " = 1", "have 19998 parts beyond two each; they must have at most 300"),
+        (" . ".join(['"a.b"'] * 303) + " = 1", "have 301 parts beyond two each"),
+        ("[" + ".".join("a" * 20_000) + "]", "have 19998 parts beyond two each; they must have at most 300"),
         ("\n".join(f"a{i}.b.c.d = 1" for i in range(600)), "have 1200 parts beyond two each"),
         ("# " + "x" * (1 << 20), "it may have 1048576 bytes at most"),
         (WELL + "a" * 40_000 + " = 1", "aaa… is unknown"),
@@ -54,6 +54,10 @@ def refusal(tmp_path):
 )
 def test_a_file_that_is_refused(refusal, text, message):
     assert message in refusal(text)
+
+
+def test_the_longest_key_that_is_read_is_refused_as_any_that_is_not_known(refusal):
+    assert "a is unknown" in refusal(WELL.replace("[furniture]", ".".join("a" * 302) + " = 1\n[furniture]"))
 
 
 def test_a_dotted_key_of_40_kb_takes_little_memory(refusal):

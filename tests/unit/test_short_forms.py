@@ -59,16 +59,11 @@ def test_a_curve_shows_its_measure_and_capacity():
 
 SHORT: tuple[tuple[Any, str], ...] = (
     (sp.Building(12, "steel"), "Building(storeys=12, structure='steel')"),
-    (sp.Building(), "Building(storeys=10)"),
     (sp.Building().model, "ShearModel('10-storey RC building', 10 masses, T1 = 0.6 s)"),
     (sp.japanese_design(), "TargetSpectrum('"),
     (sp.near_fault().spectrum(), "ResponseSpectrum(100 periods"),
     (sp.Uncertainty({"friction": sp.Lognormal(1.0, 0.3)}), "Uncertainty(friction)"),
     (sp.Trials.from_counts(PGA, [2.0, 4.0], [1, 3], [4, 4]), "Trials(PGA, 2 cells, 4 of 8 fell)"),
-    (
-        sp.Scenario.parse({"furniture": {"preset": "chest"}}),
-        "Scenario(furniture=FurnitureTable(preset='chest'))",
-    ),
 )
 
 

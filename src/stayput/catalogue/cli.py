@@ -171,13 +171,5 @@ TEXTS: dict[str, tuple[str, str]] = {
             "japan[:LEVEL[,SOIL]]、asce7:SDS,SD1[,TL]、または存在するファイルを指定してください。"
         ),
     ),
-    "folder_is_file": (
-        "The folder is {folder}; it must be a folder, and that is a file.",
-        "{folder}はファイルです。フォルダーを指定してください。",
-    ),
-    "no_parent": (
-        "The folder is {folder}; the folder that it is in must exist.",
-        "フォルダー{folder}の親フォルダーがありません。先に作成してください。",
-    ),
 }
 """Texts by their keys: English, Japanese."""

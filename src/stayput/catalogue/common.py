@@ -32,6 +32,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}{hint}; it must be one of {known}.",
         "{name}が{value}になっています{hint}。次のいずれかにしてください：{known}",
     ),
+    "folder_is_file": (
+        "The folder is {folder}; it must be a folder, and {path} is a file.",
+        "{folder}はフォルダーにしてください。{path}はファイルです。",
+    ),
     "not_allowed": (
         "{name} is {value}{hint}; it must be {allowed}.",
         "{name}が{value}になっています{hint}。{allowed}を指定してください。",

@@ -16,10 +16,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {file} is {path}; it must be a file.",
         "{file}が{path}になっています。ファイルを指定してください。",
     ),
-    "a_data_frame": (
-        "inventory is a {kind}; it must be a file: write it with to_parquet or to_csv first, and give that file.",
-        "inventoryが{kind}になっています。先にto_parquetまたはto_csvでファイルに書き、そのファイルを指定してください。",
-    ),
     "changed": (
         "The {file} {path} was changed while it was read; give the command again.",
         "{file}（{path}）が読み込み中に変更されました。コマンドをもう一度実行してください。",
@@ -46,10 +42,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "家具一覧（{path}）の文字コードは、UTF-8、cp932（Shift_JIS）、BOM付きUTF-16のいずれかにしてください（Excelでは「CSV UTF-8」）。",
     ),
     "first_row": (
-        "The inventory is {path}; its first row must name the columns: {reason}.",
-        "家具一覧（{path}）の1行目に列名がありません：{reason}。",
+        "The first row of the inventory must name the columns: {reason}.",
+        "家具一覧の1行目に列名がありません：{reason}。",
     ),
-    "is_empty": ("it is empty", "ファイルが空です"),
+    "is_empty": ("it is empty", "空です"),
     "no_rows": (
         "The inventory is {path}; it must have a row below its header.",
         "家具一覧（{path}）に見出しの行しかありません。家具の行が必要です。",
@@ -58,21 +54,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The inventory is {path}; it must be a file of {kind}.",
         "家具一覧（{path}）は{kind}のファイルではありません。",
     ),
-    "workbook_too_large": (
-        "The inventory is {path}; unpacked it must be below 8 GiB.",
-        "家具一覧（{path}）が大きすぎます。展開後の大きさを8 GiB未満にしてください。",
-    ),
-    "workbook_texts": (
-        "The workbook has more than {size:.0f} MiB of texts; give more memory, or CSV or Parquet.",
-        "ブックの文字列が{size:.0f} MiBを超えています。メモリの指定を増やすか、CSVまたはParquetにしてください。",
-    ),
     "open_quote": (
-        "In row {row} of the inventory (line {line}) a quote opens that does not close; it must close.",
-        "家具一覧の{row}行目（ファイルの{line}行目）で始まる引用符が閉じられていません。",
-    ),
-    "long_cell": (
-        "In row {row} (line {line}) a cell goes beyond {most:,} characters; is a quote not closed?",
-        "家具一覧の{row}行目（ファイルの{line}行目）のセルが{most:,}文字を超えています。引用符の閉じ忘れがないか確かめてください。",
+        (
+            "In row {row} of the inventory (line {line}) a quote opens that does not close; "
+            "it must close within {most:,} characters."
+        ),
+        "家具一覧の{row}行目（ファイルの{line}行目）で始まる引用符が、{most:,}文字以内に閉じられていません。",
     ),
     "bad_row": ("The row cannot be read: {reason}.", "行を読み込めません：{reason}。"),
     # header
@@ -84,77 +71,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Cell {cell} is {value}, in a column without a name.",
         "{cell}番目のセルに{value}とありますが、その列に名前がありません。",
     ),
-    "too_many_columns": (
-        "The table has {columns} columns; it must have at most {most}.",
-        "表に{columns}列あります。{most}列以下にしてください。",
-    ),
-    "commas": (
-        "The first row is {row}; commas, semicolons or tabs must be between the columns.",
-        "1行目が{row}になっています。列はコンマ、セミコロンまたはタブで区切ってください。",
-    ),
-    "no_names": (
-        "The first row is empty; it must name the columns.",
-        "1行目が空です。1行目に列名を書いてください。",
-    ),
     "nothing": ("nothing", "なし"),
     "column_twice": (
         "The column {name} is there twice; each must be there once.",
         "{name}という列が2つあります。1つにしてください。",
     ),
-    "unknown_column": (
-        "The column {name} is unknown (did you mean {near}? It holds: {holds}); the columns are {columns}.",
-        "{name}という列はありません（{near}の間違いではありませんか。内容：{holds}）。使える列：{columns}。",
-    ),
-    "column_id": ("what the piece is called; every row its own", "家具の識別名（行ごとに異なるもの）"),
-    "column_name": (
-        "what the piece is; a preset, where it is the name of one and preset says nothing",
-        "家具の名前（presetがなく、一般的な家具の種類の名前であればその種類）",
-    ),
-    "column_preset": ("a common piece of furniture", "一般的な家具の種類"),
-    "column_width": ("size along the shaking [m]", "揺れの方向の寸法 [m]"),
-    "column_height": ("height [m]", "高さ [m]"),
-    "column_mass": (
-        "mass; with a load, that of the empty piece [kg]",
-        "質量（積載物があるときは空の質量） [kg]",
-    ),
-    "column_cg_offset": (
-        "centre of gravity right of and above the centroid, as right;up [m]",
-        "図心に対する重心の位置（右;上） [m]",
-    ),
-    "column_load": (
-        "load, spread evenly, or of each shelf from the lowest up, as 10;10;5 [kg]",
-        "積載物の質量（等分布、または下の棚から順に10;10;5のように） [kg]",
-    ),
-    "column_contents": (
-        "what is inside, as books or dishes: how much of it comes out is computed; none for nothing",
-        "収納物（books、dishesなど）：飛び出す割合を計算（なしはnone）",
-    ),
-    "column_doors": ("doors before the contents, as hinged", "収納物の前の扉（hingedなど）"),
-    "column_drawers": ("drawers with the contents, as stops", "収納物の入った引き出し（stopsなど）"),
-    "column_lip": ("height of a lip along the shelves' front edge [m]", "棚の前縁の高さ [m]"),
-    "column_floor": ("a surface, or static;kinetic friction", "床材、または静止;動摩擦係数"),
-    "column_gap": ("distance to the wall behind [m]", "背後の壁とのすき間 [m]"),
-    "column_wall": (
-        "what the wall behind offers to fix things to: stud, plasterboard, concrete, hanging strip",
-        "背後の壁の下地：stud、plasterboard、concrete、hanging stripのいずれか",
-    ),
-    "column_building": (
-        "a building of the scenario, or storeys and structure such as 10 RC",
-        "シナリオにある建物、または「10 RC」のように階数と構造",
-    ),
-    "column_storey": ("storey, 1 on the ground; B1, RF", "階（1階が1、地下はB1、屋上はRF）"),
-    "column_measures": (
-        "what to compare, as gel_mats;tension_pole+wedge_stopper",
-        "比較する対策（gel_mats;tension_pole+wedge_stopperのように）",
-    ),
-    "column_costs": (
-        "cost of each of these measures for one piece, in the currency of value",
-        "各対策の家具1点あたりの費用（valueと同じ通貨）",
-    ),
-    "column_count": ("how many such pieces stand there", "同じ家具の数"),
-    "column_value": ("loss if one such piece overturns", "1点が転倒したときの損失額"),
-    "column_lat": ("latitude [°]", "緯度 [°]"),
-    "column_lon": ("longitude [°]", "経度 [°]"),
     # cells
     "unusable": (
         "{name} is {what}; it must be a plain text or number.",
@@ -166,8 +87,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "cell_other": ("neither text nor number", "文字列でも数値でもない値"),
     "cell_error": ("an error of the spreadsheet ({error})", "表計算ソフトのエラー値（{error}）"),
     "merged_cells": (
-        "Cells {cells} of the sheet are merged over several rows; they must be split, each row with its own.",
-        "シートのセル{cells}が複数行にわたって結合されています。結合を解除して、各行に値を入れてください。",
+        "Cells {cells} of the sheet are merged over several rows; each row must have its own, the headings one row.",
+        "シートのセル{cells}が複数行にわたって結合されています。結合を解除して各行に値を入れ、見出しは1行にしてください。",
     ),
     "total_row": (
         "{name} is {value}: the row is a total, and no piece.",
@@ -178,13 +99,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} has {count} characters; it must have at most {most}.",
         "{name}が{count}文字あります。{most}文字以下にしてください。",
     ),
-    "several_lines": (
-        "{name} goes over several lines; it must be one line (is a quote missing?).",
-        "{name}が複数行になっています。1行にしてください（引用符の抜けはありませんか）。",
-    ),
     "control_character": (
-        "{name} has a control character or an invisible one; it must be plain text.",
-        "{name}に制御文字または目に見えない文字があります。普通の文字だけにしてください。",
+        "{name} has a control character, a line break or an invisible one; it must be one line of plain text.",
+        "{name}に制御文字、改行または目に見えない文字があります。1行の普通の文字だけにしてください。",
     ),
     "not_plain_number": (
         "{name} is {value}; it must be a plain number{unit}{hint}.",
@@ -203,7 +120,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "（小数点のコンマは、列をセミコロンで区切った表だけで使えます）",
     ),
     "in_unit": (" in {unit}", "（単位は{unit}）"),
-    "without_unit": (", without its unit", "（単位は書きません）"),
     "too_many_parts": (
         "{name} has {count} parts; it must have at most {most}.",
         "{name}が{count}個に分かれています。{most}個以下にしてください。",
@@ -217,14 +133,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {id}, which is that of row {row}; every row must have its own.",
         "{name}の{id}は{row}行目と同じです。行ごとに異なるものにしてください。",
     ),
-    "wall": ("wall", "wall"),
     "missing_beside": (
-        "{name} is missing; it must be given where {other} is.",
+        "{name} is missing; {other} needs it.",
         "{name}がありません。{other}を指定するときは必要です。",
-    ),
-    "missing_in_both": (
-        "{name} is missing; {other} needs it where the scenario has none.",
-        "{name}がありません。シナリオにないとき、{other}には必要です。",
     ),
     "place_missing": (
         "{name} is missing; it must be given where there are stations or a shake map.",
@@ -238,27 +149,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is missing; a storey needs it: in a column building, or under [shaking] of the scenario.",
         "{name}がありません。階を指定するときは、列「建物」か、シナリオの[shaking]のbuildingとstoreyに書いてください。",
     ),
-    "storey_range": (
-        "{name} is {storey}; it must be 1 to {highest}, the roof, or a basement from B1 to B{deepest}.",
-        "{name}が{storey}になっています。1～{highest}（屋上）か、B1～B{deepest}（地下）にしてください。",
-    ),
     "storey": (
-        "{name} is {value}; it must be a number, 1 on the ground, or such as 3F, M2F, B1 or RF.",
-        "{name}が{value}になっています。数値（1階が1）か、3F、3階、中2階、B1、屋上のように書いてください。",
+        "{name} is {value}; it must be 1 (on the ground) to {highest} (the roof), or such as 3F, M2F, B1 to B{deepest} or RF.",
+        "{name}が{value}になっています。1（1階）～{highest}（屋上）か、3F、3階、中2階、B1～B{deepest}、屋上のように書いてください。",
     ),
     "unknown_building": (
-        "{name} is {value}; it must be {known}, or storeys and structure such as 10 RC.",
-        "{name}が{value}になっています。{known}、または「10 RC」のような階数と構造にしてください。",
+        "{name} is {value}; it must be one of the scenario's ({known}), or storeys and structure such as 10 RC.",
+        "{name}が{value}になっています。シナリオにある建物（{known}）、または「10 RC」のような階数と構造にしてください。",
     ),
-    "one_of_the_scenario": ("one of the scenario's ({names})", "シナリオにある建物（{names}）"),
-    "one_that_is_named": ("one that the scenario names", "シナリオにある建物"),
     "floor": (
         "{name} is {value}; it must be a surface, or static;kinetic friction.",
         "{name}が{value}になっています。床材、または静止;動摩擦係数にしてください。",
-    ),
-    "unknown_measure": (
-        "{name} has {value}; each must be one of {known}.",
-        "{name}に{value}があります。次のいずれかにしてください：{known}。",
     ),
     "measure_twice": (
         "{name} has {value} twice; each must be there once.",
@@ -305,8 +206,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地震動マップの{row}行目の位置（{lat:g}°、{lon:g}°）は{before}行目と同じです。1回だけにしてください。",
     ),
     "map_not_csv": (
-        "The shake map is {path}; it must be CSV, a text in UTF-8.",
-        "地震動マップ（{path}）がUTF-8のCSVファイルではありません。",
+        "The shake map is {path}; it must be CSV, a text in UTF-8, or ShakeMap's grid.xml, neither compressed.",
+        "地震動マップ（{path}）は、圧縮されていないCSV（UTF-8）かShakeMapのgrid.xmlにしてください。",
     ),
     "map_empty": (
         "The shake map is {path}; it must have at least one place.",
@@ -329,10 +230,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地震動マップの{row}行目のセルは{cells}個です。{columns}個にしてください。",
     ),
     # the folder of the results
-    "folder_is_file": (
-        "The folder is {folder}; it must be a folder, and {path} is a file.",
-        "{folder}はフォルダーにしてください。{path}はファイルです。",
-    ),
     "other_assessment": (
         ("The folder {folder} holds an assessment of another {other}; give the same one, or another folder."),
         "フォルダー{folder}には別の{other}による結果があります。同じものか、別のフォルダーを指定してください。",
@@ -350,10 +247,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "strangers": (
         "The folder {folder} holds {name} and no assessment; it must be empty or new.",
         "フォルダー{folder}に{name}がありますが、評価結果ではありません。空または新しいフォルダーにしてください。",
-    ),
-    "damaged_manifest": (
-        "The folder {folder} holds a {manifest} that is damaged or no assessment's; give another folder.",
-        "フォルダー{folder}の{manifest}が壊れているか、評価結果のものではありません。別のフォルダーを指定してください。",
     ),
     "at_work": (
         "Another command is at work in {folder}; wait until it ends.",

@@ -146,6 +146,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{rows} below the header, read as {how}.",
         "見出しの下の{rows}を、{how}として読み込みました。",
     ),
+    "with_bars": ("{encoding} with bars", "{encoding}（縦棒区切り）"),
     "with_tabs": ("{encoding} with tabs", "{encoding}（タブ区切り）"),
     "with_semicolons": ("{encoding} with semicolons", "{encoding}（セミコロン区切り）"),
     "sheet": ("sheet {name}", "シート{name}"),

@@ -2,7 +2,7 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # the mapping of columns
-    "mapped_column": ("The column of a mapping", "列の対応の列名"),
+    "column_name": ("The column", "列名"),
     "mapping": (
         "The mapping of columns has {value}; it must be such as width=奥行[mm],count=台数,ignore=備考.",
         "列の対応に{value}があります。width=奥行[mm],count=台数,ignore=備考のように書いてください。",
@@ -37,19 +37,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "headings_below": (
-        "The headings seem to stand in row {row} ({found}); the rows above them must be removed.",
-        "見出しが{row}行目（{found}など）にあるようです。その上の行を削除して、見出しを1行目にしてください。",
-    ),
-    "two_rows_of_headings": (
-        "Row {row} has headings too ({found}); they must be one row with whole names, such as Depth (mm).",
-        "{row}行目にも見出し（{found}など）があります。見出しは1行にまとめ、「奥行(mm)」のように列名を全部書いてください。",
-    ),
-    "merged_headings": (
-        "Cells {cells} of the sheet are merged; the headings must be one row, the first, with whole names.",
-        "シートの1行目のセル{cells}が結合されています。見出しは1行目だけにまとめ、列名を全部書いてください。",
+        (
+            "Row {row} has headings ({found}); they must be one row, the first, with whole names such as Depth (mm): "
+            "rows above them must be removed."
+        ),
+        (
+            "{row}行目に見出し（{found}など）があります。その上の行を削除するか1行にまとめ、「奥行(mm)」のように列名を"
+            "全部書いた見出しを1行目にしてください。"
+        ),
     ),
     # what is unclear about columns
-    "doubt_language": ("{header} is not in English or Japanese", "{header}は日本語でも英語でもありません"),
     "unclear": (
         (
             'Not all columns are certain; they look like --columns "{proposal}", which must be checked and '
@@ -87,13 +84,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{header} may be of all pieces of a row, and stayput takes that of one (if it is that: value=…)",
         "{header}は行全体の合計かもしれません（stayputは1点あたりの額を使います。1点の額ならvalue=…）",
     ),
-    "doubt_sizes": (
-        "{header} seems to hold several sizes; each must have its own column",
-        "{header}には複数の寸法が入っているようです。寸法ごとに列を分けてください",
-    ),
     "doubt_size": (
-        "{header} seems to be a size, and it is not certain which (width, height, or ignore)",
-        "{header}は寸法のようですが、どの寸法か分かりません（width、height、またはignore）",
+        "{header} seems to be a size, and it is not certain which (width, height, or ignore; each in its own column)",
+        "{header}は寸法のようですが、どの寸法か分かりません（width、height、またはignore。寸法ごとに1列）",
     ),
     "doubt_floor": (
         "{header} holds storeys, and stayput's floor is the surface",
@@ -104,47 +97,29 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The shake map's file is {path}; it must be a ShakeMap grid (XML): {reason}.",
         "地震動マップのファイル{path}は、ShakeMapのグリッド（XML）として読めません：{reason}。",
     ),
-    "grid_size": (
-        "it has {nlon} by {nlat} places; they must be 2 by 2 at least, and {most:,} at most",
-        "地点が{nlon}×{nlat}個あります。2×2個以上、合計{most:,}個以下にしてください",
-    ),
     "grid_numbers": (
         "its grid_data must hold numbers alone, a line for each place",
         "grid_dataには、地点ごとに1行の数値だけを書いてください",
     ),
-    "grid_whole": (
-        "its {name} is {value}; it must be a whole number of at most 9 digits",
-        "{name}が{value}になっています。9桁以下の整数にしてください",
-    ),
     "grid_kind": (
-        "it must be a shakemap_grid with one grid_specification and the fields LON and LAT, each field once",
-        "grid_specificationを1つと、LONとLATを含む重複しない項目のあるshakemap_gridにしてください",
+        (
+            "it must be a shakemap_grid with a grid_specification, whose nlon and nlat are whole numbers, and the "
+            "fields LON and LAT, each field once with an index"
+        ),
+        (
+            "nlonとnlatが整数のgrid_specificationと、LONとLATを含む重複しない項目（それぞれindexが必要）のある"
+            "shakemap_gridにしてください"
+        ),
     ),
     "grid_count": (
         "it has {count} numbers; it must have {due}",
         "数値が{count}個あります。必要な数は{due}個です",
     ),
     "grid_places": (
-        "its places must be a regular grid of latitudes and longitudes",
-        "地点は、緯度と経度の規則的な格子にしてください",
-    ),
-    "grid_doctype": (
-        "it declares a document type, which may hold anything",
-        "文書型宣言（DOCTYPE）があり、何が含まれるか分かりません",
-    ),
-    "grid_encoding": (
-        "its encoding is not known; it must be saved as UTF-8",
-        "文字コードが分かりません。UTF-8で保存してください",
+        "its places must be a regular grid of latitudes and longitudes, 2 by 2 at least",
+        "地点は、緯度と経度の規則的な格子（2×2以上）にしてください",
     ),
     "grid_broken": ("it is no well-formed XML ({said})", "XMLの形式が正しくありません（{said}）"),
-    "large_map": (
-        "The shake map's file {path} has {size:,} bytes; it must have {most:,} at most.",
-        "地震動マップのファイル{path}は{size:,}バイトあります。最大{most:,}バイトです。",
-    ),
-    "compressed": (
-        "The shake map's file {path} is compressed; unpack it first and give what was in it, such as grid.xml.",
-        "地震動マップのファイル{path}は圧縮されています。先に展開して、中のファイル（grid.xmlなど）を指定してください。",
-    ),
     "map_unit": (
         "The shake map has {column}; its unit must be one of {known}, as in pga[%g].",
         "地震動マップの{column}の単位が分かりません。{known}のいずれかをpga[%g]のように書いてください。",
@@ -188,10 +163,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # exports
     "export": ("The format of an export", "書き出しの形式"),
-    "nowhere": (
-        "No piece has lat and lon, which {formats} must have; csv needs none.",
-        "緯度・経度のある家具がないため、{formats}には書き出せません。csvには要りません。",
-    ),
     # cells
     "column": ("Column {header}", "列{header}"),
 }

@@ -108,10 +108,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "furniture.mass is missing; where shelves are given it must be the empty carcass's [kg].",
         "furniture.massがありません。shelvesを指定する場合は、空の本体の質量 [kg] が必要です。",
     ),
-    "beside": (
-        "{name} is given beside {other}; it must be left out.",
-        "{other}があるので、{name}は指定できません。",
-    ),
     "roof": ("between 1 and {roof}, the roof", "1～{roof}（屋上）"),
     "only_one": (
         "{name} is given beside {other}; only one of the two must be given.",
@@ -159,10 +155,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "file_too_deep": (
         "its brackets must be nested at most {most} deep",
         "括弧の入れ子は{most}段までにしてください",
-    ),
-    "file_long_key": (
-        "a key in it has {count} parts; it must have at most {most}",
-        "{count}個の部分からなるキーがあります。{most}個までにしてください",
     ),
     "file_long_keys": (
         "its keys have {count} parts beyond two each; they must have at most {most}",

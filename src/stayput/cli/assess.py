@@ -127,42 +127,10 @@ def _record(assessment: Assessment) -> dict[str, object]:
 
 
 def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
-    from stayput.inventory.words import (
-        counted_phrase,
-        empty_told,
-        impossible_told,
-        narrow_told,
-        pieces_counted,
-        printed,
-        read_as,
-        reason_told,
-        rows_counted,
-        rows_told,
-        tell,
-    )
+    from stayput.inventory.words import printed_lines
 
-    facts = assessment.facts
-    rows, pieces = rows_counted(facts["rows"]), f"{facts['pieces']:,}"
-    lines = [tell("printed_read", lang, rows=rows, how=read_as(facts), pieces=pieces)]
-    for key, name in (("renamed", "columns renamed"), ("not_used", "columns not used")):
-        if facts[name]:
-            lines.append(tell(key, lang, columns=", ".join(facts[name])))
-    if facts["rejects"]:
-        lines.append(tell("printed_rejects", lang, rows=rows_counted(facts["rejects"])))
-    for found in facts["rejects alike"]:
-        rows, reason = rows_told(found, lang), reason_told(found, lang)
-        lines.append(tell("reason_of_rows", lang, rows=rows, reason=reason))
-    lines.append(empty_told(facts, lang))
-    without = facts["pieces"] - facts["with coordinates"]
-    if 0 < without < facts["pieces"]:
-        lines.append(tell("without_coordinates", lang, pieces=pieces_counted(without)))
-    choices = counted_phrase(facts["choices"], "combination", "通り")
-    runs = counted_phrase(assessment.runs, "run", "回")
-    lines.append(tell("printed_runs", lang, choices=choices, units=f"{facts['units']:,}", runs=runs))
-    for name, total in assessment.summary.events.items():
-        lines += printed(total, name, lang)
-    lines += [narrow_told(facts, lang), *impossible_told(facts, lang)]
-    for line in filter(None, lines):
+    facts, events = assessment.facts, assessment.summary.events
+    for line in printed_lines(facts, events, assessment.runs, "geojson" in exported, lang):
         typer.echo(line)
     files = (assessment.folder / f"pieces.{name}" for name in exported)
     tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)

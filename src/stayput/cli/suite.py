@@ -64,7 +64,7 @@ def suite(
 ) -> None:
     """Run ``stayput motion suite``."""
     if out.exists() and not out.is_dir():
-        raise InputError("cli.folder_is_file", "--out", folder=repr(str(out)))
+        raise InputError("common.folder_is_file", "--out", folder=repr(str(out)), path=repr(str(out)))
     if fit not in FITS:
         raise unknown("--fit", fit, FITS, "--fit")
     if target is not None and "intensity" in said:
@@ -117,17 +117,12 @@ def _strengths(motion: Motion) -> list[float]:
 
 
 def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) -> None:
-    import csv
-    import io
-
     from stayput.files import folder_draft, name_part
     from stayput.progress import bar
     from stayput.report.spectra import plot_suite, suite_title
-    from stayput.spreadsheets import CSV_ENCODING, text_cell
+    from stayput.spreadsheets import CSV_ENCODING, csv_text
 
-    table = io.StringIO()
-    rows = csv.writer(table, lineterminator="\n")
-    rows.writerow(COLUMNS)
+    rows: list[list[object]] = []
     with (
         folder_draft(out) as unfinished,
         bar(len(motions), "progress.writing", unit="progress.motions") as advance,
@@ -137,12 +132,10 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
         for i, motion in enumerate(motions, start=1):
             file = f"{i:0{len(str(len(motions)))}d}-{name_part(motion.name, 'motion')}.csv"
             motion.write(folder / file)
-            names = file, text_cell(motion.name)
-            rows.writerow(
-                [*names, motion.synthetic, *_strengths(motion), motion.floor, text_cell(motion.source)]
-            )
+            about = [motion.floor, motion.source]
+            rows.append([file, motion.name, motion.synthetic, *_strengths(motion), *about])
             advance(1)
-        (unfinished / "suite.csv").write_text(table.getvalue(), encoding=CSV_ENCODING)
+        (unfinished / "suite.csv").write_text(csv_text(COLUMNS, rows, "\n"), encoding=CSV_ENCODING)
         title = suite_title(motions, lang)
         plot_suite(motions, unfinished / "suite.png", target, title=title, language=lang)
 

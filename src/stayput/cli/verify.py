@@ -145,9 +145,9 @@ def _over(curves: Path | None, im: str | None) -> list[IntensityMeasure]:
             raise InputError("cli.flag_without", "--im", flag="--im", other="--curves")
         return []
     if curves.exists() and not curves.is_dir():
-        raise InputError("cli.folder_is_file", "--curves", folder=repr(str(curves)))
-    if not curves.parent.is_dir():
-        raise InputError("cli.no_parent", "--curves", folder=repr(str(curves)))
+        raise InputError(
+            "common.folder_is_file", "--curves", folder=repr(str(curves)), path=repr(str(curves))
+        )
     return [intensity_measure(im or "JMA", "--im")]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 import shutil
@@ -19,15 +20,15 @@ from stayput.errors import InputError, instance_of, reason_of, within
 from stayput.execution import Pool
 from stayput.extras import arrow
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
+from stayput.inventory.columns import read_columns
 from stayput.inventory.folder import MANIFEST, check_parts, claimed, digest_of, inputs_of
-from stayput.inventory.mapping import read_columns
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
-from stayput.inventory.shakemap_files import check_file, read_shakemap
+from stayput.inventory.shakemap_files import read_shakemap
 from stayput.inventory.store import Store
-from stayput.inventory.summary import export_results, formats_of, refuse_nowhere, summarise
+from stayput.inventory.summary import export_results, formats_of, summarise
 from stayput.inventory.work import Work
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar
@@ -164,8 +165,6 @@ def assess(
     began = time.perf_counter()
     limit, memory_bytes = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
     arrow()
-    if hasattr(inventory, "to_parquet") and hasattr(inventory, "to_csv"):
-        raise InputError("inventory.a_data_frame", "inventory", kind=type(inventory).__name__)
     for name, path in {"inventory": inventory, "out": out}.items():
         instance_of(name, path, (str, PathLike))
     instance_of("scenario", scenario, (str, PathLike, ScenarioFile))
@@ -199,8 +198,7 @@ def assess(
         with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
             facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged, mapping)
         if not facts["pieces"]:
-            formats = ()  # then the reasons why no row is assessed matter, and not where pieces stand
-        refuse_nowhere(formats, facts["with coordinates"])
+            formats = ()  # there is nothing to export
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
         with (
             closing(Store(space.folder / "plan" / STORE, memory_bytes // 16)) as store,
@@ -216,8 +214,8 @@ def assess(
             simulating = time.perf_counter() - started
             strengths = _strengths(work)
             manifest = _manifest(scenarios, limit, work, strengths)
-            digest = digest_of_inputs(inputs)
-            about = {"stayput": json.dumps({"inputs": digest, **manifest}, sort_keys=True)}
+            digest = hashlib.sha256(json.dumps([inputs, stayput.__version__]).encode())
+            about = {"stayput": json.dumps({"inputs": digest.hexdigest(), **manifest}, sort_keys=True)}
             rows = facts["pieces"] * len(scenarios.events)
             with bar(rows, "progress.writing", progress, "progress.rows") as advance:
                 Writer(folder, space, work.outcomes, about, strengths).write(facts["parts"], advance)
@@ -251,19 +249,10 @@ def memory_of(value: float | str) -> int:
     return int(within("inventory.memory", value, 2**28, 2**50, "bytes"))
 
 
-def digest_of_inputs(inputs: dict[str, Any]) -> str:
-    """Return the digest that identifies a plan."""
-    import hashlib
-
-    return hashlib.sha256(json.dumps([inputs, stayput.__version__]).encode()).hexdigest()
-
-
 def _digest(name: str, path: Path) -> str:
     try:
         if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
             raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
-        if name != "inventory":
-            check_file(path)
         return digest_of(path)
     except OSError as error:
         reason = reason_of(error)

@@ -1,4 +1,4 @@
-"""The columns of an inventory: what tables in use call them, and the units of their numbers.
+"""The columns of an inventory: what tables in use call them, the units of their numbers, and ``--columns``.
 
 Furniture is measured in width, depth and height, as it is seen from the front; a piece falls to its front.
 So the column ``width``, the size along the shaking, is what an inventory calls the depth (奥行), and what an
@@ -7,9 +7,21 @@ inventory calls the width (幅), the size along the wall, is not used.
 
 from __future__ import annotations
 
+import json
 import re
 import unicodedata
-from typing import NamedTuple
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError, quoted, reason_of, shown, unknown
+from stayput.scenario.toml import read_toml
+from stayput.spreadsheets import named_columns
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 
 class NumberUnit(NamedTuple):
@@ -73,58 +85,17 @@ COLUMNS: dict[str, Column] = {
     "lat": Column("°", ("latitude", "緯度")),
     "lon": Column("°", ("lng", "long", "longitude", "経度")),
 }
-"""Columns of an inventory; what each holds stands in the catalogue under ``inventory.column_<name>``."""
+"""Columns of an inventory."""
 # fmt: on
 
 LISTS = ("cg_offset", "load", "costs", "floor")
 """Columns whose cells hold numbers with semicolons between them."""
 
-# fmt: off
-IN_OTHER_LANGUAGES: dict[str, tuple[str, ...]] = {
-    "id": (
-        "nr", "inventarnummer", "inventarnr", "inventar nr", "inv nr", "n° inventaire", "n° d'inventaire",
-        "numéro d'inventaire", "numéro",
-        "número", "código", "no inventario", "관리번호", "자산번호", "번호",
-        "编号", "編號", "资产编号", "資產編號", "序号", "序號",
-    ),
-    "name": (
-        "bezeichnung", "gegenstand", "möbel", "möbelstück", "désignation", "libellé", "meuble",
-        "nombre", "mueble", "artículo", "descripción", "품명", "가구", "비품명",
-        "名稱", "家具名称", "资产名称",
-    ),
-    "width": ("tiefe", "profondeur", "profundidad", "fondo", "깊이", "深度", "进深", "深"),
-    "height": ("höhe", "hauteur", "altura", "alto", "높이", "高度"),
-    "mass": ("gewicht", "poids", "masse", "peso", "무게", "중량", "质量", "重"),
-    "floor": ("bodenbelag", "revêtement de sol", "suelo", "바닥재", "地板"),
-    "gap": ("wandabstand", "distance au mur", "distancia a la pared", "벽과의 거리", "离墙距离"),
-    "building": (
-        "gebäude", "bâtiment", "edificio", "건물", "건물명", "建筑", "建筑物", "建築物", "楼栋", "樓棟",
-    ),
-    "storey": ("stockwerk", "geschoss", "etage", "étage", "planta", "piso", "층", "楼层", "樓層", "层", "層"),
-    "count": (
-        "anzahl", "menge", "stück", "stückzahl", "quantité", "cantidad", "unidades", "수량", "개수", "數量",
-    ),
-    "value": (
-        "preis", "wert", "anschaffungswert", "prix", "valeur", "precio", "valor", "가격", "단가",
-        "价格", "價格", "单价",
-    ),
-}
-"""What tables in German, French, Spanish, Korean and Chinese call columns: taken where it is said."""
-
-WIDTHS = (
-    "width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "breite",
-    "largeur", "ancho", "폭", "너비", "宽", "宽度", "寬度",
-)
-# fmt: on
+WIDTHS = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法")
 """What inventories call the size along the wall where nothing else can be meant."""
 
-ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ", "largo", "长", "长度", "長度")
+ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
 """What inventories call the size along the wall, which is across the shaking."""
-
-SIZES_TOGETHER = re.compile(
-    r"size|sizes|dimensions?|dims?|measurements|.*寸法|サイズ|.*(?:w|幅) ?[x×*] ?(?:d|奥行き?|h|高さ?).*"
-)
-"""Columns that hold several sizes in a cell."""
 
 TOTALS = ("total price", "total value", "金額", "取得金額", "合計金額", "総額")
 """Columns that may hold the value of all pieces of a row."""
@@ -143,8 +114,12 @@ LOOKS_LIKE_COUNT = re.compile(
 TOTAL_ROW = re.compile(r"(?:grand |sub ?)?totals?|sum|gesamt|summe|[合小総]?計")
 """What a row is called that is the sum of others."""
 
-LOOKS_LIKE_SIZE = re.compile(r"縦|横|丈|長辺|短辺|厚[さみ]|直?径")
-"""Columns that seem to be a size, and do not say whether along the wall, from front to back or upwards."""
+LOOKS_LIKE_SIZE = re.compile(
+    r"縦|横|丈|長辺|短辺|厚[さみ]|直?径"
+    r"|sizes?|dimensions?|dims?|measurements|.*寸法|サイズ|.*(?:w|幅) ?[x×*] ?(?:d|奥行き?|h|高さ?).*"
+)
+"""Columns that seem to be a size, and do not say whether along the wall, from front to back or upwards, or
+that hold several in a cell."""
 
 _LENGTHS = {
     ("mm", "millimetre", "millimetres", "millimeters", "ミリ"): NumberUnit("mm", over=1000.0),
@@ -181,7 +156,6 @@ LONGEST_HEADING = 100
 _ALIASES = {
     alias: name for name, column in COLUMNS.items() for alias in (name.replace("_", " "), *column.aliases)
 }
-_FOREIGN = {word: name for name, words in IN_OTHER_LANGUAGES.items() for word in words}
 JAPANESE = {
     name: alias
     for name, column in COLUMNS.items()
@@ -221,11 +195,6 @@ class HeaderName(NamedTuple):
         """The column that is called so."""
         return _ALIASES.get(self.base)
 
-    @property
-    def in_another_language(self) -> str | None:
-        """The column that is called so in a language other than English and Japanese."""
-        return _FOREIGN.get(self.base)
-
 
 def plain_name(text: str) -> str:
     """Return a name in one spelling: of width, case, blanks and marks between words."""
@@ -240,8 +209,8 @@ def is_heading(text: str) -> bool:
     if len(text) > LONGEST_HEADING:
         return False
     part = header_name(text)
-    named = part.column or part.in_another_language or part.base in ALONG_THE_WALL
-    return bool(named) or part.base.strip("()[]") in _ALL_UNITS
+    named = part.column is not None or part.base in ALONG_THE_WALL
+    return named or part.base.strip("()[]") in _ALL_UNITS
 
 
 def header_name(text: str) -> HeaderName:
@@ -275,3 +244,135 @@ def _split_ending(base: str) -> tuple[str, str] | None:
         if matched.end() == len(base) and matched[1] in _ALL_UNITS and matched.start() > 0:
             return base[: matched.start()], matched[1]
     return None
+
+
+IGNORE = "ignore"
+"""Name under which columns are listed that are not to be used."""
+
+FILES = (".toml", ".json")
+
+LARGEST_FILE = 2**20
+"""Most bytes of a file with a mapping."""
+
+_UNIT = re.compile(r"(.+?)\s*\[([^\[\]]*)\]", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class ColumnMapping:
+    """Which columns of a table hold what.
+
+    Parameters
+    ----------
+    pairs : tuple of (str, str)
+        Names of `COLUMNS`, each with the table's name of it, which may have a unit behind it in brackets.
+    ignored : tuple of str
+        The table's names of columns that are not to be used.
+    """
+
+    pairs: tuple[tuple[str, str], ...] = ()
+    ignored: tuple[str, ...] = ()
+
+    @property
+    def key(self) -> list[Any]:
+        """The mapping in a form that can be written as JSON."""
+        return [list(map(list, self.pairs)), list(self.ignored)]
+
+    def places(self, names: Sequence[str]) -> tuple[dict[str, tuple[int, NumberUnit | None]], set[int]]:
+        """Return the place of each mapped column with the unit that is stated, and the places not to use.
+
+        Raises
+        ------
+        InputError
+            A name that the table does not have, or a unit that is none.
+        """
+        found: dict[str, tuple[int, NumberUnit | None]] = {}
+        for name, header in self.pairs:
+            place, unit = _find(name, header, names)
+            if place in {other for other, _ in found.values()}:
+                raise InputError("inventory.column_twice", "columns", name=quoted(header))
+            found[name] = place, unit
+        return found, {_find(IGNORE, header, names)[0] for header in self.ignored}
+
+
+def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit | None]:
+    """Return the place of the column of a header, which may have its unit behind it in brackets."""
+    units = UNITS.get(COLUMNS[name].unit, {}) if name in COLUMNS else {}
+    place = _place(header, names)
+    if place is not None:
+        return place, units.get(header_name(header).unit)
+    matched = _UNIT.fullmatch(header.strip())
+    place = None if matched is None else _place(matched[1], names)
+    said: dict[str, Any] = {"name": name, "header": quoted(header)}
+    if matched is None or place is None:
+        listed = ", ".join(shown(each) for each in names if each)[:300] or phrase("inventory.nothing")
+        raise InputError("inventory_tables.mapped_missing", "columns", **said, names=listed)
+    stated, written = units.get(plain_name(matched[2])), units.get(header_name(names[place]).unit)
+    if stated is None or written not in (None, stated):
+        known = dict.fromkeys(unit.name for unit in ([written] if written else units.values()))
+        raise InputError("inventory_tables.mapped_unit", "columns", **said, known=", ".join(known) or "-")
+    return place, stated
+
+
+def _place(header: str, names: Sequence[str]) -> int | None:
+    """Return the place of the column of a name: as it is written, else the only one but for a unit."""
+    wanted = plain_name(header)
+    if not wanted:
+        return None
+    same = [place for place, name in enumerate(names) if plain_name(name) == wanted]
+    same = same or [place for place, name in enumerate(names) if name and header_name(name).base == wanted]
+    if len(same) > 1:
+        raise InputError("inventory_tables.mapped_unclear", "columns", header=quoted(header))
+    return same[0] if same else None
+
+
+def read_columns(columns: str | Path | Mapping[str, Any] | None) -> ColumnMapping:
+    """Return the mapping of a text such as "width=奥行,height=高さ[cm]", a TOML or JSON file, or a mapping.
+
+    Raises
+    ------
+    InputError
+        A file that cannot be read, a column that is none, or something else than names.
+    """
+    if columns is None:
+        return ColumnMapping()
+    if isinstance(columns, Mapping):
+        return _mapping(list(columns.items()))
+    if str(columns).lower().endswith(FILES):
+        return _mapping(list(_file(Path(columns)).items()))
+    return _mapping(named_columns(str(columns), "inventory_tables.mapping"))
+
+
+def _file(path: Path) -> dict[str, Any]:
+    if path.suffix.lower() == ".toml":
+        return dict(read_toml(path))
+    try:
+        with path.open("rb") as file:
+            content: Any = json.loads(file.read(LARGEST_FILE).decode("utf-8-sig"))
+    except OSError as error:
+        reason, called = reason_of(error), phrase("inventory.input_columns")
+        raise InputError("inventory.unreadable", file=called, path=repr(str(path)), reason=reason) from None
+    except (ValueError, RecursionError):
+        content = None
+    if not isinstance(content, dict):
+        raise InputError("inventory_tables.mapping_file", "columns", path=repr(str(path)))
+    return cast("dict[str, Any]", content)
+
+
+def _mapping(items: Sequence[tuple[str, object]]) -> ColumnMapping:
+    pairs: dict[str, str] = {}
+    ignored: list[str] = []
+    for name, header in items:
+        headers = cast("list[object]", header) if isinstance(header, list | tuple) else [header]
+        for each in headers:
+            if not isinstance(each, str) or not each.strip() or (name != IGNORE and len(headers) > 1):
+                raise InputError("inventory_tables.mapping", "columns", value=shown(each))
+            if name == IGNORE:
+                ignored.append(each)
+            elif name not in COLUMNS:
+                known = (*COLUMNS, IGNORE)
+                raise unknown("inventory_tables.column_name", name, known, field="columns")
+            elif name in pairs:
+                raise InputError("inventory.column_twice", "columns", name=shown(name))
+            else:
+                pairs[name] = each
+    return ColumnMapping(tuple(pairs.items()), tuple(ignored))

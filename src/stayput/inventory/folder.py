@@ -131,9 +131,7 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
     """
     for path in (folder, *folder.parents):
         if path.exists() and not path.is_dir():
-            raise InputError(
-                "inventory.folder_is_file", "out", folder=repr(str(folder)), path=repr(str(path))
-            )
+            raise InputError("common.folder_is_file", "out", folder=repr(str(folder)), path=repr(str(path)))
     folder.mkdir(parents=True, exist_ok=True)
     _refuse_others(folder)  # before the lock, which would be a file in somebody else's folder
     inputs_of(folder)
@@ -170,7 +168,7 @@ def inputs_of(folder: Path) -> dict[str, Any] | None:
     inputs = cast("dict[str, Any]", content).get("inputs") if isinstance(content, dict) else None
     if isinstance(inputs, dict):
         return cast("dict[str, Any]", inputs)
-    raise InputError("inventory.damaged_manifest", "out", folder=repr(str(folder)), manifest=MANIFEST)
+    raise InputError("inventory.strangers", "out", folder=repr(str(folder)), name=repr(MANIFEST))
 
 
 def entries(folder: Path, below: str = "") -> Iterator[str]:

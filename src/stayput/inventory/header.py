@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, unknown
 from stayput.inventory.cells import (
     converting_reader,
     in_own_unit,
@@ -24,18 +25,18 @@ from stayput.inventory.cells import (
 from stayput.inventory.columns import (
     ALONG_THE_WALL,
     COLUMNS,
+    IGNORE,
     LISTS,
     LOOKS_LIKE_COUNT,
     LOOKS_LIKE_SIZE,
-    SIZES_TOGETHER,
     TOTALS,
     UNITS,
     WIDTHS,
+    ColumnMapping,
     header_name,
     is_heading,
     plain_name,
 )
-from stayput.inventory.mapping import IGNORE, ColumnMapping
 from stayput.vocabulary import WORDS, meant
 
 if TYPE_CHECKING:
@@ -44,9 +45,6 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell, CellReader
     from stayput.inventory.columns import NumberUnit
-
-MOST = 200
-"""Most columns of a table."""
 
 LIKENESS = 0.8
 """From this likeness on a column counts as a misspelt one."""
@@ -149,7 +147,6 @@ class _Reading:
         self.mapped = frozenset(self.places.values())
         self.in_own_units: set[str] = set()
         self.doubts: list[tuple[Phrase, str]] = []  # each with the part of --columns that would settle it
-        self.proposed: set[str] = set()
         self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
         taken = {*self.mapped, *self.ignored}
         self.free = [place for place, name in enumerate(names) if name and place not in taken]
@@ -168,7 +165,7 @@ class _Reading:
         return any(number_or_none(cell) is not None for cell in self.column(place))
 
     def take_known(self) -> None:
-        """Take columns by stayput's names, then by usual ones; doubt those that other languages call so."""
+        """Take columns by stayput's names, then by usual ones."""
         for place in list(self.free):
             name = self.names[place].lower()
             if name in COLUMNS and name not in self.places:
@@ -185,14 +182,6 @@ class _Reading:
                 self.doubt("note", place, self._proposed(name, place), note=part.note)
             else:
                 self._take(name, place)
-        for place in list(self.free):
-            name = self.parts[place].in_another_language
-            if self.parts[place].base == "nombre" and self.has_numbers(place):
-                name = "count"  # in French; in Spanish it is what a piece is called
-            if name is not None and name not in self.known:
-                self.free.remove(place)
-                self.proposed.add(name)
-                self.doubt("language", place, self._proposed(name, place))
 
     def _second(self, name: str, place: int) -> None:
         """Take in another column of a name that is taken: a total beside a price is left out."""
@@ -222,32 +211,20 @@ class _Reading:
 
     def take_rest(self) -> None:
         """Look at what is left: doubtful where it would change a result, else not used."""
-        sized = {"width", "height"} <= self.known
+        sized = {"width", "height"} <= self.places.keys()
         for place in self.free:
             base, unit, header = self.parts[place].base, self.parts[place].unit, self.names[place]
-            if base in ALONG_THE_WALL:
-                if "width" not in self.known:
-                    self.doubt("no_depth", place, f"width=?,{IGNORE}={header}")
-                    continue
-            elif LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.known:
+            across = base in ALONG_THE_WALL
+            if across and "width" not in self.places:
+                self.doubt("no_depth", place, f"width=?,{IGNORE}={header}")
+            elif not across and LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.places:
                 self.doubt("count", place, f"count={header}")
-                continue
-            elif SIZES_TOGETHER.fullmatch(base) and not sized:
-                self.doubt("sizes", place)
-                continue
-            elif (LOOKS_LIKE_SIZE.fullmatch(base) or unit in UNITS["m"]) and not sized:
+            elif not (across or sized) and (LOOKS_LIKE_SIZE.fullmatch(base) or unit in UNITS["m"]):
                 self.doubt("size", place, f"?={header}")
-                continue
-            elif near := get_close_matches(base.replace(" ", "_"), COLUMNS, 1, LIKENESS):
-                raise InputError(
-                    "inventory.unknown_column",
-                    header,
-                    name=shown(header),
-                    near=repr(near[0]),
-                    holds=phrase(f"inventory.column_{near[0]}"),
-                    columns=", ".join(COLUMNS),
-                )
-            self.unused.append(header[:200])
+            elif not across and get_close_matches(base.replace(" ", "_"), COLUMNS, 1, LIKENESS):
+                raise unknown("inventory_tables.column_name", header, COLUMNS, header)
+            else:
+                self.unused.append(header[:200])
 
     def look_at_cells(self) -> None:
         """Doubt what the cells speak against: storeys for a surface, totals for the value of one piece."""
@@ -260,11 +237,6 @@ class _Reading:
             return
         if self.parts[value].base in TOTALS:
             self.doubt("total", value)
-
-    @property
-    def known(self) -> set[str]:
-        """The columns that there are, or seem to be."""
-        return {*self.places, *self.proposed}
 
     def unknown(self) -> list[str]:
         """Return the part of a mapping for each column of which nothing is known."""
@@ -279,12 +251,12 @@ class _Reading:
 
     def refuse_what_is_unclear(self) -> None:
         """Refuse a header of which something is doubted, or nothing says what the pieces are."""
-        sized = {"width", "height"} <= self.known
-        if not {"name", "preset"} & self.known and not sized:
+        sized = {"width", "height"} <= self.places.keys()
+        if not {"name", "preset"} & self.places.keys() and not sized:
             if not any(self.names):
-                raise InputError("inventory.no_names", "inventory")
-            if unknown := self.unknown():
-                proposal, columns = self.proposal(unknown), ", ".join(COLUMNS)
+                raise InputError("inventory.first_row", "inventory", reason=phrase("inventory.is_empty"))
+            if not_known := self.unknown():
+                proposal, columns = self.proposal(not_known), ", ".join(COLUMNS)
                 raise InputError(
                     "inventory_tables.no_known_column", "columns", proposal=proposal, columns=columns
                 )
@@ -294,7 +266,7 @@ class _Reading:
         told = [about for about, _ in self.doubts[:SHOWN]]
         if more := len(self.doubts) - len(told):
             told.append(phrase("inventory_tables.more_doubts", count=more))
-        proposal = self.proposal(self.unknown() if self.proposed and not sized else ())
+        proposal = self.proposal()
         raise InputError(
             "inventory_tables.unclear",
             "columns",
@@ -360,18 +332,13 @@ def header_of(
     Raises
     ------
     InputError
-        Too many columns, two of one name, no name of a piece and no size, one that is unclear or misspelt.
+        Two columns of one name, no name of a piece and no size, one that is unclear or misspelt.
     """
-    if len(cells) > MOST:
-        raise InputError("inventory.too_many_columns", columns=len(cells), most=MOST)
     names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
-    if len(names) == 1 and "|" in names[0]:
-        raise InputError("inventory.commas", row=shown(names[0]))
     _refuse_headings_elsewhere(names, sample)
     reading = _Reading(names, sample, mapping or ColumnMapping())
-    plain = [plain_name(name) for name in names]
-    for name in plain:
-        if name and plain.count(name) > 1:
+    for name, times in Counter(map(plain_name, names)).items():
+        if name and times > 1:
             raise InputError("inventory.column_twice", name, name=shown(name))
     reading.take_known()
     reading.take_rest()
@@ -410,9 +377,5 @@ def _refuse_headings_elsewhere(names: Sequence[str], sample: Sequence[Sequence[C
     for row, cells in enumerate(sample[: ROWS_OF_A_TITLE if below_a_title else 1], 2):
         found = _headings_in(cells)
         if len(found) > (known if below_a_title else 0):
-            raise InputError(
-                f"inventory_tables.{'headings_below' if below_a_title else 'two_rows_of_headings'}",
-                "inventory",
-                row=row,
-                found=", ".join(map(shown, found[:SHOWN])),
-            )
+            names_found = ", ".join(map(shown, found[:SHOWN]))
+            raise InputError("inventory_tables.headings_below", "inventory", row=row, found=names_found)

@@ -17,6 +17,7 @@ from stayput.errors import InputError, unknown, visible, within
 from stayput.inventory.cells import (
     ROOF,
     Unusable,
+    is_empty,
     number_of,
     number_or_none,
     numbers_of,
@@ -247,9 +248,7 @@ class RowReader:
         named = self.scenarios.buildings
         building = named[name] if name in named else stated_building(name)
         if building is None:
-            known = phrase("inventory.one_that_is_named")
-            if named:
-                known = phrase("inventory.one_of_the_scenario", names=", ".join(named))
+            known = ", ".join(named) or phrase("inventory.nothing")
             raise refusal("unknown_building", "building", value=shown(name), known=known)
         return building
 
@@ -323,9 +322,9 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
     wall = text_of("wall", cells.get("wall"))
     if wall is not None:
         if wall not in WALLS:
-            raise unknown("inventory.wall", wall, WALLS, field="wall")
+            raise unknown("wall", wall, WALLS, "wall")
         if room.left_wall is None:
-            raise InputError("inventory.missing_in_both", "wall", name="gap", other="wall")
+            raise InputError("inventory.missing_beside", "wall", name="gap", other="wall")
         room = replace(room, left_wall=replace(room.left_wall, construction=wall))
     return room
 
@@ -350,12 +349,12 @@ def storey_of(cell: Cell, highest: int) -> int | None:
     """
     if cell == ROOF:
         return highest
-    if isinstance(cell, str) and cell.strip() and number_or_none(cell) is None:
-        raise refusal("storey", "storey", value=shown(cell))
-    storey = whole_of("storey", cell, -1_000_000, 1_000_000)
-    if storey is not None and not (1 <= storey <= highest or -DEEPEST <= storey <= -1):
-        raise refusal("storey_range", "storey", storey=storey, highest=highest, deepest=DEEPEST)
-    return storey
+    if is_empty(cell):
+        return None
+    storey = None if isinstance(cell, str) and number_or_none(cell) is None else number_of("storey", cell)
+    if storey is None or not (1 <= storey <= highest or -DEEPEST <= storey <= -1) or storey % 1:
+        raise refusal("storey", "storey", value=shown(cell), highest=highest, deepest=DEEPEST)
+    return int(storey)
 
 
 def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple[Measure, ...]]:
@@ -378,8 +377,7 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple
         measures: tuple[Measure, ...] = ()
         for name in names:
             if name not in named and name not in MEASURES:
-                known = ", ".join(dict.fromkeys((*named, *MEASURES)))
-                raise refusal("unknown_measure", "measures", value=shown(name), known=known)
+                raise unknown("measures", name, dict.fromkeys((*named, *MEASURES)), "measures")
             measures += named[name] if name in named else (MEASURES[name](),)
         together = "+".join(names)
         twice = twice or (together if together in options else None)
@@ -424,7 +422,7 @@ def contents_of(cells: Mapping[str, Cell], body: Body, scenario: Scenario) -> Co
         return None
     if kind is None and table is None:
         name = next(iter(stated))
-        raise refusal("missing_in_both", "contents", other=name)
+        raise refusal("missing_beside", "contents", other=name)
     given: dict[str, Any] = {} if table is None else table.model_dump(exclude_unset=True)
     given |= stated if kind is None else {"kind": kind, **stated}
     loads = numbers_of("load", cells.get("load"), "kg")

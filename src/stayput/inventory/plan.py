@@ -26,10 +26,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.inventory.cells import Cell
+    from stayput.inventory.columns import ColumnMapping
     from stayput.inventory.folder import Workspace
     from stayput.inventory.header import Header
     from stayput.inventory.items import Item
-    from stayput.inventory.mapping import ColumnMapping
     from stayput.inventory.scenarios import Scenarios
 
 ROWS_PER_PART = 20_000
@@ -171,7 +171,7 @@ def make_plan(
     scenarios : Scenarios
         The scenarios.
     cache : int
-        Bytes for the cache of the data base; four times as many are for the texts of a workbook.
+        Bytes for the cache of the data base.
     advance : callable
         Called with the number of rows that were just read.
     check_unchanged : callable, optional
@@ -244,7 +244,7 @@ def _fill(
 
     with closing(Store(folder / STORE, cache)) as store:
         store.begin()
-        with Rejects(folder) as rejects, open_table(inventory, 4 * cache) as table:
+        with Rejects(folder) as rejects, open_table(inventory) as table:
             first = list(islice(table.rows, ROWS_LOOKED_AT))
             sample = [[] if isinstance(cells, InputError) else cells for _, cells in first]
             header = header_of(table.header, sample, columns, table.decimal_comma)

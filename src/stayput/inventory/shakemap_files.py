@@ -1,17 +1,14 @@
-"""Reading shake maps: CSV, and the grids of USGS ShakeMap (grid.xml and uncertainty.xml).
-
-Files are read as a stream with bounds on their size.
-"""
+"""Reading shake maps: CSV, and the grids of USGS ShakeMap (grid.xml and uncertainty.xml)."""
 
 from __future__ import annotations
 
 import csv
+import io
 import re
-from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
-from xml.parsers.expat import ExpatError
+from xml.etree import ElementTree
 
 import numpy as np
 
@@ -19,7 +16,6 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warn, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.shakemap import ShakeMap, field_of, field_of_grid, unwrapped
-from stayput.inventory.xml_events import DoctypeError, xml_events
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -40,21 +36,6 @@ LARGEST_SIGMA = 3.0
 
 PREFERRED = ("pgv", "pga", "mmi")
 """Fields of a grid in the order in which one is taken: JMA's intensity follows the velocity most closely."""
-
-LARGEST_FILE = 2**30
-"""Most bytes of a map."""
-
-MOST_POINTS = 10_000_000
-"""Most places of a grid."""
-
-MOST_FIELDS = 60
-"""Most fields of a grid."""
-
-COMPRESSED = (b"\x1f\x8b", b"PK\x03\x04", b"BZh", b"\xfd7zXZ\x00")
-"""How files of gzip, ZIP, bzip2 and xz begin."""
-
-_LONGEST_LINE = 2**20
-"""Characters without the end of a line after which a grid is given up."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -101,8 +82,6 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
         A file that cannot be read, other columns, a value out of range, a place twice, or no place.
     """
     try:
-        for file in filter(None, (path, uncertainty)):
-            check_file(file)
         if is_xml(path):
             return _of_grid(path, field, uncertainty)
         if uncertainty is not None:
@@ -223,17 +202,9 @@ def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
     lats, lons = np.unique(lat), np.unique(lon)
     if min(len(lats), len(lons)) < 2 or len(lats) * len(lons) != len(rows):
         return ShakeMap(field.measure, lat, lon, levels, scatters)
-
-    def on_grid(values: NDArray[np.float64] | None) -> NDArray[np.float64] | None:
-        if values is None:
-            return None
-        grid = np.empty((len(lats), len(lons)))
-        grid[np.searchsorted(lats, lat), np.searchsorted(lons, lon)] = values
-        return grid
-
-    gridded = on_grid(levels)
-    assert gridded is not None
-    return ShakeMap(field.measure, lats, lons, gridded, on_grid(scatters))
+    shape, order = (len(lats), len(lons)), np.lexsort((lon, lat))
+    on_grid = None if scatters is None else scatters[order].reshape(shape)
+    return ShakeMap(field.measure, lats, lons, levels[order].reshape(shape), on_grid)
 
 
 def _column(name: str) -> str:
@@ -261,23 +232,10 @@ def _checked(number: int, name: str, cell: str, limit: tuple[float, float, str])
 
 
 def is_xml(path: Path) -> bool:
-    """Return whether a file begins as XML does, in UTF-8 or, after a byte order mark, UTF-16."""
+    """Return whether a file begins as XML does, in UTF-8 or UTF-16."""
     with path.open("rb") as file:
-        start = file.read(64)
-    encoding = "utf-16" if start.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8-sig"
-    return start.decode(encoding, "ignore").lstrip().startswith("<")
-
-
-def check_file(path: Path) -> None:
-    """Refuse a file that is too large, or compressed, such as grid.xml.gz."""
-    if (size := path.stat().st_size) > LARGEST_FILE:
-        raise InputError(
-            "inventory_tables.large_map", "shakemap", path=repr(str(path)), size=size, most=LARGEST_FILE
-        )
-    with path.open("rb") as file:
-        start = file.read(8)
-    if start.startswith(COMPRESSED):
-        raise InputError("inventory_tables.compressed", "shakemap", path=repr(str(path)))
+        start = file.read(64).replace(b"\0", b"")
+    return start.lstrip(b"\xef\xbb\xbf\xfe\xff \r\n\t").startswith(b"<")
 
 
 def read_grid(path: Path) -> MapGrid:
@@ -286,92 +244,31 @@ def read_grid(path: Path) -> MapGrid:
     Raises
     ------
     InputError
-        No such grid, a broken one, or one with a document type.
+        No such grid, or a broken one.
     """
     try:
-        return _grid(path)
-    except DoctypeError:
-        raise _refused(path, "doctype") from None
-    except ExpatError as error:
+        root = ElementTree.parse(path).getroot()
+    except (ElementTree.ParseError, ValueError, LookupError) as error:
         raise _refused(path, "broken", said=str(error)[:200]) from None
-    except InputError:
-        raise
-    except (ValueError, LookupError):
-        raise _refused(path, "encoding") from None
-
-
-def _refused(path: Path, key: str, **values: object) -> InputError:
-    reason = phrase(f"inventory_tables.grid_{key}", **values)
-    return InputError("inventory_tables.grid", "shakemap", path=repr(str(path)), reason=reason)
-
-
-def _grid(path: Path) -> MapGrid:
-    size: dict[str, int] = {}
-    fields: dict[int, tuple[str, str]] = {}
-    parts: list[NDArray[np.float64]] = []
-    count = due = 0
-    text, event = "", ""
-    in_data = is_grid = False
-
-    def whole(given: dict[str, str], name: str) -> int:
-        value = given.get(name, "")
-        if re.fullmatch(r"-?\d{1,9}", value, re.ASCII) is None:
-            raise _refused(path, "whole", name=name, value=quoted(value))
-        return int(value)
-
-    def take(numbers: str) -> None:
-        nonlocal count
-        try:
-            parts.append(
-                np.array(list(map(float, numbers.replace("_", "?").split())))
-            )  # for Python 5_0 is 50
-        except ValueError:
-            raise _refused(path, "numbers") from None
-        count += len(parts[-1])
-        if count > due:
-            raise _refused(path, "count" if size else "kind", count=count, due=due)
-
-    with path.open("rb") as file:
-        for kind, tag, given in xml_events(file):
-            match kind, tag:
-                case "start", "shakemap_grid":
-                    is_grid = True
-                    named = (given.get(name, "").strip() for name in ("event_id", "shakemap_version"))
-                    event = ", version ".join(part for part in named if part)
-                case "start", "grid_specification":
-                    if size:
-                        raise _refused(path, "kind")
-                    size = {name: whole(given, name) for name in ("nlon", "nlat")}
-                    if min(size.values()) < 2 or size["nlon"] * size["nlat"] > MOST_POINTS:
-                        raise _refused(path, "size", **size, most=MOST_POINTS)
-                case "start", "grid_field":
-                    fields[whole(given, "index")] = (
-                        given.get("name", "").strip().upper(),
-                        given.get("units", ""),
-                    )
-                    if len(fields) > MOST_FIELDS:
-                        raise _refused(path, "kind")
-                case _, "grid_data":
-                    in_data, due = kind == "start", len(fields) * size.get("nlon", 0) * size.get("nlat", 0)
-                    take(text)
-                    text = ""
-                case "text", _ if in_data:
-                    text += tag
-                    if len(text) > _LONGEST_LINE:
-                        lines, blank, text = text.rpartition("\n")
-                        if not blank:
-                            raise _refused(path, "numbers")
-                        take(lines)
-                case _:
-                    pass
-    names = [name for _, (name, _) in sorted(fields.items())]
-    if not (is_grid and size and {"LAT", "LON"} <= set(names) and len(set(names)) == len(names)):
+    size = next(root.iterfind("{*}grid_specification"), root)
+    try:
+        shape = int(size.get("nlat", "")), int(size.get("nlon", ""))
+        fields = {int(field.get("index", "")): field for field in root.iterfind("{*}grid_field")}
+    except ValueError:
+        raise _refused(path, "kind") from None
+    units = {fields[n].get("name", "").strip().upper(): fields[n].get("units", "") for n in sorted(fields)}
+    if not {"LAT", "LON"} <= units.keys() or len(units) < len(fields):
         raise _refused(path, "kind")
-    due = size["nlon"] * size["nlat"] * len(names)
-    if count != due:
-        raise _refused(path, "count", count=count, due=due)
-    table = np.concatenate(parts).reshape(size["nlat"], size["nlon"], len(names))
-    values = {name: table[:, :, n] for n, name in enumerate(names)}
+    due, text = shape[0] * shape[1] * len(units), root.findtext("{*}grid_data", "").strip()
+    try:
+        table = np.loadtxt(io.StringIO(text), comments=None, ndmin=2) if text else np.empty((0, len(units)))
+    except ValueError:
+        raise _refused(path, "numbers") from None
+    if table.size != due or table.shape[1] != len(units):
+        raise _refused(path, "count", count=table.size, due=due)
+    if min(shape) < 2:
+        raise _refused(path, "places")
+    values = dict(zip(units, np.moveaxis(table.reshape(*shape, len(units)), -1, 0), strict=True))
     lat, lon = values.pop("LAT"), values.pop("LON")
     lats, lons = lat[:, 0], lon[0]
     known = np.abs(lats).max() <= 90.0 and np.abs(lons).max() <= 360.0
@@ -383,4 +280,10 @@ def _grid(path: Path) -> MapGrid:
     if not (np.all(np.diff(lats) > 0.0) and np.all(np.diff(lons) > 0.0)):
         raise _refused(path, "places")
     turned = {name: np.ascontiguousarray(field[::down, ::left]) for name, field in values.items()}
-    return MapGrid(lats, lons, turned, dict(fields.values()), event)
+    said = (root.get(name, "").strip() for name in ("event_id", "shakemap_version"))
+    return MapGrid(lats, lons, turned, units, ", version ".join(filter(None, said)))
+
+
+def _refused(path: Path, key: str, **values: object) -> InputError:
+    reason = phrase(f"inventory_tables.grid_{key}", **values)
+    return InputError("inventory_tables.grid", "shakemap", path=repr(str(path)), reason=reason)

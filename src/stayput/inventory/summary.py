@@ -15,7 +15,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import IO, TYPE_CHECKING, Any, cast
 
-from stayput.errors import InputError, unknown
+from stayput.errors import unknown
 from stayput.extras import arrow
 from stayput.inventory.results import PIECES, Finding
 from stayput.spreadsheets import CSV_ENCODING, csv_text, harmless
@@ -207,12 +207,6 @@ def formats_of(export: str | Sequence[str]) -> tuple[str, ...]:
         if name not in FORMATS:
             raise unknown("inventory_tables.export", name, FORMATS, field="export")
     return tuple(name for name in FORMATS if name in names)
-
-
-def refuse_nowhere(formats: Sequence[str], located: int) -> None:
-    """Refuse a map where no piece says where it stands."""
-    if "geojson" in formats and not located:
-        raise InputError("inventory_tables.nowhere", "export", formats="geojson")
 
 
 def export_results(folder: Path, space: Workspace, formats: Sequence[str]) -> None:

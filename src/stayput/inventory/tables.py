@@ -5,12 +5,14 @@ from __future__ import annotations
 import codecs
 import csv
 import re
-from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass, replace
+import warnings
+from contextlib import AbstractContextManager, ExitStack, closing, contextmanager
+from dataclasses import dataclass
 from datetime import date, time
 from decimal import Decimal
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TextIO, cast
+from xml.etree.ElementTree import iterparse
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, absent, reason_of
@@ -22,13 +24,12 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.inventory.cells import Cell
-    from stayput.inventory.workbook import SheetCell
 
 ENCODINGS = ("utf-8-sig", "cp932")
 """Encodings of a text without a byte order mark of UTF-16: the first in which all of it can be decoded is
 used. The first is UTF-8, with or without a byte order mark; the second is Japan's Windows encoding."""
 
-DELIMITERS = (",", ";", "\t")
+DELIMITERS = (",", ";", "\t", "|")
 """Marks between the cells of a text: that which cuts the first row into most cells."""
 
 LINES_OF_A_TITLE = 20
@@ -36,6 +37,9 @@ LINES_OF_A_TITLE = 20
 
 LARGEST_CELL = 2**24
 """Characters of a cell, or from a quote that opens, after which a CSV file is given up."""
+
+ROWS_OF_EXCEL = 2**20
+"""Most rows of a sheet."""
 
 BATCH = 8192
 """Rows of a Parquet file that are read at a time."""
@@ -50,6 +54,9 @@ _TORN = re.compile(r"[A-Za-z][㐀-鿿ｦ-ﾟ\ue000-\uf8ff][a-z]")
 
 TableRow = tuple[int, "list[Cell] | InputError"]
 """Number of a row, the header being row 1, and its cells or why it cannot be read."""
+
+Opened = tuple["Iterator[TableRow]", str, bool]
+"""The rows of a file, the header among them, how it was read, and whether commas may be decimal."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,25 +82,23 @@ class OpenTable:
 
 
 @contextmanager
-def open_table(path: Path, memory: int = 2**29) -> Generator[OpenTable]:
+def open_table(path: Path) -> Generator[OpenTable]:
     """Open an inventory for reading from its beginning.
 
     Parameters
     ----------
     path : Path
         The table.
-    memory : int
-        Bytes that the texts of a workbook may take.
 
     Raises
     ------
     InputError
         Another kind of file, one that cannot be read, or an empty one.
     """
-    openers: dict[str, Callable[[Path], Any]] = {
+    openers: dict[str, Callable[[Path], AbstractContextManager[Opened]]] = {
         **dict.fromkeys((".csv", ".tsv", ".txt"), _csv),
         ".parquet": _parquet,
-        ".xlsx": partial(_excel, memory=memory),
+        ".xlsx": _excel,
     }
     opener = openers.get(path.suffix.lower())
     if opener is None:
@@ -101,8 +106,13 @@ def open_table(path: Path, memory: int = 2**29) -> Generator[OpenTable]:
         raise InputError("inventory.file_ending", "inventory", path=repr(str(path)), endings=endings)
     with ExitStack() as stack:
         with _readable(path):
-            table = stack.enter_context(opener(path))
-        yield replace(table, rows=_guarded(path, table.rows))
+            rows, read_as, decimal_comma = stack.enter_context(opener(path))
+            _, header = next(rows, (1, None))
+        if header is None or isinstance(header, InputError):
+            empty = phrase("inventory.is_empty")
+            reason = empty if header is None else (header.told("en"), header.told("ja"))
+            raise InputError("inventory.first_row", "inventory", reason=reason)
+        yield OpenTable(header, _guarded(path, rows), read_as, decimal_comma)
 
 
 def _guarded(path: Path, rows: Iterator[TableRow]) -> Iterator[TableRow]:
@@ -155,22 +165,16 @@ def _is_western(text: str) -> bool:
 
 
 @contextmanager
-def _csv(path: Path) -> Generator[OpenTable]:
+def _csv(path: Path) -> Generator[Opened]:
     encoding = _encoding(path)
     before = csv.field_size_limit(LARGEST_CELL)
     try:
         with path.open(encoding=encoding, newline="") as file:
             delimiter = _delimiter(file)
             rows = _csv_rows(csv.reader(file, strict=True, delimiter=delimiter))
-            first = next(rows, None)
-            if first is None or isinstance(first[1], InputError):
-                reason = phrase("inventory.is_empty")
-                if first is not None and isinstance(error := first[1], InputError):
-                    reason = error.told("en"), error.told("ja")
-                raise InputError("inventory.first_row", "inventory", path=repr(str(path)), reason=reason)
             read_as = {"utf-8-sig": "UTF-8", "utf-16": "UTF-16"}.get(encoding, encoding)
-            between = {",": "", ";": " with semicolons", "\t": " with tabs"}.get(delimiter, "")
-            yield OpenTable(first[1], rows, read_as + between, delimiter == ";")
+            between = {";": " with semicolons", "\t": " with tabs", "|": " with bars"}.get(delimiter, "")
+            yield rows, read_as + between, delimiter == ";"
     finally:
         csv.field_size_limit(before)
 
@@ -210,28 +214,26 @@ def _csv_rows(reader: Any) -> Iterator[TableRow]:
         except StopIteration:
             return
         except csv.Error as error:
-            if "unexpected end" in str(error):
-                raise InputError("inventory.open_quote", row=number, line=line) from None
-            if "field limit" in str(error):
-                raise InputError("inventory.long_cell", row=number, line=line, most=LARGEST_CELL) from None
+            if "unexpected end" in str(error) or "field limit" in str(error):
+                raise InputError("inventory.open_quote", row=number, line=line, most=LARGEST_CELL) from None
             yield number, InputError("inventory.bad_row", reason=str(error).rstrip("."))
             continue
         yield number, cast("list[Cell]", row)
 
 
 @contextmanager
-def _parquet(path: Path) -> Generator[OpenTable]:
+def _parquet(path: Path) -> Generator[Opened]:
     try:
         file: Any = arrow("parquet").ParquetFile(path)
     except arrow().ArrowInvalid:
         raise InputError("inventory.other_kind", "inventory", path=repr(str(path)), kind="Parquet") from None
     with file:
-        names = cast("list[Cell]", list(file.schema_arrow.names))
-        yield OpenTable(names, _parquet_rows(file), "Parquet")
+        yield _parquet_rows(file), "Parquet", False
 
 
 def _parquet_rows(file: Any) -> Iterator[TableRow]:
     number = 1
+    yield number, list(file.schema_arrow.names)
     for batch in file.iter_batches(BATCH):
         columns = [column.to_pylist() for column in batch.columns]
         for row in zip(*columns, strict=True):
@@ -241,7 +243,9 @@ def _parquet_rows(file: Any) -> Iterator[TableRow]:
 
 def _cell(value: Any) -> Cell:
     match value:
-        case None | str():
+        case None | "":
+            return None
+        case str():
             return value
         case bool():
             return _unusable("bool")
@@ -256,47 +260,66 @@ def _cell(value: Any) -> Cell:
 
 
 @contextmanager
-def _excel(path: Path, memory: int) -> Generator[OpenTable]:
+def _excel(path: Path) -> Generator[Opened]:
     try:
-        from stayput.inventory.workbook import open_workbook
+        from openpyxl import load_workbook
     except ModuleNotFoundError as error:
         raise absent("A workbook", error.name or "a library", "inventory") from None
-
-    with open_workbook(path, memory) as book:
-        title, *others = book.names
-        rows = _excel_rows(book.rows(title))
-        first = next(rows, None)
-        if first is None or isinstance(first[1], InputError):
-            reason = phrase("inventory.is_empty")
-            raise InputError("inventory.first_row", "inventory", path=repr(str(path)), reason=reason)
-        read_as = f"sheet {title!r}" + (f"; not {', '.join(map(repr, others))}" if others else "")
-        yield OpenTable(first[1], rows, read_as)
-
-
-def _excel_rows(rows: Iterator[tuple[int, dict[int, SheetCell]]]) -> Iterator[TableRow]:
-    width = expected = 0
-    for number, cells in rows:
-        while (expected := expected + 1) < number:  # rows that the file leaves out are empty
-            yield expected, cast("list[Cell]", [None] * width)
-        last = max(cells, default=0)
-        row = [_excel_cell(cells[column]) if column in cells else None for column in range(1, last + 1)]
-        width = width or last
-        yield number, row + [None] * (width - last)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", module="openpyxl")  # of what else is in the file, which is not read
+        try:
+            book: Any = load_workbook(path, read_only=True)
+            sheet, *others = book.worksheets
+        except OSError:
+            raise
+        except Exception:  # of something else than a workbook openpyxl says this or that
+            raise InputError(
+                "inventory.other_kind", "inventory", path=repr(str(path)), kind="Excel"
+            ) from None
+        with closing(book):
+            names = ", ".join(repr(other.title) for other in others)
+            yield _excel_rows(sheet), f"sheet {sheet.title!r}" + (f"; not {names}" if names else ""), False
 
 
-def _excel_cell(cell: SheetCell) -> Cell:
-    if cell.formula:
+def _excel_rows(sheet: Any) -> Iterator[TableRow]:
+    sheet.reset_dimensions()  # which some programs write wrongly
+    width = filled = 0
+    for number, cells in enumerate(sheet.iter_rows(), 1):
+        if number > ROWS_OF_EXCEL:
+            raise ValueError(f"it has rows beyond {ROWS_OF_EXCEL}")
+        row = [_excel_cell(cell) for cell in cells]
+        while row and row[-1] is None:
+            row.pop()
+        if row:
+            filled, width = number, width or len(row)
+        yield number, row + [None] * (width - len(row))
+    _refuse_merged_cells(sheet, filled, width)
+
+
+def _excel_cell(cell: Any) -> Cell:
+    if cell.data_type == "f":
         return _unusable("formula")
-    if cell.kind == "e":
+    if cell.data_type == "e":
         return _unusable("error", error=cell.value[:40])
-    if cell.kind == "b":
-        return _unusable("bool")
-    if cell.kind not in ("n", "d"):
-        return cell.value
-    if cell.is_date:
-        return _unusable("date")
-    unit = _unit_shown(cell.number_format)
-    return cell.number() if unit is None else _unusable("unit", unit=unit)
+    unit = _unit_shown(cell.number_format) if isinstance(cell.value, int | float) else None
+    return _cell(cell.value) if unit is None else _unusable("unit", unit=unit)
+
+
+def _refuse_merged_cells(sheet: Any, filled: int, width: int) -> None:
+    """Refuse cells of several rows of the table that are merged: only the first row has their value.
+
+    openpyxl does not say which are, where it reads rows one after another.
+    """
+    from openpyxl.utils.cell import range_boundaries
+
+    with sheet.parent._archive.open(sheet._worksheet_path) as file:
+        for _, element in iterparse(file):
+            if element.tag.endswith("}mergeCell"):
+                place: Any = range_boundaries(element.get("ref", ""))
+                left, top, _, bottom = place
+                if top < bottom and top <= filled and left <= width:
+                    raise InputError("inventory.merged_cells", "inventory", cells=element.get("ref"))
+            element.clear()
 
 
 def _unusable(kind: str, **values: str) -> Unusable:

@@ -142,7 +142,7 @@ def read_as(facts: Mapping[str, Any]) -> Phrase:
     """Return how a table was read, in both languages, and how many of its rows are empty."""
     how: Phrase = facts["read as"], facts["read as"]
     encoding, _, between = facts["read as"].partition(" with ")
-    if between in ("tabs", "semicolons"):
+    if between in ("tabs", "semicolons", "bars"):
         how = phrase(f"inventory_report.with_{between}", encoding=encoding)
     elif sheet := _SHEET.fullmatch(facts["read as"]):
         key = "sheet" if sheet["others"] is None else "sheet_of_several"
@@ -223,10 +223,7 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
         "en" or "ja".
     """
     read = [tell("read", language, rows=rows_counted(facts["rows"]), how=read_as(facts))]
-    for key, name in (("not_used", "columns not used"), ("renamed", "columns renamed")):
-        if facts[name]:
-            read.append(tell(key, language, columns=", ".join(facts[name])))
-    read.append(empty_told(facts, language))
+    read += [*reversed(_columns_told(facts, language)), empty_told(facts, language)]
     choices = counted_phrase(facts["choices"], "combination", "通り")
     told = [
         joined(read, language),
@@ -261,3 +258,51 @@ def printed(total: Total, event: str, language: str) -> list[str]:
     """Return what an event came to, in the lines of a terminal."""
     first = tell("of_event", language, event=event, expected=expected(total, language))
     return list(filter(None, [first, findings_told(total, language), inside_told(total, language)]))
+
+
+def printed_lines(
+    facts: Mapping[str, Any], events: Mapping[str, Total], runs: int, on_map: bool, language: str
+) -> list[str]:
+    """Return what a terminal shows of an assessment, line by line.
+
+    Parameters
+    ----------
+    facts : mapping
+        What is known of the plan.
+    events : mapping
+        Totals by event.
+    runs : int
+        Simulations that were done.
+    on_map : bool
+        Whether the pieces are exported for a map.
+    language : str
+        "en" or "ja".
+    """
+    rows, pieces = rows_counted(facts["rows"]), f"{facts['pieces']:,}"
+    lines = [tell("printed_read", language, rows=rows, how=read_as(facts), pieces=pieces)]
+    lines += _columns_told(facts, language)
+    if facts["rejects"]:
+        lines.append(tell("printed_rejects", language, rows=rows_counted(facts["rejects"])))
+    for found in facts["rejects alike"]:
+        alike, reason = rows_told(found, language), reason_told(found, language)
+        lines.append(tell("reason_of_rows", language, rows=alike, reason=reason))
+    lines.append(empty_told(facts, language))
+    without = facts["pieces"] - facts["with coordinates"]
+    if without and (on_map or without < facts["pieces"]):
+        lines.append(tell("without_coordinates", language, pieces=pieces_counted(without)))
+    choices = counted_phrase(facts["choices"], "combination", "通り")
+    done_runs = counted_phrase(runs, "run", "回")
+    lines.append(tell("printed_runs", language, choices=choices, units=f"{facts['units']:,}", runs=done_runs))
+    for name, total in events.items():
+        lines += printed(total, name, language)
+    lines += [narrow_told(facts, language), *impossible_told(facts, language)]
+    return list(filter(None, lines))
+
+
+def _columns_told(facts: Mapping[str, Any], language: str) -> list[str]:
+    """Return how the columns were understood, and which were not used."""
+    return [
+        tell(key, language, columns=", ".join(facts[name]))
+        for key, name in (("renamed", "columns renamed"), ("not_used", "columns not used"))
+        if facts[name]
+    ]

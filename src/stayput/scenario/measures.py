@@ -159,7 +159,7 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
         table, of_type = cast("dict[str, object]", one), f"{name}.type"
         if COMBINE in table and not nested:
             if "type" in table:
-                raise InputError("scenario.beside", of_type, other=f"{name}.{COMBINE}")
+                raise InputError("scenario.only_one", of_type, other=f"{name}.{COMBINE}")
             refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
         elif table.get("type") is None:
             known = phrase("scenario.one_of", names=", ".join(MEASURES))

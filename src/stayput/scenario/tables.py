@@ -299,9 +299,8 @@ class BuildingTable(ValueTable):
             raise InputError("scenario.needs_both", name, other=other)
         for key in REGULAR if own else ():
             if key in self.model_fields_set and getattr(self, key) not in (None, False):
-                raise InputError(
-                    "scenario.beside", f"shaking.building.{key}", other="shaking.building.masses"
-                )
+                name = f"shaking.building.{key}"
+                raise InputError("scenario.only_one", name, other="shaking.building.masses")
         if not own and self.storeys is None:
             name, allowed = "shaking.building.storeys", parameter_of(Building, "storeys")
             words = phrase("scenario.whole_number", low=allowed.low, high=allowed.high, unit="")

@@ -20,11 +20,8 @@ if TYPE_CHECKING:
 LARGEST_FILE = 1024 * 1024
 """Largest scenario file [bytes]."""
 
-MOST_PARTS = 8
-"""Most parts of a dotted key."""
-
-MOST_EXTRA_PARTS = 1000
-"""Most parts of a file's keys beyond two each."""
+MOST_EXTRA_PARTS = 300
+"""Most parts of a file's dotted keys beyond two each."""
 
 DEEPEST = 16
 """Deepest nesting of brackets and braces."""
@@ -124,9 +121,7 @@ def _refuse_excess(file: Path, text: str) -> None:
         depth = depth + 1 if found[0] in "[{" else max(0, depth - 1)
         if depth > DEEPEST:
             raise _refused(file, "too_deep", most=DEEPEST)
-    dots = [piece.count(".") for piece in _BETWEEN_KEYS.split(bare)]
-    if max(dots) >= MOST_PARTS:
-        raise _refused(file, "long_key", count=max(dots) + 1, most=MOST_PARTS)
+    dots = (part.count(".") for part in _BETWEEN_KEYS.split(bare))
     extra = sum(count - 1 for count in dots if count > 1)
     if extra > MOST_EXTRA_PARTS:
         raise _refused(file, "long_keys", count=extra, most=MOST_EXTRA_PARTS)
