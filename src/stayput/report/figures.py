@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import math
 from io import BytesIO
 from typing import TYPE_CHECKING, Literal
@@ -107,6 +108,14 @@ def saved(figure: Figure, path: str | Path | None) -> Figure:
         with draft(target) as unfinished:
             unfinished.write_bytes(content.getbuffer())
     return figure
+
+
+def embedded(figure: Figure, form: Literal["png", "svg"]) -> str:
+    """Return a figure as the address of an image that holds it."""
+    content = BytesIO()
+    figure.savefig(content, format=form)
+    kind = "svg+xml" if form == "svg" else form
+    return f"data:image/{kind};base64,{base64.b64encode(content.getvalue()).decode('ascii')}"
 
 
 def style(axis: Axes, *, zero: bool = True) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.page import file_of, framed, rendered, script_json, script_module, write_page
@@ -19,9 +19,15 @@ from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
 from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
-from stayput.report.verdict.in_space import pairs_of_several, space_pairs
 from stayput.report.verdict.numbers import word
-from stayput.report.verdict.pairs import histories_svg, motion_told, pairs_of
+from stayput.report.verdict.pairs import (
+    about_case,
+    histories_svg,
+    motion_told,
+    pairs_of,
+    pairs_of_several,
+    space_pairs,
+)
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
@@ -226,10 +232,10 @@ def _pair(verdict: Verdict, pair: RunPair, language: str) -> dict[str, Any]:
         for option, run in zip(pair.options, scene.runs, strict=True)
     ]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
-    about_key = f"{pair.kind}_text" if len(pair.options) > 1 else f"{pair.kind}_bare_text"
+    about = about_case(pair.kind, len(sides), phrase("common.without"), language)
     return {
         "title": word(pair.kind, language),
-        "about": word(about_key, language) + _place_of_the_measure(verdict, pair, language),
+        "about": about + _place_of_the_measure(verdict, pair, language),
         "motion": motion_told(verdict, pair.member, scene.runs[0], (scene.start, scene.end), language),
         "moved": _moved(scene, language),
         "sides": sides,
