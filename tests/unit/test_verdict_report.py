@@ -223,7 +223,7 @@ def test_assumptions_carry_how_well_founded_they_are():
     [
         (0.0, "would not slide under any of the motions", "どの地震動でも滑らない"),
         (0.5, "50 % of the motions would move it, half of these by more than 12 cm", "地震動の50%で動き"),
-        (1.0, "100 % of the motions would move it, half of these by more than 12 cm", "地震動の100%で動き"),
+        (1.0, "all motions would move it, half of them by more than 12 cm", "すべての地震動で動き"),
     ],
 )
 def test_how_far_it_would_slide(share, said, japanese):

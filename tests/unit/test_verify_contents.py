@@ -77,7 +77,6 @@ def stated_spill(out, speed, *, overturned=False):
         toppled=np.zeros((2, 3), bool),
         mass=np.ones((2, 3)),
         open_from=np.zeros(2),
-        open_part=1.0,
         **numbers,
     )
 

@@ -254,6 +254,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "were it only to slide, {share} of the motions would move it, half of these by more than {distance}",
         "滑りだけが起こるとすれば、地震動の{share}で動き、その半数では{distance}より大きく動く",
     ),
+    "asce43_all": (
+        "were it only to slide, all motions would move it, half of them by more than {distance}",
+        "滑りだけが起こるとすれば、すべての地震動で動き、その半数では{distance}より大きく動く",
+    ),
     "asce43_still": ("would not slide under any of the motions", "どの地震動でも滑らない"),
     "details": ("Each measure", "対策ごとの詳細"),
     "drawing_alt": (

@@ -43,7 +43,6 @@ if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.report.room.elevation import CardSizes
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
-    from stayput.rooms.verdict import RoomEffect
 
 PLAN_LETTERS = 17.0
 """Size of the names on the plan [px]; that in card.css."""
@@ -94,21 +93,16 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
     }
 
 
-def _told(plan: ActionPlan, together: RoomEffect) -> dict[str, tuple[Probability, float]]:
-    """Return the chances after all steps and before that are worth telling; none in a room without places."""
-    return {
-        key: (chance, was)
-        for key, (chance, was) in chances_after(together).items()
-        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
-    }
-
-
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
     if together is None and falling is None and not plan.unsolved:
         yield phrase("action_plan.nothing")
-    told = {} if together is None else _told(plan, together)
+    told = {  # what is worth telling: nobody is hit in a room without places
+        key: (chance, was)
+        for key, (chance, was) in ({} if together is None else chances_after(together)).items()
+        if (key == "hit" and verdict.places) or was != 0.0 or chance.estimate != 0.0
+    }
     if told:
         now, then = (
             joined(phrase(f"action_plan.chance_{key}", share=share) for key, share in shares.items())

@@ -69,7 +69,6 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
     kind = say("rooms.report", language)
     return {
         **shared_content(verdict, "room_report", kind, SHEETS, assumptions_of_room(verdict), language),
-        "kind": kind,
         "headline": headline,
         "others": others,
         "simulations": simulations_of_room(verdict, language),
@@ -78,33 +77,38 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
         "ways_out": any(one.door.way_out for one in verdict.doors),
-        "places": place_rows(verdict, language),
+        "places": [
+            {
+                "name": say(place_name(one.place), language),
+                "hit": one.hit,
+                "times": [
+                    (
+                        numbers.share(chance, language),
+                        say("room_report.presence", language, share=numbers.share(there, language)),
+                    )
+                    for chance, there in ((one.by_day, one.place.day), (one.by_night, one.place.night))
+                ],
+                "shut_in": one.shut_in,
+            }
+            for one in verdict.places
+        ],
         "hits": hit_rows(verdict, language),
-        "doors": door_rows(verdict, language),
+        "doors": [
+            {
+                "name": say(door_name(one.door), language),
+                "wall": say(f"rooms.{one.door.wall}", language),
+                "opens": say(f"room_report.{one.door.opens}", language),
+                "leads_out": say(f"room_report.{'yes' if one.door.way_out else 'no'}", language),
+                "blocked": one.blocked,
+                "at_rest": one.at_rest,
+            }
+            for one in verdict.doors
+        ],
         "pieces": piece_rows(verdict, language),
         "collisions": collision_rows(verdict, language),
         "changes": change_rows(verdict, language),
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
     }
-
-
-def place_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
-    """Return the places in the order of the file, with how often somebody is there and hit at what time."""
-    return [
-        {
-            "name": say(place_name(one.place), language),
-            "hit": one.hit,
-            "times": [
-                (
-                    numbers.share(chance, language),
-                    say("room_report.presence", language, share=numbers.share(there, language)),
-                )
-                for chance, there in ((one.by_day, one.place.day), (one.by_night, one.place.night))
-            ],
-            "shut_in": one.shut_in,
-        }
-        for one in verdict.places
-    ]
 
 
 def hit_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
@@ -120,21 +124,6 @@ def hit_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
         }
         for place in verdict.places
         for hit in place.by
-    ]
-
-
-def door_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
-    """Return the doors in the order of the file."""
-    return [
-        {
-            "name": say(door_name(one.door), language),
-            "wall": say(f"rooms.{one.door.wall}", language),
-            "opens": say(f"room_report.{one.door.opens}", language),
-            "leads_out": say(f"room_report.{'yes' if one.door.way_out else 'no'}", language),
-            "blocked": one.blocked,
-            "at_rest": one.at_rest,
-        }
-        for one in verdict.doors
     ]
 
 

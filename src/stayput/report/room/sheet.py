@@ -125,12 +125,7 @@ def _hole(sheet: PlanSheet, wall: str, start: float, width: float) -> str:
 def window_svg(sheet: PlanSheet, window: Window, language: str) -> str:
     """Return a window: an opening with a pane in it."""
     wall, ends = window.wall, (window.start, window.start + window.width)
-    panes = [
-        sheet.polyline(
-            [sheet.plan.on_wall(wall, along, -part * WALL / sheet.scale) for along in ends], "pane"
-        )
-        for part in (0.1, 0.5, 0.9)
-    ]
+    panes = [_in_wall(sheet, wall, ends, part, "pane") for part in (0.1, 0.5, 0.9)]
     title = say("room_report.window", language, width=window.width)
     return titled(title, _hole(sheet, wall, window.start, window.width), *panes)
 
@@ -141,18 +136,17 @@ def door_svg(sheet: PlanSheet, door: Door, title: str) -> str:
     return titled(title, hole, *(_panels(sheet, door) if door.opens == "sliding" else _leaf(sheet, door)))
 
 
+def _in_wall(sheet: PlanSheet, wall: str, ends: tuple[float, float], part: float, class_: str) -> str:
+    """Return a line along a wall, at a part of its thickness."""
+    depth = -part * WALL / sheet.scale
+    return sheet.polyline([sheet.plan.on_wall(wall, along, depth) for along in ends], class_)
+
+
 def _panels(sheet: PlanSheet, door: Door) -> list[str]:
-    part = 0.55 * door.width
-    ends = (
-        (door.start, door.start + part, 0.3),
-        (door.start + door.width - part, door.start + door.width, 0.7),
-    )
+    part, end = 0.55 * door.width, door.start + door.width
     return [
-        sheet.polyline(
-            [sheet.plan.on_wall(door.wall, along, -depth * WALL / sheet.scale) for along in (low, high)],
-            "leaf",
-        )
-        for low, high, depth in ends
+        _in_wall(sheet, door.wall, (door.start, door.start + part), 0.3, "leaf"),
+        _in_wall(sheet, door.wall, (end - part, end), 0.7, "leaf"),
     ]
 
 
@@ -161,9 +155,7 @@ def _leaf(sheet: PlanSheet, door: Door) -> list[str]:
     into = np.sin(angle) * (-door.width if door.opens == "outwards" else door.width)
     reach = np.cos(angle) * door.width
     along = door.start + (reach if door.hinge == "start" else door.width - reach)
-    edge = [
-        sheet.plan.on_wall(door.wall, *point) for point in zip(along.tolist(), into.tolist(), strict=True)
-    ]
+    edge = [sheet.plan.on_wall(door.wall, *point) for point in np.column_stack([along, into]).tolist()]
     hinge = sheet.plan.on_wall(door.wall, along[-1].item())
     return [sheet.polyline(edge, "swing"), sheet.polyline([hinge, edge[-1]], "leaf")]
 
@@ -200,15 +192,17 @@ def scale_svg(sheet: PlanSheet, language: str) -> str:
     return "".join(parts)
 
 
-_LYING = [(rectangle((0.0, -0.38), 0.62, 0.14), "soft"), (((-0.5, -0.23), (0.5, -0.23)), "fold")]
+_LYING: list[tuple[ArrayLike, str]] = [
+    (rectangle((0.0, -0.38), 0.62, 0.14), "soft"),
+    (((-0.5, -0.23), (0.5, -0.23)), "fold"),
+]
 _BARS = [
     (((0.5 * side, y), (0.4 * side, y)), "fold")
     for side in (-1.0, 1.0)
     for y in np.linspace(-0.4, 0.4, 7).tolist()
 ]
 _INSIDE: dict[str, list[tuple[ArrayLike, str]]] = {
-    "bed": [*_LYING],
-    "futon": [*_LYING],
+    **dict.fromkeys(("bed", "futon"), _LYING),
     "cot": [(rectangle((0.0, -0.36), 0.5, 0.14), "soft"), *_BARS],
     "desk": [(rectangle((0.04, 0.0), 0.6, 0.62), "soft"), (rectangle((-0.34, 0.0), 0.12, 0.7), "soft")],
     "sofa": [

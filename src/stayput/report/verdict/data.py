@@ -28,13 +28,12 @@ from stayput.verification.words import (
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from stayput.fragility import Capacity, Difference, FragilityCurve, Probability
+    from stayput.fragility import Difference, FragilityCurve, Probability
     from stayput.measures import Measure
     from stayput.report.verdict.assumptions import Assumption
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.verification import (
-        AsInstalled,
         AssemblyOptionVerdict,
         AssemblyVerdict,
         OptionVerdict,
@@ -42,6 +41,9 @@ if TYPE_CHECKING:
         Verdict,
     )
     from stayput.verification.verdict import DeviceOfSeveral, Estimates
+
+
+_ENDS = ("estimate", "low", "high")
 
 
 def json_text(data: dict[str, Any]) -> str:
@@ -171,7 +173,7 @@ def everyday_data(scenario: Scenario) -> list[dict[str, Any]]:
 
 
 def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
-    change = result.change
+    change, installed = result.change, result.installed
     return {
         "rank": result.rank,
         "name": result.option.name,
@@ -184,13 +186,15 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         ],
         "measures": [_measure(measure) for measure in result.option.measures],
         "probabilities": {event: _probability(value) for event, value in result.probabilities.items()},
-        "as_installed": None if result.installed is None else _as_installed(result.installed),
-        "overturned_change": None
-        if change is None
+        "as_installed": None
+        if installed is None
         else {
-            **interval_data(change),
-            **attributes(change, "clear", "pairs"),
+            "badly_share": installed.share,
+            "badly": {event: _probability(value) for event, value in installed.badly.items()},
+            "usual": {event: number(value) for event, value in installed.usual.items()},
+            "how": [by_language(how) for how in installed.how],
         },
+        "overturned_change": None if change is None else attributes(change, *_ENDS, "clear", "pairs"),
         "peak_slide_m": quantiles_data(result.slide),
         "peak_tilt_rad": quantiles_data(result.tilt),
         "devices": [
@@ -206,17 +210,15 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             for device in result.devices
         ],
         "contents": None if result.contents is None else contents_data(result.contents),
-        "capacities": [_capacity(value) for value in result.capacities.values()],
+        "capacities": [
+            {
+                "share": capacity.share,
+                "jma_intensity": number(capacity.estimate),
+                **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
+            }
+            for capacity in result.capacities.values()
+        ],
         "curves": [_curve(curve) for curve in result.curves.values()],
-    }
-
-
-def _as_installed(installed: AsInstalled) -> dict[str, Any]:
-    return {
-        "badly_share": installed.share,
-        "badly": {event: _probability(value) for event, value in installed.badly.items()},
-        "usual": {event: number(value) for event, value in installed.usual.items()},
-        "how": [by_language(how) for how in installed.how],
     }
 
 
@@ -227,7 +229,7 @@ def _measure(measure: Measure) -> dict[str, Any]:
 
 def interval_data(chance: Probability | Difference) -> dict[str, Any]:
     """Return a probability or a difference of two, with its interval."""
-    return attributes(chance, "estimate", "low", "high")
+    return attributes(chance, *_ENDS)
 
 
 def _counted(chance: Probability) -> dict[str, Any]:
@@ -243,18 +245,10 @@ def quantiles_data(quantiles: Quantiles) -> dict[str, float | None]:
     return attributes(quantiles, "median", "p90")
 
 
-def _capacity(capacity: Capacity) -> dict[str, Any]:
-    return {
-        "share": capacity.share,
-        "jma_intensity": number(capacity.estimate),
-        **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
-    }
-
-
 def _curve(curve: FragilityCurve) -> dict[str, Any]:
     """Return a curve and the observed shares at its levels, in SI units."""
-    share = curve.probability([level.im for level in curve.levels])
-    low, high = curve.band([level.im for level in curve.levels])
+    im = [level.im for level in curve.levels]
+    share, (low, high) = curve.probability(im), curve.band(im)
     lognormal = curve.lognormal
     return {
         "measure": curve.measure.key,
@@ -271,9 +265,7 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
         ],
         "lognormal": None
         if lognormal is None
-        else {
-            **attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
-        },
+        else attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
     }
 
 

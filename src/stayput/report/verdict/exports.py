@@ -15,7 +15,7 @@ from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.exports import identifiers, in_openquake, nrml_xml, pelicun_csv
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
-from stayput.report.verdict.assumptions import motions_assumption
+from stayput.report.verdict.assumptions import motions_told
 from stayput.spreadsheets import CSV_ENCODING, csv_text
 from stayput.verification.words import title
 
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.verification import Verdict
-    from stayput.verification.options import Option
 
 POINTS = 101
 """Points of a curve in the table."""
@@ -66,7 +65,12 @@ def write_curves(
     curves = [result.curves[measure] for result in verdict.options]
     fitted = [curve for curve in curves if curve.state is CurveState.FITTED]
     texts = {"curves.csv": curves_csv(fitted, measure), "observed.csv": observed_csv(curves)}
-    called = {result.option.name: _called(result.option, verdict, language) for result in verdict.options}
+    called = {  # in English as in the files
+        result.option.name: result.option.name
+        if language == "en"
+        else title(result.option, verdict, language)
+        for result in verdict.options
+    }
     left_out = [reason for curve in curves if (reason := _left_out(curve, called[curve.name], language))]
     left_out += [
         say("report.in_no_file", language, option=result.option.name, reason=result.why(language))
@@ -98,11 +102,6 @@ def write_curves(
     return [folder / name for name in names], left_out
 
 
-def _called(option: Option, verdict: Verdict, language: str) -> str:
-    """Return what an option is called in sentences: in English as in the files."""
-    return option.name if language == "en" else title(option, verdict, language)
-
-
 def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
     """Return why a curve is not in the files for loss tools, or there by its points; else nothing."""
     if curve.state is not CurveState.FITTED:
@@ -127,15 +126,7 @@ def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> s
         low, high = curve.band(grid)
         table = np.column_stack((grid, curve.probability(grid), low, high))
         rows += [(curve.name, *map(number, row.tolist()), METHOD) for row in table]
-    heading = (
-        "option",
-        key(curves[0].measure if curves else measure),
-        "probability",
-        "low",
-        "high",
-        "method",
-    )
-    return csv_text(heading, rows, "\n")
+    return csv_text(("option", key(measure), "probability", "low", "high", "method"), rows, "\n")
 
 
 def observed_csv(curves: Sequence[FragilityCurve]) -> str:
@@ -145,11 +136,8 @@ def observed_csv(curves: Sequence[FragilityCurve]) -> str:
         (
             curve.name,
             level.im,
-            level.probability.fell,
-            level.probability.runs,
-            number(level.probability.estimate),
-            level.probability.low,
-            level.probability.high,
+            *(level.probability.fell, level.probability.runs, number(level.probability.estimate)),
+            *(level.probability.low, level.probability.high),
         )
         for curve in curves
         for level in curve.levels
@@ -171,7 +159,7 @@ def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path, language: str
         replace(result.curves[measure], name=title(result.option, verdict, language))
         for result in (bare, *best)
     ]
-    motions = say(motions_assumption(verdict.scenario, verdict.motions).value, language)
+    motions = say(motions_told(verdict.scenario, verdict.motions)[0], language)
     here = verdict.intensity if measure == JMA_INTENSITY else None
     plot_fragility(
         curves,

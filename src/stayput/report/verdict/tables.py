@@ -23,7 +23,6 @@ from stayput.verification.words import is_own, length, reason, reason_of_several
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
-
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Probability
     from stayput.model.room import Room
@@ -375,7 +374,7 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
         shown.append((name, text("ac156_text", value=f"{test.sds:.2f}"), rocking))
     sliding = estimates.sliding
     says = text(
-        "asce43_still" if sliding.share == 0.0 else "asce43_text",
+        {0.0: "asce43_still", 1.0: "asce43_all"}.get(sliding.share, "asce43_text"),
         share=numbers.share(sliding.share, language),
         distance=length(sliding.distance),
     )
