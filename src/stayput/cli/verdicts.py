@@ -111,7 +111,7 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
         slide = _slide(row.slide[0], row.option.slide.median, lang)
         each = (numbers.probability(chance, lang) for _, chance in row.pieces)
         cells = (*_shares(row.shares, lang), slide, *each)
-        lines.append(_Line(str(row.option.rank), row.brief, cells, row.label, row.reason))
+        lines.append(_Line(str(row.option.rank), row.name, cells, row.label, row.reason))
     rejected = [(label, label, why) for label, why in impossible_rows(verdict, lang)]
     slid, option = word("brief_slide", lang), say("several.option", lang)
     headings = (option, *_events(verdict, lang), slid, *verdict.scenario.names)
