@@ -140,13 +140,6 @@ def test_a_large_ground_displacement_is_drawn_smaller_and_said_so():
     assert film_of(space_runs.falling(), None, "en").scene.shift_scale == 1.0
 
 
-def test_a_film_names_its_motion_in_its_language():
-    run = report_runs.falling()
-    run = replace(run, motion=replace(run.motion, name="synthetic mixed 3"))
-    assert "synthetic mixed 3" in film_of(run).strip_title
-    assert "模擬地震動（" in film_of(run, language="ja").strip_title
-
-
 @pytest.mark.parametrize("text", ["", SHORT, 4 * f"{SHORT}, ", LONG])
 def test_texts_of_any_length_are_within_the_frame(text: str):
     film: Any = Film(SimpleNamespace(start=0.0, end=10.0), "", text, text, "en", "")  # type: ignore[type-var]
