@@ -113,7 +113,12 @@ def made(**changed):
         changes=tuple(changes),
         typical=None,
         complete=True,
-        motions=MOTIONS, samples=SAMPLES, runs=4321, slide_limit=0.15, seed=77, seconds=12.3,
+        motions=MOTIONS,
+        samples=SAMPLES,
+        runs=4321,
+        slide_limit=0.15,
+        seed=77,
+        seconds=12.3,
     )
 
 

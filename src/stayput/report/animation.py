@@ -45,18 +45,14 @@ _SAMPLED = 12  # frames from which these are chosen
 _BAR_TEXTS = {
     **{key: f"common.{key}" for key in ("play", "pause", "time", "speed")},
     "theme": "runs.player_theme",
+    **{key: f"space.{key}" for key in ("tilt", "slide", "strip")},
 }
-PLAYER_TEXTS = _BAR_TEXTS | {
-    key: f"runs.player_{key}" for key in ("tilt", "slide", "strip", "keys", "tilt_shown")
-}
+PLAYER_TEXTS = _BAR_TEXTS | {key: f"runs.player_{key}" for key in ("keys", "tilt_shown")}
 """Texts of the HTML player: their ids by what the player calls them."""
 
+_OF_VIEWS = ("body", "yaw", "view", "view_free", "view_front", "view_side", "view_top")
 SPACE_PLAYER_TEXTS = _BAR_TEXTS | {
-    key: f"space.{key}"
-    for key in (
-        *("body", "tilt", "slide", "yaw", "view", "view_free", "view_front", "view_side", "view_top"),
-        *("shaken", "scene", "strip", "tilt_of", "keys", "no_webgl"),
-    )
+    key: f"space.{key}" for key in (*_OF_VIEWS, "shaken", "scene", "tilt_of", "keys", "no_webgl")
 }
 """The same of the player in space."""
 

@@ -343,30 +343,18 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
     if bare.curves:  # the first verdict of the page has none
         capacity = numbers.capacity(bare.curves[JMA_INTENSITY].capacity(0.5), language)
         median = f"{text('listed')}{text('capacity_short', share='50')}{text('colon')}{capacity}"
-    rows = [
-        ("west", text("west_text", value=f"{estimates.rocking_acceleration:.2f}"), rocking),
-        (
-            "ishiyama",
-            text(
-                "ishiyama_text",
-                value=f"{100.0 * estimates.overturning_velocity:.0f}",
-                share=numbers.share(estimates.possible, language),
-            ),
-            overturned,
-        ),
-        (
-            "kaneko",
-            text("kaneko_text", share=numbers.share(estimates.overturning_ratio, language)),
-            f"{overturned}{median}",
-        ),
+    velocity, possible = f"{100.0 * estimates.overturning_velocity:.0f}", estimates.possible
+    falls = numbers.share(estimates.overturning_ratio, language)
+    west = text("west_text", value=f"{estimates.rocking_acceleration:.2f}")
+    ishiyama = text("ishiyama_text", value=velocity, share=numbers.share(possible, language))
+    shown = [
+        (text("west"), west, rocking),
+        (text("ishiyama"), ishiyama, overturned),
+        (text("kaneko"), text("kaneko_text", share=falls), f"{overturned}{median}"),
     ]
-    shown = [(text(key), says, simulated) for key, says, simulated in rows]
     for load in estimates.equipment:
-        says = text(
-            "equipment_overturns" if load.overturns else "equipment_stands",
-            coefficient=f"{load.coefficient:g}",
-            force=f"{load.force:.0f}",
-        )
+        key, force = f"equipment_{'overturns' if load.overturns else 'stands'}", f"{load.force:.0f}"
+        says = text(key, coefficient=f"{load.coefficient:g}", force=force)
         name = text("equipment", grade=load.grade, position=text(f"position_{load.position}"))
         shown.append((name, says, overturned))
     if (test := estimates.shake_table) is not None:
