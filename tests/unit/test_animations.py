@@ -15,8 +15,7 @@ import space_runs
 from PIL import Image
 
 import stayput as sp
-from stayput.report.animation import animate_run, frame_times, player_page
-from stayput.report.film import Film, film_of
+from stayput.report.animation import Film, animate_run, film_of, frame_times, player_page
 from stayput.report.fonts import font, wrapped
 from stayput.report.frames import FrameLayout
 from stayput.report.palette import ALARM, rgb

@@ -11,7 +11,7 @@ from PIL import Image
 from report_runs import BODY, SHAKE, falling, made, rocking
 
 import stayput as sp
-from stayput.report.film import film_of
+from stayput.report.animation import film_of
 from stayput.report.frames import Painter
 from stayput.report.history import history
 from stayput.report.names import motion_label

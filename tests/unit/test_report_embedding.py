@@ -16,8 +16,7 @@ from space_runs import spinning
 from verdict_cases import made
 
 import stayput as sp
-from stayput.report.animation import player_page
-from stayput.report.film import film_of
+from stayput.report.animation import film_of, player_page
 from stayput.report.history import history
 from stayput.report.page import canvas_files, script_json, script_module
 from stayput.report.verdict.exports import curves_csv, observed_csv

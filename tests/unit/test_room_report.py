@@ -15,10 +15,17 @@ from stayput.fragility import difference, probability
 from stayput.measures import Belt
 from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Quantiles
-from stayput.report.room.html import change_rows, hit_rows, piece_rows, room_html, write_room_report
-from stayput.report.room.labels import LONGEST, PlanLabel, names_svg, overlap, places_of_names, wrapped
 from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_svg
-from stayput.report.room.sheet import PlanSheet
+from stayput.report.room.report import change_rows, hit_rows, piece_rows, room_html, write_room_report
+from stayput.report.room.sheet import (
+    LONGEST,
+    PlanLabel,
+    PlanSheet,
+    names_svg,
+    overlap,
+    places_of_names,
+    wrapped,
+)
 from stayput.report.verdict import numbers
 from stayput.rooms.changes import Change
 from stayput.rooms.events import CELL
@@ -324,16 +331,13 @@ def test_an_eighth_piece_has_the_first_colour_in_stripes(look):
     assert plain != striped
 
 
-def test_the_front_is_marked():
+def test_the_front_is_marked_and_a_round_piece_has_none():
     plan, picture = drawn()
     fronts = re.findall(r'<polyline points="([^"]*)" class="front"', picture)
     sheet = PlanSheet(plan)
     outline = made().pieces[0].outline
     xs = [float(point.split(",")[0]) for point in fronts[0].split()]
     assert xs == pytest.approx([sheet.place(outline[:, 0].max(), 0.0)[0] - 2.0] * 2, abs=0.1)
-
-
-def test_a_round_piece_has_no_front():
     angle = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)
     round_one = np.column_stack([2.0 + np.cos(angle), 1.0 + np.sin(angle)])
     picture = plan_svg(made().plan, [DrawnPiece("vase", 0, round_one, 0.0)], ["bed", "cot"], "en").svg

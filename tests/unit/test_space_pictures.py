@@ -13,7 +13,7 @@ from space_runs import BOX, DRUM, DT, SHAKE, TIME, apart, falling, spinning
 
 import stayput as sp
 from stayput.catalogue import say
-from stayput.report.film import film_of
+from stayput.report.animation import film_of
 from stayput.report.palette import BODY_COLOURS, rgb
 from stayput.report.space.frames import Camera, SpacePainter, _from_far, _hull_of
 from stayput.report.space.plot import plot_space_run

@@ -221,7 +221,7 @@ def _print_room(verdict: RoomVerdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes."""
     from rich.padding import Padding
 
-    from stayput.report.room.tables import sentences, simulations_of_room, tables
+    from stayput.report.room.report import sentences, simulations_of_room, tables
 
     console, paragraph = terminal(lang, verdict.scenario.title)
     for sentence in sentences(verdict, lang):

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from PIL import ImageFont
 
-    from stayput.report.film import Film
+    from stayput.report.animation import Film
     from stayput.report.scene import Pose, Scene
 
 

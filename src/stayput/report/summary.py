@@ -198,14 +198,9 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
     """Return the results as rows of a table in a language: label, and value with its unit."""
     motion = run.motion
     open_side = say("runs.open_side", language) if slides_off(run) else ""
+    shaken = {"name": motion_place(motion, language), "duration": motion.duration, "peak": motion.pga}
     values = {
-        "motion": say(
-            "runs.row_motion_value",
-            language,
-            name=motion_place(motion, language),
-            duration=motion.duration,
-            peak=motion.pga,
-        ),
+        "motion": say("runs.row_motion_value", language, **shaken),
         "outcome": outcome_named(run.outcome, language),
         "overturned": f"{run.overturn_time:.2f} s" if run.overturned else "-",
         "tilt": f"{math.degrees(run.peak_tilt):.2f}°",
@@ -271,19 +266,14 @@ def _event(event: Event) -> dict[str, Any]:
 def _hits(run: Run) -> Phrase:
     """Return the clause about impacts on walls and ceiling; empty where there was none."""
     counts = {"wall": run.count(EventKind.WALL_IMPACT), "ceiling": run.count(EventKind.CEILING_IMPACT)}
-    parts = [
-        phrase(
-            f"runs.hits_{what}",
-            times=phrase({1: "runs.once", 2: "runs.twice"}.get(n, "runs.times"), n=n),
-        )
-        for what, n in counts.items()
-        if n
-    ]
+    parts: list[Phrase] = []
+    for what, n in counts.items():
+        times = phrase({1: "runs.once", 2: "runs.twice"}.get(n, "runs.times"), n=n)
+        parts += [phrase(f"runs.hits_{what}", times=times)] if n else []
     if not parts:
         return "", ""
     english, japanese = zip(*parts, strict=True)
-    both = (" and ".join(english), "、".join(japanese))
-    return phrase("runs.hits", parts=both)
+    return phrase("runs.hits", parts=(" and ".join(english), "、".join(japanese)))
 
 
 def _slide(run: Run) -> Phrase:

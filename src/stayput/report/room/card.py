@@ -166,17 +166,15 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
     found: dict[tuple[bool, Phrase], list[str]] = {}
     for number, step in enumerate(plan.steps, 1):
         moved = f"action_plan.check_move{'_place' if step.overturned is None else ''}"
-        own = [phrase(moved)] if step.fix is None else checks(step.fix)
-        found.setdefault((False, joined(own, "action_plan.next")), []).append(str(number))
-        if step.instead is not None:
-            own = checks(step.instead)
-            found.setdefault((True, joined(own, "action_plan.next")), []).append(str(number))
-    lines: list[tuple[str, str]] = []
-    for (undrilled, told), numbers in found.items():
-        steps = ", ".join(numbers)
-        label = _own(language, "steps_instead", steps=steps) if undrilled else steps
-        lines.append((label, say(told, language)))
-    return lines
+        ways = [[phrase(moved)] if step.fix is None else checks(step.fix)]
+        ways += [] if step.instead is None else [checks(step.instead)]
+        for undrilled, own in enumerate(ways):
+            found.setdefault((bool(undrilled), joined(own, "action_plan.next")), []).append(str(number))
+    steps = {key: ", ".join(numbers) for key, numbers in found.items()}
+    return [
+        (_own(language, "steps_instead", steps=of) if undrilled else of, say(told, language))
+        for (undrilled, told), of in steps.items()
+    ]
 
 
 def _row(number: int, plan: ActionPlan, scale: int, language: str) -> dict[str, Any]:
@@ -222,16 +220,14 @@ def _dead_end(plan: ActionPlan, language: str) -> dict[str, Any] | None:
     own = partial(_own, language)
     before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
     drilled = {name: fix for name, fix in plan.drilled.items() if name in plan.unsolved}
+    blocks = (
+        (own("drilled_on", piece=piece_name(name)), fix, _lines_of_other(fix, before[name], plan))
+        for name, fix in drilled.items()
+    )
     return {
         "heading": own("not_enough", pieces=joined(map(piece_name, dict.fromkeys(names)))),
         "sentences": [*([own("ask_landlord")] if plan.home.no_drilling else []), own("out_of_reach")],
-        "drilled": [
-            (
-                own("drilled_on", piece=piece_name(name)),
-                _block(fix, _lines_of_other(fix, before[name], plan), plan, language),
-            )
-            for name, fix in drilled.items()
-        ],
+        "drilled": [(told, _block(fix, lines, plan, language)) for told, fix, lines in blocks],
     }
 
 
@@ -253,10 +249,12 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     if fix is not None:
         yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
         yield "where", joined((where(one, fix) for one in fix.purchases), "action_plan.next")
-    now = fix.overturns if fix is not None else _overturns_moved(step, plan)
     told: list[Phrase] = []
-    if step.overturned is not None and now is not None:
-        told.append(_overturns(step.overturned.estimate, now))
+    if (was := step.overturned) is not None:  # else it is the place of a person that is moved
+        moved = step.alone.overturned[plan.verdict.scenario.names.index(step.what)]
+        now = moved if fix is None else fix.overturns
+        if fix is not None or now.estimate != was.estimate:
+            told.append(_overturns(was.estimate, now))
     told += what_it_brings(number, plan)
     yield "effect" if fix is None or fix.enough else "reaches", joined(told, "action_plan.next")
     if fix is not None and fix.cautions:
@@ -276,14 +274,6 @@ def _lines_of_other(fix: Fix, was: float, plan: ActionPlan) -> Iterator[tuple[st
 
 def _overturns(was: float, now: Probability) -> Phrase:
     return phrase("action_plan.overturns", was=share_text(was), now=with_ends(now))
-
-
-def _overturns_moved(step: PlanStep, plan: ActionPlan) -> Probability | None:
-    """Return how often a piece that is moved overturns there; None of a person's place, or as often."""
-    if step.overturned is None:
-        return None
-    now = step.alone.overturned[plan.verdict.scenario.names.index(step.what)]
-    return None if now.estimate == step.overturned.estimate else now
 
 
 def _notes(plan: ActionPlan) -> Iterator[Phrase]:

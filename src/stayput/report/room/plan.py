@@ -11,8 +11,21 @@ import numpy as np
 
 from stayput.catalogue import say
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.room.labels import FONT, PlanLabel, names_svg, overlap, places_of_names, wrapped
-from stayput.report.room.sheet import PlanSheet, door_svg, place_svg, scale_svg, titled, walls_svg, window_svg
+from stayput.report.room.sheet import (
+    FONT,
+    PlanLabel,
+    PlanSheet,
+    door_svg,
+    names_svg,
+    overlap,
+    place_svg,
+    places_of_names,
+    scale_svg,
+    titled,
+    walls_svg,
+    window_svg,
+    wrapped,
+)
 from stayput.report.verdict import numbers, svg
 from stayput.rooms.events import CELL
 from stayput.rooms.words import change_label, door_name, names_in, piece_name, place_name

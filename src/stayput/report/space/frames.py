@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.report.film import Film
+    from stayput.report.animation import Film
     from stayput.report.space.scene import SpaceScene
     from stayput.report.space.shape import SolidShape
 

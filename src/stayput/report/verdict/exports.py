@@ -64,7 +64,11 @@ def write_curves(
     """
     curves = [result.curves[measure] for result in verdict.options]
     fitted = [curve for curve in curves if curve.state is CurveState.FITTED]
-    texts = {"curves.csv": curves_csv(fitted, measure), "observed.csv": observed_csv(curves)}
+    texts: dict[str, str | None] = {
+        "curves.csv": curves_csv(fitted, measure),
+        "observed.csv": observed_csv(curves),
+        "fragility.svg": None,  # which is drawn
+    }
     called = {  # in English as in the files
         result.option.name: result.option.name
         if language == "en"
@@ -87,19 +91,16 @@ def write_curves(
     if several and in_openquake(curves[0].measure) is None:
         left_out.append(say("report.no_nrml", language, measure=curves[0].measure.key))
     elif several:
-        texts["nrml.xml"] = nrml_xml(
-            several, say("report.overturning_of", piece=verdict.scenario.furniture.title)
-        )
-    names = list(texts)
-    names.insert(2, "fragility.svg")
+        about = say("report.overturning_of", piece=verdict.scenario.furniture.title)
+        texts["nrml.xml"] = nrml_xml(several, about)
     with folder_draft(folder) as unfinished:
-        for name in names:
-            if name in texts:
-                encoding = CSV_ENCODING if name in FOR_PEOPLE else "utf-8"
-                (unfinished / name).write_text(texts[name], encoding=encoding)
-            else:
+        for name, text in texts.items():
+            if text is None:
                 _plot(verdict, measure, unfinished / name, language)
-    return [folder / name for name in names], left_out
+            else:
+                encoding = CSV_ENCODING if name in FOR_PEOPLE else "utf-8"
+                (unfinished / name).write_text(text, encoding=encoding)
+    return [folder / name for name in texts], left_out
 
 
 def _left_out(curve: FragilityCurve, name: str, language: str) -> str:

@@ -18,9 +18,8 @@ from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces,
 from stayput.montecarlo.several import draws_of_several
 from stayput.montecarlo.several import replay as run_again
 from stayput.motion.suites import Suite
-from stayput.report.animation import player_page
+from stayput.report.animation import film_of, player_page
 from stayput.report.figures import embedded
-from stayput.report.film import film_of
 from stayput.report.fonts import drawable
 from stayput.report.history import MOVED, cut_run, history, peak_of, window_in_space, window_of
 from stayput.report.names import motion_label
