@@ -149,9 +149,7 @@ def test_a_scene_shows_the_time_in_which_something_happens():
         assert all(math.isfinite(end) for end in drawn["view"].values())
         for run in drawn["runs"]:
             assert {len(run[key]) for key in ("x_m", "z_m", "tilt_rad", "slide_m")} == {len(run["time_s"])}
-            assert pair.scene.start == run["time_s"][0]
-            assert run["time_s"][-1] <= round(pair.scene.end, 4)
-            assert [time for time, _ in run["modes"]] == sorted(time for time, _ in run["modes"])
+            assert pair.scene.start == run["time_s"][0] < run["time_s"][-1] <= round(pair.scene.end, 4)
 
 
 @pytest.mark.parametrize("initial", [{}, {"tilt": 0.03}])

@@ -253,11 +253,9 @@ class Contents:
     @property
     def of_kind(self) -> ContentsKind:
         """The preset, with what is given in its place."""
-        preset = CONTENTS[self.kind]
-        names = ContentsKind.__dataclass_fields__
-        values = {name: getattr(self, name) for name in names}
-        values = {name: getattr(preset, name) if v is None else v for name, v in values.items()}
-        return ContentsKind(**values)
+        own = {name: getattr(self, name) for name in ContentsKind.__dataclass_fields__}
+        given = {name: value for name, value in own.items() if value is not None}
+        return replace(CONTENTS[self.kind], **given)
 
     @property
     def friction(self) -> tuple[float, float]:

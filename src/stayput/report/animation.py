@@ -272,11 +272,8 @@ def player_page(film: Film[Any], speed: float, hold: float, *, plays: bool = Tru
         "plays": plays,
         "texts": texts,
     }
-    code = {
-        "inks": inks_css(),
-        "data": script_json(data),
-        "code": script_module(file_of(f"{folder}player.js")),
-    }
+    script = script_module(file_of(f"{folder}player.js"))
+    code = {"inks": inks_css(), "data": script_json(data), "code": script}
     said = {"language": film.language, "title": film.title, "caption": film.caption}
     return filled(file_of(f"{folder}player.html"), {**texts, **said}, code)
 

@@ -109,15 +109,9 @@ def draw_floors(
     for name in response.acceleration:
         fast = what == "velocity"
         peaks = 100.0 * response.peak_velocity(name) if fast else response.peak_acceleration(name)
-        axis.plot(
-            peaks,
-            response.storeys,
-            color=COMPONENT_COLOURS[name],
-            marker=HORIZONTAL[name],
-            markersize=4.0,
-            linewidth=1.4,
-            label=say("plots.floors", language, component=name),
-        )
+        looks: dict[str, Any] = {"color": COMPONENT_COLOURS[name], "marker": HORIZONTAL[name]}
+        looks |= {"markersize": 4.0, "linewidth": 1.4, "label": say("plots.floors", language, component=name)}
+        axis.plot(peaks, response.storeys, **looks)
     reference: dict[str, Any] = {"color": MUTED, "linestyle": "--", "linewidth": 1.3}
     ground = response.motion.peaks()["x"]
     if what == "acceleration":

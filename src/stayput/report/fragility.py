@@ -115,14 +115,9 @@ def plot_fragility(
     label = say("plots.isotonic", language, alone=alone)
     below = "\n".join((drawable(subtitle), label)) if subtitle else label
     axis.set_title(below, fontsize=FONT - 1.0, color=MUTED, loc="left")
-    labels = [_legend_label(curve, language) for curve in curves]
-    figure.legend(
-        loc="outside lower center",
-        ncols=1 if max(map(_cells, labels)) > 52 or len(curves) < 3 else 2,
-        fontsize=FONT - 1.0,
-        frameon=False,
-        handlelength=3.6,
-    )
+    widest = max(_cells(_legend_label(curve, language)) for curve in curves)
+    legend: dict[str, Any] = {"loc": "outside lower center", "frameon": False, "handlelength": 3.6}
+    figure.legend(ncols=1 if widest > 52 or len(curves) < 3 else 2, fontsize=FONT - 1.0, **legend)
     return saved(figure, path)
 
 

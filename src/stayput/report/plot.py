@@ -345,11 +345,5 @@ def _draw_modes(strip: Axes, present: dict[Mode, list[tuple[float, float]]], lan
     strip.set_ylim(0.0, 1.0)
     strip.set_ylabel(say("plots.mode", language), fontsize=FONT, rotation=0, ha="right", va="center")
     strip.tick_params(labelsize=FONT - 1.0, colors=INK)
-    strip.legend(
-        handles=_mode_handles(present, language),
-        loc="upper center",
-        bbox_to_anchor=(0.5, -2.6),
-        ncols=len(present),
-        fontsize=FONT - 1.0,
-        frameon=False,
-    )
+    below: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -2.6), "ncols": len(present)}
+    strip.legend(handles=_mode_handles(present, language), fontsize=FONT - 1.0, frameon=False, **below)

@@ -290,13 +290,7 @@ def _label_long_period_classes(axis: Axes, language: str) -> None:
     first, last = float(LONG_PERIODS[0]), float(LONG_PERIODS[-1])
     for number, bound in enumerate(LONG_PERIOD_BOUNDS, start=1):
         axis.plot([first, last], [100.0 * bound] * 2, color=MUTED, linewidth=1.0)
-        axis.annotate(
-            say("plots.long_period_class", language, number=number),
-            (last, 100.0 * bound),
-            xytext=(-2.0, 2.0),
-            textcoords="offset points",
-            ha="right",
-            fontsize=FONT - 2.0,
-            color=MUTED,
-        )
+        name = say("plots.long_period_class", language, number=number)
+        looks: dict[str, Any] = {"textcoords": "offset points", "ha": "right", "color": MUTED}
+        axis.annotate(name, (last, 100.0 * bound), (-2.0, 2.0), fontsize=FONT - 2.0, **looks)
     axis.set_title(say("plots.long_period", language), fontsize=FONT - 1.0, color=MUTED)

@@ -157,13 +157,12 @@ def device_results(device: DeviceResult) -> dict[str, Any]:
     }
 
 
-DEVICE_KEYS = {
-    "measure": "kind",
-    "place": "name",
-    "peak_pull_N": "peak_pull_n",
-    "peak_push_N": "peak_push_n",
-    "peak_shear_N": "peak_shear_n",
-    **{key: key for key in ("utilisation", "failed", "failure_time_s", "cause", "weakest")},
+DEVICE_KEYS = {"measure": "kind", "place": "name"} | {
+    key: key.lower()
+    for key in (
+        *("peak_pull_N", "peak_push_N", "peak_shear_N"),
+        *("utilisation", "failed", "failure_time_s", "cause", "weakest"),
+    )
 }
 """Keys of a device in what ``--json`` prints, and those of `device_results`."""
 
@@ -252,15 +251,10 @@ def device_rows(
 
 
 def _event(event: Event) -> dict[str, Any]:
-    return {
-        "time_s": event.time,
-        "kind": event.kind.value,
-        "mode": event.mode.value,
-        "tilt_rad": event.tilt,
-        "tilt_rate_rad_s": event.tilt_rate,
-        "slide_m": event.slide,
-        "slide_rate_m_s": event.slide_rate,
+    numbers = {
+        f"{name}_{unit.replace('/', '_')}": getattr(event, name) for name, (unit, _) in _EVENT_VALUES.items()
     }
+    return {"kind": event.kind.value, "mode": event.mode.value, **numbers}
 
 
 def _hits(run: Run) -> Phrase:

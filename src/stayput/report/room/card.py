@@ -65,17 +65,12 @@ def write_plan(plan: ActionPlan, path: str | Path, language: str = "en") -> Path
 
 def plan_html(plan: ActionPlan, language: str = "en") -> str:
     """Return the page of a plan, in "en" or "ja"."""
-    return rendered("room/card.html", _content(plan, language))
-
-
-def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
     title, named = _own(language, "title"), plan.verdict.scenario.title
     sizes = sizes_of(plan)
     drawn = [step.fix for step in plan.steps if step.fix is not None]
     elevations = elevation_scale(drawn, sizes)
     drawing, scale, legend = _plan(plan, sizes, language)
-    scales = {"plan": scale, "elevation": elevations}
-    return {
+    content = {
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
         "sentences": [say(told, language) for told in _sentences(plan)],
@@ -83,7 +78,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "dense": sizes == SIZES[-1],
         "plan": drawing,
         "legend": legend,
-        "scale": _own(language, "scale" if drawn else "scale_alone", **scales),
+        "scale": _own(language, "scale" if drawn else "scale_alone", plan=scale, elevation=elevations),
         "rows": [_row(number, plan, elevations, language) for number in range(1, len(plan.steps) + 1)],
         "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
@@ -91,6 +86,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
     }
+    return rendered("room/card.html", content)
 
 
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:

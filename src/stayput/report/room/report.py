@@ -36,6 +36,10 @@ if TYPE_CHECKING:
     from stayput.rooms.verdict import RoomVerdict
 
 
+KINDS = ("better", "chance", "worse")
+"""What can be said of a change: that it clearly helps, nothing, or that something clearly gets worse."""
+
+
 class TextTable(NamedTuple):
     """A table of texts, with what is said below it; without rows it is left out."""
 
@@ -147,18 +151,10 @@ def write_room_report(verdict: RoomVerdict, path: str | Path, language: str = "e
 
 def room_html(verdict: RoomVerdict, language: str = "en") -> str:
     """Return the text of a report; see `write_room_report`."""
-    return rendered("room/room.html", _content(verdict, language))
-
-
-KINDS = ("better", "chance", "worse")
-"""What can be said of a change: that it clearly helps, nothing, or that something clearly gets worse."""
-
-
-def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
     headline, *others = sentences(verdict, language)
     moved = change_plan(verdict, language)
     kind = say("rooms.report", language)
-    return {
+    content = {
         **shared_content(verdict, "room_report", kind, SHEETS, assumptions_of_room(verdict), language),
         "headline": headline,
         "others": others,
@@ -200,6 +196,7 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
         "changes": change_rows(verdict, language),
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
     }
+    return rendered("room/room.html", content)
 
 
 def hit_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:

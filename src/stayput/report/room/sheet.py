@@ -17,6 +17,7 @@ import numpy as np
 from stayput.catalogue import say
 from stayput.model.floor_plan import rectangle
 from stayput.model.room import WALLS_AROUND
+from stayput.report.space.shape import swing_of
 from stayput.report.verdict import svg
 
 if TYPE_CHECKING:
@@ -138,7 +139,10 @@ def window_svg(sheet: PlanSheet, window: Window, language: str) -> str:
 def door_svg(sheet: PlanSheet, door: Door, title: str) -> str:
     """Return a door: its leaf where it stands open, and the arc of its edge; two panels of a sliding one."""
     hole = _hole(sheet, door.wall, door.start, door.width)
-    return titled(title, hole, *(_panels(sheet, door) if door.opens == "sliding" else _leaf(sheet, door)))
+    if door.opens == "sliding":
+        return titled(title, hole, *_panels(sheet, door))
+    edge, leaf = swing_of(sheet.plan, door, ARC)
+    return titled(title, hole, sheet.polyline(edge, "swing"), sheet.polyline(leaf, "leaf"))
 
 
 def _in_wall(sheet: PlanSheet, wall: str, ends: tuple[float, float], part: float, class_: str) -> str:
@@ -153,16 +157,6 @@ def _panels(sheet: PlanSheet, door: Door) -> list[str]:
         _in_wall(sheet, door.wall, (door.start, door.start + part), 0.3, "leaf"),
         _in_wall(sheet, door.wall, (end - part, end), 0.7, "leaf"),
     ]
-
-
-def _leaf(sheet: PlanSheet, door: Door) -> list[str]:
-    angle = np.linspace(0.0, 0.5 * math.pi, ARC + 1)
-    into = np.sin(angle) * (-door.width if door.opens == "outwards" else door.width)
-    reach = np.cos(angle) * door.width
-    along = door.start + (reach if door.hinge == "start" else door.width - reach)
-    edge = [sheet.plan.on_wall(door.wall, *point) for point in np.column_stack([along, into]).tolist()]
-    hinge = sheet.plan.on_wall(door.wall, along[-1].item())
-    return [sheet.polyline(edge, "swing"), sheet.polyline([hinge, edge[-1]], "leaf")]
 
 
 def scale_svg(sheet: PlanSheet, language: str) -> str:

@@ -295,17 +295,16 @@ def _swing(plan: FloorPlan, door: Door) -> list[NDArray[np.float64]]:
     """Return on the floor the leaf of a door that opens inwards, and the way of its edge."""
     if door.opens != "inwards":
         return []
+    return [np.column_stack((line, np.zeros(len(line)))) for line in swing_of(plan, door, _ARC)]
+
+
+def swing_of(plan: FloorPlan, door: Door, parts: int) -> tuple[list[tuple[float, float]], ...]:
+    """Return the way of the edge of a door's leaf, in so many parts, and the open leaf [m]."""
     hinge, way = (door.start, 1.0) if door.hinge == "start" else (door.start + door.width, -1.0)
-    angles = np.linspace(0.0, 0.5 * math.pi, _ARC + 1).tolist()
-    edge = [
-        plan.on_wall(door.wall, hinge + way * door.width * math.cos(angle), door.width * math.sin(angle))
-        for angle in angles
-    ]
-    return [_on_floor(edge), _on_floor([plan.on_wall(door.wall, hinge), edge[-1]])]
-
-
-def _on_floor(points: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
-    return np.column_stack((points, np.zeros(len(points))))
+    into = -door.width if door.opens == "outwards" else door.width
+    turned = [(math.cos(angle), math.sin(angle)) for angle in np.linspace(0.0, 0.5 * math.pi, parts + 1)]
+    edge = [plan.on_wall(door.wall, hinge + way * door.width * x, into * y) for x, y in turned]
+    return edge, [plan.on_wall(door.wall, hinge), edge[-1]]
 
 
 def _closed(corners: NDArray[np.float64]) -> NDArray[np.float64]:

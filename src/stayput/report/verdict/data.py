@@ -14,7 +14,7 @@ from stayput.measures.measure import MEANINGS
 from stayput.motion.intensity import intensity_class
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
-from stayput.report.verdict.tables import contents_data, peaks_data
+from stayput.report.verdict.tables import contents_data, flat_quantiles
 from stayput.verification.grades import inputs
 from stayput.verification.notes import everyday_cases, notes
 from stayput.verification.words import (
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
         Quantiles,
         Verdict,
     )
+    from stayput.verification.options import Impossible
     from stayput.verification.verdict import DeviceOfSeveral, Estimates
 
 
@@ -107,17 +108,19 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "options": [_option(result, verdict) for result in verdict.options],
         "not_possible": [
             {
-                "name": impossible.option.name,
-                "label": in_both(impossible.option.label),
-                "measures": [_measure(measure) for measure in impossible.option.measures],
-                "reason": in_both(impossible.why),
+                **_rejected(one, one.option.label),
+                "measures": [_measure(measure) for measure in one.option.measures],
             }
-            for impossible in verdict.impossible
+            for one in verdict.impossible
         ],
         "estimates": _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario),
         **_foot(verdict.scenario, assumptions(verdict)),
     }
+
+
+def _rejected(one: Impossible[Any], label: Callable[[str], str]) -> dict[str, Any]:
+    return {"name": one.option.name, "label": in_both(label), "reason": in_both(one.why)}
 
 
 def _estimates(estimates: Estimates) -> dict[str, Any]:
@@ -278,14 +281,7 @@ def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
         "slide_limit_m": verdict.slide_limit,
         **attributes(verdict, "motions", "samples", "runs", "seed", "precise", "seconds"),
         "options": [_option_of_several(result, verdict) for result in verdict.options],
-        "not_possible": [
-            {
-                "name": one.option.name,
-                "label": in_both(partial(title_of_several, one, verdict)),
-                "reason": in_both(one.why),
-            }
-            for one in verdict.rejected
-        ],
+        "not_possible": [_rejected(one, partial(title_of_several, one, verdict)) for one in verdict.rejected],
         **_foot(verdict.scenario, several_assumptions(verdict)),
     }
 
@@ -302,13 +298,13 @@ def _option_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) 
         "measures": {name: [measure.kind for measure in held] for name, held in measures},
         "probabilities": {event: _counted(chance) for event, chance in result.probabilities.items()},
         "change": None if result.change is None else number(result.change.estimate),
-        **peaks_data(result),
+        **flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt),
         "pieces": [
             {
                 "name": piece.name,
                 "counts": body in scenario.counted,
                 "probabilities": {event: _counted(chance) for event, chance in piece.probabilities.items()},
-                **peaks_data(piece),
+                **flat_quantiles(peak_slide_m=piece.slide, peak_tilt_rad=piece.tilt),
             }
             for body, piece in enumerate(result.pieces)
         ],
@@ -324,9 +320,6 @@ def _device_of_several(device: DeviceOfSeveral) -> dict[str, Any]:
         "name": summary.name,
         "failed": number(summary.failed.estimate),
         "failure_time_s_median": number(summary.failure_time),
-        "peak_force_n_median": number(summary.peak.median),
-        "peak_force_n_p90": number(summary.peak.p90),
-        "utilisation_median": number(summary.used.median),
-        "utilisation_p90": number(summary.used.p90),
+        **flat_quantiles(peak_force_n=summary.peak, utilisation=summary.used),
         "weakest": None if summary.weakest is None else by_language(summary.weakest),
     }

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
         AssemblyOptionVerdict,
         DeviceSummary,
         OptionVerdict,
-        PieceVerdict,
+        Quantiles,
         Verdict,
     )
     from stayput.verification.contents import ContentsVerdict
@@ -247,14 +247,12 @@ def verdict_csv(verdict: Verdict | AssemblyVerdict) -> str:
 
 def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     shares = result.probabilities[OVERTURNED]
-    record: dict[str, object] = {
-        "rank": result.rank,
-        "option": result.option.name,
-        "measures": result.option.label("en") if result.option.measures else _NO_MEASURE,
-    }
+    measures = result.option.label("en") if result.option.measures else _NO_MEASURE
+    record: dict[str, object] = {"rank": result.rank, "option": result.option.name, "measures": measures}
     for event, chance in result.probabilities.items():
         record |= {**_ends(event, chance), f"{event}_count": chance.fell}
-    record |= {"runs": shares.runs, "missing": shares.missing, **peaks_data(result)}
+    record |= {"runs": shares.runs, "missing": shares.missing}
+    record |= flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt)
     for share in SHARES:
         capacity = result.capacities.get(share)
         key = f"{'floor_jma' if verdict.floor else 'jma_intensity'}_{100.0 * share:.0f}_percent"
@@ -272,11 +270,8 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
 
 
 def _record_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> dict[str, object]:
-    record: dict[str, object] = {
-        "rank": result.rank,
-        "option": result.option.name,
-        "consists_of": title_of_several(result, verdict, "en"),
-    }
+    consists = title_of_several(result, verdict, "en")
+    record: dict[str, object] = {"rank": result.rank, "option": result.option.name, "consists_of": consists}
     for event, chance in result.probabilities.items():
         record |= _ends(event, chance)
     shares = result.probabilities[OVERTURNED]
@@ -284,14 +279,15 @@ def _record_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) 
         f"overturned: {one.name}": number(one.probabilities[OVERTURNED].estimate) for one in result.pieces
     }
     record |= {"runs": shares.runs, "missing": shares.missing, **each}
-    return {**record, **peaks_data(result), "not_possible": None}
+    record |= flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt)
+    return {**record, "not_possible": None}
 
 
-def peaks_data(result: OptionVerdict | AssemblyOptionVerdict | PieceVerdict) -> dict[str, float | None]:
-    """Return the quantiles of the peaks as plain values."""
+def flat_quantiles(**each: Quantiles) -> dict[str, float | None]:
+    """Return quantiles as plain values, by their names and what they are of."""
     return {
-        f"peak_{name}_{quantile}": number(getattr(quantiles, quantile))
-        for name, quantiles in (("slide_m", result.slide), ("tilt_rad", result.tilt))
+        f"{name}_{quantile}": number(getattr(quantiles, quantile))
+        for name, quantiles in each.items()
         for quantile in ("median", "p90")
     }
 
