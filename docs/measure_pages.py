@@ -22,7 +22,7 @@ from stayput.measures.fixing import (
     panel,
 )
 from stayput.model.body import FURNITURE
-from stayput.report.film import film_of
+from stayput.report.animation import film_of
 from stayput.report.frames import Painter
 
 if TYPE_CHECKING:

@@ -15,8 +15,7 @@ import space_runs
 from PIL import Image
 
 import stayput as sp
-from stayput.report.animation import animate_run, frame_times, player_page
-from stayput.report.film import Film, film_of
+from stayput.report.animation import Film, animate_run, film_of, frame_times, player_page
 from stayput.report.fonts import font, wrapped
 from stayput.report.frames import FrameLayout
 from stayput.report.palette import ALARM, rgb
@@ -138,13 +137,6 @@ def test_a_large_ground_displacement_is_drawn_smaller_and_said_so():
     assert np.linalg.norm(far.scene.shift, axis=1).max() == pytest.approx(0.9, rel=0.01)
     assert film_of(report_runs.rocking()).scene.shift_scale == 1.0
     assert film_of(space_runs.falling(), None, "en").scene.shift_scale == 1.0
-
-
-def test_a_film_names_its_motion_in_its_language():
-    run = report_runs.falling()
-    run = replace(run, motion=replace(run.motion, name="synthetic mixed 3"))
-    assert "synthetic mixed 3" in film_of(run).strip_title
-    assert "模擬地震動（" in film_of(run, language="ja").strip_title
 
 
 @pytest.mark.parametrize("text", ["", SHORT, 4 * f"{SHORT}, ", LONG])

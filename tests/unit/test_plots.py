@@ -165,6 +165,9 @@ def test_notebooks_show_the_ranking_of_a_verdict(verdict: sp.Verdict):
     shown = verdict._repr_html_()
     assert verdict.sentence().replace("'", "&#x27;") in shown
     assert shown.index("Screwed L-brackets") < shown.index("Without measures")
+    # without a device none fails
+    assert re.search(r"<tr><th>\d</th><td>Without measures</td>(<td>\d[^<]*</td>)+<td>–</td>", shown)
+    assert "<td>–</td>" not in shown.split("Without measures")[0]
 
 
 def test_hostile_names_stay_text():
@@ -226,6 +229,9 @@ def test_something_else_than_axes_is_refused():
     for wrong in (Figure().subplots(2, 2), Figure(), "ax"):
         with pytest.raises(sp.InputError, match="Axes"):
             MOTION.plot(wrong)
+    for projection in ("polar", "3d"):
+        with pytest.raises(sp.InputError, match=f"'{projection}'; it must be 'rectilinear'"):
+            MOTION.plot(Figure().add_subplot(projection=projection))
 
 
 def test_a_displacement_that_drifts_has_no_peak(ax: Axes):
@@ -250,16 +256,3 @@ def test_short_motions_are_shown_without_an_intensity():
     listed = sp.Suite((short, MOTION))._repr_html_()
     assert "<td>–</td>" in listed
     assert f"<td>{MOTION.intensity:.2f}</td>" in listed
-
-
-def test_no_device_fails_where_there_is_none(verdict: sp.Verdict):
-    shown = verdict._repr_html_()
-    assert re.search(r"<tr><th>\d</th><td>Without measures</td>(<td>\d[^<]*</td>)+<td>–</td>", shown)
-    assert re.search(r"<tr><th>\d</th><td>Screwed L-brackets</td>(?!.*<td>–</td>)", shown.split("Without")[0])
-
-
-@pytest.mark.parametrize("projection", ["polar", "3d"])
-def test_axes_of_another_projection_are_refused(projection: str):
-    other = Figure().add_subplot(projection=projection)
-    with pytest.raises(sp.InputError, match=f"'{projection}'; it must be 'rectilinear'"):
-        MOTION.plot(other)

@@ -4,7 +4,6 @@ import dataclasses
 import itertools
 import json
 import math
-import re
 
 import numpy as np
 import pytest
@@ -12,8 +11,7 @@ from PIL import Image
 from report_runs import BODY, SHAKE, falling, made, rocking
 
 import stayput as sp
-from stayput.report.animation import animate_run
-from stayput.report.film import film_of
+from stayput.report.animation import film_of
 from stayput.report.frames import Painter
 from stayput.report.history import history
 from stayput.report.names import motion_label
@@ -112,20 +110,6 @@ def test_the_room_is_drawn_to_scale_and_moves_with_the_ground():
     first, then = film.scene.pose(0.3), film.scene.pose(1.4)
     moved = then.shift + then.x - first.shift - first.x
     assert left_edge(1.4) - left_edge(0.3) == pytest.approx(moved * (width + line) / 0.3, abs=2.0)
-
-
-def test_the_html_page_stands_alone_and_holds_the_histories(tmp_path):
-    page = animate_run(falling(), tmp_path / "a.html", names=["</script><b>"]).read_text(encoding="utf-8")
-    assert not re.search(r"https?:|src=|@import|url\(", page)
-    assert page.count("</script>") == 2
-    assert "{{" not in page
-    data = json.loads(re.search(r'type="application/json">(.*?)</script>', page, re.DOTALL).group(1))
-    shown = history(falling())
-    [run], floor = data["runs"], data["floor"]
-    for key, values in {"time_s": shown.time, "x_m": shown.x, "tilt_rad": shown.tilt}.items():
-        assert run[key] == pytest.approx(values, abs=1e-5)
-    assert len(floor["x_m"]) == len(floor["time_s"])
-    assert [mode for _, mode in run["modes"]] == ["rest", "slide", "rest", "rock", "overturned"]
 
 
 def test_a_scene_holds_all_that_is_drawn_in_si_units():

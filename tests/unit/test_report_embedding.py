@@ -11,11 +11,13 @@ import re
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from report_runs import rocking
+from report_runs import falling
+from space_runs import spinning
 from verdict_cases import made
 
-from stayput.report.animation import player_page
-from stayput.report.film import film_of
+import stayput as sp
+from stayput.report.animation import film_of, player_page
+from stayput.report.history import history
 from stayput.report.page import canvas_files, script_json, script_module
 from stayput.report.verdict.exports import curves_csv, observed_csv
 from stayput.report.verdict.tables import verdict_csv
@@ -47,14 +49,26 @@ def test_an_inline_module_has_no_imports_and_no_exports() -> None:
     assert "inks.css" in canvas_files()
 
 
-@pytest.mark.parametrize("name", HOSTILE)
-def test_the_player_holds_any_name(name: str) -> None:
-    page = player_page(film_of(rocking(), [name]), 1.0, 1.0)
-    data = re.search(r'<script id="run" type="application/json">(.*?)</script>', page, re.S)
-    assert data
-    assert "<" not in data[1]
-    assert name.lower() in json.loads(data[1])["title"].lower()
-    assert page.count("<script") == player_page(film_of(rocking(), ["a"]), 1.0, 1.0).count("<script")
+@pytest.mark.parametrize(
+    ("run", "names"), [*((falling(), [name]) for name in HOSTILE), (spinning(), HOSTILE[:3])]
+)
+def test_a_player_stands_alone_and_holds_any_name(run: sp.Run | sp.SpaceRun, names: list[str]) -> None:
+    page = player_page(film_of(run, names), 1.0, 1.0)
+    assert not re.search(r"https?:|src=|@import|url\(", page)
+    assert (page.count("<script"), page.count("</script>")) == (2, 2)
+    found = re.search(r'<script id="run" type="application/json">(.*?)</script>', page, re.DOTALL)
+    assert found
+    data = json.loads(found[1])
+    if isinstance(run, sp.Run):
+        assert names[0].lower() in data["title"].lower()
+        shown, told = history(run), data["runs"][0]
+        assert told["tilt_rad"] == pytest.approx(shown.tilt, abs=1e-5)
+        assert [mode for _, mode in told["modes"]] == ["rest", "slide", "rest", "rock", "overturned"]
+    else:
+        assert [body["name"] for body in data["bodies"]] == names
+    declared = re.findall(r"^(?:const|let|function) (\w+)", page.rsplit("<script", 1)[1], re.MULTILINE)
+    assert len(declared) == len(set(declared)), "all modules share one scope"
+    assert len(page) < 130_000
 
 
 @pytest.mark.parametrize("begins", ["=", "+", "-", "@", "\t", "\r", "＝"])

@@ -15,10 +15,17 @@ from stayput.fragility import difference, probability
 from stayput.measures import Belt
 from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Quantiles
-from stayput.report.room.html import change_rows, hit_rows, piece_rows, room_html, write_room_report
-from stayput.report.room.labels import LONGEST, PlanLabel, names_svg, overlap, places_of_names, wrapped
 from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_svg
-from stayput.report.room.sheet import PlanSheet
+from stayput.report.room.report import change_rows, hit_rows, piece_rows, room_html, write_room_report
+from stayput.report.room.sheet import (
+    LONGEST,
+    PlanLabel,
+    PlanSheet,
+    names_svg,
+    overlap,
+    places_of_names,
+    wrapped,
+)
 from stayput.report.verdict import numbers
 from stayput.rooms.changes import Change
 from stayput.rooms.events import CELL
@@ -66,35 +73,36 @@ NEVER = probability(np.zeros((MOTIONS, SAMPLES), np.bool_))
 def made(**changed):
     """Return a verdict made by hand, in which each number differs from the others."""
     scenario = RoomScenario.parse({**SCENARIO, **changed})
-    plan = scenario.floor_plan()
-    seeds = iter(range(100))
-    chance = [probability(shares(0.05 + 0.04 * n, next(seeds))) for n in range(22)]
+    plan, names = scenario.floor_plan(), scenario.names
+    chance = [probability(shares(0.05 + 0.04 * n, n)) for n in range(22)]
     left = iter(chance)
     pieces = []
-    for number, member in enumerate(scenario.assembly(scenario.stated).members):
-        covers = np.zeros((round(plan.width / CELL), round(plan.length / CELL)))
-        covers[10 * number : 10 * number + 5, 4:6] = 0.35
-        standing = bare(member)
-        pieces.append(
-            RoomPiece(
-                name=scenario.names[number],
-                in_plane=number == 0,
-                probabilities={event: next(left) for event in EVENTS},
-                slide=Quantiles(0.021 + number, 0.043 + number),
-                fell=covers,
-                stood=0.0 * covers,
-                outline=rectangle(standing.at[:2], 0.3, 0.8, standing.heading),
-                risk=0.123 - 0.1 * number,
-            )
-        )
-    by = tuple(
+    for n, member in enumerate(scenario.assembly(scenario.stated).members):
+        fell = np.zeros((round(plan.width / CELL), round(plan.length / CELL)))
+        fell[10 * n : 10 * n + 5, 4:6] = 0.35
+        standing, own = bare(member), {event: next(left) for event in EVENTS}
+        outline = rectangle(standing.at[:2], 0.3, 0.8, standing.heading)
+        slide, risk = Quantiles(0.021 + n, 0.043 + n), 0.123 - 0.1 * n
+        pieces.append(RoomPiece(names[n], n == 0, own, slide, fell, 0.0 * fell, outline, risk))
+    by = [
         HitVerdict(
-            one.name, 13.0 + n, next(left), Quantiles(1.1 + n, 2.2 + n), Quantiles(31.0 + n, 1720.0 + 100 * n)
+            name,
+            13.0 + n,
+            next(left),
+            *(Quantiles(*two) for two in ((1.1 + n, 2.2 + n), (31.0 + n, 1720.0 + 100 * n))),
         )
-        for n, one in enumerate(pieces)
-    )
+        for n, name in enumerate(names)
+    ]
     moved = Change("bed" if plan.places else "vase", at=(2.5, 1.6), heading=0.0)
     bare_runs, some = shares(0.7, 40), shares(0.2, 41)
+    same, each = difference(some, some), len(names)
+    changes = [
+        ChangeVerdict(
+            *(chance[n], difference(after, bare_runs), chance[5 + n], same, NEVER, same, 0.21 + 0.01 * n),
+            *((chance[10 + n],) * each, (same,) * each, change),
+        )
+        for n, (change, after) in enumerate(((Change(HOSTILE, Belt()), bare_runs), (moved, some)))
+    ]
     return RoomVerdict(
         scenario=scenario,
         plan=plan,
@@ -103,32 +111,13 @@ def made(**changed):
         shut_in=next(left),
         risk=0.317,
         places=tuple(
-            PlaceVerdict(place, next(left) if n == 0 else NEVER, by if n == 0 else (), next(left))
+            PlaceVerdict(place, next(left) if n == 0 else NEVER, tuple(by) if n == 0 else (), next(left))
             for n, place in enumerate(plan.places)
         ),
         doors=tuple(DoorVerdict(door, next(left), n == 1) for n, door in enumerate(plan.doors)),
         pieces=tuple(pieces),
         collisions={(HOSTILE, "vase"): chance[21]},
-        changes=tuple(
-            ChangeVerdict(
-                chance[n],
-                difference(after, bare_runs),
-                chance[5 + n],
-                shut,
-                NEVER,
-                difference(some, some),
-                0.21 + 0.01 * n,
-                (chance[10 + n],) * len(scenario.names),
-                (difference(some, some),) * len(scenario.names),
-                change,
-            )
-            for n, (change, after, shut) in enumerate(
-                (
-                    (Change(HOSTILE, Belt()), bare_runs, difference(some, some)),
-                    (moved, some, difference(some, some)),
-                )
-            )
-        ),
+        changes=tuple(changes),
         typical=None,
         complete=True,
         motions=MOTIONS,
@@ -146,22 +135,28 @@ def page(request):
     return verdict, request.param, room_html(verdict, request.param)
 
 
+def barred(verdict):
+    """Return the chances that the report draws as bars, in its order: the change that clearly helps first."""
+    return [
+        *(one.hit for one in verdict.places),
+        *(one.probability for place in verdict.places for one in place.by),
+        *(one.blocked for one in verdict.doors),
+        *(one.shut_in for one in verdict.places),
+        *(one.probabilities[event] for one in verdict.pieces for event in ("overturned", "slid")),
+        *verdict.collisions.values(),
+        *(
+            chance
+            for one in (verdict.changes[1], verdict.changes[0])
+            for chance in (one.hit, one.shut_in, *(verdict.piece_changed(one) or ())[:1])
+        ),
+    ]
+
+
 def test_it_says_the_verdict_and_every_number_of_it(page):
     verdict, language, text = page
     told = Page(text).words
     assert " ".join(sentence_of_room(verdict, language).split()) in told
-    for chance in (
-        verdict.hit,
-        verdict.shut_in,
-        *(one.hit for one in verdict.places),
-        *(one.shut_in for one in verdict.places),
-        *(one.probability for place in verdict.places for one in place.by),
-        *(one.blocked for one in verdict.doors),
-        *(one.probabilities[event] for one in verdict.pieces for event in ("overturned", "slid")),
-        *verdict.collisions.values(),
-        *(one.hit for one in verdict.changes),
-        *(one.shut_in for one in verdict.changes),
-    ):
+    for chance in (verdict.hit, verdict.shut_in, *barred(verdict)):
         assert numbers.share(chance.estimate, language) in told
         assert numbers.interval(chance, language) in told
     for one in verdict.changes:
@@ -220,20 +215,7 @@ def test_its_inputs_are_folded_into_it(page):
 def test_each_bar_stands_with_its_number(page):
     verdict, language, text = page
     told = re.findall(r'<span class="value">([^<]*)</span>\s*<svg class="bar"', text)
-    changes = (verdict.changes[1], verdict.changes[0])  # the one that clearly helps comes first
-    wanted = [
-        *(one.hit for one in verdict.places),
-        *(one.probability for place in verdict.places for one in place.by),
-        *(one.blocked for one in verdict.doors),
-        *(one.shut_in for one in verdict.places),
-        *(one.probabilities[event] for one in verdict.pieces for event in ("overturned", "slid")),
-        *verdict.collisions.values(),
-        *(
-            chance
-            for one in changes
-            for chance in (one.hit, one.shut_in, *(verdict.piece_changed(one) or ())[:1])
-        ),
-    ]
+    wanted = barred(verdict)
     shown = [numbers.share(one.estimate, language) for one in wanted]
     assert [share.replace("\u00a0", " ") for share in told] == shown
     widths = [float(width) for width in re.findall(r'class="part" width="([\d.]+)"', text)]
@@ -349,16 +331,13 @@ def test_an_eighth_piece_has_the_first_colour_in_stripes(look):
     assert plain != striped
 
 
-def test_the_front_is_marked():
+def test_the_front_is_marked_and_a_round_piece_has_none():
     plan, picture = drawn()
     fronts = re.findall(r'<polyline points="([^"]*)" class="front"', picture)
     sheet = PlanSheet(plan)
     outline = made().pieces[0].outline
     xs = [float(point.split(",")[0]) for point in fronts[0].split()]
     assert xs == pytest.approx([sheet.place(outline[:, 0].max(), 0.0)[0] - 2.0] * 2, abs=0.1)
-
-
-def test_a_round_piece_has_no_front():
     angle = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)
     round_one = np.column_stack([2.0 + np.cos(angle), 1.0 + np.sin(angle)])
     picture = plan_svg(made().plan, [DrawnPiece("vase", 0, round_one, 0.0)], ["bed", "cot"], "en").svg

@@ -19,7 +19,7 @@ from stayput.measures import Belt, LBracket, TensionPole
 from stayput.model.floor_plan import FACING
 from stayput.montecarlo.several import turned
 from stayput.report.room.data import room_data
-from stayput.report.room.tables import simulations_of_room
+from stayput.report.room.report import simulations_of_room
 from stayput.rooms import effects
 from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, overlap, places_at_walls
 from stayput.rooms.runs import groups_of, part_with, runs_of_each

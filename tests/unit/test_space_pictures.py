@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import dataclasses
 import json
-import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,8 +13,7 @@ from space_runs import BOX, DRUM, DT, SHAKE, TIME, apart, falling, spinning
 
 import stayput as sp
 from stayput.catalogue import say
-from stayput.report.film import film_of
-from stayput.report.page import script_module
+from stayput.report.animation import film_of
 from stayput.report.palette import BODY_COLOURS, rgb
 from stayput.report.space.frames import Camera, SpacePainter, _from_far, _hull_of
 from stayput.report.space.plot import plot_space_run
@@ -46,12 +44,6 @@ def part(run: SpaceRun, *, bodies: slice = slice(None), samples: slice = slice(N
         place=run.place[bodies, samples],
         attitude=run.attitude[bodies, samples],
     )
-
-
-def data_of(page: str) -> dict[str, Any]:
-    found = re.search(r'type="application/json">(.*?)</script>', page, re.DOTALL)
-    assert found
-    return json.loads(found[1])
 
 
 def test_the_yaw_counts_whole_turns_and_leaves_out_the_tilt() -> None:
@@ -183,26 +175,6 @@ def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
         hue = np.array(rgb(colour)) / max(rgb(colour))
         near = np.abs(shown / np.maximum(shown.max(axis=1, keepdims=True), 1) - hue).max(axis=1) < 0.02
         assert near.sum() > 300
-
-
-def test_what_is_behind_the_camera_is_not_drawn() -> None:
-    run = falling()
-    way = np.array([4.0, -8.0, 2.0]) * TIME[:, np.newaxis]
-    painter = SpacePainter(film_of(dataclasses.replace(run, place=run.place + way), None, "en"), 640, 480)
-    for time in (0.8, 1.2, 1.6, 2.0):
-        assert painter.frame(time).size == (640, 480)
-
-
-def test_the_html_page_stands_alone_and_is_small(tmp_path: Path) -> None:
-    page = spinning().animate(tmp_path / "a.html", names=["</script><b>", "{{data}}", "c"]).read_text("utf-8")
-    assert not re.search(r"https?:|src=|@import|url\(", page)
-    assert page.count("</script>") == 2
-    assert [body["name"] for body in data_of(page)["bodies"]] == ["</script><b>", "{{data}}", "c"]
-    code = page.rsplit('<script type="module">', 1)[1]
-    declared = re.findall(r"^(?:const|let|function) (\w+)", code, re.MULTILINE)
-    assert len(declared) == len(set(declared)), "all modules share one scope"
-    assert len(page) < 130_000
-    assert "import " not in script_module('import { orbit } from "./canvas/camera.js";\n')
 
 
 def test_what_became_of_the_bodies() -> None:

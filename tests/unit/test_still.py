@@ -9,7 +9,7 @@ import numpy as np
 from space_runs import falling
 
 import stayput as sp
-from stayput.report.film import film_of
+from stayput.report.animation import film_of
 from stayput.report.space import frames
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.plot import plot_space_run
@@ -121,17 +121,7 @@ def test_a_room_is_run_with_its_plan() -> None:
         {
             "plan": {"width": 2.0, "length": 2.0},
             "places": [{"at": [1.0, 1.3], "kind": "cot"}],
-            "furniture": [
-                {
-                    "name": "box",
-                    "against": "left_wall",
-                    "along": 0.5,
-                    "width": 0.4,
-                    "height": 0.5,
-                    "length": 0.5,
-                    "mass": 10.0,
-                }
-            ],
+            "furniture": [{"name": "box", "preset": "chest", "against": "left_wall", "along": 0.6}],
             "shaking": {"sine": {"amplitude": 0.5, "frequency": 2.0}},
         }
     )

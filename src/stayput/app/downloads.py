@@ -242,7 +242,7 @@ def report_page(verdict: AnyVerdict, language: str, motions: Motions) -> bytes:
     motions : Motions
         The uploaded motions, whose names replace their ids.
     """
-    from stayput.report.room.html import room_html
+    from stayput.report.room.report import room_html
     from stayput.report.verdict.html import report_html  # Matplotlib takes its time to load
 
     if isinstance(verdict, RoomVerdict):

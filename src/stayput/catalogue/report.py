@@ -141,10 +141,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "typical": ("A typical case", "典型的な場合"),
     "typical_text": (
         (
-            "Without a measure, half of the runs went better than this one and half went "
-            "worse. The same motion and the same draw on both sides."
+            "{without}, half of the runs went better than this one and half went worse. "
+            "The same motion and the same draw on both sides."
         ),
-        "対策なしで、結果がちょうど中程度だった計算です。左右とも同じ地震動・同じ標本です。",
+        "{without}で、結果がちょうど中程度だった計算です。どちらも同じ地震動・同じ標本です。",
     ),
     "typical_also_falls": (
         "Of all runs with the measure {share} overturn, and this one does.",
@@ -160,12 +160,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "worst": ("The worst case", "最悪の場合"),
     "worst_text": (
-        "The run that went worst with the best measure, and the same one without it.",
-        "最良の対策で最も悪い結果になった計算と、その対策なしの場合です。",
+        "The run that went worst with the best of those compared, and the same one without it.",
+        "比較した中で最良の案で最も悪い結果になった計算と、その案なしの同じ計算です。",
     ),
     "worst_bare_text": (
-        "The run that went worst without a measure.",
-        "対策なしで最も悪い結果になった計算です。",
+        "{without}, this is the run that went worst.",
+        "{without}で最も悪い結果になった計算です。",
     ),
     "scene_alt": (
         "Animation of the piece in its room, seen from its side: {content}",
@@ -180,8 +180,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "axis_tilt": ("Tilt [°]", "傾き [°]"),
     "axis_slide": ("Slide [cm]", "移動量 [cm]"),
     "typical_bare_text": (
-        "Without a measure, half of the runs went better than this one and half went worse.",
-        "対策なしで、結果がちょうど中程度だった計算です。",
+        "{without}, half of the runs went better than this one and half went worse.",
+        "{without}で、結果がちょうど中程度だった計算です。",
     ),
     "axis_time": ("Time [s]", "時刻 [s]"),
     "device_failure": ("device fails", "器具の破損・脱落"),

@@ -9,6 +9,7 @@ SHARED = (
     "rooms.near_side_wall",
     "rooms.right_wall",
     "rooms.numbered",
+    "space.caption_still",
 )
 """Texts of other modules that the page says too; their keys there are their keys on the page."""
 
@@ -84,10 +85,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "htmlOfRoom": ("Animation (HTML)", "動画（HTML）"),
     "gifOfRoom": ("Animation, 10 s (GIF)", "動画、10秒（GIF）"),
     "mp4OfRoom": ("Animation, 10 s (MP4)", "動画、10秒（MP4）"),
-    "stillNote": (
-        "Beds and other places of people, doors and windows are drawn as outlines: they do not move and hold nothing up.",
-        "ベッドなど人のいる場所、ドア、窓は線で示しています。動かず、家具を支えません。",
-    ),
     "noInjury": (
         "Chances are for somebody who is there. Speed and energy are upper bounds: no bed and no person holds the piece up. Whether such a blow injures is not computed, and no threshold of injury is used.",
         "確率は、その場所に人がいる場合のものです。速さとエネルギーは、ベッドや人が家具を支えないとした上限です。けがをするかどうかは計算しておらず、けがの基準値も使っていません。",

@@ -11,10 +11,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Somebody has no way out, from one place or more",
         "どこかの場所から外に出られなくなる確率",
     ),
-    "risk": (
-        "Somebody is hit, counting how long people are at each place",
-        "人がいる時間を考慮した、人に家具が当たる確率",
-    ),
     "missing": (
         "{missing} of {all} runs of the room could not be followed to the end, and are not in the chances.",
         "部屋の計算{all}回のうち{missing}回は最後まで計算できず、確率に含めていません。",
@@ -135,9 +131,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "change": ("Change", "変更"),
     "changed_hit": ("Somebody is hit", "人に当たる確率"),
     "changed_shut_in": ("Somebody has no way out", "外に出られない確率"),
-    "changed_risk": ("Somebody is hit, counting the hours", "人に当たる確率（いる時間を考慮）"),
+    "risk": ("Somebody is hit, counting the hours that people are there", "人に当たる確率（いる時間を考慮）"),
     "changed_overturned": ("The piece overturns", "その家具が倒れる確率"),
-    "comma": ("; ", "、"),
     "no_changes": ("No changes were compared.", "比較した変更はありません。"),
     "moved_text": (
         "{change}. The dashed outline is where it stands now.",

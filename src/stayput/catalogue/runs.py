@@ -82,10 +82,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "synthetic": ("{name} (synthetic)", "{name}（模擬）"),
     # Animations.
     "body": ("body", "物体"),
-    "player_tilt": ("tilt", "傾き"),
-    "player_slide": ("slide", "移動量"),
     "player_theme": ("Light / dark", "明るい配色／暗い配色"),
-    "player_strip": ("Floor acceleration and tilt over time", "床の加速度と傾きの時刻歴"),
     "player_keys": (
         "Space plays and pauses; the arrow keys step.",
         "スペースキーで再生・一時停止、矢印キーでコマ送りができます。",

@@ -74,25 +74,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "each": ("Which pieces overturn", "転倒する家具"),
     "details": ("Joints and devices of each option", "案ごとの接合部と器具"),
     "holds": ("Holds", "取付け先"),
-    "typical_text": (
-        (
-            "Without joints and measures, half of the runs went better than this one and half went worse. The same "
-            "motion and the same draw with the best option."
-        ),
-        "接合・対策なしで、結果がちょうど中程度だった計算です。最良の案も同じ地震動・同じ標本です。",
-    ),
-    "typical_bare_text": (
-        "Without joints and measures, half of the runs went better than this one and half went worse.",
-        "接合・対策なしで、結果がちょうど中程度だった計算です。",
-    ),
-    "worst_text": (
-        "The run that went worst with the best option, and the same one without joints and measures.",
-        "最良の案で最も悪い結果になった計算と、同じ計算を接合・対策なしで行ったものです。",
-    ),
-    "worst_bare_text": (
-        "The run that went worst without joints and measures.",
-        "接合・対策なしで最も悪い結果になった計算です。",
-    ),
     "piece_box": (
         "{width:g} × {length:g} × {height:g} m, {mass:.4g} kg",
         "{width:g} × {length:g} × {height:g} m、{mass:.4g} kg",

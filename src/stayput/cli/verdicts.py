@@ -111,7 +111,7 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
         slide = _slide(row.slide[0], row.option.slide.median, lang)
         each = (numbers.probability(chance, lang) for _, chance in row.pieces)
         cells = (*_shares(row.shares, lang), slide, *each)
-        lines.append(_Line(str(row.option.rank), row.brief, cells, row.label, row.reason))
+        lines.append(_Line(str(row.option.rank), row.name, cells, row.label, row.reason))
     rejected = [(label, label, why) for label, why in impossible_rows(verdict, lang)]
     slid, option = word("brief_slide", lang), say("several.option", lang)
     headings = (option, *_events(verdict, lang), slid, *verdict.scenario.names)
@@ -221,7 +221,7 @@ def _print_room(verdict: RoomVerdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes."""
     from rich.padding import Padding
 
-    from stayput.report.room.tables import sentences, simulations_of_room, tables
+    from stayput.report.room.report import sentences, simulations_of_room, tables
 
     console, paragraph = terminal(lang, verdict.scenario.title)
     for sentence in sentences(verdict, lang):

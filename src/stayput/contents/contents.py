@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from stayput.errors import InputError, instance_of, list_of, word_of
 from stayput.measures.place import with_mass
@@ -239,35 +239,23 @@ class Contents:
                 "contents.no_catch", "catch", catch=self.catch, doors=self.doors, drawers=self.drawers
             )
         needs_doors = {"door_mass": DOORS[1:], "leaf": ("sliding",)}
-        for name, kinds in needs_doors.items():
-            about = parameter_of(Contents, name)
-            value = getattr(self, name)
-            if value != about.default and self.doors not in kinds:
-                raise InputError(
-                    "contents.without_doors",
-                    name,
-                    name=about.label,
-                    value=value,
-                    unit=about.unit,
-                    doors=self.doors,
-                    needed=", ".join(map(repr, kinds)),
-                )
-        for name in ("lip", "setback", "width", "height") if self.drawers != "none" else ():
-            about = parameter_of(Contents, name)
-            value = getattr(self, name)
-            if value != about.default:
-                raise InputError(
-                    "contents.in_drawers", name, name=about.label, value=value, drawers=self.drawers
-                )
+        for name in ("door_mass", "leaf", "lip", "setback", "width", "height"):
+            about, value = parameter_of(Contents, name), getattr(self, name)
+            told: dict[str, Any] = {"name": about.label, "value": value, "unit": about.unit}
+            if value == about.default:
+                continue
+            if self.doors not in (kinds := needs_doors.get(name, DOORS)):
+                needed = ", ".join(map(repr, kinds))
+                raise InputError("contents.without_doors", name, **told, doors=self.doors, needed=needed)
+            if name not in needs_doors and self.drawers != "none":
+                raise InputError("contents.in_drawers", name, **told, drawers=self.drawers)
 
     @property
     def of_kind(self) -> ContentsKind:
         """The preset, with what is given in its place."""
-        preset = CONTENTS[self.kind]
-        names = ContentsKind.__dataclass_fields__
-        values = {name: getattr(self, name) for name in names}
-        values = {name: getattr(preset, name) if v is None else v for name, v in values.items()}
-        return ContentsKind(**values)
+        own = {name: getattr(self, name) for name in ContentsKind.__dataclass_fields__}
+        given = {name: value for name, value in own.items() if value is not None}
+        return replace(CONTENTS[self.kind], **given)
 
     @property
     def friction(self) -> tuple[float, float]:

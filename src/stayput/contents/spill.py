@@ -55,8 +55,6 @@ class Spill:
         Mass of each [kg].
     open_from : ndarray, shape [shelves]
         When the doors or the drawer opened [s]; inf where they stayed shut, 0 where there are none.
-    open_part : float
-        Part of the front that sliding doors left open; 1 for all else.
     time : ndarray
         When it left the shelf [s], nan where it did not; likewise the three that follow, which are nan too
         for what the piece takes with it as it turns over, and for items that were not followed.
@@ -83,7 +81,6 @@ class Spill:
     toppled: NDArray[np.bool_]
     mass: NDArray[np.float64]
     open_from: NDArray[np.float64]
-    open_part: float
     time: NDArray[np.float64]
     height: NDArray[np.float64]
     speed: NDArray[np.float64]
@@ -206,7 +203,6 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int)
         toppled=over,
         mass=np.repeat(np.array(masses)[:, np.newaxis] / shape[1], shape[1], axis=1),
         open_from=np.where(opened < samples, opened * carrier.dt, math.inf),
-        open_part=part,
         time=time,
         height=height,
         speed=speed,

@@ -6,7 +6,8 @@ import math
 import subprocess
 import tempfile
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeAlias
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 from PIL import Image
@@ -14,12 +15,16 @@ from PIL import Image
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
-from stayput.report.film import film_of
 from stayput.report.frames import Painter
+from stayput.report.history import cut_run, history, peak_of, window_in_space, window_of
+from stayput.report.names import motion_label
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
 from stayput.report.palette import mode_looks
+from stayput.report.scene import DRIFT_CORNER, Scene, scene_of
 from stayput.report.space.frames import SpacePainter
-from stayput.report.space.scene import SpaceScene
+from stayput.report.space.scene import SpaceScene, space_scene
+from stayput.report.space.summary import became, names_of
+from stayput.report.summary import sentences
 from stayput.simulation.space_run import SpaceRun
 from stayput.wording import check_language
 
@@ -29,7 +34,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.report.film import Film
     from stayput.simulation.run import Run
 
 Progress: TypeAlias = Callable[[int, int], None]
@@ -45,20 +49,112 @@ _SAMPLED = 12  # frames from which these are chosen
 _BAR_TEXTS = {
     **{key: f"common.{key}" for key in ("play", "pause", "time", "speed")},
     "theme": "runs.player_theme",
+    **{key: f"space.{key}" for key in ("tilt", "slide", "strip")},
 }
-PLAYER_TEXTS = _BAR_TEXTS | {
-    key: f"runs.player_{key}" for key in ("tilt", "slide", "strip", "keys", "tilt_shown")
-}
+PLAYER_TEXTS = _BAR_TEXTS | {key: f"runs.player_{key}" for key in ("keys", "tilt_shown")}
 """Texts of the HTML player: their ids by what the player calls them."""
 
+_OF_VIEWS = ("body", "yaw", "view", "view_free", "view_front", "view_side", "view_top")
 SPACE_PLAYER_TEXTS = _BAR_TEXTS | {
-    key: f"space.{key}"
-    for key in (
-        *("body", "tilt", "slide", "yaw", "view", "view_free", "view_front", "view_side", "view_top"),
-        *("shaken", "scene", "strip", "tilt_of", "keys", "no_webgl"),
-    )
+    key: f"space.{key}" for key in (*_OF_VIEWS, "shaken", "scene", "tilt_of", "keys", "no_webgl")
 }
 """The same of the player in space."""
+
+
+AnyScene = TypeVar("AnyScene", bound=Scene | SpaceScene)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Film(Generic[AnyScene]):
+    """A run made ready for an animation.
+
+    Parameters
+    ----------
+    scene : Scene or SpaceScene
+        What is drawn.
+    title : str
+        What became of the bodies, in one sentence.
+    strip_title : str
+        Title of the strip with the floor's acceleration.
+    caption : str
+        What the picture shows, and how the room moves in it.
+    language : str
+        Language of the texts, "en" or "ja".
+    note : str
+        A sentence that stands in every frame of a GIF or MP4.
+    """
+
+    scene: AnyScene
+    title: str
+    strip_title: str
+    caption: str
+    language: str
+    note: str
+
+
+def film_of(
+    run: Run | SpaceRun,
+    names: Sequence[str] | None = None,
+    language: str = "en",
+    beside: Sequence[SpaceRun] = (),
+    *,
+    seconds: float | None = None,
+    note: str = "",
+) -> Film[Any]:
+    """Make a run ready for an animation.
+
+    Parameters
+    ----------
+    run : Run or SpaceRun
+        The run.
+    names : sequence of str, optional
+        What the bodies are called; by default "body", or by their numbers where there are several.
+    language : str
+        Language of the texts, "en" or "ja".
+    beside : sequence of SpaceRun
+        Runs in space that are shown beside each other, this one among them, to one scale.
+    seconds : float, optional
+        How much is shown of it, in which something happens [s]; by default all.
+    note : str
+        A sentence that stands in every frame.
+
+    Raises
+    ------
+    InputError
+        The run has fewer than two samples, or there is not a name for each body.
+    """
+    if len(run.time) < 2:
+        raise InputError("runs.too_short", samples=len(run.time))
+    if isinstance(run, SpaceRun):
+        shown = run if seconds is None else cut_run(run, *window_in_space([run], seconds))
+        called = names_of(run, names, language)
+        scene = space_scene(shown, called, beside)
+        told, key, peak = became(run, called), "space.motion_title", peak_of(run.motion)
+        caption = [
+            say("space.caption", language, grid=scene.grid),
+            *([say("space.caption_still", language)] if scene.still else []),
+            say("space.caption_moved", language, **_movement(scene)),
+        ]
+    else:
+        start, end = float(run.time[0]), None
+        if seconds is not None:
+            shown = history(run)
+            start, end = window_of([(run, shown)], run.motion, seconds)
+            end = min(end, shown.end)
+        scene = scene_of([run], start, end)
+        told = sentences(run, phrase("runs.body") if names is None else (names[0], names[0]))
+        key, peak = "runs.motion_title", run.motion.pga
+        caption = [say("runs.caption", language, **_movement(scene), grid=scene.view.grid)]
+    motion = say(key, language, name=motion_label(run.motion, language), peak=peak)
+    strip = say("runs.floor_acceleration", language, motion=motion)
+    return Film(scene, say(told, language), strip, " ".join(caption), language, note)
+
+
+def _movement(scene: Scene | SpaceScene) -> dict[str, object]:
+    """Return the values of a sentence on how the room moves in a picture."""
+    scale = scene.shift_scale
+    part = "" if scale >= 1.0 else phrase("runs.drawn_smaller", share=100.0 * scale)
+    return {"corner": DRIFT_CORNER, "part": part}
 
 
 def animate_run(
@@ -176,11 +272,8 @@ def player_page(film: Film[Any], speed: float, hold: float, *, plays: bool = Tru
         "plays": plays,
         "texts": texts,
     }
-    code = {
-        "inks": inks_css(),
-        "data": script_json(data),
-        "code": script_module(file_of(f"{folder}player.js")),
-    }
+    script = script_module(file_of(f"{folder}player.js"))
+    code = {"inks": inks_css(), "data": script_json(data), "code": script}
     said = {"language": film.language, "title": film.title, "caption": film.caption}
     return filled(file_of(f"{folder}player.html"), {**texts, **said}, code)
 

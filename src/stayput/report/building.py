@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
     from stayput.building.model import ShearModel
     from stayput.building.response import FloorResponse
@@ -38,17 +37,6 @@ LINES = (
 
 HORIZONTAL = {"x": "o", "y": "s"}
 """Marker of each horizontal component, beside its colour."""
-
-
-def height_factor(response: FloorResponse) -> NDArray[np.float64]:
-    """Return 1 + 2z/h at the floors, shape (storeys + 1,): a rule of thumb for the peak over the ground's."""
-    return 1.0 + 2.0 * (response.storeys - 1.0) / response.model.storeys
-
-
-def shown_storeys(response: FloorResponse) -> tuple[int, ...]:
-    """Return the floors whose spectra are drawn where nothing is said: in the middle, and the roof."""
-    roof = response.model.storeys + 1
-    return (roof,) if roof == 2 else ((roof + 1) // 2, roof)
 
 
 def plot_building(
@@ -112,30 +100,30 @@ def draw_floors(
         Something else, or a storey that the building has not.
     """
     word_of("plots.what", what, get_args(FloorDrawing), "what")
+    style(axis, zero=False)
+    roof = response.model.storeys + 1
     if what == "spectra":
-        _draw_spectra(axis, response, shown_storeys(response) if storeys is None else storeys, language)
+        usual = (roof,) if roof == 2 else ((roof + 1) // 2, roof)
+        _draw_spectra(axis, response, usual if storeys is None else storeys, language)
         return
     for name in response.acceleration:
         fast = what == "velocity"
         peaks = 100.0 * response.peak_velocity(name) if fast else response.peak_acceleration(name)
-        axis.plot(
-            peaks,
-            response.storeys,
-            color=COMPONENT_COLOURS[name],
-            marker=HORIZONTAL[name],
-            markersize=4.0,
-            linewidth=1.4,
-            label=say("plots.floors", language, component=name),
-        )
+        looks: dict[str, Any] = {"color": COMPONENT_COLOURS[name], "marker": HORIZONTAL[name]}
+        looks |= {"markersize": 4.0, "linewidth": 1.4, "label": say("plots.floors", language, component=name)}
+        axis.plot(peaks, response.storeys, **looks)
     reference: dict[str, Any] = {"color": MUTED, "linestyle": "--", "linewidth": 1.3}
     ground = response.motion.peaks()["x"]
     if what == "acceleration":
-        thumb = ground.pga * height_factor(response)
+        # a rule of thumb: 1 + 2z/h
+        thumb = ground.pga * (1.0 + 2.0 * (response.storeys - 1.0) / response.model.storeys)
         axis.plot(thumb, response.storeys, label=say("plots.thumb", language), **reference)
     else:
         axis.axvline(100.0 * ground.pgv, label=say("plots.ground_x", language), **reference)
-    _storey_axis(axis, response, language)
-    label_axes(axis, language, x=f"plots.peak_{what}")
+    axis.set_xlim(left=0.0)
+    axis.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axis.set_ylim(0.7, roof + 0.3)
+    label_axes(axis, language, f"plots.peak_{what}", "plots.storey", roof=roof)
     legend_within(axis)
 
 
@@ -159,16 +147,7 @@ def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None
     legend_within(axis)
 
 
-def _storey_axis(axis: Axes, response: FloorResponse, language: str) -> None:
-    style(axis, zero=False)
-    axis.set_xlim(left=0.0)
-    axis.yaxis.set_major_locator(MaxNLocator(integer=True))
-    axis.set_ylim(0.7, response.model.storeys + 1.3)
-    label_axes(axis, language, y="plots.storey", roof=response.model.storeys + 1)
-
-
 def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], language: str) -> None:
-    style(axis, zero=False)
     ground = response_spectrum(response.motion)
     axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("plots.ground", language))
     for i, storey in enumerate(storeys):

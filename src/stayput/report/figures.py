@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import math
 from io import BytesIO
 from typing import TYPE_CHECKING, Any, Literal
@@ -116,6 +117,14 @@ def saved(figure: Figure, path: str | Path | None) -> Figure:
     return figure
 
 
+def embedded(figure: Figure, form: Literal["png", "svg"]) -> str:
+    """Return a figure as the address of an image that holds it."""
+    content = BytesIO()
+    figure.savefig(content, format=form)
+    kind = "svg+xml" if form == "svg" else form
+    return f"data:image/{kind};base64,{base64.b64encode(content.getvalue()).decode('ascii')}"
+
+
 def style(axis: Axes, *, zero: bool = True) -> None:
     """Give an axis the grid and the sizes of all plots, and a line at zero where that means something."""
     axis.tick_params(labelsize=FONT - 1.0, colors=INK)
@@ -156,12 +165,17 @@ def shaded_classes(axis: Axes, first: float, last: float, language: str) -> Iter
     tuple
         The middle of a class within the ends, and its name.
     """
-    ends = [start for _, start in CLASSES[1:]] + [math.inf]
-    for place, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
-        low, high = max(start, first), min(end, last)
-        if high <= low:
-            continue
-        if place % 2:
+    for shaded, name, low, high in classes_between(first, last):
+        if shaded:
             axis.axvspan(low, high, color=FAINT, alpha=0.35, linewidth=0.0, zorder=0)
         if high - low > 0.05 * (last - first):
             yield 0.5 * (low + high), drawable(say(INTENSITIES[name], language).removeprefix("震度"))
+
+
+def classes_between(first: float, last: float) -> Iterator[tuple[bool, str, float, float]]:
+    """Yield JMA's classes between two intensities: whether one is shaded, every second, its name and ends."""
+    ends = [start for _, start in CLASSES[1:]] + [math.inf]
+    for place, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
+        low, high = max(start, first), min(end, last)
+        if high > low:
+            yield place % 2 == 1, name, low, high

@@ -29,15 +29,8 @@ _PARTS = re.compile(rf"[（「]*(?:[{_JAPANESE}]|[^\s{_JAPANESE}]+)[、。」）
 _LEFT_OUT = "\N{HORIZONTAL ELLIPSIS}"
 
 PREFERRED = (
-    *(
-        "NotoSansCJK-Regular",
-        "NotoSansCJKjp-Regular",
-        "NotoSansJP",
-        "SourceHanSans",
-        "ipaexg",
-        "ipagp",
-        "ipag",
-    ),
+    *("NotoSansCJK-Regular", "NotoSansCJKjp-Regular", "NotoSansJP", "SourceHanSans"),
+    *("ipaexg", "ipagp", "ipag"),
     *("TakaoPGothic", "VL-PGothic", "Hiragino Sans GB", "ヒラギノ角ゴシック W3", "YuGothR", "YuGothM"),
     *("meiryo", "msgothic", "DroidSansFallback"),
 )
@@ -76,9 +69,8 @@ def with_face(text: str, size: float) -> tuple[str, ImageFont.FreeTypeFont]:
     other = _other(missing) if missing else None
     if other is None:
         return _with_letters(text), font(size)
-    return _without(text, {c for c in _with_letters(text) if not c.isspace()} - _characters(other)), font(
-        size, other
-    )
+    shown = {c for c in _with_letters(text) if not c.isspace()}
+    return _without(text, shown - _characters(other)), font(size, other)
 
 
 def wrapped(text: str, face: ImageFont.FreeTypeFont, room: float) -> str:

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
     from stayput.fragility.curve import FragilityCurve
     from stayput.fragility.intensity_measures import IntensityMeasure
@@ -99,11 +98,15 @@ def plot_fragility(
     figure = new_figure(8.4, 5.4, title)
     axis: Axes = figure.subplots()
     style(axis, zero=False)
-    grid = _grid(curves, measure)
-    shift = _shift(curves, measure)
+    steps = [
+        float(np.diff(measure.coordinate([level.im for level in curve.levels])).min())
+        for curve in curves
+        if len(curve.levels) > 1
+    ]
+    shift = 0.6 * min(steps, default=0.0) / len(_LOOKS)  # moves the markers of the curves apart
     for place, curve in enumerate(curves):
         _draw(axis, curve, place, shift * (place - 0.5 * (len(curves) - 1)), language)
-    _finish(axis, measure, grid, language)
+    _finish(axis, curves, measure, language)
     if here is not None:
         label = say("report.here", language, value=measure.text(here))
         x = here * measure.shown
@@ -112,14 +115,9 @@ def plot_fragility(
     label = say("plots.isotonic", language, alone=alone)
     below = "\n".join((drawable(subtitle), label)) if subtitle else label
     axis.set_title(below, fontsize=FONT - 1.0, color=MUTED, loc="left")
-    labels = [_legend_label(curve, language) for curve in curves]
-    figure.legend(
-        loc="outside lower center",
-        ncols=1 if max(map(_cells, labels)) > 52 or len(curves) < 3 else 2,
-        fontsize=FONT - 1.0,
-        frameon=False,
-        handlelength=3.6,
-    )
+    widest = max(_cells(_legend_label(curve, language)) for curve in curves)
+    legend: dict[str, Any] = {"loc": "outside lower center", "frameon": False, "handlelength": 3.6}
+    figure.legend(ncols=1 if widest > 52 or len(curves) < 3 else 2, fontsize=FONT - 1.0, **legend)
     return saved(figure, path)
 
 
@@ -159,22 +157,6 @@ def _refuse_other_measures(keys: Sequence[str]) -> None:
     """Refuse curves over different measures on the same axes."""
     if len(measures := dict.fromkeys(keys)) > 1:
         raise InputError("plots.curves_measures", measures=", ".join(measures))
-
-
-def _grid(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> NDArray[np.float64]:
-    u = np.concatenate([measure.coordinate(curve.trials.im) for curve in curves])
-    margin = 0.03 * (float(np.ptp(u)) or 1.0)
-    return measure.value(np.linspace(float(u.min()) - margin, float(u.max()) + margin, _POINTS))
-
-
-def _shift(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> float:
-    """Return how far the markers of the curves are moved apart, in the measure's coordinate."""
-    steps = [
-        float(np.diff(measure.coordinate([level.im for level in curve.levels])).min())
-        for curve in curves
-        if len(curve.levels) > 1
-    ]
-    return 0.6 * min(steps, default=0.0) / len(_LOOKS)
 
 
 def _cells(text: str) -> int:
@@ -226,24 +208,18 @@ def _label(axis: Axes, measure: IntensityMeasure, language: str) -> None:
     label_axes(axis, language, y="plots.probability")
 
 
-def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64], language: str) -> None:
-    first, last = (float(end) * measure.shown for end in (grid[0], grid[-1]))
+def _finish(axis: Axes, curves: Sequence[FragilityCurve], measure: IntensityMeasure, language: str) -> None:
+    """End the axis where the curves do, with round numbers, and JMA's classes along the top."""
+    u = np.concatenate([measure.coordinate(curve.trials.im) for curve in curves])
+    margin = 0.03 * (float(np.ptp(u)) or 1.0)
+    ends = measure.value(np.array([u.min() - margin, u.max() + margin]))
+    first, last = (ends * measure.shown).tolist()
     _label(axis, measure, language)
     if not measure.is_logarithm:
-        axis.set_xticks(_round_numbers(first, last))
+        tens = 10.0 ** np.arange(math.floor(math.log10(first)), math.ceil(math.log10(last)) + 1)
+        axis.set_xticks([one for one in np.outer(tens, _DIGITS).ravel() if first <= one <= last])
     axis.set_xlim(first, last)
-    if measure == JMA_INTENSITY:
-        _mark_classes(axis, first, last, language)
-
-
-def _round_numbers(first: float, last: float) -> list[float]:
-    tens = range(math.floor(math.log10(first)), math.ceil(math.log10(last)) + 1)
-    return [digit * 10.0**ten for ten in tens for digit in _DIGITS if first <= digit * 10.0**ten <= last]
-
-
-def _mark_classes(axis: Axes, first: float, last: float, language: str) -> None:
-    """Shade every second class of JMA's intensity and write their names along the top."""
-    for middle, name in shaded_classes(axis, first, last, language):
+    for middle, name in shaded_classes(axis, first, last, language) if measure == JMA_INTENSITY else ():
         axis.text(middle, 1.06, name, ha="center", va="center", fontsize=FONT - 1.5, color=MUTED)
 
 
@@ -255,22 +231,11 @@ def draw_ranking(axis: Axes, verdict: Verdict, language: str) -> None:
         if chance.runs == 0:
             continue
         low, estimate, high = (100.0 * value for value in (chance.low, chance.estimate, chance.high))
+        ends = [[max(0.0, estimate - low)], [max(0.0, high - estimate)]]
         axis.barh(place, estimate, 0.55, color=COMPONENT_COLOURS["x"])
-        axis.errorbar(
-            estimate,
-            place,
-            xerr=[[max(0.0, estimate - low)], [max(0.0, high - estimate)]],
-            color=INK,
-            capsize=3.0,
-            linewidth=1.0,
-        )
-        axis.text(
-            high + 1.5,
-            place,
-            numbers.share(chance.estimate, language),
-            va="center",
-            fontsize=FONT - 1.0,
-        )
+        axis.errorbar(estimate, place, xerr=ends, color=INK, capsize=3.0, linewidth=1.0)
+        told = numbers.share(chance.estimate, language)
+        axis.text(high + 1.5, place, told, va="center", fontsize=FONT - 1.0)
     labels = [drawable(title(option.option, verdict, language)) for option in verdict.options]
     axis.set_yticks(range(len(labels)), labels, fontsize=FONT - 1.0)
     axis.set_ylim(len(labels) - 0.4, -0.6)

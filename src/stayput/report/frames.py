@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from PIL import ImageFont
 
-    from stayput.report.film import Film
+    from stayput.report.animation import Film
     from stayput.report.scene import Pose, Scene
 
 
@@ -252,12 +252,8 @@ class Painter:
         top = -1.0 if self._ceiling is None else self._point(0.0, self._ceiling)[1]
         left = -1.0 if self._left_wall is None else self._point(self._left_wall + shift, 0.0)[0]
         right = width + 1.0 if self._right_wall is None else self._point(self._right_wall + shift, 0.0)[0]
-        for box in (
-            (0.0, floor, width, height),
-            (0.0, 0.0, left, floor),
-            (right, 0.0, width, floor),
-            (0.0, 0.0, width, top),
-        ):
+        walls = (0.0, 0.0, left, floor), (right, 0.0, width, floor)
+        for box in ((0.0, floor, width, height), *walls, (0.0, 0.0, width, top)):
             if box[2] > box[0] and box[3] > box[1]:
                 draw.rectangle(box, fill=ROOM)
         draw.line(((left, floor), (right, floor)), fill=INK, width=2 * self._line)
@@ -265,17 +261,13 @@ class Painter:
         origin = self._point(shift, 0.0)[0] % mark
         for k in range(-1, int(width / mark) + 2):
             x = origin + k * mark
-            draw.line(
-                ((x, floor + 4 * self._line), (x - 0.5 * mark, height)), fill=ROOM_SHADE, width=self._line
-            )
+            ends = ((x, floor + 4 * self._line), (x - 0.5 * mark, height))
+            draw.line(ends, fill=ROOM_SHADE, width=self._line)
         for x, inside in ((left, 1.0), (right, -1.0)):
             if 0.0 <= x <= width:
                 draw.line(((x, max(top, 0.0)), (x, floor)), fill=INK, width=2 * self._line)
                 for z in np.arange(floor - mark, max(top, 0.0), -mark):
-                    draw.line(
-                        ((x - inside * 3 * self._line, z), (x - inside * mark, z + 0.5 * mark)),
-                        fill=ROOM_SHADE,
-                        width=self._line,
-                    )
+                    ends = ((x - inside * 3 * self._line, z), (x - inside * mark, z + 0.5 * mark))
+                    draw.line(ends, fill=ROOM_SHADE, width=self._line)
         if self._ceiling is not None:
             draw.line(((max(left, 0.0), top), (min(right, width), top)), fill=INK, width=2 * self._line)

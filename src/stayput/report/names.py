@@ -63,9 +63,8 @@ def given_name(name: str, language: str) -> str:
         return name
     for key, pattern in _MADE:
         if made := pattern.fullmatch(name):
-            return say(
-                key, language, **{part: named(text, language) for part, text in made.groupdict().items()}
-            )
+            parts = {part: named(text, language) for part, text in made.groupdict().items()}
+            return say(key, language, **parts)
     if floor := _ON_A_FLOOR.fullmatch(name):
         parts = {part: given_name(text, language) for part, text in floor.groupdict().items()}
         if parts["place"] != floor["place"]:

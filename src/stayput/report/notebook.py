@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import base64
 import html
-import io
 import math
 from typing import TYPE_CHECKING
 
@@ -13,7 +11,7 @@ from stayput.errors import InputError
 from stayput.model.room import Room
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS
 from stayput.report.building import draw_modes
-from stayput.report.figures import new_figure
+from stayput.report.figures import embedded, new_figure
 from stayput.report.fonts import with_fallback
 from stayput.report.fragility import draw_curve, draw_ranking
 from stayput.report.names import motion_label
@@ -185,9 +183,6 @@ def _drawn(draw: Callable[[Axes], None], width: float, height: float) -> Figure:
 
 def _shown(said: str, figure: Figure, table: Iterable[Sequence[str]], heads: Sequence[str] = ()) -> str:
     """Return a sentence, a picture and a table as HTML that needs nothing else."""
-    written = io.BytesIO()
-    figure.savefig(written, format="png")
-    image = base64.b64encode(written.getvalue()).decode("ascii")
     cells = "".join(f"<th>{html.escape(one)}</th>" for one in heads)
     head = f"<thead><tr>{cells}</tr></thead>" if heads else ""
     lines = [
@@ -196,6 +191,6 @@ def _shown(said: str, figure: Figure, table: Iterable[Sequence[str]], heads: Seq
     ]
     return (
         f'<div><p>{html.escape(said)}</p><img style="max-width: 100%; height: auto; background: white" '
-        f'alt="{html.escape(said)}" src="data:image/png;base64,{image}">'
+        f'alt="{html.escape(said)}" src="{embedded(figure, "png")}">'
         f"<table>{head}<tbody>{''.join(lines)}</tbody></table></div>"
     )

@@ -117,20 +117,18 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
     """
     word_of("plots.what", what, get_args(RunHistory), "what")
     further = any(one.get_gid() == LINE for one in axis.lines)
-    handles: list[Any] = []
     if further:
         looks: dict[str, Any] = {"linewidth": 1.3, "gid": LINE, "color": colour_beside(axis, INK)} | line
-        (drawn,) = axis.plot(*_values(run, what), **looks)
-        if (legend := axis.get_legend()) is not None:
-            handles += legend.legend_handles
-        handles += [drawn] if "label" in line else []
+        drawn, legend = axis.plot(*_values(run, what), **looks), axis.get_legend()
+        handles: list[Any] = [] if legend is None else [*legend.legend_handles]
+        handles += drawn if "label" in line else []
     else:
         draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}[what]
         draw(axis, run, language)
         axis.lines[1].set(**({"gid": LINE} | line))  # the one before it is at zero
         bands = _draw_bands((axis,), run) if what != "acceleration" else ()
         present = [mode for mode in bands if mode not in (Mode.REST, Mode.OVERTURNED)]  # which have no band
-        handles += [*axis.get_legend_handles_labels()[0], *_mode_handles(present, language, alpha=BAND)]
+        handles = [*axis.get_legend_handles_labels()[0], *_mode_handles(present, language, alpha=BAND)]
     if handles:
         # as small as it can be read, since it lies within the axes
         axis.legend(
@@ -271,18 +269,15 @@ def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
 
 def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
     style(axis)
-    shown = history(run)
-    axis.plot(shown.time, np.degrees(shown.tilt), color=INK, linewidth=1.3)
+    axis.plot(*_values(run, "tilt"), color=INK, linewidth=1.3)
     label_axes(axis, language, y="plots.tilt")
     low, high = _tilt_limits(run)
     axis.set_ylim(low, high)
-    labels: set[str] = set()
     for angle, dashes, colour, text in _angles(run):
         if low < angle < high:
             label = say(text, language, angle=abs(angle))
-            once = "" if label in labels else label
+            once = "" if label in axis.get_legend_handles_labels()[1] else label
             axis.axhline(angle, linewidth=1.1, color=colour, linestyle=dashes, label=once)
-            labels.add(label)
     for kind, (marker, colour) in EVENT_MARKERS.items():
         events = [event for event in run.events if event.kind is kind]
         if not events:
@@ -291,17 +286,10 @@ def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
         label = f"{name} × {len(events)}" if len(events) > 1 else name
         if kind is EventKind.OVERTURNED:
             label = say("plots.overturned", language, time=run.overturn_time)
-        marks: dict[str, Any] = {"markersize": 6.0, "markeredgecolor": "white", "markeredgewidth": 0.6}
-        axis.plot(
-            [event.time for event in events],
-            [min(max(math.degrees(event.tilt), low), high) for event in events],
-            marker,
-            color=colour,
-            label=label,
-            clip_on=False,
-            zorder=5,
-            **marks,
-        )
+        marks: dict[str, Any] = {"color": colour, "label": label, "clip_on": False, "zorder": 5}
+        marks |= {"markersize": 6.0, "markeredgecolor": "white", "markeredgewidth": 0.6}
+        tilts = np.clip([math.degrees(event.tilt) for event in events], low, high)
+        axis.plot([event.time for event in events], tilts, marker, **marks)
     if axis.get_legend_handles_labels()[0]:
         legend_within(axis)
 
@@ -322,8 +310,7 @@ def _tilt_limits(run: Run) -> tuple[float, float]:
 
 def _draw_slide(axis: Axes, run: Run, language: str) -> None:
     style(axis)
-    shown = history(run)
-    axis.plot(shown.time, 100.0 * shown.slide, color=INK, linewidth=1.3)
+    axis.plot(*_values(run, "slide"), color=INK, linewidth=1.3)
     label_axes(axis, language, y="plots.slide")
     if run.peak_slide < 1e-3:
         axis.set_ylim(-0.1, 0.1)
@@ -358,11 +345,5 @@ def _draw_modes(strip: Axes, present: dict[Mode, list[tuple[float, float]]], lan
     strip.set_ylim(0.0, 1.0)
     strip.set_ylabel(say("plots.mode", language), fontsize=FONT, rotation=0, ha="right", va="center")
     strip.tick_params(labelsize=FONT - 1.0, colors=INK)
-    strip.legend(
-        handles=_mode_handles(present, language),
-        loc="upper center",
-        bbox_to_anchor=(0.5, -2.6),
-        ncols=len(present),
-        fontsize=FONT - 1.0,
-        frameon=False,
-    )
+    below: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -2.6), "ncols": len(present)}
+    strip.legend(handles=_mode_handles(present, language), fontsize=FONT - 1.0, frameon=False, **below)

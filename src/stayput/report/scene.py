@@ -15,7 +15,7 @@ import numpy as np
 from stayput.measures.sketch import shapes, sketch
 from stayput.model.state import wall_faces
 from stayput.report.history import History, history, turned
-from stayput.report.summary import device_results, results
+from stayput.report.summary import attributes, device_results, results
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -262,17 +262,9 @@ def run_data(run: Run, shown: History, at: NDArray[np.float64]) -> dict[str, Any
             }
             for device in run.devices
         ],
-        "shapes": []
-        if run.held is None
-        else [
-            {
-                "kind": shape.kind,
-                "points": list(shape.points),
-                "role": shape.role,
-                "device": shape.element,
-                "when": shape.when,
-            }
-            for shape in sketch(run.held)
+        "shapes": [
+            {**attributes(one, "kind", "role", "when"), "points": list(one.points), "device": one.element}
+            for one in (() if run.held is None else sketch(run.held))
         ],
     }
 

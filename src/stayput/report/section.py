@@ -83,14 +83,8 @@ def _draw_centre(axis: Axes, body: Body, feet: tuple[tuple[float, float], tuple[
     x, z = at_rest(body, body.centre_of_gravity)
     for (u, v), name, aside in zip(feet, "AB", (4.0, -4.0), strict=True):
         axis.plot([x, u], [z, v], color=INK, linestyle="--", linewidth=1.0)
-        axis.annotate(
-            name,
-            (u, v),
-            (aside, 2.0),
-            textcoords="offset points",
-            ha="left" if aside > 0.0 else "right",
-            fontsize=FONT - 1.0,
-        )
+        place: dict[str, Any] = {"textcoords": "offset points", "ha": "left" if aside > 0.0 else "right"}
+        axis.annotate(name, (u, v), (aside, 2.0), fontsize=FONT - 1.0, **place)
     axis.plot(x, z, "o", color=INK, markersize=5.0)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from matplotlib.ticker import LogLocator
@@ -11,6 +11,7 @@ from matplotlib.ticker import LogLocator
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
+from stayput.motion.response import SpectralResponse
 from stayput.motion.spectrum import DAMPING, PERIODS, fourier_amplitude, konno_ohmachi, response_spectrum
 from stayput.motion.suites.suite import SuiteSpectra
 from stayput.report.figures import (
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.motion import Motion
-    from stayput.motion.response import ResponseSpectrum, SpectralResponse
+    from stayput.motion.response import ResponseSpectrum
     from stayput.motion.suites.suite import Suite
     from stayput.motion.suites.target import TargetSpectrum
 
@@ -136,28 +137,24 @@ def draw_suite(
     if what == "spectra":
         _draw_spectra(axis, sa, np.exp(logs.mean(axis=0)), scatter, looks, language)
         if target is not None:
-            _draw_target(axis, target, language)
-        axis.set_ylabel(
-            say("plots.sa_of", language, component=component, damping=100.0 * damping), fontsize=FONT
-        )
-        _name_once(axis, "lower left")
+            inside = (target.periods >= PERIODS[0]) & (target.periods <= PERIODS[-1])
+            label = drawable(say("plots.target", language, name=given_name(target.name, language)))
+            dashed: dict[str, Any] = {"color": ALARM, "linewidth": 2.0, "linestyle": "-.", "zorder": 5}
+            axis.plot(target.periods[inside], target.sa[inside], label=label, **dashed)
+        label_axes(axis, language, y="plots.sa_of", component=component, damping=100.0 * damping)
     else:
         _draw_scatter(axis, scatter, looks, language)
-        _name_once(axis, "best")
         plain_log(axis, y=False)
     label_axes(axis, language, x="plots.period")
+    named: dict[str, Any] = {}  # what is drawn for every suite alike stands once in the legend
+    for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
+        named.setdefault(label, handle)
+    place = "lower left" if what == "spectra" else "best"
+    axis.legend(named.values(), named.keys(), loc=place, fontsize=FONT - 1.0, framealpha=0.9)
 
 
 def _holds_suite(axis: Axes) -> bool:
     return any(line.get_gid() == LINE for line in axis.lines)
-
-
-def _name_once(axis: Axes, place: Literal["best", "lower left"]) -> None:
-    """Make the legend, in which what is drawn for every suite alike stands once."""
-    named: dict[str, Any] = {}
-    for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
-        named.setdefault(label, handle)
-    axis.legend(named.values(), named.keys(), loc=place, fontsize=FONT - 1.0, framealpha=0.9)
 
 
 def _draw_spectra(
@@ -187,19 +184,6 @@ def _draw_spectra(
     axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
 
 
-def _draw_target(axis: Axes, target: TargetSpectrum, language: str) -> None:
-    inside = (target.periods >= PERIODS[0]) & (target.periods <= PERIODS[-1])
-    axis.plot(
-        target.periods[inside],
-        target.sa[inside],
-        color=ALARM,
-        linewidth=2.0,
-        linestyle="-.",
-        label=drawable(say("plots.target", language, name=given_name(target.name, language))),
-        zorder=5,
-    )
-
-
 def _draw_scatter(
     axis: Axes, scatter: NDArray[np.float64] | None, looks: dict[str, Any], language: str
 ) -> None:
@@ -221,17 +205,6 @@ LINES = {"x": "-", "y": "--", "z": ":"}
 """Line of each component, beside its colour."""
 
 
-RESPONSES: dict[SpectralResponse, tuple[float, str]] = {
-    "sa": (1.0, "plots.spectrum_sa"),
-    "sv": (100.0, "plots.spectrum_sv"),
-    "sd": (100.0, "plots.spectrum_sd"),
-    "psa": (1.0, "plots.spectrum_psa"),
-    "psv": (100.0, "plots.spectrum_psv"),
-    "sva": (100.0, "plots.spectrum_sva"),
-}
-"""Size of the unit that is drawn, and the label, of each response."""
-
-
 def draw_spectrum(
     axis: Axes, spectrum: ResponseSpectrum, what: SpectralResponse, language: str, **line: Any
 ) -> None:
@@ -242,15 +215,14 @@ def draw_spectrum(
     InputError
         Another response.
     """
-    word_of("plots.what", what, RESPONSES, "what")
-    scale, label = RESPONSES[what]
+    word_of("plots.what", what, get_args(SpectralResponse), "what")
     style(axis, zero=False)
-    values = scale * getattr(spectrum, what)
+    values = getattr(spectrum, what) * (1.0 if what in ("sa", "psa") else 100.0)  # m/s², cm/s or cm
     looks: dict[str, Any] = {"linewidth": 1.4, "gid": LINE} | line
     looks.setdefault("color", colour_beside(axis, COMPONENT_COLOURS["x"]))
     axis.plot(spectrum.periods, values, **looks)
     plain_log(axis)
-    label_axes(axis, language, "plots.period", label)
+    label_axes(axis, language, "plots.period", f"plots.spectrum_{what}")
     if "label" in line:
         legend_within(axis)
 
@@ -307,7 +279,9 @@ def plot_spectra(
     plain_log(fourier)
     label_axes(fourier, language, "plots.frequency", "plots.spectrum_fourier")
     fourier.set_xlim(shown[0], shown[-1])
-    _end_fourier_axis(fourier)
+    top = max(float(np.max(line.get_ydata())) for line in fourier.lines)  # pyright: ignore[reportArgumentType, reportCallIssue]
+    if top > 0.0:
+        fourier.set_ylim(1e-4 * top, 1.5 * top)  # below lie round-off and filter noise
     return saved(figure, path)
 
 
@@ -316,20 +290,7 @@ def _label_long_period_classes(axis: Axes, language: str) -> None:
     first, last = float(LONG_PERIODS[0]), float(LONG_PERIODS[-1])
     for number, bound in enumerate(LONG_PERIOD_BOUNDS, start=1):
         axis.plot([first, last], [100.0 * bound] * 2, color=MUTED, linewidth=1.0)
-        axis.annotate(
-            say("plots.long_period_class", language, number=number),
-            (last, 100.0 * bound),
-            xytext=(-2.0, 2.0),
-            textcoords="offset points",
-            ha="right",
-            fontsize=FONT - 2.0,
-            color=MUTED,
-        )
+        name = say("plots.long_period_class", language, number=number)
+        looks: dict[str, Any] = {"textcoords": "offset points", "ha": "right", "color": MUTED}
+        axis.annotate(name, (last, 100.0 * bound), (-2.0, 2.0), fontsize=FONT - 2.0, **looks)
     axis.set_title(say("plots.long_period", language), fontsize=FONT - 1.0, color=MUTED)
-
-
-def _end_fourier_axis(axis: Axes) -> None:
-    """Limit the axis to four decades: below lie round-off and filter noise."""
-    top = max((float(np.max(line.get_ydata())) for line in axis.lines), default=1.0)  # pyright: ignore[reportArgumentType, reportCallIssue]
-    if top > 0.0:
-        axis.set_ylim(1e-4 * top, 1.5 * top)

@@ -1,4 +1,4 @@
-"""A run in words, in English and Japanese, and as plain numbers."""
+"""A run in words, in English and Japanese, as plain numbers, and as a dataset."""
 
 from __future__ import annotations
 
@@ -11,11 +11,13 @@ from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.catalogue.names import ANY_PIECE, OUTCOMES, PIECES
 from stayput.report.history import history
 from stayput.report.names import motion_place, place_named
-from stayput.simulation.outcome import Event, EventKind, Outcome
+from stayput.simulation.outcome import HISTORIES, QUANTITIES, Event, EventKind, Outcome
 from stayput.wording import FAR, inside, with_aside
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
+
+    import xarray as xr
 
     from stayput.catalogue import Phrase
     from stayput.measures import DeviceResult
@@ -30,6 +32,23 @@ BACK_AND_FRONT = ("back", "front")
 
 _SMALLEST_SLIDE = 5e-4
 """A peak slide below this is not worth a number [m]."""
+
+_EVENT_VALUES = {
+    "time": ("s", "time of the event"),
+    "tilt": ("rad", "tilt just after the event"),
+    "tilt_rate": ("rad/s", "tilt rate just after the event"),
+    "slide": ("m", "slide just after the event"),
+    "slide_rate": ("m/s", "slide rate just after the event"),
+}
+
+_DEVICE_VALUES = {
+    "peak_pull": ("peak_pull", "N", "largest pull"),
+    "peak_push": ("peak_push", "N", "largest push"),
+    "peak_shear": ("peak_shear", "N", "largest shear"),
+    "used": ("utilisation", "", "largest force over its strength; at least 1 where it failed"),
+    "failed_at": ("failure_time", "s", "time at which it failed, or nan"),
+}
+"""Attribute of a device, unit and meaning of each of its values in the dataset."""
 
 
 def sentence(run: Run, name: str = "body") -> str:
@@ -138,13 +157,12 @@ def device_results(device: DeviceResult) -> dict[str, Any]:
     }
 
 
-DEVICE_KEYS = {
-    "measure": "kind",
-    "place": "name",
-    "peak_pull_N": "peak_pull_n",
-    "peak_push_N": "peak_push_n",
-    "peak_shear_N": "peak_shear_n",
-    **{key: key for key in ("utilisation", "failed", "failure_time_s", "cause", "weakest")},
+DEVICE_KEYS = {"measure": "kind", "place": "name"} | {
+    key: key.lower()
+    for key in (
+        *("peak_pull_N", "peak_push_N", "peak_shear_N"),
+        *("utilisation", "failed", "failure_time_s", "cause", "weakest"),
+    )
 }
 """Keys of a device in what ``--json`` prints, and those of `device_results`."""
 
@@ -179,14 +197,9 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
     """Return the results as rows of a table in a language: label, and value with its unit."""
     motion = run.motion
     open_side = say("runs.open_side", language) if slides_off(run) else ""
+    shaken = {"name": motion_place(motion, language), "duration": motion.duration, "peak": motion.pga}
     values = {
-        "motion": say(
-            "runs.row_motion_value",
-            language,
-            name=motion_place(motion, language),
-            duration=motion.duration,
-            peak=motion.pga,
-        ),
+        "motion": say("runs.row_motion_value", language, **shaken),
         "outcome": outcome_named(run.outcome, language),
         "overturned": f"{run.overturn_time:.2f} s" if run.overturned else "-",
         "tilt": f"{math.degrees(run.peak_tilt):.2f}°",
@@ -238,33 +251,23 @@ def device_rows(
 
 
 def _event(event: Event) -> dict[str, Any]:
-    return {
-        "time_s": event.time,
-        "kind": event.kind.value,
-        "mode": event.mode.value,
-        "tilt_rad": event.tilt,
-        "tilt_rate_rad_s": event.tilt_rate,
-        "slide_m": event.slide,
-        "slide_rate_m_s": event.slide_rate,
+    numbers = {
+        f"{name}_{unit.replace('/', '_')}": getattr(event, name) for name, (unit, _) in _EVENT_VALUES.items()
     }
+    return {"kind": event.kind.value, "mode": event.mode.value, **numbers}
 
 
 def _hits(run: Run) -> Phrase:
     """Return the clause about impacts on walls and ceiling; empty where there was none."""
     counts = {"wall": run.count(EventKind.WALL_IMPACT), "ceiling": run.count(EventKind.CEILING_IMPACT)}
-    parts = [
-        phrase(
-            f"runs.hits_{what}",
-            times=phrase({1: "runs.once", 2: "runs.twice"}.get(n, "runs.times"), n=n),
-        )
-        for what, n in counts.items()
-        if n
-    ]
+    parts: list[Phrase] = []
+    for what, n in counts.items():
+        times = phrase({1: "runs.once", 2: "runs.twice"}.get(n, "runs.times"), n=n)
+        parts += [phrase(f"runs.hits_{what}", times=times)] if n else []
     if not parts:
         return "", ""
     english, japanese = zip(*parts, strict=True)
-    both = (" and ".join(english), "、".join(japanese))
-    return phrase("runs.hits", parts=both)
+    return phrase("runs.hits", parts=(" and ".join(english), "、".join(japanese)))
 
 
 def _slide(run: Run) -> Phrase:
@@ -309,3 +312,65 @@ def attributes(value: object, *names: str) -> dict[str, Any]:
 def by_language(text: Phrase) -> dict[str, str]:
     """Return a text by its languages."""
     return dict(zip(LANGUAGES, text, strict=True))
+
+
+def run_to_dataset(run: Run) -> xr.Dataset:
+    """Return the histories over ``time``, the events over ``event``, and the results as scalars.
+
+    Parameters
+    ----------
+    run : Run
+        The run.
+
+    Returns
+    -------
+    xarray.Dataset
+        Every variable with a unit has ``units`` and ``long_name`` in its attributes.
+    """
+    import xarray as xr  # which takes its time to load
+
+    data = xr.Dataset(
+        coords={
+            "time": ("time", run.time, {"units": "s", "long_name": "time since the record's first sample"})
+        },
+        attrs={
+            "description": sentence(run),
+            "outcome": run.outcome.value,
+            "overturned": int(run.overturned),
+            "contact": run.contact,
+            "gravity": run.gravity,
+            "motion": run.motion.name,
+        },
+    )
+    for name, (_, unit, meaning) in HISTORIES.items():
+        data[name] = ("time", getattr(run, name), {"units": unit, "long_name": meaning})
+    data["mode"] = ("time", run.mode, {"long_name": "how the body moves"})
+    for name, (unit, meaning) in _EVENT_VALUES.items():
+        values = np.array([getattr(event, name) for event in run.events], dtype=np.float64)
+        data[f"event_{name}"] = ("event", values, {"units": unit, "long_name": meaning})
+    data["event_kind"] = ("event", np.array([event.kind.value for event in run.events], dtype=np.str_))
+    data["event_mode"] = ("event", np.array([event.mode.value for event in run.events], dtype=np.str_))
+    for column in QUANTITIES:
+        if column.name not in ("outcome", "overturned", "events"):  # which are told above
+            data[column.name] = ((), getattr(run, column.name), column.attributes)
+    if run.devices:
+        _add_devices(data, run.devices)
+    return data
+
+
+def _attributes(unit: str, meaning: str) -> dict[str, str]:
+    return {"units": unit, "long_name": meaning} if unit else {"long_name": meaning}
+
+
+def _add_devices(data: xr.Dataset, devices: tuple[DeviceResult, ...]) -> None:
+    """Add the devices' results over ``device``, and their forces over ``time`` too."""
+    names = [" ".join(filter(None, (device.kind, device.place))) for device in devices]
+    data["device"] = ("device", np.array(names, dtype=np.str_), {"long_name": "measure and place"})
+    for name, (attribute, unit, meaning) in _DEVICE_VALUES.items():
+        values = np.array([getattr(device, attribute) for device in devices], dtype=np.float64)
+        data[f"device_{name}"] = ("device", values, _attributes(unit, meaning))
+    causes = np.array([device.cause or "" for device in devices], dtype=np.str_)
+    data["device_cause"] = ("device", causes, {"long_name": "why it failed; empty where it holds"})
+    for name, meaning in (("pull", "force along its normal, + pull"), ("shear", "force along its tangent")):
+        forces = np.stack([getattr(device, name) for device in devices], axis=-1)
+        data[f"device_{name}"] = (("time", "device"), forces, {"units": "N", "long_name": meaning})

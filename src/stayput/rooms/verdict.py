@@ -343,7 +343,7 @@ class RoomVerdict:
 
     def to_markdown(self, language: str = "en") -> str:
         """Return the verdict as Markdown, in "en" or "ja"."""
-        from stayput.report.room.tables import room_markdown
+        from stayput.report.room.report import room_markdown
 
         return room_markdown(self, language)
 
@@ -355,7 +355,7 @@ class RoomVerdict:
 
     def report(self, path: str | Path, language: str = "en") -> Path:
         """Write the report, one HTML file with everything in it; see `stayput.report.room`."""
-        from stayput.report.room.html import write_room_report
+        from stayput.report.room.report import write_room_report
 
         return write_room_report(self, path, language)
 

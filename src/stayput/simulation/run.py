@@ -178,7 +178,7 @@ class Run(InNetcdf):
 
     def to_dataset(self) -> xr.Dataset:
         """Return the histories over time and the events, with units in attrs, as an `xarray.Dataset`."""
-        from stayput.report.dataset import run_to_dataset
+        from stayput.report.summary import run_to_dataset
 
         return run_to_dataset(self)
 

@@ -421,9 +421,9 @@ class AssemblyVerdict:
 
     def to_csv(self) -> str:
         """Return the ranking as CSV."""
-        from stayput.report.verdict.tables import several_csv
+        from stayput.report.verdict.tables import verdict_csv
 
-        return several_csv(self)
+        return verdict_csv(self)
 
     def report(self, path: str | Path, language: str = "en") -> Path:
         """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""

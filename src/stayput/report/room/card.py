@@ -43,7 +43,6 @@ if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.report.room.elevation import CardSizes
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
-    from stayput.rooms.verdict import RoomEffect
 
 PLAN_LETTERS = 17.0
 """Size of the names on the plan [px]; that in card.css."""
@@ -66,17 +65,12 @@ def write_plan(plan: ActionPlan, path: str | Path, language: str = "en") -> Path
 
 def plan_html(plan: ActionPlan, language: str = "en") -> str:
     """Return the page of a plan, in "en" or "ja"."""
-    return rendered("room/card.html", _content(plan, language))
-
-
-def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
     title, named = _own(language, "title"), plan.verdict.scenario.title
     sizes = sizes_of(plan)
     drawn = [step.fix for step in plan.steps if step.fix is not None]
     elevations = elevation_scale(drawn, sizes)
     drawing, scale, legend = _plan(plan, sizes, language)
-    scales = {"plan": scale, "elevation": elevations}
-    return {
+    content = {
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
         "sentences": [say(told, language) for told in _sentences(plan)],
@@ -84,7 +78,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "dense": sizes == SIZES[-1],
         "plan": drawing,
         "legend": legend,
-        "scale": _own(language, "scale" if drawn else "scale_alone", **scales),
+        "scale": _own(language, "scale" if drawn else "scale_alone", plan=scale, elevation=elevations),
         "rows": [_row(number, plan, elevations, language) for number in range(1, len(plan.steps) + 1)],
         "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
@@ -92,15 +86,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
     }
-
-
-def _told(plan: ActionPlan, together: RoomEffect) -> dict[str, tuple[Probability, float]]:
-    """Return the chances after all steps and before that are worth telling; none in a room without places."""
-    return {
-        key: (chance, was)
-        for key, (chance, was) in chances_after(together).items()
-        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
-    }
+    return rendered("room/card.html", content)
 
 
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
@@ -108,7 +94,11 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
     if together is None and falling is None and not plan.unsolved:
         yield phrase("action_plan.nothing")
-    told = {} if together is None else _told(plan, together)
+    told = {  # what is worth telling: nobody is hit in a room without places
+        key: (chance, was)
+        for key, (chance, was) in ({} if together is None else chances_after(together)).items()
+        if (key == "hit" and verdict.places) or was != 0.0 or chance.estimate != 0.0
+    }
     if told:
         now, then = (
             joined(phrase(f"action_plan.chance_{key}", share=share) for key, share in shares.items())
@@ -172,17 +162,15 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
     found: dict[tuple[bool, Phrase], list[str]] = {}
     for number, step in enumerate(plan.steps, 1):
         moved = f"action_plan.check_move{'_place' if step.overturned is None else ''}"
-        own = [phrase(moved)] if step.fix is None else checks(step.fix)
-        found.setdefault((False, joined(own, "action_plan.next")), []).append(str(number))
-        if step.instead is not None:
-            own = checks(step.instead)
-            found.setdefault((True, joined(own, "action_plan.next")), []).append(str(number))
-    lines: list[tuple[str, str]] = []
-    for (undrilled, told), numbers in found.items():
-        steps = ", ".join(numbers)
-        label = _own(language, "steps_instead", steps=steps) if undrilled else steps
-        lines.append((label, say(told, language)))
-    return lines
+        ways = [[phrase(moved)] if step.fix is None else checks(step.fix)]
+        ways += [] if step.instead is None else [checks(step.instead)]
+        for undrilled, own in enumerate(ways):
+            found.setdefault((bool(undrilled), joined(own, "action_plan.next")), []).append(str(number))
+    steps = {key: ", ".join(numbers) for key, numbers in found.items()}
+    return [
+        (_own(language, "steps_instead", steps=of) if undrilled else of, say(told, language))
+        for (undrilled, told), of in steps.items()
+    ]
 
 
 def _row(number: int, plan: ActionPlan, scale: int, language: str) -> dict[str, Any]:
@@ -228,16 +216,14 @@ def _dead_end(plan: ActionPlan, language: str) -> dict[str, Any] | None:
     own = partial(_own, language)
     before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
     drilled = {name: fix for name, fix in plan.drilled.items() if name in plan.unsolved}
+    blocks = (
+        (own("drilled_on", piece=piece_name(name)), fix, _lines_of_other(fix, before[name], plan))
+        for name, fix in drilled.items()
+    )
     return {
         "heading": own("not_enough", pieces=joined(map(piece_name, dict.fromkeys(names)))),
         "sentences": [*([own("ask_landlord")] if plan.home.no_drilling else []), own("out_of_reach")],
-        "drilled": [
-            (
-                own("drilled_on", piece=piece_name(name)),
-                _block(fix, _lines_of_other(fix, before[name], plan), plan, language),
-            )
-            for name, fix in drilled.items()
-        ],
+        "drilled": [(told, _block(fix, lines, plan, language)) for told, fix, lines in blocks],
     }
 
 
@@ -259,10 +245,12 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     if fix is not None:
         yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
         yield "where", joined((where(one, fix) for one in fix.purchases), "action_plan.next")
-    now = fix.overturns if fix is not None else _overturns_moved(step, plan)
     told: list[Phrase] = []
-    if step.overturned is not None and now is not None:
-        told.append(_overturns(step.overturned.estimate, now))
+    if (was := step.overturned) is not None:  # else it is the place of a person that is moved
+        moved = step.alone.overturned[plan.verdict.scenario.names.index(step.what)]
+        now = moved if fix is None else fix.overturns
+        if fix is not None or now.estimate != was.estimate:
+            told.append(_overturns(was.estimate, now))
     told += what_it_brings(number, plan)
     yield "effect" if fix is None or fix.enough else "reaches", joined(told, "action_plan.next")
     if fix is not None and fix.cautions:
@@ -282,14 +270,6 @@ def _lines_of_other(fix: Fix, was: float, plan: ActionPlan) -> Iterator[tuple[st
 
 def _overturns(was: float, now: Probability) -> Phrase:
     return phrase("action_plan.overturns", was=share_text(was), now=with_ends(now))
-
-
-def _overturns_moved(step: PlanStep, plan: ActionPlan) -> Probability | None:
-    """Return how often a piece that is moved overturns there; None of a person's place, or as often."""
-    if step.overturned is None:
-        return None
-    now = step.alone.overturned[plan.verdict.scenario.names.index(step.what)]
-    return None if now.estimate == step.overturned.estimate else now
 
 
 def _notes(plan: ActionPlan) -> Iterator[Phrase]:

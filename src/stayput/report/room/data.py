@@ -104,11 +104,9 @@ def room_csv(verdict: RoomVerdict) -> str:
 
     Of a change, also what it brings: the probability with it less that of the room as it is.
     """
-    ends = ("", "_low", "_high")
-    names = ("event", "of", "by", "probability", "low", "high", *(f"change{end}" for end in ends))
-    return csv_text(
-        names, ((*texts, *_ends(chance), *_ends(change)) for *texts, chance, change in _rows(verdict))
-    )
+    names = ("event", "of", "by", "probability", "low", "high", "change", "change_low", "change_high")
+    rows = ((*texts, *_ends(chance), *_ends(change)) for *texts, chance, change in _rows(verdict))
+    return csv_text(names, rows)
 
 
 def _ends(value: Probability | Difference | None) -> Iterable[float | None]:
@@ -153,20 +151,17 @@ def plan_data(plan: ActionPlan) -> dict[str, Any]:
 
 
 def _step(step: PlanStep, plan: ActionPlan) -> dict[str, Any]:
-    move = step.move
+    move, fixes = step.move, {"fix": step.fix, "without_drilling": step.instead}
     return {
         "what": step.what,
         "step": by_language(heading(step, plan)),
         "at_m": None if move is None or move.at is None else list(move.at),
         "heading_rad": None if move is None else move.heading,
-        "fix": None if step.fix is None else _fix(step.fix),
-        "without_drilling": None if step.instead is None else _fix(step.instead),
+        **{name: None if fix is None else _fix(fix) for name, fix in fixes.items()},
         "overturned": None if step.overturned is None else interval_data(step.overturned),
         "alone": _effect(step.alone),
         "together": _effect(step.together),
-        "for_people": step.for_people,
-        "decided": step.decided,
-        "cost_class": step.cost_class,
+        **attributes(step, "for_people", "decided", "cost_class"),
         "grade": step.grade.value,
         "weakest": [list(one.label) for one in step.weakest],
     }
@@ -185,9 +180,7 @@ def _fix(fix: Fix) -> dict[str, Any]:
                 "count": one.count,
                 "where": list(where(one, fix)),
                 "rated_n": {name: number(force) for name, force in forces_asked(one)},
-                "holds_n": None
-                if one.holds is None
-                else {k: number(v) for k, v in one.holds._asdict().items()},
+                "holds_n": None if one.holds is None else attributes(one.holds, *one.holds._fields),
                 "enough": one.enough,
             }
             for one in fix.purchases

@@ -225,11 +225,9 @@ def sizes_of(plan: ActionPlan) -> CardSizes:
 
 def plan_scale(metres: Sequence[float], sizes: CardSizes) -> int:
     """Return the largest scale of a plan that is so wide and so high with its margins [m]."""
-
-    def fits(scale: int) -> bool:
-        return all(size / scale <= most for size, most in zip(metres, sizes.plan, strict=True))
-
-    return next(filter(fits, PLAN_SCALES), PLAN_SCALES[-1])
+    (wide, high), (most_wide, most_high) = metres, sizes.plan
+    fitting = (one for one in PLAN_SCALES if wide / one <= most_wide and high / one <= most_high)
+    return next(fitting, PLAN_SCALES[-1])
 
 
 def elevation_scale(fixes: Sequence[Fix], sizes: CardSizes) -> int:

@@ -11,8 +11,21 @@ import numpy as np
 
 from stayput.catalogue import say
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.room.labels import FONT, PlanLabel, names_svg, overlap, places_of_names, wrapped
-from stayput.report.room.sheet import PlanSheet, door_svg, place_svg, scale_svg, titled, walls_svg, window_svg
+from stayput.report.room.sheet import (
+    FONT,
+    PlanLabel,
+    PlanSheet,
+    door_svg,
+    names_svg,
+    overlap,
+    place_svg,
+    places_of_names,
+    scale_svg,
+    titled,
+    walls_svg,
+    window_svg,
+    wrapped,
+)
 from stayput.report.verdict import numbers, svg
 from stayput.rooms.events import CELL
 from stayput.rooms.words import change_label, door_name, names_in, piece_name, place_name
@@ -166,22 +179,16 @@ def _before(sheet: PlanSheet, door: Door) -> Box:
 
 
 def _piece_svg(sheet: PlanSheet, piece: DrawnPiece) -> str:
-    outline = sheet.polygon(piece.outline, f"standing hue{piece.look % HUES}")
-    sides = zip(piece.outline, np.roll(piece.outline, -1, axis=0), strict=True)
-    faces = np.array([math.cos(piece.heading), math.sin(piece.heading)])
-    across, inwards = float(np.ptp(piece.outline @ [-faces[1], faces[0]])), 2.0 / sheet.scale * faces
-    front = [
-        sheet.polyline(np.array([start, end]) - inwards, "front")
-        for start, end in sides
-        if _is_front(end - start, faces, across)
-    ]
-    return outline + "".join(front)
-
-
-def _is_front(side: NDArray[np.float64], faces: NDArray[np.float64], across: float) -> bool:
-    """Return whether a side of an outline faces to the front and is most of the piece's length."""
-    length = float(np.hypot(*side))
-    return length > 0.5 * across and float(side[1] * faces[0] - side[0] * faces[1]) > 0.99 * length
+    """Return the outline of a piece, and a line along a side that faces to the front and is most of it."""
+    drawn = sheet.polygon(piece.outline, f"standing hue{piece.look % HUES}")
+    x, y = math.cos(piece.heading), math.sin(piece.heading)
+    across, inwards = float(np.ptp(piece.outline @ [-y, x])), 2.0 / sheet.scale * np.array([x, y])
+    for start, end in zip(piece.outline, np.roll(piece.outline, -1, axis=0), strict=True):
+        side = end - start
+        length = float(np.hypot(*side))
+        if length > 0.5 * across and side[1] * x - side[0] * y > 0.99 * length:
+            drawn += sheet.polyline(np.array([start, end]) - inwards, "front")
+    return drawn
 
 
 def covers_svg(sheet: PlanSheet, covers: NDArray[np.float64], look: int) -> str:
@@ -235,9 +242,7 @@ def _moved_svg(sheet: PlanSheet, before: NDArray[np.float64], after: NDArray[np.
 def swatch_svg(look: int) -> str:
     """Return the steps of a piece's colour, for a legend."""
     boxes = (
-        svg.element(
-            "rect", x=8 * step - 8, y=0, width=8, height=12, class_=f"cover hue{look % HUES} step{step}"
-        )
+        svg.box(8.0 * step - 8.0, 0.0, 8.0 * step, 12.0, f"cover hue{look % HUES} step{step}")
         for step in range(1, STEPS + 1)
     )
     return svg.element("svg", "".join(boxes), viewBox="0 0 80 12", class_="steps", aria_hidden="true")
@@ -252,13 +257,8 @@ def room_plan(verdict: RoomVerdict, language: str) -> str:
     notes = {one.name: told("overturns", one.probabilities[OVERTURNED]) for one in verdict.pieces}
     notes |= {one.place.name: told("is_hit", one.hit) for one in verdict.places}
     notes |= {one.door.name: told("is_blocked", one.blocked) for one in verdict.doors}
-    return plan_svg(
-        verdict.plan,
-        _pieces(verdict),
-        [table.kind for table in verdict.scenario.places],
-        language,
-        notes=notes,
-    ).svg
+    kinds = [table.kind for table in verdict.scenario.places]
+    return plan_svg(verdict.plan, _pieces(verdict), kinds, language, notes=notes).svg
 
 
 def legend(verdict: RoomVerdict, language: str) -> list[tuple[str, str]]:

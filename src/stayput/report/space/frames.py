@@ -15,16 +15,16 @@ from stayput.report.frames import FrameLayout
 from stayput.report.history import at_time, slid
 from stayput.report.palette import ALARM, INK, PAPER, ROLE_COLOURS, ROOM, rgb
 from stayput.report.space.scene import body_colour
-from stayput.report.space.shape import OPENINGS, STILL_LOOKS, cut
+from stayput.report.space.shape import OPENINGS, STILL_LOOKS, StillShape, cut
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.report.film import Film
+    from stayput.report.animation import Film
     from stayput.report.space.scene import SpaceScene
-    from stayput.report.space.shape import SolidShape, StillShape
+    from stayput.report.space.shape import SolidShape
 
 
 Colour: TypeAlias = str | int | tuple[int, ...]
@@ -74,10 +74,13 @@ class SpacePainter:
         self._layout = FrameLayout(film, motion.components, motion.time, width, height)
         self._camera = Camera(scene.points, *self._layout.scene)
         self._line = self._layout.line
-        self._openings = [_in_wall(one) for one in scene.still if one.role in OPENINGS]
-        self._swings = [
-            swing for one in scene.still if one.role in OPENINGS if (swing := _on_floor(one)).lines
-        ]
+        self._openings, self._swings = list[StillShape](), list[StillShape]()
+        for one in scene.still:
+            if one.role in OPENINGS:  # what is in its wall, and the lines of a door on the floor
+                in_wall = tuple(line for line in one.lines if line[:, 2].any())
+                swing = tuple(line for line in one.lines if not line[:, 2].any())
+                self._openings.append(one._replace(lines=in_wall))
+                self._swings += [one._replace(faces=(), lines=swing)] if swing else []
         self._places = [one for one in scene.still if one.role not in OPENINGS]
         self._boxes = [
             DrawnHull(one.points, one.normals, np.array([face[0] for face in one.faces]))
@@ -113,9 +116,8 @@ class SpacePainter:
         hulls = [_hull_of(*each) for each in zip(film.scene.shapes, corners, turns, strict=True)]
         for n in _from_far(camera.place, [*hulls, *self._boxes]):
             if n < len(hulls):
-                _draw_body(
-                    draw, camera, self._line, film.scene.shapes[n], corners[n], turns[n], body_colour(n)
-                )
+                body = film.scene.shapes[n], corners[n], turns[n], body_colour(n)
+                _draw_body(draw, camera, self._line, *body)
             else:
                 _draw_still(pen, camera, self._line, self._places[n - len(hulls)])
         for opening, behind in zip(self._openings, beyond, strict=True):
@@ -140,23 +142,15 @@ class SpacePainter:
         """Draw floor, walls and ceiling, where they face the camera, and where bodies stood."""
         image = Image.new("RGB", self._layout.scene, PAPER)
         draw = ImageDraw.Draw(image)
-        faces = [
-            ((0.0, 0.0, 1.0), 0.0),
-            *(((x, y, z), offset) for x, y, z, offset in self._film.scene.planes),
-        ]
-        for normal, offset in faces:
+        for *normal, offset in [(0.0, 0.0, 1.0, 0.0), *self._film.scene.planes]:
             if np.dot(normal, camera.place) > offset:
                 axis = int(np.argmax(np.abs(normal)))
                 self._draw_face(draw, camera, axis, offset * normal[axis], 0.16 if axis == 2 else 0.26)
         for b in range(len(self._film.scene.names)):
             foot = self._film.scene.footprint(b)
             if len(foot):
-                _stroke(
-                    draw,
-                    camera.seen(np.concatenate([foot, foot[:1]])),
-                    _mixed(body_colour(b), INK, 0.25),
-                    self._line,
-                )
+                outline = camera.seen(np.concatenate([foot, foot[:1]]))
+                _stroke(draw, outline, _mixed(body_colour(b), INK, 0.25), self._line)
         return image
 
     def _draw_face(
@@ -311,16 +305,6 @@ def _draw_still(draw: ImageDraw.ImageDraw, camera: Camera, line: int, still: Sti
     for points in still.lines:
         for ends in pairwise(points):
             _stroke(draw, camera.seen(np.array(ends)), rgb(look.colour), line)
-
-
-def _in_wall(opening: StillShape) -> StillShape:
-    """Return the part of a door or window that is in its wall."""
-    return opening._replace(lines=tuple(line for line in opening.lines if line[:, 2].any()))
-
-
-def _on_floor(opening: StillShape) -> StillShape:
-    """Return the lines of a door on the floor, which bodies stand over."""
-    return opening._replace(faces=(), lines=tuple(line for line in opening.lines if not line[:, 2].any()))
 
 
 def _faces(camera: Camera, opening: StillShape) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -101,7 +101,12 @@ def plot_space_run(
     plan = figure.add_subplot(grid[:, 1])
     _draw_plan(plan, run, called, language)
     if several:
-        _name_bodies(figure, run, called, language)
+        shown, size = _body_handles(run, called, language), FONT - 0.5
+        labels = [str(line.get_label()) for line in shown]
+        widest = max(with_face(label, size)[1].getlength(label) for label in labels)
+        columns = int(72.0 * _WIDTH // (widest + 5.5 * size))  # with the line and the space around it
+        place: dict[str, Any] = {"loc": "outside lower center", "ncols": max(1, min(5, columns, len(shown)))}
+        figure.legend(handles=shown, fontsize=size, frameon=False, **place)
     else:
         legend_within(plan)
     return saved(figure, path)
@@ -133,10 +138,9 @@ def draw_space_run(
         axis.legend(handles=_body_handles(run, called, language), fontsize=FONT - 1.0, framealpha=0.85)
 
 
-def _dashes(body: int) -> Literal["-", "--", ":"]:
+def _dashes(body: int) -> Any:
     """Return the line style of a body, which tells apart bodies of one colour."""
-    styles: tuple[Literal["-"], Literal["--"], Literal[":"]] = ("-", "--", ":")
-    return styles[body // len(BODY_COLOURS) % 3]
+    return ("-", "--", ":")[body // len(BODY_COLOURS) % 3]
 
 
 def _body_handles(run: SpaceRun, names: Sequence[str], language: str) -> list[Line2D]:
@@ -150,27 +154,9 @@ def _body_handles(run: SpaceRun, names: Sequence[str], language: str) -> list[Li
         (run.fell_off, "fell off", _FELL_OFF),
     ):
         if happened.any():
-            label = say(OUTCOMES[outcome], language)
-            mark = Line2D(
-                [], [], color="none", marker=marker, markersize=8.0, markeredgecolor=INK, label=label
-            )
-            shown.append(mark)
+            looks: dict[str, Any] = {"markersize": 8.0, "markeredgecolor": INK, "color": "none"}
+            shown.append(Line2D([], [], marker=marker, label=say(OUTCOMES[outcome], language), **looks))
     return shown
-
-
-def _name_bodies(figure: Figure, run: SpaceRun, names: Sequence[str], language: str) -> None:
-    """Write the names of several bodies below the figure."""
-    shown = _body_handles(run, names, language)
-    size = FONT - 0.5
-    widest = max(with_face(str(line.get_label()), size)[1].getlength(str(line.get_label())) for line in shown)
-    columns = int(72.0 * _WIDTH // (widest + 5.5 * size))  # with the line and the space around it
-    figure.legend(
-        handles=shown,
-        loc="outside lower center",
-        ncols=max(1, min(5, columns, len(shown))),
-        fontsize=size,
-        frameon=False,
-    )
 
 
 def _draw_acceleration(axis: Axes, run: SpaceRun, language: str) -> None:
@@ -201,8 +187,7 @@ def _draw_of_bodies(axis: Axes, run: SpaceRun, what: SpaceDrawing, language: str
             looks |= {"markersize": 8.0, "markeredgecolor": INK, "markeredgewidth": 0.8}
             axis.plot(time, at_time(time, run, values[b]), marker, zorder=5, **looks)
     label_axes(axis, language, y=f"space.axis_{what}")
-    largest = float(np.abs(values).max())
-    if largest < _SMALLEST:
+    if np.abs(values).max() < _SMALLEST:
         axis.set_ylim(-_SMALLEST, _SMALLEST)
 
 
@@ -220,8 +205,8 @@ def _draw_plan(axis: Axes, run: SpaceRun, names: Sequence[str], language: str) -
             if sample:
                 axis.fill(*outline.T, color=colour, alpha=0.3, linewidth=0.0, zorder=2)
             axis.plot(*closed.T, dashes, color=colour, linewidth=1.4, zorder=3)
-        axis.plot(*run.place[b, :, :2].T, color=INK, linewidth=2.4, zorder=4)
         way = run.place[b, :, :2].T
+        axis.plot(*way, color=INK, linewidth=2.4, zorder=4)
         axis.plot(*way, linestyle=_dashes(b), color=colour, linewidth=1.4, zorder=4, label=drawable(name))
         axis.plot(*run.place[b, -1, :2], "o", color=colour, markersize=6.0, markeredgecolor=INK, zorder=5)
     for still in still_of(run):

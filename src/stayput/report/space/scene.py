@@ -139,10 +139,6 @@ class SpaceScene:
         planes = self.run.planes
         return [tuple(plane[name].item() for name in ("nx", "ny", "nz", "offset")) for plane in planes[1:]]
 
-    def at_start(self, body: int) -> NDArray[np.float64]:
-        """Return the corners of a body as it begins, shape (vertices, 3) [m]."""
-        return self.corners(body, matrices(self.attitude[body, 0]), self.place[body, 0])
-
     def corners(
         self, body: int, turn: NDArray[np.float64], place: NDArray[np.float64]
     ) -> NDArray[np.float64]:
@@ -186,9 +182,7 @@ class SpaceScene:
             "floor": {
                 "shift_m": packed(self.shift),
                 "dt_s": run.motion.dt,
-                "acceleration_m_s2": {
-                    name: packed(run.motion.component(name).x) for name in run.motion.components
-                },
+                "acceleration_m_s2": {name: packed(a) for name, a in run.motion.components.items()},
             },
             "planes": self.planes,
             "view": {
@@ -241,8 +235,9 @@ class SpaceScene:
 
     def footprint(self, body: int) -> NDArray[np.float64]:
         """Return the outline of a body's base as it first stands on the floor, shape (k, 3) [m]; or none."""
-        shape, corners = self.shapes[body], self.at_start(body)
-        lowest = int(np.argmin(shape.solid.normals @ matrices(self.attitude[body, 0])[2]))
+        shape, turn = self.shapes[body], matrices(self.attitude[body, 0])
+        corners = self.corners(body, turn, self.place[body, 0])
+        lowest = int(np.argmin(shape.solid.normals @ turn[2]))
         base = corners[shape.solid.faces[lowest]]
         on_floor = base[:, 2].max() < 0.02 * float(np.ptp(corners, axis=0).max())
         return base * [1.0, 1.0, 0.0] if on_floor else np.empty((0, 3))
@@ -280,9 +275,8 @@ def space_scene(run: SpaceRun, names: tuple[str, ...], beside: Sequence[SpaceRun
     points = _at_the_rim(np.concatenate([*(points for points, _ in found), *(one.points for one in still)]))
     size = max(size for _, size in found)
     ground = np.zeros((len(run.motion), 3))
-    for axis, name in enumerate("xyz"):
-        if name in run.motion.components:
-            ground[:, axis] = ground_displacement(run.motion.component(name))
+    for name in run.motion.components:
+        ground[:, "xyz".index(name)] = ground_displacement(run.motion.component(name))
     largest = float(np.linalg.norm(ground, axis=1).max())
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
@@ -307,9 +301,8 @@ def _ties(run: SpaceRun) -> tuple[DrawnTie, ...]:
         else:
             end = in_frame(other, spring, anchor)
         point, lost = in_frame(body, spring, ("px", "py", "pz")), device.failure_time
-        found.append(
-            DrawnTie(body, point, None if other == ROOM else other, end, lost if device.failed else math.inf)
-        )
+        held, lost = None if other == ROOM else other, lost if device.failed else math.inf
+        found.append(DrawnTie(body, point, held, end, lost))
     return tuple(found)
 
 
@@ -354,13 +347,9 @@ def _outermost(run: SpaceRun) -> tuple[NDArray[np.float64], float]:
 
 
 def _at_the_rim(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the outermost of some points in any direction."""
-    return points[np.unique((points @ _directions().T).argmax(axis=0))]
-
-
-def _directions() -> NDArray[np.float64]:
-    """Return directions all around, evenly spread on a spiral, shape (`_DIRECTIONS`, 3)."""
+    """Return the outermost of some points in directions all around, evenly spread on a spiral."""
     height = np.linspace(-1.0, 1.0, _DIRECTIONS)
     turn = math.pi * (3.0 - math.sqrt(5.0)) * np.arange(_DIRECTIONS)
     across = np.sqrt(1.0 - height**2)
-    return np.column_stack((across * np.cos(turn), across * np.sin(turn), height))
+    directions = np.column_stack((across * np.cos(turn), across * np.sin(turn), height))
+    return points[np.unique((points @ directions.T).argmax(axis=0))]

@@ -128,16 +128,13 @@ def _marks(solid: Solid, curved: NDArray[np.bool_]) -> list[Mark]:
                 stripe = cut(stripe, half - side * stripe[:, 1])
             if len(stripe) > 2:
                 found.append(Mark(int(face), stripe, light=True))
-    else:
-        front_face = int(np.argmax(normals[:, 0]))
-        if normals[front_face, 0] > _FACING:
-            corners = vertices[solid.faces[front_face]]
-            middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
-            found.append(Mark(front_face, middle + _PANEL * (corners - middle), light=True))
-    top = int(np.argmax(normals[:, 2]))
+    front_face, _, top = np.argmax(normals, axis=0).tolist()
+    middles = [0.5 * (vertices[face].min(axis=0) + vertices[face].max(axis=0)) for face in solid.faces]
+    if not curved.any() and normals[front_face, 0] > _FACING:
+        corners, middle = vertices[solid.faces[front_face]], middles[front_face]
+        found.append(Mark(front_face, middle + _PANEL * (corners - middle), light=True))
     if normals[top, 2] > _FACING:
-        corners = vertices[solid.faces[top]]
-        middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
+        corners, middle = vertices[solid.faces[top]], middles[top]
         reach = _ARROW * float(np.ptp(corners[:, :2], axis=0).min())
         plan = reach * np.array([(1.2, 0.0), (-0.8, 1.0), (-0.3, 0.0), (-0.8, -1.0)])
         slope = -normals[top, :2] / normals[top, 2]
@@ -225,10 +222,8 @@ class StillShape(NamedTuple):
     @property
     def normals(self) -> NDArray[np.float64]:
         """Unit normals of the faces, shape (faces, 3)."""
-        ways = np.array([np.cross(face[1] - face[0], face[2] - face[0]) for face in self.faces]).reshape(
-            -1, 3
-        )
-        return ways / np.linalg.norm(ways, axis=1, keepdims=True)
+        ways = [np.cross(face[1] - face[0], face[2] - face[0]) for face in self.faces]
+        return np.array([way / np.linalg.norm(way) for way in ways]).reshape(-1, 3)
 
     def data(self) -> dict[str, Any]:
         """Return it as plain values."""
@@ -300,17 +295,16 @@ def _swing(plan: FloorPlan, door: Door) -> list[NDArray[np.float64]]:
     """Return on the floor the leaf of a door that opens inwards, and the way of its edge."""
     if door.opens != "inwards":
         return []
+    return [np.column_stack((line, np.zeros(len(line)))) for line in swing_of(plan, door, _ARC)]
+
+
+def swing_of(plan: FloorPlan, door: Door, parts: int) -> tuple[list[tuple[float, float]], ...]:
+    """Return the way of the edge of a door's leaf, in so many parts, and the open leaf [m]."""
     hinge, way = (door.start, 1.0) if door.hinge == "start" else (door.start + door.width, -1.0)
-    angles = np.linspace(0.0, 0.5 * math.pi, _ARC + 1).tolist()
-    edge = [
-        plan.on_wall(door.wall, hinge + way * door.width * math.cos(angle), door.width * math.sin(angle))
-        for angle in angles
-    ]
-    return [_on_floor(edge), _on_floor([plan.on_wall(door.wall, hinge), edge[-1]])]
-
-
-def _on_floor(points: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
-    return np.column_stack((points, np.zeros(len(points))))
+    into = -door.width if door.opens == "outwards" else door.width
+    turned = [(math.cos(angle), math.sin(angle)) for angle in np.linspace(0.0, 0.5 * math.pi, parts + 1)]
+    edge = [plan.on_wall(door.wall, hinge + way * door.width * x, into * y) for x, y in turned]
+    return edge, [plan.on_wall(door.wall, hinge), edge[-1]]
 
 
 def _closed(corners: NDArray[np.float64]) -> NDArray[np.float64]:

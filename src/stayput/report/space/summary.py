@@ -46,14 +46,8 @@ def space_rows(
         "en" or "ja".
     """
     motion = run.motion
-    shaken = say(
-        "space.row_motion_value",
-        language,
-        name=motion_place(motion, language),
-        duration=motion.duration,
-        peak=peak_of(motion),
-    )
-    rows = [(say("runs.row_motion", language), shaken)]
+    shaken = {"name": motion_place(motion, language), "duration": motion.duration, "peak": peak_of(motion)}
+    rows = [(say("runs.row_motion", language), say("space.row_motion_value", language, **shaken))]
     times, falls, outcomes = run.overturn_time, run.fall_time, run.outcomes
     called = names_of(run, names, language)
     tilts, slides, yaws = run.peak_tilt, run.peak_slide, run.yaw
@@ -167,9 +161,8 @@ def became(run: SpaceRun, names: Sequence[str]) -> Phrase:
     fallen = [b for b, time in enumerate(times) if math.isfinite(time)]
     if not fallen:
         return phrase("space.none_fell", count=len(names))
-    each = [
-        phrase("space.fell_at", name=names[b], time=times[b]) for b in sorted(fallen, key=times.__getitem__)
-    ]
+    fallen.sort(key=times.__getitem__)
+    each = [phrase("space.fell_at", name=names[b], time=times[b]) for b in fallen]
     commas = phrase("common.listed")
     which = tuple(comma.join(texts) for comma, texts in zip(commas, zip(*each, strict=True), strict=True))
     return phrase("space.some_fell", fallen=len(fallen), count=len(names), which=which)

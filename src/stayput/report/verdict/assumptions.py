@@ -45,6 +45,10 @@ class Assumption(NamedTuple):
     confidence: str
 
 
+_DRAWN_BETWEEN = Assumption(phrase("several.drawn_between"), phrase("several.drawn_between_text"), "low")
+"""How what is between several pieces is drawn."""
+
+
 def told(assumptions: Iterable[Assumption], language: str) -> list[tuple[str, str, str]]:
     """Return assumptions as rows of a table: what, its value, and how well founded it is."""
     return [(say(one.what, language), say(one.value, language), one.confidence) for one in assumptions]
@@ -71,7 +75,7 @@ def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
         *_room(scenario, scenario.room.room()),
         *_shaking(scenario, verdict.motions),
         *_draws(scenario.uncertainty),
-        _draws_between(),
+        _DRAWN_BETWEEN,
         _limit("several.limit_body"),
         *settlement_assumptions(scenario),
         *_rolling(scenario),
@@ -88,12 +92,12 @@ def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
         *settlement_assumptions(scenario),
         *_rolling(scenario),
-        _direction(scenario.direction),
+        Assumption(phrase("room_report.direction"), *_direction(scenario.direction)),
         *_pieces(scenario),
         *_room(scenario, scenario.surroundings(), gaps=False),
         *_shaking(scenario, verdict.motions),
         *_draws(scenario.uncertainty),
-        _draws_between(),
+        _DRAWN_BETWEEN,
     ]
 
 
@@ -104,13 +108,15 @@ def _limit(key: str, **values: object) -> Assumption:
 
 def _shaking(scenario: Scenario | AssemblyScenario, count: int) -> Iterator[Assumption]:
     """Yield the motions, of which there are so many, how strong they are, and the building."""
-    yield motions_assumption(scenario, count)
+    yield Assumption(_text("motions"), *motions_told(scenario, count))
     strength = scenario.shaking.strength
     if strength is not None and strength.measure != "JMA":  # whose intensity stands in the title
         tag = GIVEN if strength.scatter == 0.0 else "medium"
         yield Assumption(_text("strength"), strength.told(count), tag)
-    if scenario.shaking.building is not None:
-        yield _building(scenario)
+    if (table := scenario.shaking.building) is not None:
+        name = _in_both(table.building().name)
+        value = _text("building_text", name=name, storey=scenario.shaking.storey)
+        yield Assumption(_text("building"), value, building_tag(table))
 
 
 def _draws(uncertainty: UncertaintyTable) -> Iterator[Assumption]:
@@ -191,30 +197,20 @@ def _contents(scenario: Scenario) -> Iterator[Assumption]:
     yield Assumption(_text("inside"), value, contents.tag)
 
 
-def motions_assumption(scenario: Scenario | AssemblyScenario, count: int) -> Assumption:
-    """Return what the motions are, of which there are so many."""
+def motions_told(scenario: Scenario | AssemblyScenario, count: int) -> tuple[Phrase, str]:
+    """Return what the motions are, of which there are so many, and how well founded that is."""
     shaking = scenario.shaking
-    heading = _text("motions")
     name = shaking.record or (shaking.suite if isinstance(shaking.suite, str) else None)
     if shaking.in_python is not None:
         name = shaking.in_python.name or shaking.in_python[0].name
     if name is not None:
         mean = phrase("motion.less_mean") if shaking.remove_mean else ""
-        return Assumption(heading, _text("motions_read", count=count, name=name, mean=mean), GIVEN)
+        return _text("motions_read", count=count, name=name, mean=mean), GIVEN
     if shaking.of_a_suite:
         family = "mixed" if shaking.suite is None or isinstance(shaking.suite, str) else shaking.suite.family
-        value = _text("motions_synthetic", count=count, family=_in_both(family))
-        return Assumption(heading, value, "low")
-    name = "sine" if shaking.sine is not None else "near-fault"
-    value = _text("motion_synthetic", name=_in_both(name))
-    return Assumption(heading, value, GIVEN if shaking.sine is not None else "low")
-
-
-def _building(scenario: Scenario | AssemblyScenario) -> Assumption:
-    table = scenario.shaking.building
-    assert table is not None
-    value = _text("building_text", name=_in_both(table.building().name), storey=scenario.shaking.storey)
-    return Assumption(_text("building"), value, building_tag(table))
+        return _text("motions_synthetic", count=count, family=_in_both(family)), "low"
+    name, tag = ("near-fault", "low") if shaking.sine is None else ("sine", GIVEN)
+    return _text("motion_synthetic", name=_in_both(name)), tag
 
 
 def _pieces(scenario: AssemblyScenario) -> Iterator[Assumption]:
@@ -231,11 +227,6 @@ def _pieces(scenario: AssemblyScenario) -> Iterator[Assumption]:
             yield Assumption(called, (f"{kind[0]}: {size[0]}", f"{kind[1]}：{size[1]}"), "low")
     friction = {"static": scenario.static_friction, "kinetic": scenario.kinetic_friction}
     yield Assumption(phrase("several.between"), _text("frictions", surface="", **friction), GIVEN)
-
-
-def _draws_between() -> Assumption:
-    """Return how what is between the pieces is drawn."""
-    return Assumption(phrase("several.drawn_between"), phrase("several.drawn_between_text"), "low")
 
 
 def settlement_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
@@ -255,8 +246,7 @@ def _rolling(scenario: AssemblyScenario) -> Iterator[Assumption]:
         yield _limit("several.rolling")
 
 
-def _direction(given: float | None) -> Assumption:
-    heading = phrase("room_report.direction")
+def _direction(given: float | None) -> tuple[Phrase, str]:
     if given is None:
-        return Assumption(heading, phrase("room_report.direction_drawn"), MODEL)
-    return Assumption(heading, phrase("room_report.direction_given", degrees=math.degrees(given)), GIVEN)
+        return phrase("room_report.direction_drawn"), MODEL
+    return phrase("room_report.direction_given", degrees=math.degrees(given)), GIVEN

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import CurveState
-from stayput.motion.intensity import CLASSES
+from stayput.report.figures import classes_between
 from stayput.report.verdict import numbers, svg
 from stayput.report.verdict.numbers import word
 from stayput.verification.words import class_label, title
@@ -79,13 +78,9 @@ def curves_svg(verdict: Verdict, language: str) -> str:
 def _classes(x: svg.PixelAxis, language: str) -> list[str]:
     """Return bands of every second class of JMA's intensity, and the classes' names along the top."""
     parts: list[str] = []
-    ends = [start for _, start in CLASSES[1:]] + [math.inf]
-    for number, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
-        low, high = max(start, x.low), min(end, x.high)
-        if high <= low:
-            continue
+    for shaded, name, low, high in classes_between(x.low, x.high):
         left, right = x.place(low), x.place(high)
-        if number % 2:
+        if shaded:
             parts.append(svg.box(left, TOP, right, BOTTOM, "classes"))
         if right - left > 40.0:
             name_shown = name if language == "en" else class_label(0.5 * (low + high), language)

@@ -14,7 +14,7 @@ from stayput.measures.measure import MEANINGS
 from stayput.motion.intensity import intensity_class
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
-from stayput.report.verdict.tables import contents_data, peaks_data
+from stayput.report.verdict.tables import contents_data, flat_quantiles
 from stayput.verification.grades import inputs
 from stayput.verification.notes import everyday_cases, notes
 from stayput.verification.words import (
@@ -28,20 +28,23 @@ from stayput.verification.words import (
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from stayput.fragility import Capacity, Difference, FragilityCurve, Probability
+    from stayput.fragility import Difference, FragilityCurve, Probability
     from stayput.measures import Measure
     from stayput.report.verdict.assumptions import Assumption
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.verification import (
-        AsInstalled,
         AssemblyOptionVerdict,
         AssemblyVerdict,
         OptionVerdict,
         Quantiles,
         Verdict,
     )
+    from stayput.verification.options import Impossible
     from stayput.verification.verdict import DeviceOfSeveral, Estimates
+
+
+_ENDS = ("estimate", "low", "high")
 
 
 def json_text(data: dict[str, Any]) -> str:
@@ -105,17 +108,19 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "options": [_option(result, verdict) for result in verdict.options],
         "not_possible": [
             {
-                "name": impossible.option.name,
-                "label": in_both(impossible.option.label),
-                "measures": [_measure(measure) for measure in impossible.option.measures],
-                "reason": in_both(impossible.why),
+                **_rejected(one, one.option.label),
+                "measures": [_measure(measure) for measure in one.option.measures],
             }
-            for impossible in verdict.impossible
+            for one in verdict.impossible
         ],
         "estimates": _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario),
         **_foot(verdict.scenario, assumptions(verdict)),
     }
+
+
+def _rejected(one: Impossible[Any], label: Callable[[str], str]) -> dict[str, Any]:
+    return {"name": one.option.name, "label": in_both(label), "reason": in_both(one.why)}
 
 
 def _estimates(estimates: Estimates) -> dict[str, Any]:
@@ -171,7 +176,7 @@ def everyday_data(scenario: Scenario) -> list[dict[str, Any]]:
 
 
 def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
-    change = result.change
+    change, installed = result.change, result.installed
     return {
         "rank": result.rank,
         "name": result.option.name,
@@ -184,13 +189,15 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         ],
         "measures": [_measure(measure) for measure in result.option.measures],
         "probabilities": {event: _probability(value) for event, value in result.probabilities.items()},
-        "as_installed": None if result.installed is None else _as_installed(result.installed),
-        "overturned_change": None
-        if change is None
+        "as_installed": None
+        if installed is None
         else {
-            **interval_data(change),
-            **attributes(change, "clear", "pairs"),
+            "badly_share": installed.share,
+            "badly": {event: _probability(value) for event, value in installed.badly.items()},
+            "usual": {event: number(value) for event, value in installed.usual.items()},
+            "how": [by_language(how) for how in installed.how],
         },
+        "overturned_change": None if change is None else attributes(change, *_ENDS, "clear", "pairs"),
         "peak_slide_m": quantiles_data(result.slide),
         "peak_tilt_rad": quantiles_data(result.tilt),
         "devices": [
@@ -206,17 +213,15 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             for device in result.devices
         ],
         "contents": None if result.contents is None else contents_data(result.contents),
-        "capacities": [_capacity(value) for value in result.capacities.values()],
+        "capacities": [
+            {
+                "share": capacity.share,
+                "jma_intensity": number(capacity.estimate),
+                **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
+            }
+            for capacity in result.capacities.values()
+        ],
         "curves": [_curve(curve) for curve in result.curves.values()],
-    }
-
-
-def _as_installed(installed: AsInstalled) -> dict[str, Any]:
-    return {
-        "badly_share": installed.share,
-        "badly": {event: _probability(value) for event, value in installed.badly.items()},
-        "usual": {event: number(value) for event, value in installed.usual.items()},
-        "how": [by_language(how) for how in installed.how],
     }
 
 
@@ -227,7 +232,7 @@ def _measure(measure: Measure) -> dict[str, Any]:
 
 def interval_data(chance: Probability | Difference) -> dict[str, Any]:
     """Return a probability or a difference of two, with its interval."""
-    return attributes(chance, "estimate", "low", "high")
+    return attributes(chance, *_ENDS)
 
 
 def _counted(chance: Probability) -> dict[str, Any]:
@@ -243,18 +248,10 @@ def quantiles_data(quantiles: Quantiles) -> dict[str, float | None]:
     return attributes(quantiles, "median", "p90")
 
 
-def _capacity(capacity: Capacity) -> dict[str, Any]:
-    return {
-        "share": capacity.share,
-        "jma_intensity": number(capacity.estimate),
-        **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
-    }
-
-
 def _curve(curve: FragilityCurve) -> dict[str, Any]:
     """Return a curve and the observed shares at its levels, in SI units."""
-    share = curve.probability([level.im for level in curve.levels])
-    low, high = curve.band([level.im for level in curve.levels])
+    im = [level.im for level in curve.levels]
+    share, (low, high) = curve.probability(im), curve.band(im)
     lognormal = curve.lognormal
     return {
         "measure": curve.measure.key,
@@ -271,9 +268,7 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
         ],
         "lognormal": None
         if lognormal is None
-        else {
-            **attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
-        },
+        else attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
     }
 
 
@@ -286,14 +281,7 @@ def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
         "slide_limit_m": verdict.slide_limit,
         **attributes(verdict, "motions", "samples", "runs", "seed", "precise", "seconds"),
         "options": [_option_of_several(result, verdict) for result in verdict.options],
-        "not_possible": [
-            {
-                "name": one.option.name,
-                "label": in_both(partial(title_of_several, one, verdict)),
-                "reason": in_both(one.why),
-            }
-            for one in verdict.rejected
-        ],
+        "not_possible": [_rejected(one, partial(title_of_several, one, verdict)) for one in verdict.rejected],
         **_foot(verdict.scenario, several_assumptions(verdict)),
     }
 
@@ -310,13 +298,13 @@ def _option_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) 
         "measures": {name: [measure.kind for measure in held] for name, held in measures},
         "probabilities": {event: _counted(chance) for event, chance in result.probabilities.items()},
         "change": None if result.change is None else number(result.change.estimate),
-        **peaks_data(result),
+        **flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt),
         "pieces": [
             {
                 "name": piece.name,
                 "counts": body in scenario.counted,
                 "probabilities": {event: _counted(chance) for event, chance in piece.probabilities.items()},
-                **peaks_data(piece),
+                **flat_quantiles(peak_slide_m=piece.slide, peak_tilt_rad=piece.tilt),
             }
             for body, piece in enumerate(result.pieces)
         ],
@@ -332,9 +320,6 @@ def _device_of_several(device: DeviceOfSeveral) -> dict[str, Any]:
         "name": summary.name,
         "failed": number(summary.failed.estimate),
         "failure_time_s_median": number(summary.failure_time),
-        "peak_force_n_median": number(summary.peak.median),
-        "peak_force_n_p90": number(summary.peak.p90),
-        "utilisation_median": number(summary.used.median),
-        "utilisation_p90": number(summary.used.p90),
+        **flat_quantiles(peak_force_n=summary.peak, utilisation=summary.used),
         "weakest": None if summary.weakest is None else by_language(summary.weakest),
     }

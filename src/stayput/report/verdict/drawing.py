@@ -88,15 +88,9 @@ def drawing_svg(verdict: Verdict, measures: Sequence[Measure], language: str, la
     """
     scenario = verdict.scenario
     held = hold(scenario.furniture.body(), scenario.room.room(), measures)
-    sheet = sheet_of(held)
-    name = word(
-        "drawing_alt",
-        language,
-        piece=named(scenario.furniture.title, language),
-        width=f"{100.0 * held.body.width:.3g}",
-        height=f"{100.0 * held.body.height:.3g}",
-        label=label,
-    )
+    sheet, piece = sheet_of(held), named(scenario.furniture.title, language)
+    width, height = (f"{100.0 * size:.3g}" for size in (held.body.width, held.body.height))
+    name = word("drawing_alt", language, piece=piece, width=width, height=height, label=label)
     parts = [*_room(held, sheet), *piece_svg(held, sheet.place), *_centre(held, sheet), *_sizes(held, sheet)]
     return svg.drawing(sheet.width, sheet.height, parts, name, "plan")
 

@@ -15,7 +15,7 @@ from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.exports import identifiers, in_openquake, nrml_xml, pelicun_csv
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
-from stayput.report.verdict.assumptions import motions_assumption
+from stayput.report.verdict.assumptions import motions_told
 from stayput.spreadsheets import CSV_ENCODING, csv_text
 from stayput.verification.words import title
 
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.verification import Verdict
-    from stayput.verification.options import Option
 
 POINTS = 101
 """Points of a curve in the table."""
@@ -65,8 +64,17 @@ def write_curves(
     """
     curves = [result.curves[measure] for result in verdict.options]
     fitted = [curve for curve in curves if curve.state is CurveState.FITTED]
-    texts = {"curves.csv": curves_csv(fitted, measure), "observed.csv": observed_csv(curves)}
-    called = {result.option.name: _called(result.option, verdict, language) for result in verdict.options}
+    texts: dict[str, str | None] = {
+        "curves.csv": curves_csv(fitted, measure),
+        "observed.csv": observed_csv(curves),
+        "fragility.svg": None,  # which is drawn
+    }
+    called = {  # in English as in the files
+        result.option.name: result.option.name
+        if language == "en"
+        else title(result.option, verdict, language)
+        for result in verdict.options
+    }
     left_out = [reason for curve in curves if (reason := _left_out(curve, called[curve.name], language))]
     left_out += [
         say("report.in_no_file", language, option=result.option.name, reason=result.why(language))
@@ -83,24 +91,16 @@ def write_curves(
     if several and in_openquake(curves[0].measure) is None:
         left_out.append(say("report.no_nrml", language, measure=curves[0].measure.key))
     elif several:
-        texts["nrml.xml"] = nrml_xml(
-            several, say("report.overturning_of", piece=verdict.scenario.furniture.title)
-        )
-    names = list(texts)
-    names.insert(2, "fragility.svg")
+        about = say("report.overturning_of", piece=verdict.scenario.furniture.title)
+        texts["nrml.xml"] = nrml_xml(several, about)
     with folder_draft(folder) as unfinished:
-        for name in names:
-            if name in texts:
-                encoding = CSV_ENCODING if name in FOR_PEOPLE else "utf-8"
-                (unfinished / name).write_text(texts[name], encoding=encoding)
-            else:
+        for name, text in texts.items():
+            if text is None:
                 _plot(verdict, measure, unfinished / name, language)
-    return [folder / name for name in names], left_out
-
-
-def _called(option: Option, verdict: Verdict, language: str) -> str:
-    """Return what an option is called in sentences: in English as in the files."""
-    return option.name if language == "en" else title(option, verdict, language)
+            else:
+                encoding = CSV_ENCODING if name in FOR_PEOPLE else "utf-8"
+                (unfinished / name).write_text(text, encoding=encoding)
+    return [folder / name for name in texts], left_out
 
 
 def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
@@ -127,15 +127,7 @@ def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> s
         low, high = curve.band(grid)
         table = np.column_stack((grid, curve.probability(grid), low, high))
         rows += [(curve.name, *map(number, row.tolist()), METHOD) for row in table]
-    heading = (
-        "option",
-        key(curves[0].measure if curves else measure),
-        "probability",
-        "low",
-        "high",
-        "method",
-    )
-    return csv_text(heading, rows, "\n")
+    return csv_text(("option", key(measure), "probability", "low", "high", "method"), rows, "\n")
 
 
 def observed_csv(curves: Sequence[FragilityCurve]) -> str:
@@ -145,11 +137,8 @@ def observed_csv(curves: Sequence[FragilityCurve]) -> str:
         (
             curve.name,
             level.im,
-            level.probability.fell,
-            level.probability.runs,
-            number(level.probability.estimate),
-            level.probability.low,
-            level.probability.high,
+            *(level.probability.fell, level.probability.runs, number(level.probability.estimate)),
+            *(level.probability.low, level.probability.high),
         )
         for curve in curves
         for level in curve.levels
@@ -171,7 +160,7 @@ def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path, language: str
         replace(result.curves[measure], name=title(result.option, verdict, language))
         for result in (bare, *best)
     ]
-    motions = say(motions_assumption(verdict.scenario, verdict.motions).value, language)
+    motions = say(motions_told(verdict.scenario, verdict.motions)[0], language)
     here = verdict.intensity if measure == JMA_INTENSITY else None
     plot_fragility(
         curves,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.page import file_of, framed, rendered, script_json, script_module, write_page
@@ -19,9 +19,15 @@ from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
 from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
-from stayput.report.verdict.in_space import pairs_of_several, space_pairs
 from stayput.report.verdict.numbers import word
-from stayput.report.verdict.pairs import histories_svg, motion_told, pairs_of
+from stayput.report.verdict.pairs import (
+    about_case,
+    histories_svg,
+    motion_told,
+    pairs_of,
+    pairs_of_several,
+    space_pairs,
+)
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
@@ -39,7 +45,7 @@ from stayput.verification import AssemblyVerdict
 from stayput.verification.words import class_label, headline, headline_of_several, title
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
     from pathlib import Path
 
     from stayput.measures import Measure
@@ -109,17 +115,14 @@ def shared_content(
     language : str
         "en" or "ja".
     """
-    shaking = {
-        "class": class_label(verdict.intensity, language, verdict.floor),
-        "value": f"{verdict.intensity:.2f}",
-    }
+    shaking = {"class": class_label(verdict.intensity, language, verdict.floor)}
     return {
         **framed(language, texts, verdict.scenario.title or kind, sheets),
         "text": partial(word, language=language),
         "numbers": numbers,
         "verdict": verdict,
         "kind": kind,
-        "strength": word("instrumental", language, **shaking),
+        "strength": word("instrumental", language, **shaking, value=f"{verdict.intensity:.2f}"),
         "limit": numbers.length(verdict.slide_limit, language),
         "assumptions": told(rests_on, language),
         "toml": verdict.scenario.to_toml(),
@@ -129,12 +132,13 @@ def shared_content(
 def _of_a_ranking(
     verdict: Verdict | AssemblyVerdict, texts: str, kind: str, rests_on: Iterable[Assumption], language: str
 ) -> dict[str, Any]:
+    command = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
     return {
         **shared_content(verdict, texts, kind, ["verdict/report.css"], rests_on, language),
         "simulations": simulations(verdict, language),
         "impossible": impossible_rows(verdict, language),
         "device_columns": [word(key, language) for key in DEVICE_COLUMNS],
-        "command": _command(verdict, language),
+        "command": shlex.join([*command, "--lang", language, "--report", "report.html"]),
     }
 
 
@@ -161,9 +165,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "space_pairs": space_pairs(verdict, ground, language) if in_space else [],
         "modes": modes.values(),
         "scenes": Markup(script_json(scenes)),
-        "details": [
-            _detail(result, verdict, language) for result in verdict.options if result.option.measures
-        ],
+        "details": [_detail(one, verdict, language) for one in verdict.options if one.option.measures],
         "estimates": estimate_rows(verdict, language),
         "reads_files": scenario.shaking.record is not None or isinstance(scenario.shaking.suite, str),
         "script": Markup(script_module(file_of("verdict/report.js"))),
@@ -182,12 +184,6 @@ def _content_of_several(verdict: AssemblyVerdict, language: str) -> dict[str, An
         "device_columns": [say("several.holds", language), *content["device_columns"]],
         "details": [(row, several_device_rows(row.option, language)) for row in rows if row.option.devices],
     }
-
-
-def _command(verdict: Verdict | AssemblyVerdict, language: str) -> str:
-    """Return the command that makes the report again."""
-    words = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
-    return shlex.join([*words, "--lang", language, "--report", "report.html"])
 
 
 def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, Any]:
@@ -218,18 +214,14 @@ def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str
 
 def _pair(verdict: Verdict, pair: RunPair, language: str) -> dict[str, Any]:
     piece, scene = verdict.scenario.furniture, pair.scene
-    sides = [
-        {
-            "label": title(option, verdict, language),
-            "outcome": say(piece_sentences(run, piece.preset, piece.name), language),
-        }
-        for option, run in zip(pair.options, scene.runs, strict=True)
-    ]
+    labels = [title(option, verdict, language) for option in pair.options]
+    said = [say(piece_sentences(run, piece.preset, piece.name), language) for run in scene.runs]
+    sides = [{"label": label, "outcome": one} for label, one in zip(labels, said, strict=True)]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
-    about_key = f"{pair.kind}_text" if len(pair.options) > 1 else f"{pair.kind}_bare_text"
+    about = about_case(pair.kind, len(sides), phrase("common.without"), language)
     return {
         "title": word(pair.kind, language),
-        "about": word(about_key, language) + _place_of_the_measure(verdict, pair, language),
+        "about": about + _place_of_the_measure(verdict, pair, language),
         "motion": motion_told(verdict, pair.member, scene.runs[0], (scene.start, scene.end), language),
         "moved": _moved(scene, language),
         "sides": sides,
@@ -254,18 +246,13 @@ def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str,
         "about": [say(measure.about, language) for measure in measures],
         "change": numbers.change(result.change, language),
         "devices": device_rows(result, language),
-        "parameters": [
-            (say(measure.label, language), _parameters(measure, language)) for measure in measures
-        ],
+        "parameters": [(say(one.label, language), _parameters(one, language)) for one in measures],
     }
 
 
-def _parameters(measure: Measure, language: str) -> list[tuple[str, str, str]]:
-    """Return name, value with unit, and how well founded it is, of each parameter."""
-    rows: list[tuple[str, str, str]] = []
+def _parameters(measure: Measure, language: str) -> Iterator[tuple[str, str, str]]:
+    """Yield name, value with unit, and how well founded it is, of each parameter."""
     for about in parameters(measure):
         value = getattr(measure, about.name)
         shown = value if isinstance(value, str) else numbers.NO_NUMBER if value is None else f"{value:.6g}"
-        name = say(about.label, language)
-        rows.append((name, f"{shown} {about.unit}".rstrip(), about.tag(value)))
-    return rows
+        yield say(about.label, language), f"{shown} {about.unit}".rstrip(), about.tag(value)

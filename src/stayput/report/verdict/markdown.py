@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.catalogue import say
@@ -22,6 +22,7 @@ from stayput.report.verdict.tables import (
     several_ranking,
     simulations,
 )
+from stayput.verification import AssemblyVerdict
 from stayput.verification.words import headline, headline_of_several, title
 from stayput.wording import with_aside
 
@@ -29,8 +30,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     from stayput.report.verdict.assumptions import Assumption
-    from stayput.report.verdict.tables import RankingRow, SeveralRow
-    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.report.verdict.tables import RankingRow
+    from stayput.verification import Verdict
 
 
 def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
@@ -63,7 +64,7 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
         *_head(verdict, text("report"), headline(verdict, language), language),
         *(f"{plain(note)}\n" for note in verdict.notes(language)),
         *_runs(verdict, language),
-        *_ranking(verdict, columns, [_cells(row, language) for row in ranking(verdict, language)], language),
+        *_ranking(verdict, columns, ranking(verdict, language), language),
         f"\n{plain(grades_text(language))}",
         *_devices(text("devices"), (text("measure"),), devices, language),
         *_section(text("estimates"), f"{text('estimates_text')}\n", *estimates),
@@ -84,7 +85,7 @@ def several_markdown(verdict: AssemblyVerdict, language: str = "en") -> str:
         *_head(verdict, say("several.report", language), headline_of_several(verdict, language), language),
         f"{say('several.about', language)}\n",
         *_runs(verdict, language),
-        *_ranking(verdict, columns, [_cells_of_several(row, language) for row in rows], language),
+        *_ranking(verdict, columns, rows, language),
         *_devices(say("several.details", language), (option, holds), devices, language),
         *_foot(verdict, several_assumptions(verdict), language),
     )
@@ -121,16 +122,17 @@ def _events(verdict: Verdict | AssemblyVerdict, option: str, falls: str, languag
 def _ranking(
     verdict: Verdict | AssemblyVerdict,
     columns: Sequence[str],
-    rows: Sequence[Sequence[str]],
+    rows: Sequence[RankingRow[Any]],
     language: str,
 ) -> tuple[str, ...]:
     """Return the section of the ranking, with what cannot be put in place at its end."""
+    lines = [_cells(row, isinstance(verdict, AssemblyVerdict), language) for row in rows]
     blank = (NO_NUMBER,) * (len(columns) - 4)
     impossible = [
         (NO_NUMBER, label, word("not_possible", language), *blank, reason)
         for label, reason in impossible_rows(verdict, language)
     ]
-    return _section(word("ranking", language), *table(columns, [*rows, *impossible]))
+    return _section(word("ranking", language), *table(columns, [*lines, *impossible]))
 
 
 def _devices(
@@ -151,24 +153,17 @@ def _foot(verdict: Verdict | AssemblyVerdict, rests_on: Iterable[Assumption], la
     yield text("caution")
 
 
-def _cells(row: RankingRow, language: str) -> tuple[str, ...]:
+def _cells(row: RankingRow[Any], several: bool, language: str) -> tuple[str, ...]:
+    listed = word("listed", language)
+    shares = [NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares]
+    head, slide = (str(row.option.rank), row.label, *shares), listed.join(row.slide)
+    if several:
+        each = listed.join(f"{name} {with_interval(chance, language)}" for name, chance in row.pieces)
+        return *head, each, slide, row.reason
     label = with_aside(row.name, row.label, language) if row.name else row.label
     contents = () if row.contents is None else (with_interval(row.contents, language),)
     capacities = (with_aside(middle, ends, language) if ends else middle for middle, ends in row.capacities)
-    slide = word("listed", language).join(row.slide)
-    shares = _shares(row, language)
-    return str(row.option.rank), label, *shares, *contents, slide, *capacities, row.grade, row.reason
-
-
-def _cells_of_several(row: SeveralRow, language: str) -> tuple[str, ...]:
-    listed = word("listed", language)
-    each = listed.join(f"{name} {with_interval(chance, language)}" for name, chance in row.pieces)
-    shares = _shares(row, language)
-    return str(row.option.rank), row.label, *shares, each, listed.join(row.slide), row.reason
-
-
-def _shares(row: RankingRow | SeveralRow, language: str) -> list[str]:
-    return [NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares]
+    return head[0], label, *shares, *contents, slide, *capacities, row.grade, row.reason
 
 
 def table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Pairs of runs side by side: one motion and one draw, without and with a measure, simulated again."""
+"""The typical and the worst case of a verdict: runs side by side, without and with measures, made again."""
 
 from __future__ import annotations
 
@@ -8,15 +8,24 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.catalogue import phrase, say
+from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.measures import element_rows, hold
 from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking, trace
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
+from stayput.montecarlo.several import draws_of_several
+from stayput.montecarlo.several import replay as run_again
 from stayput.motion.suites import Suite
-from stayput.report.history import MOVED, history, peak_of, window_of
+from stayput.report.animation import film_of, player_page
+from stayput.report.figures import embedded
+from stayput.report.fonts import drawable
+from stayput.report.history import MOVED, cut_run, history, peak_of, window_in_space, window_of
 from stayput.report.names import motion_label
 from stayput.report.scene import TIME_DIGITS, Scene, scene_of
+from stayput.report.space.plot import plot_space_run
+from stayput.report.space.summary import became
 from stayput.report.verdict import svg
 from stayput.report.verdict.numbers import word
 from stayput.simulation.case import Case
@@ -24,16 +33,21 @@ from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.run import run_of
 from stayput.simulation.space import run_held
 from stayput.simulation.space_run import SpaceRun
+from stayput.verification import Verdict
+from stayput.verification.words import title, title_of_several
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.measures import Held
     from stayput.montecarlo.counting import Member
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
     from stayput.simulation.run import Run
-    from stayput.verification import AssemblyVerdict, Option, Verdict
+    from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict, Option
 
 RATE = 50.0
 """Poses a second that the report holds; its script draws straight lines between them."""
@@ -116,25 +130,24 @@ def pairs_of(verdict: Verdict, ground: Suite) -> tuple[RunPair, ...]:
     ground : Suite
         The motions of the ground.
     """
-    bare, best = verdict.without, verdict.best
-    return (
-        _pair("typical", verdict, bare.typical, ground),
-        _pair("worst", verdict, best.worst, ground),
-    )
+    options, pairs = shown_options(verdict), list[RunPair]()
+    for kind, member in (("typical", verdict.without.typical), ("worst", verdict.best.worst)):
+        motion, scale = floor_motion(verdict, ground, member)
+        runs = [replay(verdict, option, member, motion, scale) for option in options]
+        window = window_of([(run, history(run)) for run in runs], motion)
+        pairs.append(RunPair(kind, member, options, scene_of(runs, *window)))
+    return tuple(pairs)
+
+
+def about_case(kind: str, sides: int, without: Phrase, language: str) -> str:
+    """Return which run the typical or the worst case is, shown alone or on two sides."""
+    return word(f"{kind}{'' if sides > 1 else '_bare'}_text", language, without=without)
 
 
 def shown_options(verdict: Verdict) -> list[Option]:
     """Return what is shown side by side: no measure, and the best one, if it is one."""
     bare, best = verdict.without.option, verdict.best.option
     return [bare, best] if best.measures else [bare]
-
-
-def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite) -> RunPair:
-    motion, scale = floor_motion(verdict, ground, member)
-    options = shown_options(verdict)
-    runs = [replay(verdict, option, member, motion, scale) for option in options]
-    window = window_of([(run, history(run)) for run in runs], motion)
-    return RunPair(kind, member, options, scene_of(runs, *window))
 
 
 def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motion, float]:
@@ -225,6 +238,96 @@ def motion_told(
         start=f"{shown[0]:.1f}",
         end=f"{shown[1]:.1f}",
         duration=f"{motion.duration:g}",
+    )
+
+
+def space_pairs(verdict: Verdict, ground: Suite, language: str) -> list[dict[str, Any]]:
+    """Return what the report shows of the typical and the worst case; see `pairs_of`.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        A verdict in space.
+    ground : Suite
+        The motions of the ground.
+    language : str
+        "en" or "ja".
+    """
+    piece, options = verdict.scenario.furniture, shown_options(verdict)
+    names = [piece.name or say(PIECES.get(piece.preset or "", ANY_PIECE), language)]
+    labels = [title(option, verdict, language) for option in options]
+
+    def runs_of(member: Member) -> list[SpaceRun]:
+        on_floor = floor_motion(verdict, ground, member)
+        return [replay_in_space(verdict, option, member, *on_floor) for option in options]
+
+    return _pairs(verdict, runs_of, labels, names, language)
+
+
+def pairs_of_several(verdict: AssemblyVerdict, language: str) -> list[dict[str, Any]]:
+    """Return the same for the report of a verdict on several pieces."""
+    options = [verdict.without, verdict.best] if verdict.best.option.count else [verdict.without]
+    labels = [title_of_several(option, verdict, language) for option in options]
+
+    def runs_of(member: Member) -> list[SpaceRun]:
+        return [replay_of_several(verdict, option, member) for option in options]
+
+    return _pairs(verdict, runs_of, labels, verdict.scenario.names, language)
+
+
+def _pairs(
+    verdict: Verdict | AssemblyVerdict,
+    runs_of: Callable[[Member], list[SpaceRun]],
+    labels: Sequence[str],
+    names: Sequence[str],
+    language: str,
+) -> list[dict[str, Any]]:
+    """Return the typical and the worst case, of runs under options with labels, of bodies with names."""
+    heading = word("histories", language)
+    drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
+    without = "common.without" if isinstance(verdict, Verdict) else "several.nothing"
+    pairs: list[dict[str, Any]] = []
+    for kind, member in (("typical", verdict.without.typical), ("worst", verdict.best.worst)):
+        runs = runs_of(member)
+        start, end = window_in_space(runs)
+        cut = [cut_run(run, start, end) for run in runs]
+        pairs.append(
+            {
+                "title": word(kind, language),
+                "about": about_case(kind, len(runs), phrase(without), language),
+                "sides": [
+                    {
+                        "label": label,
+                        "outcome": say(became(run, names), language),
+                        # several that play at once would be too much for a slow machine
+                        "player": player_page(film_of(shown, names, language, cut), 1.0, 1.5, plays=False),
+                        "histories": embedded(plot_space_run(shown, names=names, language=drawn), "svg"),
+                    }
+                    for label, run, shown in zip(labels, runs, cut, strict=True)
+                ],
+                "motion": motion_told(verdict, member, runs[0], (start, end), language),
+            }
+        )
+    return pairs
+
+
+def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> SpaceRun:
+    """Run a member of an option again, with its histories."""
+    scenario = verdict.scenario
+    shaking, settings = scenario.shaking, scenario.uncertainty
+    ground = scenario.ground()
+    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
+    floors = hazard.stated(shaking.strength, shaking.scale, verdict.seed)
+    drawn = draws_of_several(
+        scenario.names, len(ground), verdict.samples, verdict.seed, as_stated=settings.as_stated
+    )
+    return run_again(
+        scenario.assembly(result.option),
+        scenario.surroundings(),
+        drawn[member.motion][member.sample],
+        floors.motions[member.motion],
+        float(floors.scales[member.motion]),
+        scenario.gravity,
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
@@ -23,18 +23,19 @@ from stayput.verification.words import is_own, length, reason, reason_of_several
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Probability
+    from stayput.model.room import Room
     from stayput.verification import (
         AssemblyOptionVerdict,
         DeviceSummary,
         OptionVerdict,
-        PieceVerdict,
+        Quantiles,
         Verdict,
     )
     from stayput.verification.contents import ContentsVerdict
+
+AnyResult = TypeVar("AnyResult", bound="OptionVerdict | AssemblyOptionVerdict")
 
 SHARES = (0.1, 0.5)
 """Shares of overturning whose intensities stand in the tables."""
@@ -46,17 +47,18 @@ DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_forc
 """Keys of the headings of `device_rows`."""
 
 
-class RankingRow(NamedTuple):
+class RankingRow(NamedTuple, Generic[AnyResult]):
     """One option as it is read: texts in one language.
 
     Parameters
     ----------
-    option : OptionVerdict
+    option : OptionVerdict or AssemblyOptionVerdict
         The option.
     label : str
-        What it is called.
+        What it is called, or what it consists of; of several pieces with their names.
     name : str
-        What the user calls it, where that differs from its measures' own names.
+        What stands for it where there is little room, a name of the user's own before all; of one piece such
+        a name or nothing.
     shares : tuple of (str, Probability)
         Each event and its probability; there is none of a device's failure without devices.
     slide, tilt : tuple of str
@@ -64,58 +66,30 @@ class RankingRow(NamedTuple):
     reason : str
         Why it stands where it does.
     capacities : tuple of (str, str)
-        Intensity at which each of `SHARES` overturns, and its interval.
-    grade : str
-        Grade of its weakest inputs.
-    weakest : str
-        These inputs.
+        Intensity at which each of `SHARES` overturns, and its interval; of one piece.
+    grade, weakest : str
+        Grade of its weakest inputs, and these inputs; of one piece.
     contents : Probability, optional
         Share of the contents that comes out; none where nothing is said of contents.
+    pieces : tuple of (str, Probability)
+        Each of several pieces, and how likely it overturns.
     """
 
-    option: OptionVerdict
+    option: AnyResult
     label: str
     name: str
     shares: tuple[tuple[str, Probability | None], ...]
     slide: tuple[str, str]
     tilt: tuple[str, str]
     reason: str
-    capacities: tuple[tuple[str, str], ...]
-    grade: str
-    weakest: str
-    contents: Probability | None
+    capacities: tuple[tuple[str, str], ...] = ()
+    grade: str = ""
+    weakest: str = ""
+    contents: Probability | None = None
+    pieces: tuple[tuple[str, Probability], ...] = ()
 
 
-class SeveralRow(NamedTuple):
-    """One option of several pieces as it is read: texts in one language.
-
-    Parameters
-    ----------
-    option : AssemblyOptionVerdict
-        The option.
-    label, brief : str
-        What it consists of, with the names of the pieces and without; a name of the user's own stands for it.
-    shares : tuple of (str, Probability)
-        Each event of any piece of furniture; there is none of a device's failure without devices.
-    pieces : tuple of (str, Probability)
-        Each piece, and how likely it overturns.
-    slide, tilt : tuple of str
-        Median and 90 % quantile of the peaks.
-    reason : str
-        Why it stands where it does.
-    """
-
-    option: AssemblyOptionVerdict
-    label: str
-    brief: str
-    shares: tuple[tuple[str, Probability | None], ...]
-    pieces: tuple[tuple[str, Probability], ...]
-    slide: tuple[str, str]
-    tilt: tuple[str, str]
-    reason: str
-
-
-def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
+def ranking(verdict: Verdict, language: str) -> list[RankingRow[OptionVerdict]]:
     """Return the options as they are read, the best first.
 
     Parameters
@@ -125,16 +99,13 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
     language : str
         "en" or "ja".
     """
-    room = verdict.scenario.room.room()
     return [
         RankingRow(
-            option=result,
-            label=result.option.label(language),
-            name=result.option.name if result.option.own_name else "",
-            shares=_shares(result),
-            slide=numbers.slides(result.slide, room, language),
-            tilt=numbers.angles(result.tilt, language),
-            reason=reason(result, verdict, language),
+            result,
+            result.option.label(language),
+            result.option.name if result.option.own_name else "",
+            *_shown(result, verdict.scenario.room.room(), language),
+            reason(result, verdict, language),
             capacities=tuple(
                 (numbers.capacity(reached, language), numbers.capacity_interval(reached, language))
                 for reached in map(result.capacities.get, SHARES)
@@ -147,31 +118,30 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
     ]
 
 
-def several_ranking(verdict: AssemblyVerdict, language: str) -> list[SeveralRow]:
+def several_ranking(verdict: AssemblyVerdict, language: str) -> list[RankingRow[AssemblyOptionVerdict]]:
     """Return the options of several pieces as they are read, the best first."""
-    room = verdict.scenario.surroundings()
     return [
-        SeveralRow(
-            option=result,
-            label=title_of_several(result, verdict, language),
-            brief=result.option.name
-            if is_own(result, verdict)
-            else say(brief_label(result.option), language),
-            shares=_shares(result),
+        RankingRow(
+            result,
+            title_of_several(result, verdict, language),
+            result.option.name if is_own(result, verdict) else say(brief_label(result.option), language),
+            *_shown(result, verdict.scenario.surroundings(), language),
+            reason_of_several(result, verdict, language),
             pieces=tuple((piece.name, piece.probabilities[OVERTURNED]) for piece in result.pieces),
-            slide=numbers.slides(result.slide, room, language),
-            tilt=numbers.angles(result.tilt, language),
-            reason=reason_of_several(result, verdict, language),
         )
         for result in verdict.options
     ]
 
 
-def _shares(result: OptionVerdict | AssemblyOptionVerdict) -> tuple[tuple[str, Probability | None], ...]:
-    return tuple(
+def _shown(
+    result: OptionVerdict | AssemblyOptionVerdict, room: Room, language: str
+) -> tuple[tuple[tuple[str, Probability | None], ...], tuple[str, str], tuple[str, str]]:
+    """Return the shares, slides and tilts of a row."""
+    shares = tuple(
         (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
         for event in EVENTS
     )
+    return shares, numbers.slides(result.slide, room, language), numbers.angles(result.tilt, language)
 
 
 def impossible_rows(verdict: Verdict | AssemblyVerdict, language: str) -> list[tuple[str, str]]:
@@ -250,50 +220,39 @@ def simulations(verdict: Verdict | AssemblyVerdict, language: str) -> str:
     return made + word("settled_text", language, settled=f"{verdict.settled:,}") if verdict.settled else made
 
 
-def verdict_csv(verdict: Verdict) -> str:
+def verdict_csv(verdict: Verdict | AssemblyVerdict) -> str:
     """Return the ranking as the text of a CSV file: one row an option, empty where there is no number.
 
     What cannot be put in place comes last, without a rank and a number, and with the reason.
     """
-    return _ranking_csv(
-        [_record(result, verdict) for result in verdict.options],
-        [
-            {"option": one.option.name, "measures": one.option.label("en"), "not_possible": one.reason}
-            for one in verdict.impossible
-        ],
-    )
-
-
-def several_csv(verdict: AssemblyVerdict) -> str:
-    """Return the ranking of several pieces' options as the text of a CSV file; see `verdict_csv`."""
-    return _ranking_csv(
-        [_record_of_several(result, verdict) for result in verdict.options],
-        [
+    if isinstance(verdict, AssemblyVerdict):
+        records = [_record_of_several(result, verdict) for result in verdict.options]
+        records += [
             {
                 "option": one.option.name,
                 "consists_of": title_of_several(one, verdict, "en"),
                 "not_possible": one.why("en"),
             }
             for one in verdict.rejected
-        ],
-    )
-
-
-def _ranking_csv(records: Sequence[Mapping[str, object]], rejected: Sequence[Mapping[str, object]]) -> str:
+        ]
+    else:
+        records = [_record(result, verdict) for result in verdict.options]
+        records += [
+            {"option": one.option.name, "measures": one.option.label("en"), "not_possible": one.reason}
+            for one in verdict.impossible
+        ]
     names = list(records[0])
-    return csv_text(names, ([record.get(name) for name in names] for record in (*records, *rejected)), "\n")
+    return csv_text(names, ([record.get(name) for name in names] for record in records), "\n")
 
 
 def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
-    record: dict[str, object] = {
-        "rank": result.rank,
-        "option": result.option.name,
-        "measures": result.option.label("en") if result.option.measures else _NO_MEASURE,
-    }
+    shares = result.probabilities[OVERTURNED]
+    measures = result.option.label("en") if result.option.measures else _NO_MEASURE
+    record: dict[str, object] = {"rank": result.rank, "option": result.option.name, "measures": measures}
     for event, chance in result.probabilities.items():
         record |= {**_ends(event, chance), f"{event}_count": chance.fell}
-    shares = result.probabilities[OVERTURNED]
-    record |= {"runs": shares.runs, "missing": shares.missing, **peaks_data(result)}
+    record |= {"runs": shares.runs, "missing": shares.missing}
+    record |= flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt)
     for share in SHARES:
         capacity = result.capacities.get(share)
         key = f"{'floor_jma' if verdict.floor else 'jma_intensity'}_{100.0 * share:.0f}_percent"
@@ -311,25 +270,24 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
 
 
 def _record_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> dict[str, object]:
-    record: dict[str, object] = {
-        "rank": result.rank,
-        "option": result.option.name,
-        "consists_of": title_of_several(result, verdict, "en"),
-    }
+    consists = title_of_several(result, verdict, "en")
+    record: dict[str, object] = {"rank": result.rank, "option": result.option.name, "consists_of": consists}
     for event, chance in result.probabilities.items():
         record |= _ends(event, chance)
     shares = result.probabilities[OVERTURNED]
-    record |= {"runs": shares.runs, "missing": shares.missing}
-    for piece in result.pieces:
-        record[f"overturned: {piece.name}"] = number(piece.probabilities[OVERTURNED].estimate)
-    return {**record, **peaks_data(result), "not_possible": None}
+    each = {
+        f"overturned: {one.name}": number(one.probabilities[OVERTURNED].estimate) for one in result.pieces
+    }
+    record |= {"runs": shares.runs, "missing": shares.missing, **each}
+    record |= flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt)
+    return {**record, "not_possible": None}
 
 
-def peaks_data(result: OptionVerdict | AssemblyOptionVerdict | PieceVerdict) -> dict[str, float | None]:
-    """Return the quantiles of the peaks as plain values."""
+def flat_quantiles(**each: Quantiles) -> dict[str, float | None]:
+    """Return quantiles as plain values, by their names and what they are of."""
     return {
-        f"peak_{name}_{quantile}": number(getattr(quantiles, quantile))
-        for name, quantiles in (("slide_m", result.slide), ("tilt_rad", result.tilt))
+        f"{name}_{quantile}": number(getattr(quantiles, quantile))
+        for name, quantiles in each.items()
         for quantile in ("median", "p90")
     }
 
@@ -381,30 +339,18 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
     if bare.curves:  # the first verdict of the page has none
         capacity = numbers.capacity(bare.curves[JMA_INTENSITY].capacity(0.5), language)
         median = f"{text('listed')}{text('capacity_short', share='50')}{text('colon')}{capacity}"
-    rows = [
-        ("west", text("west_text", value=f"{estimates.rocking_acceleration:.2f}"), rocking),
-        (
-            "ishiyama",
-            text(
-                "ishiyama_text",
-                value=f"{100.0 * estimates.overturning_velocity:.0f}",
-                share=numbers.share(estimates.possible, language),
-            ),
-            overturned,
-        ),
-        (
-            "kaneko",
-            text("kaneko_text", share=numbers.share(estimates.overturning_ratio, language)),
-            f"{overturned}{median}",
-        ),
+    velocity, possible = f"{100.0 * estimates.overturning_velocity:.0f}", estimates.possible
+    falls = numbers.share(estimates.overturning_ratio, language)
+    west = text("west_text", value=f"{estimates.rocking_acceleration:.2f}")
+    ishiyama = text("ishiyama_text", value=velocity, share=numbers.share(possible, language))
+    shown = [
+        (text("west"), west, rocking),
+        (text("ishiyama"), ishiyama, overturned),
+        (text("kaneko"), text("kaneko_text", share=falls), f"{overturned}{median}"),
     ]
-    shown = [(text(key), says, simulated) for key, says, simulated in rows]
     for load in estimates.equipment:
-        says = text(
-            "equipment_overturns" if load.overturns else "equipment_stands",
-            coefficient=f"{load.coefficient:g}",
-            force=f"{load.force:.0f}",
-        )
+        key, force = f"equipment_{'overturns' if load.overturns else 'stands'}", f"{load.force:.0f}"
+        says = text(key, coefficient=f"{load.coefficient:g}", force=force)
         name = text("equipment", grade=load.grade, position=text(f"position_{load.position}"))
         shown.append((name, says, overturned))
     if (test := estimates.shake_table) is not None:

@@ -1,29 +1,124 @@
-"""A verdict on a room as a self-contained HTML page."""
+"""A verdict on a room as tables of texts, for terminal and Markdown, and as a self-contained HTML page."""
 
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from markupsafe import Markup
 
-from stayput.catalogue import say
+import stayput
+from stayput.catalogue import phrase, say
 from stayput.montecarlo.counting import OVERTURNED, SLID
 from stayput.report.page import rendered, write_page
 from stayput.report.room.plan import change_plan, legend, room_plan
-from stayput.report.room.tables import sentences, simulations_of_room
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions_of_room
 from stayput.report.verdict.html import shared_content
+from stayput.report.verdict.markdown import plain, table
 from stayput.rooms.events import PASSAGE
 from stayput.rooms.verdict import DAY_HOURS
-from stayput.rooms.words import change_label, door_name, piece_name, place_name, tags
+from stayput.rooms.words import (
+    best_sentence,
+    change_label,
+    door_name,
+    motion_phrase,
+    piece_name,
+    place_name,
+    sentence_of_room,
+    tags,
+)
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
+
+
+KINDS = ("better", "chance", "worse")
+"""What can be said of a change: that it clearly helps, nothing, or that something clearly gets worse."""
+
+
+class TextTable(NamedTuple):
+    """A table of texts, with what is said below it; without rows it is left out."""
+
+    headings: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    below: str = ""
+
+
+def sentences(verdict: RoomVerdict, language: str) -> tuple[str, ...]:
+    """Return what is said above the tables."""
+    best = best_sentence(verdict, language)
+    return (sentence_of_room(verdict, language), *([best] if best else []))
+
+
+def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
+    """Return who is hit by what, which ways out are blocked, and what single changes bring."""
+
+    def texts(*keys: str) -> tuple[str, ...]:
+        return tuple(say(f"rooms.{key}", language) for key in keys)
+
+    def chance(value: Probability) -> str:
+        return numbers.with_interval(value, language)
+
+    hits: list[tuple[str, ...]] = []
+    for place in verdict.places:
+        shares = (numbers.share(one, language) for one in (place.by_day, place.by_night))
+        name = say(place_name(place.place), language)
+        hits.append((name, *texts("any_piece"), chance(place.hit), *shares, "", "", ""))
+        for one in place.by:
+            strength = numbers.speed(one.speed.median), numbers.energy(one.energy.median)
+            name = say(piece_name(one.piece), language)
+            hits.append(("", name, chance(one.probability), "", "", *strength, numbers.mass(one.mass)))
+    ways = [(phrase("rooms.door_blocked", door=door_name(one.door)), one.blocked) for one in verdict.doors]
+    shut_in = verdict.places if any(one.door.way_out for one in verdict.doors) else ()
+    ways += [(phrase("rooms.place_shut_in", place=place_name(one.place)), one.shut_in) for one in shut_in]
+    changes = [
+        (
+            change_label(one.change, verdict, language),
+            chance(one.hit),
+            numbers.change(one.hit_change, language),
+            chance(one.shut_in),
+            "" if (own := verdict.piece_changed(one)) is None else chance(own[0]),
+        )
+        for one in verdict.changes
+    ]
+    stuck = any(door.at_rest for door in verdict.doors)
+    return (
+        TextTable(
+            texts("who", "by", "chance", "day", "night", "speed", "energy", "mass"),
+            tuple(hits),
+            *texts("upper_bounds"),
+        ),
+        TextTable(
+            texts("way", "chance"),
+            tuple((say(label, language), chance(blocked)) for label, blocked in ways),
+            *(texts("blocked_at_rest") if stuck else ()),
+        ),
+        TextTable(texts("change", "hit_then", "hit_less", "shut_in_then", "overturned_then"), tuple(changes)),
+    )
+
+
+def simulations_of_room(verdict: RoomVerdict, language: str) -> str:
+    """Return how many runs the verdict rests on."""
+    motions = motion_phrase(verdict) or phrase("rooms.motions", count=verdict.motions)
+    runs = f"{verdict.runs:,}"
+    return say("rooms.simulations", language, runs=runs, motions=motions, samples=verdict.samples)
+
+
+def room_markdown(verdict: RoomVerdict, language: str = "en") -> str:
+    """Return a verdict on a room as a text in Markdown, in "en" or "ja"."""
+    first, *others = sentences(verdict, language)
+    lines = [f"# {plain(verdict.scenario.title or say('rooms.report', language))}", f"\n**{plain(first)}**"]
+    lines += [f"\n{plain(sentence)}" for sentence in others]
+    for each in tables(verdict, language):
+        if each.rows:
+            lines += ["", *table(each.headings, each.rows), *([f"\n{each.below}"] if each.below else [])]
+    lines += [f"\n{simulations_of_room(verdict, language)}", f"\nstayput {stayput.__version__}"]
+    return "\n".join(lines) + "\n"
+
 
 SHEETS = ("verdict/report.css", "canvas/plan.css", "room/plan.css", "room/room.css")
 """Style sheets of the report: those of a verdict, of plans, of their figures, and its own."""
@@ -56,20 +151,11 @@ def write_room_report(verdict: RoomVerdict, path: str | Path, language: str = "e
 
 def room_html(verdict: RoomVerdict, language: str = "en") -> str:
     """Return the text of a report; see `write_room_report`."""
-    return rendered("room/room.html", _content(verdict, language))
-
-
-KINDS = ("better", "chance", "worse")
-"""What can be said of a change: that it clearly helps, nothing, or that something clearly gets worse."""
-
-
-def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
     headline, *others = sentences(verdict, language)
     moved = change_plan(verdict, language)
     kind = say("rooms.report", language)
-    return {
+    content = {
         **shared_content(verdict, "room_report", kind, SHEETS, assumptions_of_room(verdict), language),
-        "kind": kind,
         "headline": headline,
         "others": others,
         "simulations": simulations_of_room(verdict, language),
@@ -78,33 +164,39 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
         "ways_out": any(one.door.way_out for one in verdict.doors),
-        "places": place_rows(verdict, language),
+        "places": [
+            {
+                "name": say(place_name(one.place), language),
+                "hit": one.hit,
+                "times": [
+                    (
+                        numbers.share(chance, language),
+                        say("room_report.presence", language, share=numbers.share(there, language)),
+                    )
+                    for chance, there in ((one.by_day, one.place.day), (one.by_night, one.place.night))
+                ],
+                "shut_in": one.shut_in,
+            }
+            for one in verdict.places
+        ],
         "hits": hit_rows(verdict, language),
-        "doors": door_rows(verdict, language),
+        "doors": [
+            {
+                "name": say(door_name(one.door), language),
+                "wall": say(f"rooms.{one.door.wall}", language),
+                "opens": say(f"room_report.{one.door.opens}", language),
+                "leads_out": say(f"room_report.{'yes' if one.door.way_out else 'no'}", language),
+                "blocked": one.blocked,
+                "at_rest": one.at_rest,
+            }
+            for one in verdict.doors
+        ],
         "pieces": piece_rows(verdict, language),
         "collisions": collision_rows(verdict, language),
         "changes": change_rows(verdict, language),
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
     }
-
-
-def place_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
-    """Return the places in the order of the file, with how often somebody is there and hit at what time."""
-    return [
-        {
-            "name": say(place_name(one.place), language),
-            "hit": one.hit,
-            "times": [
-                (
-                    numbers.share(chance, language),
-                    say("room_report.presence", language, share=numbers.share(there, language)),
-                )
-                for chance, there in ((one.by_day, one.place.day), (one.by_night, one.place.night))
-            ],
-            "shut_in": one.shut_in,
-        }
-        for one in verdict.places
-    ]
+    return rendered("room/room.html", content)
 
 
 def hit_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
@@ -120,21 +212,6 @@ def hit_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
         }
         for place in verdict.places
         for hit in place.by
-    ]
-
-
-def door_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
-    """Return the doors in the order of the file."""
-    return [
-        {
-            "name": say(door_name(one.door), language),
-            "wall": say(f"rooms.{one.door.wall}", language),
-            "opens": say(f"room_report.{one.door.opens}", language),
-            "leads_out": say(f"room_report.{'yes' if one.door.way_out else 'no'}", language),
-            "blocked": one.blocked,
-            "at_rest": one.at_rest,
-        }
-        for one in verdict.doors
     ]
 
 
