@@ -22,8 +22,8 @@ from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
 from stayput.report.verdict.pairs import floor_motion, replay
 from stayput.scenario import Scenario
-from stayput.verification import options_of, verify
-from stayput.verification.options import usual_options
+from stayput.verification import verify
+from stayput.verification.options import compared_options
 
 ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 FEW = np.array([5.0, 5.75, 6.5])
@@ -214,14 +214,14 @@ def test_the_ground_has_the_level_and_the_floor_follows(building):
 
 
 def test_usual_measures_are_those_that_can_be_applied_here():
-    body = sp.Body(0.4, 1.8, 100.0)
-    nothing_near = {option.name for option in usual_options(body, sp.Room())}
-    assert "tension_pole" not in nothing_near
-    full = {option.name for option in usual_options(body, scenario().room.room())}
-    assert {"l_bracket", "tension_pole", "wedge_stopper + tension_pole"} <= full
-    unsaid = Scenario.parse({"furniture": {"preset": "bookcase"}, "room": ROOM})
-    usual = usual_options(unsaid.furniture.body(), unsaid.room.room())
-    assert [option.name for option in options_of(unsaid)] == ["none", *(option.name for option in usual)]
+    furniture = {"preset": "bookcase"}
+    near, open_room = (
+        [option.name for option in compared_options(Scenario.parse({"furniture": furniture, **room}))[0]]
+        for room in ({"room": ROOM}, {})
+    )
+    assert near[0] == open_room[0] == "none"
+    assert "tension_pole" not in open_room
+    assert {"l_bracket", "tension_pole", "wedge_stopper + tension_pole"} <= set(near)
 
 
 def test_what_cannot_be_verified():

@@ -106,7 +106,7 @@ def test_the_usual_options() -> None:
     bracket = options[2]
     assert [len(measures) for measures in bracket.measures] == [0, 1, 0]
     assert not bracket.joined
-    assert label(bracket, parsed())[0] == "Screwed L-brackets on upper"
+    assert label(bracket, parsed().names)[0] == "Screwed L-brackets on upper"
     without = {key: value for key, value in DRESSER.items() if key != "joints"}
     unjoined, _ = options_of_several(AssemblyScenario.parse(without))
     assert [option.name for option in unjoined] == ["none", "l_bracket", "belt", "tension_pole", "gel_mats"]

@@ -15,23 +15,16 @@ from stayput.rooms.words import interval_text, label_of, piece_name
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
 from stayput.verification.words import class_phrase, share_text
-from stayput.wording import inside
+from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterator
 
     from stayput.fragility import Probability
     from stayput.rooms.forces import Purchase
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""
-
-
-def joined(parts: Iterable[Phrase], by: str = "common.listed") -> Phrase:
-    """Return phrases as a list in one."""
-    english, japanese = zip(*parts, strict=True)
-    between = phrase(by)
-    return between[0].join(english), between[1].join(japanese)
 
 
 def newtons(force: float) -> Phrase:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from stayput.montecarlo.counting import EVENTS, SLIDE_LIMIT, Quantiles
 from stayput.verification.compare import LEVELS
 from stayput.verification.entry import verify
-from stayput.verification.options import Option, options_of
+from stayput.verification.options import Option
 from stayput.verification.verdict import (
     AsInstalled,
     AssemblyOptionVerdict,
@@ -29,6 +29,5 @@ __all__ = [
     "PieceVerdict",
     "Quantiles",
     "Verdict",
-    "options_of",
     "verify",
 ]

@@ -29,10 +29,10 @@ from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_lo
 from stayput.standards.asce43 import VERTICAL_SHARE
 from stayput.verification.grades import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
-from stayput.wording import FAR
+from stayput.wording import FAR, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterator
     from typing import Self
 
     from stayput.model.body import Body
@@ -220,11 +220,6 @@ def _engine(scenario: Scenario) -> Iterator[Phrase]:
         yield phrase("verification.not_long", ratio=body.length / body.width, long=LONG)
 
 
-def _listed(phrases: Iterable[Phrase]) -> Phrase:
-    english, japanese = zip(*phrases, strict=True)
-    return "; ".join(english), "、".join(japanese)
-
-
 def _field(verdict: Verdict) -> Iterator[Phrase]:
     """Yield where the piece lies against the field's formulas, where half of it fall at some level."""
     curves = verdict.without.curves
@@ -254,7 +249,7 @@ def _estimate(verdict: Verdict) -> Iterator[Phrase]:
         "verification.estimate_differs",
         formula=percent(formula),
         simulated=percent(simulated),
-        left_out=_listed(_left_out(verdict)),
+        left_out=joined(_left_out(verdict)),
     )
 
 
@@ -285,7 +280,7 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
 def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
     scenario = verdict.scenario
     deciding = weakest(option, scenario)
-    inputs = _listed(item.label for item in deciding[:LISTED])
+    inputs = joined(item.label for item in deciding[:LISTED])
     if len(deciding) > LISTED:
         more = phrase("verification.and_more", more=len(deciding) - LISTED)
         inputs = inputs[0] + more[0], inputs[1] + more[1]

@@ -11,11 +11,11 @@ from stayput.measures import MEASURES, BadlyInstalled, Measure, hold
 from stayput.model.state import refuse_bad_start
 from stayput.scenario.pieces import NOTHING, AssemblyOption
 from stayput.simulation.placing import placed
+from stayput.wording import joined
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
-    from stayput.model.body import Body
     from stayput.model.room import Room
     from stayput.scenario import AssemblyScenario, Scenario
 
@@ -106,15 +106,15 @@ class Impossible(Generic[OptionT]):
         return self.error.told("ja" if language == "ja" else "en")
 
 
-def partition_options(
-    options: Sequence[Option], body: Body, room: Room
-) -> tuple[tuple[Option, ...], tuple[Impossible[Option], ...]]:
+def _possible(
+    options: Iterable[OptionT], put_in_place: Callable[[OptionT], object]
+) -> tuple[tuple[OptionT, ...], tuple[Impossible[OptionT], ...]]:
     """Return those options that can be put in place, and those that cannot with the reason."""
-    possible: list[Option] = []
-    impossible: list[Impossible[Option]] = []
+    possible: list[OptionT] = []
+    impossible: list[Impossible[OptionT]] = []
     for option in options:
         try:
-            hold(body, room, option.measures)
+            put_in_place(option)
         except InputError as error:  # no wall behind, no ceiling known, an anchor above the ceiling
             impossible.append(Impossible(option, error.with_traceback(None)))
         else:
@@ -128,11 +128,6 @@ def usual() -> tuple[Option, ...]:
     return tuple(Option(" + ".join(names), tuple(MEASURES[name]() for name in names)) for names in sets)
 
 
-def usual_options(body: Body, room: Room) -> tuple[Option, ...]:
-    """Return the usual measures, each alone, and the usual pair: those that can be applied here."""
-    return partition_options(usual(), body, room)[0]
-
-
 def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible[Option], ...]]:
     """Return the options that a verification compares, that without a measure first, and the impossible ones.
 
@@ -143,39 +138,17 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
         of one name.
     """
     named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
-    _refuse_twice((Option("none"), *named))
-    body, room = scenario.furniture.body(), scenario.room.room()
-    refuse_bad_start(body, room, scenario.initial.state())
-    compared = named if named or scenario.without_measures else usual()
-    possible, impossible = partition_options(compared, body, room)
-    if named and not possible:
-        raise impossible[0].error
-    return (Option("none"), *possible), impossible
-
-
-def options_of(scenario: Scenario) -> tuple[Option, ...]:
-    """Return the options of a scenario, that without a measure first.
-
-    Raises
-    ------
-    InputError
-        A measure that cannot be applied there, or two of one name.
-    """
-    body, room = scenario.furniture.body(), scenario.room.room()
-    named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
-    for option in named:
-        hold(body, room, option.measures)
-    compared = named if named or scenario.without_measures else usual_options(body, room)
-    options = (Option("none"), *compared)
-    _refuse_twice(options)
-    return options
-
-
-def _refuse_twice(options: Sequence[Option]) -> None:
-    names = [option.name for option in options]
+    names = ["none", *(option.name for option in named)]
     for name in names:
         if names.count(name) > 1:
             raise InputError("verification.two_of_one_name", "measures", name=repr(name))
+    body, room = scenario.furniture.body(), scenario.room.room()
+    refuse_bad_start(body, room, scenario.initial.state())
+    compared = named if named or scenario.without_measures else usual()
+    possible, impossible = _possible(compared, lambda option: hold(body, room, option.measures))
+    if named and not possible:
+        raise impossible[0].error
+    return (Option("none"), *possible), impossible
 
 
 ON_TOP = ("l_bracket", "belt", "tension_pole")
@@ -188,31 +161,19 @@ ALONE = ("l_bracket",)
 """Those of them that are compared without the joints too."""
 
 
-def label(option: AssemblyOption, scenario: AssemblyScenario) -> Phrase:
-    """Return what an option consists of: "Joints + Screwed L-brackets on upper part"."""
-    english, japanese = (_label(option, scenario.names, language) for language in ("en", "ja"))
-    return english, japanese
-
-
-def brief_label(option: AssemblyOption) -> Phrase:
-    """Return the same without the names of the pieces."""
-    english, japanese = (_label(option, (), language) for language in ("en", "ja"))
-    return english, japanese
-
-
-def _label(option: AssemblyOption, names: tuple[str, ...], language: str) -> str:
+def label(option: AssemblyOption, names: Sequence[str] = ()) -> Phrase:
+    """Return what an option consists of: "Joints + Screwed L-brackets on upper part"; no "on" without names."""
     if not option.count:
-        return say("several.nothing", language)
+        return phrase("several.nothing")
     on: dict[Phrase, list[str]] = {}
     for number, measures in enumerate(option.measures):
         for measure in measures:
             on.setdefault(measure.label, []).extend(names[number : number + 1])
-    parts = [say("several.joined", language)] if option.joined else []
+    parts = [phrase("several.joined")] if option.joined else []
     for what, held in on.items():
-        pieces = (" and " if language == "en" else "と").join(held)
-        on_pieces = phrase("several.on", measure=what, pieces=pieces)
-        parts.append(say(on_pieces if held else what, language))
-    return (" + " if language == "en" else "＋").join(parts)
+        pieces = " and ".join(held), "と".join(held)
+        parts.append(phrase("several.on", measure=what, pieces=pieces) if held else what)
+    return joined(parts, "action_plan.plus")
 
 
 def options_of_several(
@@ -227,26 +188,19 @@ def options_of_several(
     """
     nothing = AssemblyOption(NOTHING, False, ((),) * len(scenario.names))
     named = scenario.options
-    wanted = named or _usual(scenario)
-    possible: list[AssemblyOption] = []
-    rejected: list[Impossible[AssemblyOption]] = []
-    for option in wanted:
+    room = scenario.surroundings()
+
+    def put_in_place(option: AssemblyOption) -> None:
         try:
-            _put_in_place(scenario, option)
-        except InputError as error:  # no wall behind, no ceiling known, mats under a piece on another
-            rejected.append(Impossible(option, scenario.by_names(error)))
-        else:
-            possible.append(option)
+            placed(scenario.assembly(option).members, room)
+        except InputError as error:  # such as mats under a piece on another
+            raise scenario.by_names(error) from None
+
+    possible, rejected = _possible(named or _usual(scenario), put_in_place)
     if named and not possible:
         with scenario.naming_file():
             raise rejected[0].error
-    return (nothing, *possible), tuple(rejected)
-
-
-def _put_in_place(scenario: AssemblyScenario, option: AssemblyOption) -> None:
-    """Raise `InputError` where an option cannot be put in place."""
-    members, room = scenario.assembly(option).members, scenario.surroundings()
-    placed(members, room)
+    return (nothing, *possible), rejected
 
 
 def _usual(scenario: AssemblyScenario) -> tuple[AssemblyOption, ...]:

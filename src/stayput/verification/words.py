@@ -12,7 +12,7 @@ from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
 from stayput.verification.options import Impossible, Option, label
-from stayput.wording import FAR, inside, is_open, with_aside
+from stayput.wording import FAR, inside, is_open, joined, with_aside
 
 if TYPE_CHECKING:
     from stayput.fragility import Probability
@@ -272,7 +272,6 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         if worst is not None and worst.weakest is not None:
             parts.append(phrase("verification.gives_way", weakest=worst.weakest))
     if (installed := option.installed) is not None:
-        english, japanese = zip(*installed.how, strict=True)
         usual, badly = installed.usual[OVERTURNED], installed.badly[OVERTURNED]
         alike = share_text(usual) == share_text(held) or badly.low <= held <= badly.high
         parts.append(
@@ -281,7 +280,7 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
                 well=share_text(held),
                 usual=share_text(usual),
                 share=percent(installed.share),
-                how=("; ".join(english), "、".join(japanese)),
+                how=joined(installed.how),
             )
         )
     if slides_off(option, verdict):
@@ -304,7 +303,7 @@ def title_of_several(
     result: AssemblyOptionVerdict | Impossible[AssemblyOption], verdict: AssemblyVerdict, language: str
 ) -> str:
     """Return what an option consists of, after its name where that is the user's own."""
-    content = label(result.option, verdict.scenario)
+    content = label(result.option, verdict.scenario.names)
     if not is_own(result, verdict):
         return say(content, language)
     return with_aside(result.option.name, inside(content[0]) if language == "en" else content[1], language)

@@ -23,7 +23,6 @@ from stayput.rooms.step_words import (
     effects,
     falls,
     heading,
-    joined,
     to_buy,
     too_weak,
     what_it_brings,
@@ -34,6 +33,7 @@ from stayput.rooms.steps import COST_BOUNDS
 from stayput.rooms.words import motion_phrase, piece_name, piece_within
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import shaking_phrase, share_text
+from stayput.wording import joined
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator

@@ -18,7 +18,7 @@ from stayput.simulation.placing import JOINT, JOINT_LABEL
 from stayput.spreadsheets import csv_text
 from stayput.verification import AssemblyVerdict
 from stayput.verification.grades import weakest
-from stayput.verification.options import brief_label
+from stayput.verification.options import label
 from stayput.verification.words import is_own, length, reason, reason_of_several, title, title_of_several
 from stayput.wording import with_aside
 
@@ -154,9 +154,7 @@ def several_ranking(verdict: AssemblyVerdict, language: str) -> list[SeveralRow]
         SeveralRow(
             option=result,
             label=title_of_several(result, verdict, language),
-            brief=result.option.name
-            if is_own(result, verdict)
-            else say(brief_label(result.option), language),
+            brief=result.option.name if is_own(result, verdict) else say(label(result.option), language),
             shares=_shares(result),
             pieces=tuple((piece.name, piece.probabilities[OVERTURNED]) for piece in result.pieces),
             slide=numbers.slides(result.slide, room, language),
