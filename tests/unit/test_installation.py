@@ -21,7 +21,7 @@ ROOM = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
 FILE = {
     "furniture": {"preset": "bookcase"},
     "room": {"back_wall": {"gap": 0.02, "construction": "plasterboard"}, "ceiling": {"height": 2.4}},
-    "shaking": {"intensity": 6.25},
+    "shaking": {"intensity": 6.25, "suite": {"count": 20}},
     "measures": [
         {"type": "l_bracket", "wall": "stud"},
         {"type": "anti_slip_sheet"},
@@ -30,9 +30,10 @@ FILE = {
 }
 
 
-def verdict_of(installation):
-    parsed = sp.Scenario.parse({**FILE, "uncertainty": {"samples": 20, "installation": installation}})
-    return sp.verify(parsed, levels=(), threads=1, progress=False)
+def verdict_of(installation="well", **tables):
+    stated = {"samples": 20, "installation": installation}
+    parsed = sp.Scenario.parse({**FILE, **tables, "uncertainty": stated})
+    return sp.verify(parsed, levels=(), progress=False)
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +79,7 @@ def test_what_is_said_of_gypsum_board_is_what_the_bracket_holds():
 
 
 def test_installed_well_is_the_default_and_costs_nothing(usual):
-    well = verdict_of("well")
+    well = verdict_of()
     assert all(result.installed is None for result in well.options)
     assert usual.runs == well.runs + 2 * well.motions * well.samples
     for name, result in by_name(well).items():
@@ -104,10 +105,7 @@ def test_as_people_install_it_mixes_the_two(usual):
 
 def test_badly_installed_is_the_measure_with_what_is_wrong(usual):
     """Under the same draws as an option of its own would be."""
-    board = {**FILE, "measures": [{"type": "l_bracket", "wall": "plasterboard"}]}
-    alone = sp.verify(
-        sp.Scenario.parse({**board, "uncertainty": {"samples": 20}}), levels=(), threads=1, progress=False
-    )
+    alone = verdict_of(measures=[{"type": "l_bracket", "wall": "plasterboard"}])
     found = by_name(usual)["l_bracket"].installed.badly
     assert found == by_name(alone)["l_bracket"].probabilities
 
@@ -147,12 +145,7 @@ def test_a_difference_that_cannot_be_seen_is_called_none(usual):
 
 def test_cautions_and_the_weakest_link_stand_in_the_reason():
     measures = [{"type": "l_bracket"}, {"type": "l_bracket_board", "count": 1}]
-    verdict = sp.verify(
-        sp.Scenario.parse({**FILE, "measures": measures, "uncertainty": {"samples": 20}}),
-        levels=(),
-        threads=1,
-        progress=False,
-    )
+    verdict = verdict_of(measures=measures)
     for result in verdict.options:
         if not result.option.measures:
             continue

@@ -140,9 +140,3 @@ def test_an_inventory_assesses_what_is_possible_and_names_what_is_not(tmp_path):
     assert "tension_pole: not possible. Tension poles have 0.01 m below the ceiling" in page.replace(
         "\xa0", " "
     )
-
-
-@pytest.mark.parametrize("number", ["50", b"50"])
-def test_a_text_of_digits_is_not_a_number(number):
-    with pytest.raises(sp.InputError, match=r"Body mass is b?'50'; it must be a number"):
-        sp.Body(0.3, 1.8, number)

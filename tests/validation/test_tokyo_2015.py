@@ -15,7 +15,7 @@ import pytest
 import stayput as sp
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
-from stayput.verification import Option
+from stayput.verification.options import Option
 from studies.study import span
 from studies.tokyo import (
     ALONE,

@@ -6,13 +6,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "print": ("Print", "印刷"),
     "back": ("Back to the room", "部屋に戻る"),
     "now": (
-        "Chances in shaking of JMA intensity {strength}, as the room is: {chances}.",
-        "{strength}の揺れでは、今の部屋のままだと{chances}です。",
+        "Chances {shaking}, as the room is: {chances}.",
+        "{shaking}では、今の部屋のままだと{chances}です。",
     ),
-    "now_of_one": (
-        "Chances under {motion}, of JMA intensity {strength}, as the room is: {chances}.",
-        "{motion}（{strength}の揺れ）では、今の部屋のままだと{chances}です。",
-    ),
+    "shaking": ("in shaking of JMA intensity {strength}", "{strength}の揺れ"),
+    "shaking_of_one": ("under {motion}, of JMA intensity {strength}", "{motion}（{strength}の揺れ）"),
     "then": (
         "Chances after all {last} steps: {chances}.",
         "1～{last}をすべて行うと、{chances}です。",
@@ -62,13 +60,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "dropped_ceiling": ("a ceiling that hangs on wires", "吊り天井"),
     # The plan and the elevations
     "scale": (
-        "Plan 1:{plan}, elevations 1:{elevation} when printed at 100 %; lengths in metres.",
-        "平面図1:{plan}、立面図1:{elevation}（等倍で印刷した場合）。長さの単位はメートルです。",
+        "Plan 1:{plan}{elevations} when printed at 100 %; lengths in metres.",
+        "平面図1:{plan}{elevations}（等倍で印刷した場合）。長さの単位はメートルです。",
     ),
-    "scale_alone": (
-        "Plan 1:{plan} when printed at 100 %; lengths in metres.",
-        "平面図1:{plan}（等倍で印刷した場合）。長さの単位はメートルです。",
-    ),
+    "elevations": (", elevations 1:{scale}", "、立面図1:{scale}"),
     "elevation_alt": (
         "{piece} from the front and from the side, to scale",
         "「{piece}」の正面図と側面図（縮尺どおり）",
@@ -142,13 +137,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "weak_anywhere": ("not enough for JMA intensity 4 either", "震度4でも強さが足りません"),
     # Where it goes
     "at_wall": (
-        "on the wall {height:.2f} m above the floor, {apart}, each on a stud",
-        "壁の床から{height:.2f} mの高さ、{apart}、それぞれ下地のある所",
+        "on the wall {height:.2f} m above the floor, {apart}{studs}",
+        "壁の床から{height:.2f} mの高さ、{apart}{studs}",
     ),
-    "at_wall_plain": (
-        "on the wall {height:.2f} m above the floor, {apart}",
-        "壁の床から{height:.2f} mの高さ、{apart}",
-    ),
+    "on_studs": (", each on a stud", "、それぞれ下地のある所"),
     "apart": (
         "{apart:.2f} m apart ({edge:.2f} m from its sides)",
         "間隔{apart:.2f} m（側面から{edge:.2f} m）",
@@ -201,22 +193,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "check_hard": ("the floor must be hard", "床が硬いことを確かめる"),
     "check_move": (
-        "empty it first; measure the new place; keep sockets and doors free",
-        "中身を出してから動かす。移動先の寸法を測り、コンセントとドアをふさがない",
+        "{empty}measure the new place; keep sockets and doors free",
+        "{empty}移動先の寸法を測り、コンセントとドアをふさがない",
     ),
-    "check_move_place": (
-        "measure the new place; keep sockets and doors free",
-        "移動先の寸法を測り、コンセントとドアをふさがない",
-    ),
+    "empty": ("empty it first; ", "中身を出してから動かす。"),
     # Effects
     "overturns": ("overturns {was} → {now}", "倒れる確率{was}→{now}"),
-    "only": ("{chance}", "{chance}"),
-    "only_unclear": ("{chance}, which may be chance", "{chance}（偶然の差かもしれません）"),
+    "unclear": ("{chance}, which may be chance", "{chance}（偶然の差かもしれません）"),
     "alone": ("alone: {chance}", "これだけ行うと、{chance}"),
-    "alone_unclear": (
-        "alone: {chance}, which may be chance",
-        "これだけ行うと、{chance}（偶然の差かもしれません）",
-    ),
     "only_together": (
         "helps only together with {steps}",
         "これだけでは変わらず、{steps}も行うと効果があります",

@@ -122,9 +122,9 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
 
 def _events(verdict: Verdict | AssemblyVerdict, lang: str) -> list[str]:
     """Return the headings of the columns of events."""
+    from stayput.montecarlo.counting import EVENTS
     from stayput.report.verdict import numbers
     from stayput.report.verdict.numbers import word
-    from stayput.verification import EVENTS
 
     limit = numbers.length(verdict.slide_limit, lang)
     return [word(f"brief_{event}", lang, limit=limit) for event in EVENTS]

@@ -67,6 +67,11 @@ class Change:
     at: tuple[float, float] | None = None
     heading: float | None = None
 
+    def place(self, heading: float) -> tuple[tuple[float, float], float]:
+        """Return where what faces a direction is moved to, and what it faces there: the same unless told."""
+        assert self.at is not None
+        return self.at, heading if self.heading is None else self.heading
+
 
 @dataclass(frozen=True, eq=False)
 class FreeFloor:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from stayput.catalogue import Phrase
-    from stayput.rooms.effects import Question
+    from stayput.rooms.runs import Question
 
 QUANTILE = 0.95
 """Share of the runs in which a device of the strength asked for is strong enough, with no margin."""

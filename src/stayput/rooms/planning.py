@@ -42,7 +42,6 @@ from stayput.rooms.steps import (
     Home,
     PlanStep,
     Trial,
-    chance_of_overturning,
     for_people,
     frees,
     in_order_of_gain,
@@ -59,7 +58,8 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Probability
     from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.rooms.effects import Move, Question, RoomState
+    from stayput.rooms.effects import Move, RoomState
+    from stayput.rooms.runs import Question
     from stayput.rooms.tracks import Track
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
@@ -268,9 +268,8 @@ class _Planner:
         found = [(move, self._effect(move.plan, move.way)) for move in moves]
         if decided:
             return found
-        return sorted((pair for pair in found if pair[1].helps), key=lambda pair: in_order_of_gain(pair[1]))[
-            :1
-        ]
+        helping = [pair for pair in found if pair[1].helps]
+        return [min(helping, key=lambda pair: in_order_of_gain(pair[1]))] if helping else []
 
     def _moving(self, move: Move, effect: RoomEffect) -> ChosenStep:
         scenario, what = self.question.scenario, move.change.what
@@ -281,10 +280,9 @@ class _Planner:
         step = PlanStep(
             what, move.change, None, effect, effect, overturned, None, tuple(deciding), decided=decided
         )
-        places = list(enumerate(move.plan.places))
         was = self.question.plan.places
-        place = next((own for own in places if own[1] != was[own[0]]), None)
-        return ChosenStep(step, place, move.way, move.way)
+        places = (own for own in enumerate(move.plan.places) if own[1] != was[own[0]])
+        return ChosenStep(step, next(places, None), move.way, move.way)
 
     def _after(self, moves: Sequence[Move]) -> Assembly:
         """Return the pieces with some moved."""
@@ -380,7 +378,8 @@ class _Planner:
     def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> Trial:
         way = OtherTracks.of(part, runs)
         effect, own = self._effect(self.question.plan, way), self._own_risk(way)
-        return Trial(measures, way, effect, own, chance_of_overturning(runs, part.bodies.index(body)))
+        overturns = runs.of_body(part.bodies.index(body)).probability_of_overturning()
+        return Trial(measures, way, effect, own, overturns)
 
     def _own_risk(self, way: OtherTracks) -> float:
         """Return the chance that a person is hit by some pieces, whatever others do."""
@@ -419,7 +418,7 @@ class _Planner:
         if whole is not self.question.whole:
             runs = self.question.run([part])[0]
             there = OtherTracks.of(part, runs)
-            overturns = chance_of_overturning(runs, place)
+            overturns = runs.of_body(place).probability_of_overturning()
         held = placed(part.assembly.members, part.room)[place].held
         assert held is not None
         cautions = tuple(

@@ -88,9 +88,10 @@ def where(purchase: Purchase, fix: Fix) -> Phrase:
             return phrase("action_plan.belt_top", setback=measure.setback, height=height, apart=apart)
         case WallDevice():
             assert held.room.left_wall is not None
-            studs = measure.fixed_to(held.room.left_wall) == "stud"
-            key = "action_plan.at_wall" if studs else "action_plan.at_wall_plain"
-            return phrase(key, height=base + elements[0].point[1], apart=apart)
+            in_studs = measure.fixed_to(held.room.left_wall) == "stud"
+            studs = phrase("action_plan.on_studs") if in_studs else ""
+            height = base + elements[0].point[1]
+            return phrase("action_plan.at_wall", height=height, apart=apart, studs=studs)
         case TensionPole():
             assert held.room.ceiling is not None
             space = held.room.ceiling.height - base - elements[0].point[1]
@@ -231,9 +232,11 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
     if not step.for_people and (not step.decided or changes_nothing(step.alone)):
         yield phrase("action_plan.only_falls" if _steadies(step) else "action_plan.no_gain")
         return
+    alone = effects(step.alone, plan)
+    if not step.alone.helps:
+        alone = phrase("action_plan.unclear", chance=alone)
     if len(plan.steps) == 1:
-        key = "only" if step.alone.helps else "only_unclear"
-        yield phrase(f"action_plan.{key}", chance=effects(step.alone, plan))
+        yield alone
         return
     before = None if number == 1 else plan.steps[number - 2].together
     after = before is not None and not changes_nothing(step.together, before)
@@ -242,8 +245,7 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
         steps = joined([(str(other), str(other)) for other in others], "action_plan.and")
         yield phrase("action_plan.only_together", steps=steps)
     else:
-        key = "alone" if step.alone.helps else "alone_unclear"
-        yield phrase(f"action_plan.{key}", chance=effects(step.alone, plan))
+        yield phrase("action_plan.alone", chance=alone)
     if after:
         yield phrase("action_plan.after_others", chance=effects(step.together, plan, before))
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from stayput.rooms.changes import Change
     from stayput.rooms.effects import OtherTracks
     from stayput.rooms.forces import Purchase
-    from stayput.rooms.runs import PartRuns, RoomPart
+    from stayput.rooms.runs import RoomPart
     from stayput.rooms.verdict import RoomEffect, RoomVerdict
     from stayput.scenario.room import RoomScenario
     from stayput.verification.grades import Input
@@ -292,11 +292,6 @@ class ChosenStep(NamedTuple):
     place: tuple[int, PersonPlace] | None
     here: OtherTracks
     there: OtherTracks
-
-
-def chance_of_overturning(runs: PartRuns, place: int) -> Probability:
-    """Return the chance that one of the pieces of a part overturns."""
-    return runs.of_body(place).probability_of_overturning()
 
 
 def in_order_of_gain(effect: RoomEffect) -> tuple[float, ...]:

@@ -16,9 +16,9 @@ from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
 from stayput.progress import tally
 from stayput.rooms.contact import inside_each_other
-from stayput.rooms.effects import Answer, Question, RoomState, anybody, changes_of, hits_by, in_order, risk_of
+from stayput.rooms.effects import Answer, RoomState, anybody, changes_of, hits_by, in_order, risk_of
 from stayput.rooms.events import EndOfRuns, shares_covered
-from stayput.rooms.runs import groups_of, part_with
+from stayput.rooms.runs import Question, groups_of, part_with
 from stayput.rooms.verdict import (
     ChangeVerdict,
     DoorVerdict,

@@ -186,29 +186,22 @@ def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
     graded : Option
         The option whose grade is explained.
     """
-    return (
-        *_strength(verdict),
-        *_floor(verdict),
-        *_estimate(verdict),
-        *_field(verdict),
-        *_grade(graded, verdict),
-        *_far(verdict),
-        *_contents(verdict),
-        *_engine(verdict.scenario),
-    )
+    return tuple(_shaken(verdict, graded))
 
 
-def _strength(verdict: Verdict) -> Iterator[Phrase]:
-    """Yield how strongly the ground shakes, where a published model says so."""
+def _shaken(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
     strength = verdict.scenario.shaking.strength
     if strength is not None and strength.scatter:
         yield phrase("verification.strength", strength=strength.told(verdict.motions))
-
-
-def _floor(verdict: Verdict) -> Iterator[Phrase]:
-    """Yield what the motions of an upper floor cannot say."""
     if verdict.floor:
         yield phrase("verification.of_a_floor", floor=floor_phrase(verdict.floor))
+    yield from _estimate(verdict)
+    yield from _field(verdict)
+    yield _grade(graded, verdict)
+    if any(slides_off(option, verdict) for option in verdict.options):
+        yield phrase("verification.slides_off", far=FAR)
+    yield from _contents(verdict)
+    yield from _engine(verdict.scenario)
 
 
 def _engine(scenario: Scenario) -> Iterator[Phrase]:
@@ -277,14 +270,14 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     yield phrase("verification.of_their_own")
 
 
-def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
+def _grade(option: Option, verdict: Verdict) -> Phrase:
     scenario = verdict.scenario
     deciding = weakest(option, scenario)
     inputs = joined(item.label for item in deciding[:LISTED])
     if len(deciding) > LISTED:
         more = phrase("verification.and_more", more=len(deciding) - LISTED)
         inputs = inputs[0] + more[0], inputs[1] + more[1]
-    yield phrase(
+    return phrase(
         "verification.grade",
         option=(title(option, verdict, "en"), title(option, verdict, "ja")),
         letter=grade(option, scenario).value,
@@ -341,8 +334,3 @@ def _contents(verdict: Verdict) -> Iterator[Phrase]:
         emptied=contents.emptied.texts,
         opened="" if wide is None else phrase("verification.drawers_open", share=wide.texts),
     )
-
-
-def _far(verdict: Verdict) -> Iterator[Phrase]:
-    if any(slides_off(option, verdict) for option in verdict.options):
-        yield phrase("verification.slides_off", far=FAR)

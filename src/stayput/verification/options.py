@@ -162,7 +162,7 @@ ALONE = ("l_bracket",)
 
 
 def label(option: AssemblyOption, names: Sequence[str] = ()) -> Phrase:
-    """Return what an option consists of: "Joints + Screwed L-brackets on upper part"; no "on" without names."""
+    """Return what an option consists of: "Joints + Belts on upper part"; no "on" without names."""
     if not option.count:
         return phrase("several.nothing")
     on: dict[Phrase, list[str]] = {}

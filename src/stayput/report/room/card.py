@@ -75,7 +75,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
     drawn = [step.fix for step in plan.steps if step.fix is not None]
     elevations = elevation_scale(drawn, sizes)
     drawing, scale, legend = _plan(plan, sizes, language)
-    scales = {"plan": scale, "elevation": elevations}
+    beside = phrase("action_plan.elevations", scale=elevations) if drawn else ""
     return {
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
@@ -84,7 +84,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "dense": sizes == SIZES[-1],
         "plan": drawing,
         "legend": legend,
-        "scale": _own(language, "scale" if drawn else "scale_alone", **scales),
+        "scale": _own(language, "scale", plan=scale, elevations=beside),
         "rows": [_row(number, plan, elevations, language) for number in range(1, len(plan.steps) + 1)],
         "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
@@ -118,8 +118,9 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
             )
         )
         only, strength = motion_phrase(verdict), shaking_phrase(verdict)
-        key = "action_plan.now" if only is None else "action_plan.now_of_one"
-        yield phrase(key, strength=strength, motion=only or "", chances=now)
+        key = "action_plan.shaking" if only is None else "action_plan.shaking_of_one"
+        shaking = phrase(key, strength=strength, motion=only or "")
+        yield phrase("action_plan.now", shaking=shaking, chances=now)
         key = "action_plan.then_one" if len(plan.steps) == 1 else "action_plan.then"
         yield phrase(key, last=len(plan.steps), chances=then)
     if falling is not None:
@@ -171,8 +172,8 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
     """Return what to look at before which steps, or before which of their variants without drilling."""
     found: dict[tuple[bool, Phrase], list[str]] = {}
     for number, step in enumerate(plan.steps, 1):
-        moved = f"action_plan.check_move{'_place' if step.overturned is None else ''}"
-        own = [phrase(moved)] if step.fix is None else checks(step.fix)
+        empty = "" if step.overturned is None else phrase("action_plan.empty")
+        own = [phrase("action_plan.check_move", empty=empty)] if step.fix is None else checks(step.fix)
         found.setdefault((False, joined(own, "action_plan.next")), []).append(str(number))
         if step.instead is not None:
             own = checks(step.instead)

@@ -30,18 +30,18 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Capacity, Difference, FragilityCurve, Probability
     from stayput.measures import Measure
+    from stayput.montecarlo.counting import Quantiles
     from stayput.report.verdict.assumptions import Assumption
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import AssemblyScenario, Scenario
-    from stayput.verification import (
+    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.verification.notes import Estimates
+    from stayput.verification.verdict import (
         AsInstalled,
         AssemblyOptionVerdict,
-        AssemblyVerdict,
+        DeviceOfSeveral,
         OptionVerdict,
-        Quantiles,
-        Verdict,
     )
-    from stayput.verification.verdict import DeviceOfSeveral, Estimates
 
 
 def json_text(data: dict[str, Any]) -> str:

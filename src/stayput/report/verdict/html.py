@@ -47,7 +47,8 @@ if TYPE_CHECKING:
     from stayput.report.verdict.assumptions import Assumption
     from stayput.report.verdict.pairs import RunPair
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification import OptionVerdict, Verdict
+    from stayput.verification import Verdict
+    from stayput.verification.verdict import OptionVerdict
 
 
 def write_report(verdict: Verdict | AssemblyVerdict, path: str | Path, language: str = "en") -> Path:

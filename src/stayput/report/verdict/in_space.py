@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
     from stayput.motion.suites import Suite
     from stayput.simulation.space_run import SpaceRun
-    from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict, Verdict
-    from stayput.verification.verdict import Member
+    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.verification.verdict import AssemblyOptionVerdict, Member
 
 
 def space_pairs(verdict: Verdict, ground: Suite, language: str) -> list[dict[str, Any]]:

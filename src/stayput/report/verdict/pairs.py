@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
     from stayput.simulation.run import Run
-    from stayput.verification import AssemblyVerdict, Option, Verdict
+    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.verification.options import Option
 
 RATE = 50.0
 """Poses a second that the report holds; its script draws straight lines between them."""

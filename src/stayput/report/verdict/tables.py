@@ -27,14 +27,14 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Probability
-    from stayput.verification import (
+    from stayput.verification import Verdict
+    from stayput.verification.contents import ContentsVerdict
+    from stayput.verification.verdict import (
         AssemblyOptionVerdict,
         DeviceSummary,
         OptionVerdict,
         PieceVerdict,
-        Verdict,
     )
-    from stayput.verification.contents import ContentsVerdict
 
 SHARES = (0.1, 0.5)
 """Shares of overturning whose intensities stand in the tables."""
