@@ -22,15 +22,14 @@ from stayput.measures import MEASURES, Belt, GelMats, LBracket, TensionPole, Wed
 from stayput.measures.measure import Grade
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
-from stayput.rooms.forces import MARGIN, QUANTILE, Purchase, quantile_of, unbreakable
 from stayput.rooms.planning import purchases_of
 from stayput.rooms.runs import DeviceForces
 from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings, with_ends
-from stayput.rooms.steps import COST_CLASSES, SETS, Home
+from stayput.rooms.steps import COST_CLASSES, MARGIN, QUANTILE, SETS, Home, Purchase, quantile_of, unbreakable
 from stayput.rooms.verify import question_of
 from stayput.rooms.words import piece_name
 from stayput.uncertainty import USUAL
-from stayput.verification.grades import inputs_in_room
+from stayput.verification.options import inputs_in_room
 from stayput.verification.words import class_phrase, share_text
 
 if TYPE_CHECKING:
@@ -147,7 +146,6 @@ def test_a_piece_that_falls_where_nobody_is_has_a_step_too():
                 {"name": "second", "preset": "bookcase", "against": "left_wall", "along": 0.7},
             ],
             places=[{"kind": "bed", "at": [5.5, 1.9], "heading": math.pi / 2}],
-            uncertainty={"samples": 4},
         )
     )
     fell = {piece.name: piece.probabilities["overturned"].estimate for piece in far.verdict.pieces}
@@ -282,8 +280,7 @@ def test_a_tenant_is_told_what_else_can_be_done():
     fix = rented.drilled["bookcase"]
     assert fix.drilled
     assert json.loads(rented.to_json())["with_drilling"]["bookcase"]["buy"][0]["type"] == fix.kinds[0]
-    few = room(furniture=ROOM["furniture"][:1], uncertainty={"samples": 4})
-    nothing = planned(few, tatami=True, dropped_ceiling=True, no_drilling=True)
+    nothing = planned(alone(), tatami=True, dropped_ceiling=True, no_drilling=True)
     assert nothing.unsolved == ("bookcase",) == tuple(nothing.drilled)
     for language in LANGUAGES:
         page = html.unescape(plan_html(rented, language)).replace("\xa0", " ")

@@ -137,7 +137,8 @@ CONNECTORS = [{"first": "up", "second": "low", "at": [0.05, y, 0.9]} for y in (1
 
 @pytest.mark.parametrize("joints", [CONNECTORS, *long([])], ids=["joined", "stacked"])
 def test_measures_on_pieces_that_stand_on_each_other_act_together(joints: list[dict[str, Any]]):
-    tables = {"joints": joints} if joints else {}
+    tables: dict[str, Any] = {"joints": joints} if joints else {}
+    tables["shaking"] = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 2}}
     bare = sp.RoomScenario.parse({**ROOM, "furniture": STACKED, **tables})
     plan = decided(verified(bare), Change("up", Belt()), Change("low", LBracket()))
     held = {

@@ -74,8 +74,8 @@ def test_what_is_said_of_gypsum_board_is_what_the_bracket_holds():
     assert "each holds a pull of only about 300 N" in bracket.about[0]
     assert "1個あたり約300 N" in bracket.about[1]
     for height in (1.2, 1.8, 2.1):
-        links = [LBracket().drawn(wall, height, 2.4) for wall in ("plasterboard", "stud")]
-        assert links[0].strength < links[1].strength
+        board, stud = (LBracket().drawn(wall, height, 2.4) for wall in ("plasterboard", "stud"))
+        assert board.strength < stud.strength
 
 
 def test_installed_well_is_the_default_and_costs_nothing(usual):
@@ -133,10 +133,8 @@ def test_every_form_of_the_verdict_says_it(usual):
 def test_a_difference_that_cannot_be_seen_is_called_none(usual):
     bracket = by_name(usual)["l_bracket"]
     held = bracket.probabilities[OVERTURNED]
-    same = replace(
-        bracket,
-        installed=replace(bracket.installed, badly={OVERTURNED: held}, usual={OVERTURNED: held.estimate}),
-    )
+    alike = replace(bracket.installed, badly={OVERTURNED: held}, usual={OVERTURNED: held.estimate})
+    same = replace(bracket, installed=alike)
     told = f"overturn, no visible difference from the {percent(held.estimate)} % when well installed: 23 % of"
     assert told in reason(same, usual, "en")
     assert "と目立った差はありません（23%が" in reason(same, usual, "ja")
@@ -146,9 +144,7 @@ def test_a_difference_that_cannot_be_seen_is_called_none(usual):
 def test_cautions_and_the_weakest_link_stand_in_the_reason():
     measures = [{"type": "l_bracket"}, {"type": "l_bracket_board", "count": 1}]
     verdict = verdict_of(measures=measures)
-    for result in verdict.options:
-        if not result.option.measures:
-            continue
+    for result in (one for one in verdict.options if one.option.measures):
         english = reason(result, verdict, "en")
         assert "caution: " in english
         assert "plasterboard alone" in english

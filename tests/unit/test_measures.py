@@ -14,9 +14,7 @@ from stayput.measures import (
     AntiSlipSheet,
     AwayFromWall,
     Ballast,
-    BaseIsolator,
     Belt,
-    Chain,
     GelMats,
     LBracket,
     LBracketInBoard,
@@ -85,7 +83,7 @@ def test_every_number_out_of_range_is_refused_in_one_sentence(kind):
     [
         (lambda: LBracket(count=1.5), "whole number"),
         (lambda: AntiSlipSheet(kinetic_friction=0.9), "must not be above static_friction, 0.8"),
-        (lambda: BaseIsolator(kinetic_friction=0.9), "must not be above static_friction, 0.05"),
+        (lambda: MEASURES["base_isolator"](kinetic_friction=0.9), "must not be above static_friction, 0.05"),
         (lambda: TensionPole(preload=600.0, strength=500.0), "below the ceiling's strength, 500 N"),
     ],
 )
@@ -123,7 +121,7 @@ def test_two_measures_for_one_place_are_refused(measures, message):
         (sp.Room(), TensionPole(ceiling_height=1.81), "have 0.01 m below the ceiling"),
         (ROOM, TensionPole(setback=0.5), "at most the width, 0.4 m"),
         (ROOM, Belt(setback=0.5), "at most the width, 0.4 m"),
-        (ROOM, Chain(angle=1.4), "between floor and ceiling"),
+        (ROOM, MEASURES["chain"](angle=1.4), "between floor and ceiling"),
         (ROOM, Ballast(height=2.0), "at most the piece's, 1.8 m"),
     ],
 )
@@ -248,11 +246,8 @@ def test_where_a_point_of_the_body_is_at_rest():
     assert at_rest(BODY, (-0.1, 1.0)) == pytest.approx((-0.1, 1.0), abs=1e-15)
     back, front = 0.002, -0.005
     tilted = sp.Body(0.4, 1.8, 100.0, base_heights=(back, front))
-    left, right = at_rest(tilted, (-0.2, back)), at_rest(tilted, (0.2, front))
-    assert left[1] == pytest.approx(0.0, abs=1e-15)
-    assert right[1] == pytest.approx(0.0, abs=1e-15)
-    assert left[0] + right[0] == pytest.approx(0.0, abs=1e-15)
-    top = at_rest(tilted, (-0.2, 1.8))
+    left, right, top = (at_rest(tilted, point) for point in ((-0.2, back), (0.2, front), (-0.2, 1.8)))
+    assert (left[1], right[1], left[0] + right[0]) == pytest.approx((0.0, 0.0, 0.0), abs=1e-15)
     assert top[0] - left[0] == pytest.approx(-1.798 * 0.007 / math.hypot(0.4, 0.007))
 
 

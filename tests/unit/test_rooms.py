@@ -329,7 +329,7 @@ def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
 def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[str, Any], kinds: set[str]):
     room = changed(places=[], **openings)
     whole = room.assembly(room.stated)
-    tried = measures_tried(room, whole, (0,), 0)
+    tried = measures_tried(room, whole, 0)
     assert {"l_bracket", "belt"} & {one.measure.kind for one, _ in tried if one.measure} == kinds
 
 
@@ -436,7 +436,7 @@ def two() -> tuple[Question, list[RoomPart]]:
     )
     question = question_of(room, 1)
     parts = [part_with(room, group, question.whole) for group in groups_of(room)]
-    tried = measures_tried(room, question.whole, (0,), 0)
+    tried = measures_tried(room, question.whole, 0)
     return question, parts + [held for change, held in tried if isinstance(change.measure, LBracket)]
 
 

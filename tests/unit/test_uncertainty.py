@@ -35,8 +35,7 @@ def test_coefficient_of_variation_is_met() -> None:
 
 
 def test_draws_are_evenly_spread() -> None:
-    unit = Uncertainty({name: Uniform(0.0, 1.0) for name in "abc"})
-    drawn = unit.sample(64, 3, motions=5)
+    drawn = Uncertainty({name: Uniform(0.0, 1.0) for name in "abc"}).sample(64, 3, motions=5)
     for values in drawn.values():
         assert values.shape == (5, 64)
         # one in each sixty-fourth

@@ -13,8 +13,8 @@ import pytest
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.forces import quantile_of, unbreakable
 from stayput.rooms.runs import part_with, with_member
+from stayput.rooms.steps import quantile_of, unbreakable
 from stayput.rooms.verify import question_of
 from stayput.uncertainty import USUAL
 

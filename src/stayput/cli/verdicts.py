@@ -61,7 +61,7 @@ def _print_one(verdict: Verdict, lang: str) -> None:
     from stayput.report.verdict import numbers
     from stayput.report.verdict.numbers import word
     from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
-    from stayput.verification.words import headline, title
+    from stayput.verification.words import title
     from stayput.wording import with_aside
 
     text = partial(word, language=lang)
@@ -92,7 +92,7 @@ def _print_one(verdict: Verdict, lang: str) -> None:
         headings,
         lines,
         rejected,
-        above=headline(verdict, lang),
+        above=verdict.sentence(lang),
         below=below,
         notes=verdict.notes(lang),
         end=simulations(verdict, lang),
@@ -104,7 +104,6 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
     from stayput.report.verdict import numbers
     from stayput.report.verdict.numbers import word
     from stayput.report.verdict.tables import impossible_rows, several_ranking, simulations
-    from stayput.verification.words import headline_of_several
 
     lines: list[_Line] = []
     for row in several_ranking(verdict, lang):
@@ -116,7 +115,7 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
     slid, option = word("brief_slide", lang), say("several.option", lang)
     headings = (option, *_events(verdict, lang), slid, *verdict.scenario.names)
     below = (say("several.brief_text", lang),)
-    above, end = headline_of_several(verdict, lang), simulations(verdict, lang)
+    above, end = verdict.sentence(lang), simulations(verdict, lang)
     _print_ranking(verdict, lang, headings, lines, rejected, above=above, below=below, end=end)
 
 

@@ -210,12 +210,11 @@ def changes_of(question: Question, state: RoomState) -> Iterator[ChangeVerdict]:
         risk = risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
         return body in harmful, risk, chances[body]
 
-    part_of = {body: part for part in state.parts for body in part.bodies}
     chances = as_it_is.overturning
     tried = [
         each
         for body in sorted(harmful | falling_pieces(as_it_is), key=harm, reverse=True)
-        for each in measures_tried(scenario, whole, part_of[body].bodies, body)
+        for each in measures_tried(scenario, whole, body)
     ]
     with closing(question.runs_of_each([held for _, held in tried])) as found:
         for (change, held), runs in zip(tried, found, strict=True):

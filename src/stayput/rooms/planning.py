@@ -31,8 +31,7 @@ from stayput.rooms.effects import (
     risk_of,
 )
 from stayput.rooms.events import Hits, hits_of
-from stayput.rooms.forces import Purchase, in_number, purchases_of
-from stayput.rooms.runs import PartRuns, RoomPart, part_with, with_measures, with_member
+from stayput.rooms.runs import PartRuns, RoomPart, group_of, part_with, with_measures, with_member
 from stayput.rooms.steps import (
     ALIKE,
     SETS,
@@ -41,17 +40,20 @@ from stayput.rooms.steps import (
     Fix,
     Home,
     PlanStep,
+    Purchase,
     Trial,
     for_people,
     frees,
+    in_number,
     in_order_of_gain,
     merit,
+    purchases_of,
 )
 from stayput.rooms.verdict import RoomEffect, RoomVerdict
 from stayput.rooms.verify import floors_of, question_of, states, verdict_of
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Assembly, Piece
-from stayput.verification.grades import inputs_in_room
+from stayput.verification.options import inputs_in_room
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -337,10 +339,9 @@ class _Planner:
 
     def _helpful(self, body: int, whole: Assembly, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece, and return those that help and can be put on it in ``whole``."""
-        as_it_is = self.state.as_it_is
-        bare = self._own_risk(
-            OtherTracks({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
-        )
+        as_it_is, group = self.state.as_it_is, group_of(self.question.scenario, body)
+        here = OtherTracks({one: as_it_is.tracks[one] for one in group}, as_it_is.missing)
+        bare = self._own_risk(here)
         return [
             one
             for one in self._tried(body, sets)
@@ -387,16 +388,14 @@ class _Planner:
         hits = [[self._hits(place, own).happened for own in way.tracks.values()] for place in places]
         return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
 
-    def _group(self, body: int) -> tuple[int, ...]:
-        return next(part.bodies for part in self.state.parts if body in part.bodies)
-
     def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
         """Return the part of a piece with measures on it, or None where they cannot be put there."""
-        return held_part(self.question.scenario, whole, self._group(body), body, measures)
+        return held_part(self.question.scenario, whole, body, measures)
 
     def _with(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart:
         """Return the part of a piece with measures on it, which have not been put in place."""
-        return part_with(self.question.scenario, self._group(body), with_measures(whole, body, measures))
+        scenario = self.question.scenario
+        return part_with(scenario, group_of(scenario, body), with_measures(whole, body, measures))
 
     def _fitted(self, tried: Trial, body: int, whole: Assembly) -> tuple[Fix, OtherTracks, OtherTracks]:
         """Return measures as they are bought, and how the piece moves where it stands and where it will.

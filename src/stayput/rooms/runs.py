@@ -127,6 +127,11 @@ def groups_of(scenario: RoomScenario) -> tuple[tuple[int, ...], ...]:
     return tuple(tuple(i for i, own in enumerate(group) if own == number) for number in sorted(set(group)))
 
 
+def group_of(scenario: RoomScenario, body: int) -> tuple[int, ...]:
+    """Return the pieces that run together with one of them."""
+    return next(group for group in groups_of(scenario) if body in group)
+
+
 def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) -> RoomPart:
     """Return some of the members of an assembly of all pieces."""
     members = [whole.members[body] for body in bodies]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from stayput.fragility import Probability
-    from stayput.rooms.forces import Purchase
+    from stayput.rooms.steps import Purchase
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""
@@ -171,6 +171,15 @@ def chances_after(effect: RoomEffect) -> dict[str, tuple[Probability, float]]:
     }
 
 
+def worth_telling(effect: RoomEffect, plan: ActionPlan) -> dict[str, tuple[Probability, float]]:
+    """Return those of them that happen; none in a room without places."""
+    return {
+        key: (chance, was)
+        for key, (chance, was) in chances_after(effect).items()
+        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
+    }
+
+
 def falls(plan: ActionPlan) -> Phrase | None:
     """Return which pieces overturn often, before the steps and after all of them; None where none does."""
     before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
@@ -201,16 +210,16 @@ def effects(effect: RoomEffect, plan: ActionPlan, before: RoomEffect | None = No
     before : RoomEffect, optional
         From what it changes; from the room as it is where it is left out.
     """
-    then = chances_after(effect)
-    first = {key: was for key, (_, was) in then.items()}
-    if before is not None:
-        first = {key: chance.estimate for key, (chance, _) in chances_after(before).items()}
-    told = [
-        phrase(f"action_plan.{key}", was=share_text(first[key]), now=with_ends(chance))
-        for key, (chance, was) in then.items()
-        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
-    ]
-    return joined(told)
+    first = {} if before is None else chances_after(before)
+    return joined(
+        phrase(
+            "action_plan.changes",
+            what=phrase(f"rooms.chance_of_{key}"),
+            was=share_text(first[key][0].estimate if first else was),
+            now=with_ends(chance),
+        )
+        for key, (chance, was) in worth_telling(effect, plan).items()
+    )
 
 
 def changes_nothing(effect: RoomEffect, before: RoomEffect | None = None) -> bool:

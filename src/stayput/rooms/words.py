@@ -196,8 +196,8 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
     place = next((one.place for one in verdict.places if one.place.name == change.what), None)
     if place is not None and change.what not in verdict.scenario.names:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
-        key = "rooms.turn_place" if turned else "rooms.move_place"
-        return phrase(key, place=_within(place.name, _PLACES), x=x, y=y)
+        how = phrase("rooms.turned" if turned else "rooms.moved", place=_within(place.name, _PLACES))
+        return phrase("rooms.move_place", how=how, x=x, y=y)
     wall = wall_faced(change.heading)
     along, start = (y, "near_side_wall") if wall in ("left_wall", "right_wall") else (x, "left_wall")
     return phrase(

@@ -27,7 +27,7 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
 from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_loads, position_of
 from stayput.standards.asce43 import VERTICAL_SHARE
-from stayput.verification.grades import furniture_tag, grade, weakest
+from stayput.verification.options import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR, joined
 

@@ -265,8 +265,8 @@ class Verdict(Ranking[OptionVerdict], InJson):
         return headline(self, language)
 
     def grade(self, option: OptionVerdict) -> Grade:
-        """Return the grade of an option: that of its weakest input; see `stayput.verification.grades`."""
-        from stayput.verification.grades import grade
+        """Return the grade of an option: that of its weakest input; see `stayput.verification.options`."""
+        from stayput.verification.options import grade
 
         return grade(option.option, self.scenario)
 

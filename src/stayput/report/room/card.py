@@ -15,9 +15,7 @@ from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.elevation import SIZES, elevation_scale, elevation_svg, plan_scale, sizes_of
 from stayput.report.room.plan import numbered_plan
 from stayput.report.room.sheet import PlanSheet
-from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import (
-    chances_after,
     changes_nothing,
     checks,
     effects,
@@ -28,8 +26,9 @@ from stayput.rooms.step_words import (
     what_it_brings,
     where,
     with_ends,
+    worth_telling,
 )
-from stayput.rooms.steps import COST_BOUNDS
+from stayput.rooms.steps import COST_BOUNDS, MARGIN, QUANTILE
 from stayput.rooms.words import motion_phrase, piece_name, piece_within
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import shaking_phrase, share_text
@@ -43,7 +42,6 @@ if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.report.room.elevation import CardSizes
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
-    from stayput.rooms.verdict import RoomEffect
 
 PLAN_LETTERS = 17.0
 """Size of the names on the plan [px]; that in card.css."""
@@ -94,24 +92,18 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
     }
 
 
-def _told(plan: ActionPlan, together: RoomEffect) -> dict[str, tuple[Probability, float]]:
-    """Return the chances after all steps and before that are worth telling; none in a room without places."""
-    return {
-        key: (chance, was)
-        for key, (chance, was) in chances_after(together).items()
-        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
-    }
-
-
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
     if together is None and falling is None and not plan.unsolved:
         yield phrase("action_plan.nothing")
-    told = {} if together is None else _told(plan, together)
+    told = {} if together is None else worth_telling(together, plan)
     if told:
         now, then = (
-            joined(phrase(f"action_plan.chance_{key}", share=share) for key, share in shares.items())
+            joined(
+                phrase("action_plan.chance", what=phrase(f"rooms.chance_of_{key}"), share=share)
+                for key, share in shares.items()
+            )
             for shares in (
                 {key: share_text(was) for key, (_, was) in told.items()},
                 {key: with_ends(chance) for key, (chance, _) in told.items()},

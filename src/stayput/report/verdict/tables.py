@@ -17,8 +17,7 @@ from stayput.report.verdict.numbers import word
 from stayput.simulation.placing import JOINT, JOINT_LABEL
 from stayput.spreadsheets import csv_text
 from stayput.verification import AssemblyVerdict
-from stayput.verification.grades import weakest
-from stayput.verification.options import label
+from stayput.verification.options import label, weakest
 from stayput.verification.words import is_own, length, reason, reason_of_several, title, title_of_several
 from stayput.wording import with_aside
 
@@ -256,7 +255,7 @@ def verdict_csv(verdict: Verdict) -> str:
     return _ranking_csv(
         [_record(result, verdict) for result in verdict.options],
         [
-            {"option": one.option.name, "measures": one.option.label("en"), "not_possible": one.reason}
+            {"option": one.option.name, "measures": one.option.label("en"), "not_possible": one.why("en")}
             for one in verdict.impossible
         ],
     )
