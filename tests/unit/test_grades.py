@@ -133,11 +133,8 @@ def test_a_quick_estimate_far_from_the_simulation_is_explained():
 
 def test_what_the_formula_leaves_out_is_what_there_is():
     slippery = {"floor": "PTFE glide", "right_wall": {"gap": 0.1}, "ceiling": {"height": 1.81}}
-    table = {
-        "furniture": {"preset": "bookcase", "cg_offset": [0.0, -0.3]},
-        "room": slippery,
-        "shaking": {"builtin": "near-fault"},
-    }
+    low = {"preset": "bookcase", "cg_offset": [0.0, -0.3]}
+    table = {"furniture": low, "room": slippery, "shaking": {"builtin": "near-fault"}}
     verdict = verdict_cases.made(table)
     bare = replace(verdict, options=(verdict.without,))
     english = notes(estimated(bare, 0.0))[0][0]

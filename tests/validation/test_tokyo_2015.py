@@ -16,9 +16,23 @@ import stayput as sp
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
 from stayput.verification.options import Option
-from studies import tokyo as study
 from studies.study import span
-from studies.tokyo import ALONE, BODIES, LEVELS, MATS, MOST, POLES, ROOM, STOPPERS, TOGETHER, facings, tokyo
+from studies.tokyo import (
+    ALONE,
+    BODIES,
+    LEVELS,
+    MATS,
+    MOST,
+    POLES,
+    ROOM,
+    STOPPERS,
+    TOGETHER,
+    claims,
+    facings,
+    runs_of,
+    shares,
+    tokyo,
+)
 
 FOLDER = Path(__file__).parents[3] / "shared" / "motions"
 FILES = [FOLDER / f"jma_kobe_1995_{name}.AT2" for name in ("ns", "ew", "ud")]
@@ -39,7 +53,7 @@ def kobe():
 
 @pytest.fixture(scope="module")
 def found(kobe):
-    return study.shares(kobe.data)
+    return shares(kobe.data)
 
 
 @pytest.fixture(scope="module")
@@ -105,7 +119,7 @@ def test_the_order_of_the_kinds(found):
 
 @needs_record
 def test_what_does_not_come_out_is_said(kobe, found):
-    said = study.claims(found, kobe.data.attrs["severest_facing"])
+    said = claims(found, kobe.data.attrs["severest_facing"])
     assert [claim["comes out"] for claim in said] == ["partly", "no", "no", "partly"]
     table = kobe.tables["The published result beside ours"]
     assert list(table["comes out"]) == [claim["comes out"] for claim in said]
@@ -138,7 +152,7 @@ def test_what_the_ceiling_bears_decides_for_poles():
         Option(f"{strength:g} N", (replace(POLES[0].measures[0], strength=strength),))
         for strength in (1000.0, 300.0, 150.0)
     ]
-    runs = study.runs_of(BODIES["cupboard"], ROOM, options, motions, FULL, 8, 1)
+    runs = runs_of(BODIES["cupboard"], ROOM, options, motions, FULL, 8, 1)
     strong, stated, weak = (one.overturned.mean() for one in runs)
     assert strong <= stated < weak
 
@@ -158,7 +172,7 @@ def test_a_cell_is_a_single_run(built_in):
 
 
 def test_the_four_outcomes_are_all_there_are(built_in):
-    found = study.shares(built_in.data)
+    found = shares(built_in.data)
     total = found["overturned"] + found["far"] + found["some"] + found["little"]
     np.testing.assert_allclose(total, 1.0)
 

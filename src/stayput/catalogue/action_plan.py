@@ -73,7 +73,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "what": ("What to do", "やること"),
     "drawing": ("Drawing", "図"),
     # What a step is
-    "fix": ("{piece}: {products}", "{piece}：{products}"),
     "product": ("{measure} × {count}", "{measure}×{count}"),
     "buy": ("Buy", "買う物"),
     "where": ("Where", "取付け位置"),
@@ -165,7 +164,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "下地センサーなどで下地（間柱）を探す（間隔は{near:.0f} mmか{far:.0f} mmが多い）。ねじは下地に{depth:.0f} mm以上入れる",
     ),
-    "check_board": (
+    "check_plasterboard": (
         "plasterboard alone holds little: use anchors made for it, or find a stud after all",
         "石こうボードだけでは弱い。専用アンカーを使うか、下地を探し直す",
     ),
@@ -173,7 +172,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "drill with a masonry bit and use plugs; ask before drilling in a flat",
         "コンクリート用ドリルとプラグを使う。集合住宅では管理規約を確かめる",
     ),
-    "check_strip": (
+    "check_hanging strip": (
         "the strip must be nailed to the posts, and not only glued on",
         "付け鴨居・長押が柱に釘で留まっていることを確かめる",
     ),

@@ -285,7 +285,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_building": ("the building", "建物"),
     "the_wall": ("what is behind the wall's surface", "壁の下地"),
     "the_ceiling": ("what is above the ceiling's surface", "天井の下地"),
-    "of_a_measure": ("{measure}: {parameter}", "{measure}：{parameter}"),
     # probability distributions and draws
     "mean": ("Mean", "平均"),
     "deviation": ("Deviation", "標準偏差"),

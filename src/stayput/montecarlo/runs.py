@@ -71,8 +71,28 @@ def run_level(
     """
     motions = len(floors.motions)
     cases, elements, motion = joined_rows(rows, motions)
+    results, devices = _ran(cases, elements, motion, floors, threads, progress)
+    failed = failures_of(elements, devices).count > 0
+    runs: list[Runs] = []
+    start = 0
+    for piece_rows in rows:
+        part = slice(start, start + len(piece_rows.cases))
+        runs.append(_runs(piece_rows, results[part], devices[part], failed[part], motions))
+        start = part.stop
+    return runs
+
+
+def _ran(
+    cases: NDArray[np.void],
+    elements: NDArray[np.void],
+    motion: NDArray[np.int64],
+    floors: FloorMotions,
+    threads: int | None,
+    progress: Callable[[int], None] | None,
+) -> tuple[NDArray[np.void], NDArray[np.void]]:
+    """Run cases under the motions of a level, each under that of its number."""
     cases["scale"] = floors.scales[motion]
-    results, devices = run_columns(
+    return run_columns(
         cases,
         elements,
         floors.motions,
@@ -82,14 +102,6 @@ def run_level(
         progress=False,
         on_progress=progress,
     )
-    failed = failures_of(elements, devices).count > 0
-    runs: list[Runs] = []
-    start = 0
-    for piece_rows in rows:
-        part = slice(start, start + len(piece_rows.cases))
-        runs.append(_runs(piece_rows, results[part], devices[part], failed[part], motions))
-        start = part.stop
-    return runs
 
 
 def joined_rows(
@@ -236,17 +248,7 @@ def run_levels(
         made += len(chosen)
         floors = floors_at(float(levels[number]))
         chosen_cases, chosen_elements = cases[chosen], elements[chosen]
-        chosen_cases["scale"] = floors.scales[motion[chosen]]
-        results, devices = run_columns(
-            chosen_cases,
-            chosen_elements,
-            floors.motions,
-            motion[chosen],
-            dimensions=floors.dimensions,
-            threads=threads,
-            progress=False,
-            on_progress=progress,
-        )
+        results, devices = _ran(chosen_cases, chosen_elements, motion[chosen], floors, threads, progress)
         overturned[number, chosen] = results["outcome"] == OVERTURNED_OUTCOME
         missing[number, chosen] = results["outcome"] == FAILED_OUTCOME
         if not len(starts):

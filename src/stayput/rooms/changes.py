@@ -114,7 +114,8 @@ class FreeFloor:
         """
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
-        taken = [_outline(one) for number, one in enumerate(self.standing) if number != but_piece]
+        others = (one for number, one in enumerate(self.standing) if number != but_piece)
+        taken = [outline_of((one.solid.vertices @ one.turn.T) + np.asarray(one.at)) for one in others]
         taken += [place.corners for place in self.plan.places if place.name != but_place]
         taken += [
             _before(self.plan, door.wall, door.start, door.width, door.width) for door in self.plan.doors
@@ -125,10 +126,6 @@ class FreeFloor:
             if height > window.sill
         ]
         return not any(overlap(corners, other) for other in taken)
-
-
-def _outline(one: Standing) -> NDArray[np.float64]:
-    return outline_of((one.solid.vertices @ one.turn.T) + np.asarray(one.at))
 
 
 def _before(plan: FloorPlan, wall: str, start: float, width: float, depth: float) -> NDArray[np.float64]:

@@ -315,19 +315,10 @@ class _Planner:
         instead = None
         if fix.drilled and undrilled:
             instead = self._fitted(min(undrilled, key=merit), body, whole)[0]
-        scenario = self.question.scenario
+        scenario, was = self.question.scenario, self._overturned(body)
         deciding = inputs_in_room(tuple(one.measure for one in fix.purchases), scenario, body)
-        step = PlanStep(
-            scenario.names[body],
-            None,
-            fix,
-            fix.alone,
-            fix.alone,
-            self._overturned(body),
-            instead,
-            deciding,
-            decided=decided is not None,
-        )
+        what, alone, as_decided = scenario.names[body], fix.alone, decided is not None
+        step = PlanStep(what, None, fix, alone, alone, was, instead, deciding, decided=as_decided)
         return ChosenStep(step, None, here, there)
 
     def _with_drilling(self, body: int, whole: Assembly) -> None:

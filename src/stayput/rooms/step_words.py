@@ -118,12 +118,9 @@ def checks(fix: Fix) -> Iterator[Phrase]:
             case WallDevice():
                 assert held.room.left_wall is not None
                 near, far = (1e3 * pitch for pitch in STUD_PITCH)
-                seen[purchase.measure.fixed_to(held.room.left_wall)] = {
-                    "stud": phrase("action_plan.check_stud", near=near, far=far, depth=1e3 * SCREW_IN_STUD),
-                    "plasterboard": phrase("action_plan.check_board"),
-                    "concrete": phrase("action_plan.check_concrete"),
-                    "hanging strip": phrase("action_plan.check_strip"),
-                }[purchase.measure.fixed_to(held.room.left_wall)]
+                made_of = purchase.measure.fixed_to(held.room.left_wall)
+                numbers = {"near": near, "far": far, "depth": 1e3 * SCREW_IN_STUD}
+                seen[made_of] = phrase(f"action_plan.check_{made_of}", **numbers)
                 seen["top"] = phrase("action_plan.check_top")
             case TensionPole():
                 seen["ceiling"] = phrase("action_plan.check_ceiling")
@@ -280,7 +277,7 @@ def heading(step: PlanStep, plan: ActionPlan) -> Phrase:
         return english[:1].upper() + english[1:], japanese
     english, japanese = piece_name(step.what)
     called = english[:1].upper() + english[1:], japanese
-    return phrase("action_plan.fix", piece=called, products=products(step.fix))
+    return joined((called, products(step.fix)), "common.colon")
 
 
 def held_by(fix: Fix) -> Held:

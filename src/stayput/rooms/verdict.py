@@ -293,16 +293,16 @@ class RoomVerdict:
     doors: tuple[DoorVerdict, ...]
     pieces: tuple[RoomPiece, ...]
     collisions: Mapping[tuple[str, str], Probability]
-    changes: tuple[ChangeVerdict, ...]
     typical: TypicalRun | None
-    complete: bool
     motions: int
     samples: int
-    runs: int
     slide_limit: float
     seed: int
-    seconds: float
     floor: str = ""
+    changes: tuple[ChangeVerdict, ...] = ()
+    complete: bool = False
+    runs: int = 0
+    seconds: float = 0.0
 
     def __repr__(self) -> str:
         chances = f"hit {self.hit.text}; shut in {self.shut_in.text}"

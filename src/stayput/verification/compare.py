@@ -118,8 +118,6 @@ def compare(
                 motions=len(ground),
                 samples=samples,
                 runs=made,
-                settled=0,
-                precise=False,
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
                 impossible=impossible,

@@ -176,8 +176,8 @@ def notes(verdict: Verdict) -> tuple[Phrase, ...]:
     return *shaken_notes(verdict, verdict.best.option), everyday_note(verdict)
 
 
-def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
-    """Return the notes of a verdict but that on the piece without an earthquake.
+def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
+    """Yield the notes of a verdict but that on the piece without an earthquake.
 
     Parameters
     ----------
@@ -186,10 +186,6 @@ def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
     graded : Option
         The option whose grade is explained.
     """
-    return tuple(_shaken(verdict, graded))
-
-
-def _shaken(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
     strength = verdict.scenario.shaking.strength
     if strength is not None and strength.scatter:
         yield phrase("verification.strength", strength=strength.told(verdict.motions))

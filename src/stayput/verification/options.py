@@ -335,13 +335,10 @@ def _around(scenario: Scenario | RoomScenario, floor: Floor, replaced: bool) -> 
 
 
 def _of_measure(measure: Measure) -> Iterator[Input]:
+    called = inside(measure.label[0]), measure.label[1]
     for parameter in parameters(measure):
         if parameter.decides:
-            label = phrase(
-                "verification.of_a_measure",
-                measure=(inside(measure.label[0]), measure.label[1]),
-                parameter=parameter.label,
-            )
+            label = joined((called, parameter.label), "common.colon")
             yield Input(label, parameter.tag(getattr(measure, parameter.name)))
 
 

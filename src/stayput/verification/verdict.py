@@ -148,9 +148,9 @@ class Ranking(Generic[RankedT]):
     motions: int
     samples: int
     runs: int
-    precise: bool
     seed: int
     seconds: float
+    precise: bool = False
     floor: str = ""
 
     @property
@@ -220,7 +220,7 @@ class Verdict(Ranking[OptionVerdict], InJson):
     scenario: Scenario
     estimates: Estimates
     levels: NDArray[np.float64]
-    settled: int
+    settled: int = 0
     impossible: tuple[Impossible[Option], ...] = ()
     complete: bool = True
 
