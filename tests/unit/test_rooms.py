@@ -192,11 +192,8 @@ def test_a_change_says_what_is_clearly_better_and_what_worse(verdict: RoomVerdic
 
 
 def test_where_a_change_moves_something_it_is_as_if_it_stood_there(verdict: RoomVerdict):
-    moved = next(
-        one
-        for one in verdict.changes
-        if one.change.what == "bookcase" and one.change.at is not None and one.change.heading == 0.0
-    )
+    along = (one for one in verdict.changes if one.change.what == "bookcase" and one.change.heading == 0.0)
+    moved = next(one for one in along if one.change.at is not None)
     there = piece(along=moved.change.at[1]) + BEDROOM["furniture"][1:]
     again = verified(furniture=there)
     # the same tracks but for rounding of the place

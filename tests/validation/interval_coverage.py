@@ -129,16 +129,11 @@ class Mixture:
     def share(self, intensity: float, *, held: bool = False) -> float:
         """Return the true probability of falling at an intensity."""
         more = self.apart if held else (0.0, 0.0)
-        return float(
-            sum(
-                kind.weight
-                * ndtr(
-                    (intensity - kind.mean - held * kind.gain)
-                    / np.sqrt(kind.between**2 + kind.within**2 + more[0] ** 2 + more[1] ** 2)
-                )
-                for kind in self.kinds
-            )
-        )
+        found = 0.0
+        for kind in self.kinds:
+            spread = np.sqrt(kind.between**2 + kind.within**2 + more[0] ** 2 + more[1] ** 2)
+            found += kind.weight * ndtr((intensity - kind.mean - held * kind.gain) / spread)
+        return float(found)
 
     def truth(self) -> dict[str, float]:
         """Return the true value of each of `QUANTITIES`."""

@@ -6,7 +6,6 @@ acceleration, and carpet is gravity of another direction: the simulated body fal
 """
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -43,17 +42,12 @@ def test_a_pull(factor):
 @pytest.mark.parametrize("carpet", [0.005, 0.02])
 def test_open_drawers_with_a_load(factor, carpet):
     """With the load at the top of the front of a drawer, all being open; the tilt turns gravity."""
-    stated = sp.Everyday(drawers=4, drawer_share=0.4, drawer_extension=0.2, carpet=carpet)
-    unloaded, loaded = (replace(stated, load=load) for load in (0.0, 1.0))
-    spare = [
-        one.restoring - one.overturning
-        for given in (unloaded, loaded)
-        for one in sp.tip_over(CHEST, given)
-        if one.name == ALL_DRAWERS
-    ]
-    load = factor * spare[0] / (spare[0] - spare[1])
+    stated = {"drawers": 4, "drawer_share": 0.4, "drawer_extension": 0.2, "carpet": carpet}
+    unloaded, loaded = (case(CHEST, ALL_DRAWERS, **stated, load=load) for load in (0.0, 1.0))
+    spare, less = (one.restoring - one.overturning for one in (unloaded, loaded))
+    load = factor * spare / (spare - less)
     assert load > 0.0
-    tipped = next(one for one in sp.tip_over(CHEST, replace(stated, load=load)) if one.name == ALL_DRAWERS)
+    tipped = case(CHEST, ALL_DRAWERS, **stated, load=load)
     assert tipped.tips is (factor > 1.0)
     parts = [
         sp.Part(0.6 * 40.0, 0.0, 0.6, 0.45, 1.2),
