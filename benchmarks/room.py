@@ -28,8 +28,7 @@ from stayput.simulation.space_case import results_of
 from stayput.simulation.space_engine import STEP
 
 if TYPE_CHECKING:
-    from stayput.rooms.effects import Question
-    from stayput.rooms.runs import RoomPart
+    from stayput.rooms.runs import Question, RoomPart
     from stayput.rooms.verdict import RoomVerdict
 
 BEDROOM = Path(__file__).parents[1] / "examples" / "bedroom.toml"
@@ -99,7 +98,7 @@ def held() -> Table:
         began = time.process_time()
         question.run([part_with(question.scenario, (body,), question.whole)])
         plane = time.process_time() - began
-        for change, part in measures_tried(question.scenario, question.whole, (body,), body):
+        for change, part in measures_tried(question.scenario, question.whole, body):
             if part.in_plane or change.measure is None:
                 continue
             began = time.process_time()

@@ -26,7 +26,7 @@ from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion import near_fault
 from stayput.report.palette import ALARM, INK
-from stayput.verification import Option
+from stayput.verification.options import Option
 from studies.study import Quantity, Study, claim, panels, span
 
 if TYPE_CHECKING:

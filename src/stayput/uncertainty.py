@@ -155,11 +155,8 @@ class Uniform(Marginal):
 
 def _check_spread(name: str, value: float, most: float) -> None:
     if not 0.0 < finite(name, value) <= most:
-        if math.isinf(most):
-            raise InputError("verification.not_above_zero", name=phrase(name), value=value)
-        raise InputError(
-            "verification.not_above_zero_or_too_large", name=phrase(name), value=value, most=most
-        )
+        key = "model.not_positive" if math.isinf(most) else "verification.not_above_zero_or_too_large"
+        raise InputError(key, name=phrase(name), value=value, unit="", most=most)
 
 
 def _check_order(low: float, high: float) -> None:

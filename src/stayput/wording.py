@@ -1,14 +1,16 @@
-"""Helpers for sentences: language check, labels, counts and brackets, and the limit of stated slides."""
+"""Helpers for sentences: language check, labels, lists, counts, brackets, and the limit of stated slides."""
 
 from __future__ import annotations
 
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
-from stayput.catalogue import LANGUAGES, say
+from stayput.catalogue import LANGUAGES, Phrase, phrase, say
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from stayput.model.room import Room
 
 FAR = 3.0
@@ -63,6 +65,13 @@ def inside(label: str) -> str:
     return " + ".join(
         part[:1].lower() + part[1:] if part[1:2].islower() else part for part in label.split(" + ")
     )
+
+
+def joined(parts: Iterable[Phrase], by: str = "common.listed") -> Phrase:
+    """Return phrases as a list in one."""
+    english, japanese = zip(*parts, strict=True)
+    between = phrase(by)
+    return between[0].join(english), between[1].join(japanese)
 
 
 def counted(number: int, noun: str, plural: str | None = None) -> str:

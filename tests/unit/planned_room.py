@@ -15,5 +15,5 @@ ROOM: dict[str, Any] = {
     "doors": [{"wall": "right_wall", "start": 0.3}],
     "room": {"ceiling": {"height": 2.4}},
     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}},
-    "uncertainty": {"samples": 8},
+    "uncertainty": {"samples": 4},
 }

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from record_files import knet
 
 import stayput as sp
+from record_files import knet
 from stayput.errors import warnings_to
 
 NAMES = ("NS1", "EW1", "UD1", "NS2", "EW2", "UD2")

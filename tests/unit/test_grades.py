@@ -15,12 +15,12 @@ from stayput.measures.measure import GRADE_OF, MEANINGS, Grade
 from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv
-from stayput.verification.grades import grade, inputs, weakest
 from stayput.verification.notes import APART, notes
-from stayput.verification.options import Option
+from stayput.verification.options import Option, grade, inputs, weakest
 
 MINE = {"width": 0.4, "height": 1.8, "mass": 90.0}
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
+OWN_FLOOR = {**ROOM, "floor": {"static_friction": 0.5}}
 
 
 def scenario(furniture=MINE, room=ROOM, **tables):
@@ -32,39 +32,42 @@ def option(*measures):
 
 
 def test_a_grade_is_that_of_the_weakest_input_that_decides():
-    own_floor = {**ROOM, "floor": {"static_friction": 0.5}}
-    assert grade(option(), scenario(room=own_floor)) is Grade.A
-    assert grade(option(), scenario()) is Grade.B
-    assert grade(option(), scenario({"preset": "bookcase"})) is Grade.C
-    assert grade(option(MEASURES["anti_slip_sheet"]()), scenario()) is Grade.B
-    assert grade(option(GelMats()), scenario()) is Grade.C
-    assert grade(option(LockedCasters()), scenario()) is Grade.C
-    assert grade(option(), scenario(room={"floor": "locked caster"})) is Grade.C
+    for measures, stated, graded in (
+        ((), {"room": OWN_FLOOR}, Grade.A),
+        ((), {}, Grade.B),
+        ((), {"furniture": {"preset": "bookcase"}}, Grade.C),
+        ((MEASURES["anti_slip_sheet"](),), {}, Grade.B),
+        ((GelMats(),), {}, Grade.C),
+        ((LockedCasters(),), {}, Grade.C),
+        ((), {"room": {"floor": "locked caster"}}, Grade.C),
+        ((), {"shaking": {"intensity": 6.0, "building": {"storeys": 5}, "storey": 3}}, Grade.C),
+    ):
+        assert grade(option(*measures), scenario(**stated)) is graded
     assert {one.label[0] for one in weakest(option(LBracket()), scenario())} == {
         "screwed L-brackets: strength of one"
     }
-    building = {"shaking": {"intensity": 6.0, "building": {"storeys": 5}, "storey": 3}}
-    assert grade(option(), scenario(**building)) is Grade.C
 
 
 def test_what_the_user_gives_counts_as_known():
-    own_floor = {**ROOM, "floor": {"static_friction": 0.5}}
     given = option(LBracket(strength=1200.0))
     assert grade(given, scenario()) is Grade.B
-    assert grade(given, scenario(room=own_floor)) is Grade.A
+    assert grade(given, scenario(room=OWN_FLOOR)) is Grade.A
     # stiffness and damping do not decide; a default that is said again is the default
-    assert grade(option(LBracket(stiffness=2e5)), scenario(room=own_floor)) is Grade.C
-    assert grade(option(LBracket(strength=None)), scenario(room=own_floor)) is Grade.C
+    assert grade(option(LBracket(stiffness=2e5)), scenario(room=OWN_FLOOR)) is Grade.C
+    assert grade(option(LBracket(strength=None)), scenario(room=OWN_FLOOR)) is Grade.C
 
 
-def test_a_preset_s_own_sizes_are_defaults_even_where_a_page_sends_them():
-    sent = {"preset": "bookcase", "width": 0.30, "height": 1.80, "mass": 200.0}
-    assert inputs(option(), scenario(sent))[0].grade is Grade.C
-    assert inputs(option(), scenario({**sent, "mass": 150.0}))[0].grade is Grade.C
-    measured = {"preset": "bookcase", "width": 0.31, "height": 1.78, "mass": 150.0}
-    assert inputs(option(), scenario(measured))[0].grade is Grade.A
-    shelves = {"preset": "bookcase", "width": 0.31, "height": 1.78, "shelves": [30.0, 20.0]}
-    assert inputs(option(), scenario(shelves))[0].grade is Grade.A
+@pytest.mark.parametrize(
+    ("sizes", "graded"),
+    [
+        ({"width": 0.30, "height": 1.80, "mass": 200.0}, Grade.C),
+        ({"width": 0.30, "height": 1.80, "mass": 150.0}, Grade.C),
+        ({"width": 0.31, "height": 1.78, "mass": 150.0}, Grade.A),
+        ({"width": 0.31, "height": 1.78, "shelves": [30.0, 20.0]}, Grade.A),
+    ],
+)
+def test_a_preset_s_own_sizes_are_defaults_even_where_a_page_sends_them(sizes, graded):
+    assert inputs(option(), scenario({"preset": "bookcase", **sizes}))[0].grade is graded
 
 
 def test_the_floor_counts_where_the_piece_stands_on_it():
@@ -130,11 +133,8 @@ def test_a_quick_estimate_far_from_the_simulation_is_explained():
 
 def test_what_the_formula_leaves_out_is_what_there_is():
     slippery = {"floor": "PTFE glide", "right_wall": {"gap": 0.1}, "ceiling": {"height": 1.81}}
-    table = {
-        "furniture": {"preset": "bookcase", "cg_offset": [0.0, -0.3]},
-        "room": slippery,
-        "shaking": {"builtin": "near-fault"},
-    }
+    low = {"preset": "bookcase", "cg_offset": [0.0, -0.3]}
+    table = {"furniture": low, "room": slippery, "shaking": {"builtin": "near-fault"}}
     verdict = verdict_cases.made(table)
     bare = replace(verdict, options=(verdict.without,))
     english = notes(estimated(bare, 0.0))[0][0]
@@ -145,11 +145,7 @@ def test_what_the_formula_leaves_out_is_what_there_is():
 
 @pytest.mark.parametrize(
     ("floor", "tag"),
-    [
-        ("wood flooring", None),
-        ("carpet", "low"),
-        ({"surface": "carpet", "settlement": 0.0008}, "given"),
-    ],
+    [("wood flooring", None), ("carpet", "low"), ({"surface": "carpet", "settlement": 0.0008}, "given")],
 )
 def test_a_floor_that_gives_is_among_the_inputs(floor, tag):
     scenario = sp.Scenario.parse({"furniture": {"preset": "chest"}, "room": {"floor": floor}})

@@ -1,5 +1,7 @@
 """Measures as people install them: what is wrong, in what share, and what the verdict says of it."""
 
+import csv
+import io
 import json
 from dataclasses import replace
 
@@ -21,7 +23,7 @@ ROOM = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
 FILE = {
     "furniture": {"preset": "bookcase"},
     "room": {"back_wall": {"gap": 0.02, "construction": "plasterboard"}, "ceiling": {"height": 2.4}},
-    "shaking": {"intensity": 6.25},
+    "shaking": {"intensity": 6.25, "suite": {"count": 20}},
     "measures": [
         {"type": "l_bracket", "wall": "stud"},
         {"type": "anti_slip_sheet"},
@@ -30,9 +32,10 @@ FILE = {
 }
 
 
-def verdict_of(installation):
-    parsed = sp.Scenario.parse({**FILE, "uncertainty": {"samples": 20, "installation": installation}})
-    return sp.verify(parsed, levels=(), threads=1, progress=False)
+def verdict_of(installation="well", **tables):
+    stated = {"samples": 20, "installation": installation}
+    parsed = sp.Scenario.parse({**FILE, **tables, "uncertainty": stated})
+    return sp.verify(parsed, levels=(), progress=False)
 
 
 @pytest.fixture(scope="module")
@@ -73,12 +76,12 @@ def test_what_is_said_of_gypsum_board_is_what_the_bracket_holds():
     assert "each holds a pull of only about 300 N" in bracket.about[0]
     assert "1個あたり約300 N" in bracket.about[1]
     for height in (1.2, 1.8, 2.1):
-        links = [LBracket().drawn(wall, height, 2.4) for wall in ("plasterboard", "stud")]
-        assert links[0].strength < links[1].strength
+        board, stud = (LBracket().drawn(wall, height, 2.4) for wall in ("plasterboard", "stud"))
+        assert board.strength < stud.strength
 
 
 def test_installed_well_is_the_default_and_costs_nothing(usual):
-    well = verdict_of("well")
+    well = verdict_of()
     assert all(result.installed is None for result in well.options)
     assert usual.runs == well.runs + 2 * well.motions * well.samples
     for name, result in by_name(well).items():
@@ -104,10 +107,7 @@ def test_as_people_install_it_mixes_the_two(usual):
 
 def test_badly_installed_is_the_measure_with_what_is_wrong(usual):
     """Under the same draws as an option of its own would be."""
-    board = {**FILE, "measures": [{"type": "l_bracket", "wall": "plasterboard"}]}
-    alone = sp.verify(
-        sp.Scenario.parse({**board, "uncertainty": {"samples": 20}}), levels=(), threads=1, progress=False
-    )
+    alone = verdict_of(measures=[{"type": "l_bracket", "wall": "plasterboard"}])
     found = by_name(usual)["l_bracket"].installed.badly
     assert found == by_name(alone)["l_bracket"].probabilities
 
@@ -127,18 +127,16 @@ def test_every_form_of_the_verdict_says_it(usual):
     assert told["badly_share"] == FAULTY
     assert told["usual"][OVERTURNED] == by_name(usual)["l_bracket"].installed.usual[OVERTURNED]
     assert data["anti_slip_sheet"]["as_installed"] is None
-    heads, *rows = (line.split(",") for line in verdict_csv(usual).splitlines())
-    column = heads.index("overturned_as_installed")
-    assert {row[1]: bool(row[column]) for row in rows}["anti_slip_sheet"] is False
+    rows = {row["option"]: row for row in csv.DictReader(io.StringIO(verdict_csv(usual)))}
+    assert rows["anti_slip_sheet"]["overturned_as_installed"] == ""
+    assert rows["l_bracket"]["overturned_as_installed"] != ""
 
 
 def test_a_difference_that_cannot_be_seen_is_called_none(usual):
     bracket = by_name(usual)["l_bracket"]
     held = bracket.probabilities[OVERTURNED]
-    same = replace(
-        bracket,
-        installed=replace(bracket.installed, badly={OVERTURNED: held}, usual={OVERTURNED: held.estimate}),
-    )
+    alike = replace(bracket.installed, badly={OVERTURNED: held}, usual={OVERTURNED: held.estimate})
+    same = replace(bracket, installed=alike)
     told = f"overturn, no visible difference from the {percent(held.estimate)} % when well installed: 23 % of"
     assert told in reason(same, usual, "en")
     assert "と目立った差はありません（23%が" in reason(same, usual, "ja")
@@ -147,15 +145,8 @@ def test_a_difference_that_cannot_be_seen_is_called_none(usual):
 
 def test_cautions_and_the_weakest_link_stand_in_the_reason():
     measures = [{"type": "l_bracket"}, {"type": "l_bracket_board", "count": 1}]
-    verdict = sp.verify(
-        sp.Scenario.parse({**FILE, "measures": measures, "uncertainty": {"samples": 20}}),
-        levels=(),
-        threads=1,
-        progress=False,
-    )
-    for result in verdict.options:
-        if not result.option.measures:
-            continue
+    verdict = verdict_of(measures=measures)
+    for result in (one for one in verdict.options if one.option.measures):
         english = reason(result, verdict, "en")
         assert "caution: " in english
         assert "plasterboard alone" in english

@@ -40,13 +40,10 @@ def test_a_bracket_holds_a_bookcase_that_falls_without_it():
     assert sp.simulate(BOOKCASE, ROOM, shake).overturned
     held = sp.simulate(BOOKCASE, ROOM, shake, [LBracket()])
     (bracket,) = held.devices
-    assert not held.overturned
-    assert not bracket.failed
-    assert bracket.cause is None
+    assert (held.overturned, bracket.failed, bracket.cause) == (False, False, None)
     assert 0.0 < bracket.utilisation < 1.0
-    assert bracket.peak_pull == pytest.approx(
-        bracket.utilisation * 2.0 * LBracket().drawn("stud", 1.8, 2.4).strength
-    )
+    strength = 2.0 * LBracket().drawn("stud", 1.8, 2.4).strength
+    assert bracket.peak_pull == pytest.approx(bracket.utilisation * strength)
     assert bracket.weakest == ("the screws pull out of the stud", "下地からねじが抜ける")
     assert held.device_failures == 0
     assert math.isnan(held.device_failure_time)
@@ -55,9 +52,7 @@ def test_a_bracket_holds_a_bookcase_that_falls_without_it():
 def test_a_bracket_that_is_too_weak_is_drawn_out_and_the_bookcase_falls():
     run = sp.simulate(BOOKCASE, ROOM, SHAKE, [LBracket(strength=100.0)])
     (bracket,) = run.devices
-    assert run.overturned
-    assert bracket.failed
-    assert bracket.cause == "drawn out"
+    assert (run.overturned, bracket.failed, bracket.cause) == (True, True, "drawn out")
     assert run.device_failure_time == bracket.failure_time < run.overturn_time
     failure = next(event for event in run.events if event.kind is sp.EventKind.DEVICE_FAILURE)
     assert failure.time == bracket.failure_time
@@ -145,11 +140,8 @@ def test_columns_of_cases_with_a_row_of_elements_each():
     elements[1], elements[2] = element_rows(held[1]), element_rows(held[2], 0.1)
     motions = [SHAKE.scaled(0.5), SHAKE]
     results, devices = run_columns(cases, elements, motions, np.array([1, 1, 1]), threads=2)
-    singles = [
-        sp.simulate(BOOKCASE, ROOM, SHAKE),
-        sp.simulate(BOOKCASE, ROOM, SHAKE, [given]),
-        sp.simulate(BOOKCASE, ROOM, SHAKE, [LBracket(strength=150.0)]),
-    ]
+    measures = ([], [given], [LBracket(strength=150.0)])
+    singles = [sp.simulate(BOOKCASE, ROOM, SHAKE, one) for one in measures]
     for n, run in enumerate(singles):
         assert results["peak_tilt"][n] == run.peak_tilt
         assert results["residual_slide"][n] == run.residual_slide

@@ -45,7 +45,7 @@ def test_an_anchor_above_the_ceiling_is_not_possible_and_the_rest_is_verified(ve
     assert {one.option.name for one in verdict.options} == {"none", "felt_glides"}
     (one,) = verdict.impossible
     assert (one.option.name, one.option.measures) == ("急なベルト", (Belt(angle=1.3),))
-    assert REASON in one.reason
+    assert REASON in one.why("en")
     assert "床と天井の間" in one.why("ja")
 
 
@@ -66,9 +66,8 @@ def test_every_form_says_so_with_the_reason(verdict, language, said):
     reply = verdict_reply(verdict)
     assert [getattr(other.reason, language) for other in reply.not_possible] == [why]
     data = json.loads(verdict.to_json())
-    assert data["not_possible"][0]["reason"][language] == why
-    assert data["not_possible"][0]["name"] == "急なベルト"
-    assert len(data["options"]) == 2
+    (told,) = data["not_possible"]
+    assert (told["reason"][language], told["name"], len(data["options"])) == (why, "急なベルト", 2)
 
 
 def test_its_row_of_the_csv_has_no_number(verdict):
@@ -93,10 +92,7 @@ def test_usual_measures_that_do_not_fit_are_not_possible_either():
     reasons = {one.option.name: one for one in impossible}
     assert {"l_bracket", "belt", "tension_pole", "wedge_stopper + tension_pole"} <= set(reasons)
     assert reasons["tension_pole"].why("en").startswith("Tension poles need a ceiling")
-    assert (
-        reasons["tension_pole"].why("ja")
-        == "「ポール式（突っ張り棒）」には天井が必要です。天井の高さを指定してください。"
-    )
+    assert reasons["tension_pole"].why("ja").startswith("「ポール式（突っ張り棒）」には天井が必要です。")
     assert reasons["belt"].why("ja") == "「ベルト式」には背面の壁が必要です。"
 
 
@@ -105,7 +101,7 @@ def test_where_nothing_is_left_to_compare_it_is_refused():
         verify(scenario(STEEP), levels=())
     sentence = sp.InputError("A sentence that nobody has put into Japanese.")
     poles = Impossible(Option("p", (TensionPole(),)), sentence)
-    assert poles.why("ja") == poles.reason
+    assert poles.why("ja") == poles.why("en")
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])
@@ -136,13 +132,5 @@ def test_an_inventory_assesses_what_is_possible_and_names_what_is_not(tmp_path):
     assert [option["name"] for option in one["options"]] == ["none"]
     assert one["not_possible"] == both["not_possible"]
     assert fits["not_possible"] == []
-    page = (done.folder / "report.html").read_text(encoding="utf-8")
-    assert "tension_pole: not possible. Tension poles have 0.01 m below the ceiling" in page.replace(
-        "\xa0", " "
-    )
-
-
-@pytest.mark.parametrize("number", ["50", b"50"])
-def test_a_text_of_digits_is_not_a_number(number):
-    with pytest.raises(sp.InputError, match=r"Body mass is b?'50'; it must be a number"):
-        sp.Body(0.3, 1.8, number)
+    page = (done.folder / "report.html").read_text(encoding="utf-8").replace("\xa0", " ")
+    assert "tension_pole: not possible. Tension poles have 0.01 m below the ceiling" in page

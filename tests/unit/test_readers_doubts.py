@@ -4,9 +4,9 @@ import warnings
 
 import numpy as np
 import pytest
-from record_files import WAVE, at2, cosmos, csmip_channel, esm, jma
 
 import stayput as sp
+from record_files import WAVE, at2, cosmos, csmip_channel, esm, jma
 from stayput.errors import InputError, InputWarning, warnings_to
 from stayput.motion.floors import upper_floor
 from stayput.motion.readers import read_shaking, read_vertical

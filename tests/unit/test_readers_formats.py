@@ -7,6 +7,8 @@ from contextlib import suppress
 
 import numpy as np
 import pytest
+
+import stayput as sp
 from record_files import (
     COUNTS,
     ROWS,
@@ -21,8 +23,6 @@ from record_files import (
     knet,
     knet_csv,
 )
-
-import stayput as sp
 
 IN_G = [9.80665 * v for v in VALUES]
 SIZES = {

@@ -6,10 +6,10 @@ import json
 
 import numpy as np
 import pytest
-from record_files import knet
 from typer.testing import CliRunner
 
 import stayput as sp
+from record_files import knet
 from stayput.cli import app
 from stayput.errors import warnings_to
 

@@ -35,8 +35,7 @@ def test_coefficient_of_variation_is_met() -> None:
 
 
 def test_draws_are_evenly_spread() -> None:
-    unit = Uncertainty({name: Uniform(0.0, 1.0) for name in "abc"})
-    drawn = unit.sample(64, 3, motions=5)
+    drawn = Uncertainty({name: Uniform(0.0, 1.0) for name in "abc"}).sample(64, 3, motions=5)
     for values in drawn.values():
         assert values.shape == (5, 64)
         # one in each sixty-fourth
@@ -47,9 +46,8 @@ def test_a_mean_converges_faster_than_by_chance() -> None:
     several = Uncertainty({name: Lognormal(1.0, 0.2) for name in "abcd"})
 
     def error(n: int) -> float:
-        drawn = several.sample(n, 7, motions=200)
-        product = np.prod(list(drawn.values()), axis=0).mean(axis=1)
-        return float(product.std())
+        drawn = several.sample(n, 7, motions=200).values()
+        return float(np.prod(list(drawn), axis=0).mean(axis=1).std())
 
     # by chance it would halve
     assert error(64) < error(16) / 2.5

@@ -20,6 +20,7 @@ from stayput.catalogue.report import TEXTS
 from stayput.fragility import INTENSITY_MEASURES, Trials, fragility_curve, probability
 from stayput.measures import MEASURES, Belt
 from stayput.model.body import FURNITURE
+from stayput.montecarlo.counting import Quantiles
 from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.report.names import given_name
 from stayput.report.verdict import numbers
@@ -32,7 +33,6 @@ from stayput.report.verdict.numbers import capacity, capacity_interval, change, 
 from stayput.report.verdict.tables import device_rows, simulations, verdict_csv
 from stayput.simulation.outcome import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
-from stayput.verification import Quantiles
 from stayput.verification.contents import ContentsVerdict, Leaving
 from stayput.verification.notes import SlidingShare, everyday_note
 from stayput.verification.options import Option

@@ -19,26 +19,26 @@ FRICT = sp.Uncertainty({"frict": Lognormal(1.0, 1.0)})
 FEW: dict[str, Any] = {"samples": 8, "levels": [], "progress": False}
 
 
+SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"count": 6}}
+
+
 def scenario(**tables: Any) -> sp.Scenario:
-    return sp.Scenario.parse(
-        {
-            "furniture": {
-                "width": 0.3,
-                "height": 1.8,
-                "mass": 90.0,
-                "cg_offset": [0.01, -0.05],
-                "length": 0.9,
-            },
-            "room": {"floor": "carpet", "left_wall": {"gap": 0.01}, "ceiling": {"height": 2.4}},
-            "shaking": {"intensity": "6-lower"},
-            "measures": [
-                {"type": "l_bracket"},
-                {"name": "pair", "combine": [{"type": "belt"}, {"type": "gel_mats"}]},
-            ],
-            "uncertainty": {"samples": 8},
-            **tables,
-        }
-    )
+    size = {"width": 0.3, "height": 1.8, "mass": 90.0, "cg_offset": [0.01, -0.05], "length": 0.9}
+    stated = {
+        "furniture": size,
+        "room": {"floor": "carpet", "left_wall": {"gap": 0.01}, "ceiling": {"height": 2.4}},
+        "shaking": SHAKING,
+        "measures": [
+            {"type": "l_bracket"},
+            {"name": "pair", "combine": [{"type": "belt"}, {"type": "gel_mats"}]},
+        ],
+        "uncertainty": {"samples": 8},
+    }
+    return sp.Scenario.parse({**stated, **tables})
+
+
+def verified(**asked: Any) -> sp.Verdict:
+    return sp.verify(BODY, ROOM, **{"shaking": SHAKING, "measures": [LBracket()], **FEW, **asked})
 
 
 def chances(verdict: sp.Verdict) -> dict[str, Any]:
@@ -47,8 +47,7 @@ def chances(verdict: sp.Verdict) -> dict[str, Any]:
 
 def test_objects_give_the_numbers_of_the_file_to_the_bit():
     of_file = sp.verify(scenario(), levels=[], progress=False)
-    measures = {"l_bracket": LBracket(), "pair": [Belt(), GelMats()]}
-    of_objects = sp.verify(BODY, ROOM, shaking="6-lower", measures=measures, **FEW)
+    of_objects = verified(measures={"l_bracket": LBracket(), "pair": [Belt(), GelMats()]})
     assert chances(of_objects) == chances(of_file)
     again = sp.Scenario.parse(tomllib.loads(of_objects.scenario.to_toml()))
     assert chances(sp.verify(again, levels=[], progress=False)) == chances(of_file)
@@ -74,23 +73,19 @@ def test_body_and_room_are_those_that_were_given(floor: sp.Floor):
 
 def test_motions_are_taken_as_they_are():
     suite = sp.synthetic_suite("crustal", 2).to_intensity(6.0)
-    of_suite = sp.verify(BODY, ROOM, shaking=suite, measures=[LBracket()], **FEW)
-    of_list = sp.verify(BODY, ROOM, shaking=list(suite), measures=[LBracket()], **FEW)
+    of_suite, of_list = verified(shaking=suite), verified(shaking=list(suite))
     assert of_suite.motions == 2
     assert chances(of_suite) == chances(of_list)
-    assert [np.array_equal(a.x, b.x) for a, b in zip(of_suite.scenario.ground(), suite, strict=True)] == [
-        True,
-        True,
-    ]
+    for one, given in zip(of_suite.scenario.ground(), suite, strict=True):
+        assert np.array_equal(one.x, given.x)
     assert "Given in Python" in of_suite.scenario.to_toml()
 
 
 def test_a_case_is_compared_with_its_measures():
     motion = sp.near_fault()
-    case = sp.Case(BODY, ROOM, motion, measures=(LBracket(),), dimensions=2)
-    verdict = sp.verify(case, **FEW)
+    verdict = sp.verify(sp.Case(BODY, ROOM, motion, measures=(LBracket(),), dimensions=2), **FEW)
     assert {one.option.name for one in verdict.options} == {"none", "l_bracket"}
-    assert chances(verdict) == chances(sp.verify(BODY, ROOM, shaking=motion, measures=[LBracket()], **FEW))
+    assert chances(verdict) == chances(verified(shaking=motion))
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,24 +97,20 @@ class Doubled(LBracket):
 
 
 def test_measures_of_ones_own_are_compared():
-    verdict = sp.verify(BODY, ROOM, shaking="6-upper", measures=[Doubled(count=4), LBracket(count=4)], **FEW)
+    verdict = verified(measures=[Doubled(count=4), LBracket(count=4)])
     found = chances(verdict)
     assert found["doubled"] == found["l_bracket"]
     assert "Given in Python" in verdict.scenario.to_toml()
 
 
 def test_what_is_not_in_the_uncertainty_is_as_stated():
-    friction = sp.Uncertainty({"friction": Lognormal(1.0, 0.5)})
-    verdict = sp.verify(BODY, ROOM, shaking="6-upper", uncertainty=friction, measures=[LBracket()], **FEW)
+    verdict, of_usual = (
+        verified(uncertainty=sp.Uncertainty({"friction": friction}))
+        for friction in (Lognormal(1.0, 0.5), USUAL["friction"])
+    )
     stated = [name for name in USUAL if name != "friction"]
     assert verdict.scenario.uncertainty.as_stated == stated
-    usual = sp.Uncertainty({"friction": USUAL["friction"]})
-    of_usual = sp.verify(BODY, ROOM, shaking="6-upper", uncertainty=usual, measures=[LBracket()], **FEW)
-    file = scenario(
-        shaking={"intensity": "6-upper"},
-        measures=[{"type": "l_bracket"}],
-        uncertainty={"samples": 8, "as_stated": stated},
-    )
+    file = scenario(measures=[{"type": "l_bracket"}], uncertainty={"samples": 8, "as_stated": stated})
     assert chances(of_usual) == chances(sp.verify(file, levels=[], progress=False))
     assert chances(verdict) != chances(of_usual)
 
@@ -128,18 +119,13 @@ def test_what_is_not_in_the_uncertainty_is_as_stated():
     ("call", "told"),
     [
         (lambda: sp.verify(BODY, ROOM), "shaking is missing"),
-        (lambda: sp.verify(scenario(), ROOM), "room is given beside a Scenario"),  # type: ignore[call-overload]
+        (lambda: sp.verify(scenario(), ROOM), "room is given beside a Scenario"),
         (lambda: sp.verify(scenario(), samples=5), "samples is given beside a Scenario"),
         (lambda: sp.verify(BODY, ROOM, shaking="6-middle"), "6-middle"),
         (lambda: sp.verify(BODY, ROOM, shaking=[1.0, 2.0]), "Motion"),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=["belt"]), r"MEASURES\['belt'\]"),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=[Belt(), Belt()]), "belt"),
-        (
-            lambda: sp.verify(
-                BODY, ROOM, shaking=6.0, uncertainty=sp.Uncertainty({"frict": Lognormal(1, 1)})
-            ),
-            "friction",
-        ),
+        (lambda: sp.verify(BODY, ROOM, shaking=6.0, uncertainty=FRICT), "friction"),
         (lambda: sp.verify("bookcase.toml"), r"read_scenario\('bookcase.toml'\)"),
         (lambda: sp.verify(BODY, ROOM, shaking=np.zeros(99)), r"ndarray of length 99; .* Motion\(dt=0.01"),
     ],
@@ -174,7 +160,7 @@ def test_a_measure_of_ones_own_without_its_names_is_refused_at_once():
 
 
 def test_with_no_measures_the_bare_body_alone_is_verified():
-    of_list = sp.verify(BODY, ROOM, shaking="6-lower", measures=[], **FEW)
+    of_list = verified(shaking="6-lower", measures=[])
     assert [one.option.name for one in of_list.options] == ["none"]
     assert "no measure that was compared" not in of_list.sentence()
     case = sp.Case(BODY, ROOM, sp.near_fault(), dimensions=2)
@@ -182,8 +168,8 @@ def test_with_no_measures_the_bare_body_alone_is_verified():
     assert len(sp.verify(case, **FEW).options) > 5
 
 
-@pytest.mark.parametrize("strength", [np.float32(6.0), np.array(6.0), {"intensity": np.float32(6.0)}])
-def test_single_numbers_of_numpy_are_numbers(strength: Any):
-    few: dict[str, Any] = {"measures": [], "levels": [], "progress": False}
-    of_numpy = sp.verify(BODY, ROOM, shaking=strength, samples=np.int64(8), seed=np.int32(2), **few)
-    assert chances(of_numpy) == chances(sp.verify(BODY, ROOM, shaking=6.0, samples=8, seed=2, **few))
+def test_single_numbers_of_numpy_are_numbers():
+    plain = chances(verified(shaking=6.0, seed=2, measures=[]))
+    for strength in (np.float32(6.0), np.array(6.0), {"intensity": np.float32(6.0)}):
+        of_numpy = verified(shaking=strength, samples=np.int64(8), seed=np.int32(2), measures=[])
+        assert chances(of_numpy) == plain

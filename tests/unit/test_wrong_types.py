@@ -165,3 +165,9 @@ def test_what_is_wrong_is_refused_in_a_sentence(
         else:
             assert refused.told("en").endswith(".")
             assert refused.told("ja") != refused.told("en")
+
+
+@pytest.mark.parametrize("number", ["50", b"50"])
+def test_a_text_of_digits_is_not_a_number(number: Any) -> None:
+    with pytest.raises(sp.InputError, match=r"Body mass is b?'50'; it must be a number"):
+        sp.Body(0.3, 1.8, number)

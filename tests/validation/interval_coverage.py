@@ -129,16 +129,11 @@ class Mixture:
     def share(self, intensity: float, *, held: bool = False) -> float:
         """Return the true probability of falling at an intensity."""
         more = self.apart if held else (0.0, 0.0)
-        return float(
-            sum(
-                kind.weight
-                * ndtr(
-                    (intensity - kind.mean - held * kind.gain)
-                    / np.sqrt(kind.between**2 + kind.within**2 + more[0] ** 2 + more[1] ** 2)
-                )
-                for kind in self.kinds
-            )
-        )
+        found = 0.0
+        for kind in self.kinds:
+            spread = np.sqrt(kind.between**2 + kind.within**2 + more[0] ** 2 + more[1] ** 2)
+            found += kind.weight * ndtr((intensity - kind.mean - held * kind.gain) / spread)
+        return float(found)
 
     def truth(self) -> dict[str, float]:
         """Return the true value of each of `QUANTITIES`."""
@@ -188,8 +183,6 @@ class Coverage:
     ----------
     held : dict of str to float
         Share of the studies whose interval holds the truth, of each of `QUANTITIES`.
-    above, below : dict of str to float
-        Shares of the studies whose interval lies above the truth, and below it.
     clear : float
         Share of the studies that call the difference clear.
     at_best : float
@@ -199,8 +192,6 @@ class Coverage:
     """
 
     held: dict[str, float]
-    above: dict[str, float]
-    below: dict[str, float]
     clear: float
     at_best: float
     median: dict[str, float]
@@ -225,14 +216,11 @@ def coverage(population: Population, motions: int, samples: int, studies: int, s
     rows = [_intervals(population, population.draw(motions, samples, bits)) for _ in range(studies)]
     found = {name: np.array([row[name] for row in rows]) for name in QUANTITIES}
     low, estimate, high = ({name: values[:, end] for name, values in found.items()} for end in range(3))
-    above = {name: float(np.mean(low[name] > true[name])) for name in QUANTITIES}
-    below = {name: float(np.mean(high[name] < true[name])) for name in QUANTITIES}
+    held = {name: ~(low[name] > true[name]) & ~(high[name] < true[name]) for name in QUANTITIES}
     change = estimate[CHANGE]
     known = float(ndtri(0.975)) * float(np.std(change))
     return Coverage(
-        held={name: 1.0 - above[name] - below[name] for name in QUANTITIES},
-        above=above,
-        below=below,
+        held={name: float(np.mean(inside)) for name, inside in held.items()},
         clear=float(np.mean((low[CHANGE] > 0.0) | (high[CHANGE] < 0.0))),
         at_best=float(np.mean(np.abs(change) > known)),
         median={name: float(np.nanmedian(estimate[name])) for name in QUANTITIES},

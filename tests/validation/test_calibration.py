@@ -13,20 +13,14 @@ from functools import cache
 
 import numpy as np
 import pytest
-from interval_coverage import (
-    CHANGE,
-    FAMILIES,
-    PROBABILITY,
-    QUANTITIES,
-    Coverage,
-    Mixture,
-    coverage,
-)
+from interval_coverage import CHANGE, FAMILIES, PROBABILITY, QUANTITIES, Coverage, Mixture, coverage
 
 from stayput.fragility import difference, probability
 from stayput.uncertainty import random_bits
 
 STUDIES = 300
+NO_GAIN = Mixture("no gain", (replace(FAMILIES[0].kinds[0], gain=0.0),), apart=(0.2, 0.1))
+"""A measure that changes single runs, but not how many fall."""
 
 
 def _error(share: float, studies: int) -> float:
@@ -101,19 +95,16 @@ def test_difference_of_eighteen_points_is_called_clear_as_often_as_it_can_be(fam
 
 @pytest.mark.parametrize("motions", [5, 20, 40])
 def test_no_difference_is_seldom_called_clear(motions: int) -> None:
-    # the measure changes single runs, but not how many fall
-    same = Mixture("no gain", (replace(FAMILIES[0].kinds[0], gain=0.0),), apart=(0.2, 0.1))
-    low, _, high = _changes(same, motions, 4, 500).T
+    low, _, high = _changes(NO_GAIN, motions, 4, 500).T
     assert float(np.mean((low > 0.0) | (high < 0.0))) < 0.05 + _error(0.05, 500)
 
 
 @pytest.mark.parametrize(("motions", "comparisons"), [(5, 8), (20, 3), (20, 8), (40, 8)])
 def test_the_best_of_several_that_do_nothing_is_seldom_called_clear(motions: int, comparisons: int) -> None:
-    same = Mixture("no gain", (replace(FAMILIES[0].kinds[0], gain=0.0),), apart=(0.2, 0.1))
     bits, studies, wrong, alone = random_bits(11), 300, 0, 0
     for _ in range(studies):
         # what each set changes is drawn anew for the same motions: as samples of one study, side by side
-        falls = same.draw(motions, 4 * comparisons, bits)
+        falls = NO_GAIN.draw(motions, 4 * comparisons, bits)
         sets = [np.s_[:, 4 * k : 4 * k + 4] for k in range(comparisons)]
         best = min(sets, key=lambda each: float(falls.held[each].mean() - falls.bare[each].mean()))
         pair = falls.held[best], falls.bare[best]

@@ -13,8 +13,8 @@ import pytest
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.forces import quantile_of, unbreakable
-from stayput.rooms.runs import part_with, with_member
+from stayput.rooms.runs import part_with, with_measures
+from stayput.rooms.steps import quantile_of, unbreakable
 from stayput.rooms.verify import question_of
 from stayput.uncertainty import USUAL
 
@@ -22,19 +22,10 @@ WIDTH, LENGTH, HEIGHT, MASS, G = 0.3, 0.8, 1.8, 100.0, 9.80665
 
 
 def room(acceleration: float) -> sp.RoomScenario:
+    size = {"width": WIDTH, "length": LENGTH, "height": HEIGHT, "mass": MASS}
     scene: dict[str, Any] = {
         "plan": {"width": 3.6, "length": 2.7},
-        "furniture": [
-            {
-                "name": "block",
-                "width": WIDTH,
-                "length": LENGTH,
-                "height": HEIGHT,
-                "mass": MASS,
-                "against": "left_wall",
-                "along": 1.3,
-            }
-        ],
+        "furniture": [{"name": "block", **size, "against": "left_wall", "along": 1.3}],
         "direction": 0.0,
         "room": {"floor": {"static_friction": 2.0, "kinetic_friction": 2.0}},
         "shaking": {"sine": {"amplitude": acceleration, "frequency": 0.1, "duration": 20.0}},
@@ -48,10 +39,8 @@ def room(acceleration: float) -> sp.RoomScenario:
 def test_brackets_bear_the_static_force_of_the_tie(acceleration: float, count: int):
     scenario = room(acceleration)
     question = question_of(scenario, 1)
-    piece = question.whole.members[0]
-    assert isinstance(piece, sp.Piece)
-    held = sp.Piece(piece.body, piece.at, piece.heading, [unbreakable(LBracket(count=count, slack=0.0))])
-    part = part_with(scenario, (0,), with_member(question.whole, 0, held))
+    brackets = [unbreakable(LBracket(count=count, slack=0.0))]
+    part = part_with(scenario, (0,), with_measures(question.whole, 0, brackets))
     (runs,) = question.run([part])
     force = quantile_of(runs.peaks, (0, "l_bracket"))
     tie = MASS * (acceleration * 0.5 * HEIGHT - G * 0.5 * WIDTH) / HEIGHT

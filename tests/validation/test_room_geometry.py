@@ -19,9 +19,9 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.rooms.contact import (
     ENTERS_BY,
     RoomContact,
-    contact_between,
     contact_with_place,
     inside_each_other,
+    meet,
 )
 from stayput.rooms.events import CELL, PASSAGE, Ways
 from stayput.rooms.tracks import Track, at_rest, outline_of, track_in_plane
@@ -70,90 +70,85 @@ def test_separating_axes_of_cylinders_agree_with_linear_programmes() -> None:
         assert (inside_each_other(one, other) > 0.0) == expected
 
 
-def toppling(body: sp.Body, heading: float, tilt: float, dt: float) -> tuple[Track, sp.Run]:
-    """Return the track of a box that topples to its front from a tilt beyond its balance."""
-    still = sp.Motion(dt=dt, x=np.zeros(int(4.0 / dt)))
-    run = sp.simulate(
-        body, sp.Room(sp.Floor(2.0, 2.0)), still, dimensions=2, initial=sp.State(tilt=tilt, tilt_rate=0.0)
-    )
-    upright = at_rest(Standing(sp.Solid.of(body), heading=heading), dt)
+BOX = sp.Body(0.4, 1.8, 100.0, length=0.9)
+B, H = 0.5 * BOX.width, 0.5 * BOX.height
+R, ALPHA = math.hypot(B, H), math.atan2(B, H)
+START = ALPHA + 0.02
+AWAY, TOP = 0.8, 0.6
+"""How far beyond the box's front edge, and how high, the place of a person has its near upper edge [m]."""
+
+TOUCHES = math.atan2(AWAY, TOP)
+"""The front face goes through the front edge of the base: it meets that edge at this tilt."""
+
+
+def energy(tilt: float | np.ndarray) -> float | np.ndarray:
+    """Return the kinetic energy of a box that toppled from START on."""
+    return BOX.mass * STANDARD_GRAVITY * R * (math.cos(START - ALPHA) - np.cos(tilt - ALPHA))
+
+
+def rate(tilt: float | np.ndarray) -> float | np.ndarray:
+    """Return how fast it turns then about its edge."""
+    return np.sqrt(2.0 * energy(tilt) / (BOX.mass * 4.0 / 3.0 * R * R))
+
+
+def person(heading: float) -> sp.PersonPlace:
+    middle = B + AWAY + 0.5
+    at = middle * math.cos(heading), middle * math.sin(heading)
+    return sp.PersonPlace("person", at, width=1.0, length=2.0, low=0.3, high=TOP, heading=heading)
+
+
+def cut(track: Track, count: int) -> Track:
+    """Return a track that ends after so many samples."""
+    names = ("sample", "place", "turn", "energy")
+    return replace(track, **{name: getattr(track, name)[:count] for name in names})
+
+
+def toppling(heading: float) -> tuple[Track, sp.Run]:
+    """Return the track of the box, which topples to its front from a tilt beyond its balance."""
+    dt, room = 1e-3, sp.Room(sp.Floor(2.0, 2.0))
+    still, start = sp.Motion(dt=dt, x=np.zeros(4000)), sp.State(tilt=START, tilt_rate=0.0)
+    run = sp.simulate(BOX, room, still, dimensions=2, initial=start)
+    upright = at_rest(Standing(sp.Solid.of(BOX), heading=heading), dt)
     # relative to how it stands upright, with the middle of its base at the origin
-    return track_in_plane(upright, run.x, run.z - 0.5 * body.height, run.tilt), run
+    return track_in_plane(upright, run.x, run.z - H, run.tilt), run
 
 
 @pytest.mark.parametrize("heading", [0.0, 0.7, -2.0])
 def test_a_toppling_box_hits_a_bed_with_the_speed_and_energy_of_the_fall(heading: float) -> None:
-    body = sp.Body(0.4, 1.8, 100.0, length=0.9)
-    b, h = 0.5 * body.width, 0.5 * body.height
-    R, alpha, tilt0 = math.hypot(b, h), math.atan2(b, h), math.atan2(b, h) + 0.02
-    track, _ = toppling(body, heading, tilt0, 1e-3)
-    # a person beyond its front edge, low enough that the front face comes down on the near upper edge
-    away, top = 0.8, 0.6
-    middle = b + away + 0.5
-    place = sp.PersonPlace(
-        "person",
-        (middle * math.cos(heading), middle * math.sin(heading)),
-        width=1.0,
-        length=2.0,
-        low=0.3,
-        high=top,
-        heading=heading,
-    )
-    contact = contact_with_place(track, place)
+    contact = contact_with_place(toppling(heading)[0], person(heading))
     assert contact is not None
-    # the front face goes through the front edge: it meets (away, top) where tan(tilt) = away / top
-    tilt = math.atan2(away, top)
-    inertia = body.mass * 4.0 / 3.0 * R * R
-    fallen = body.mass * STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(tilt - alpha))
-    rate = math.sqrt(2.0 * fallen / inertia)
     # it moves on as if nobody were there: later it is faster
-    assert contact.energy >= fallen * 0.99
-    assert contact.speed >= 0.98 * rate * math.hypot(away, top)
+    assert contact.energy >= energy(TOUCHES) * 0.99
+    assert contact.speed >= 0.98 * rate(TOUCHES) * math.hypot(AWAY, TOP)
     # at the floor, of the farthest point of the face within the place
-    landed = STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(math.pi / 2 - alpha))
-    last = math.sqrt(2.0 * landed / (4.0 / 3.0 * R * R))
-    reached = math.hypot(1.0 + away, 0.3)
-    assert 0.8 * last * reached < contact.speed < 1.02 * last * math.hypot(1.0 + away, top)
-    # the time, by quadrature of the energy
-    angles = np.linspace(tilt0, tilt, 200_001)[1:]
-    mid = angles - 0.5 * (angles[1] - angles[0])
-    rates = np.sqrt(
-        2.0 * body.mass * STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - np.cos(mid - alpha)) / inertia
+    last = rate(math.pi / 2)
+    assert (
+        0.8 * last * math.hypot(1.0 + AWAY, 0.3) < contact.speed < 1.02 * last * math.hypot(1.0 + AWAY, TOP)
     )
-    # at the start the rate is 0: the first part by the acceleration there
-    expected = float(np.sum((angles[1] - angles[0]) / rates))
+    # the time, by quadrature of the energy
+    step = (TOUCHES - START) / 200_000
+    expected = float(np.sum(step / rate(START + step * (np.arange(200_000) + 0.5))))
     assert contact.time == pytest.approx(expected, abs=0.01)
 
 
 def test_it_touches_first_with_the_rate_of_the_fall() -> None:
-    body = sp.Body(0.4, 1.8, 100.0, length=0.9)
-    b, h = 0.5 * body.width, 0.5 * body.height
-    R, alpha, tilt0 = math.hypot(b, h), math.atan2(b, h), math.atan2(b, h) + 0.02
-    track, run = toppling(body, 0.0, tilt0, 1e-3)
-    away, top = 0.8, 0.6
-    tilt = math.atan2(away, top)
-    fallen = STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(tilt - alpha))
-    rate = math.sqrt(2.0 * fallen / (4.0 / 3.0 * R * R))
-    place = sp.PersonPlace("person", (b + away + 0.5, 0.0), 1.0, 2.0, 0.3, top)
+    track, run = toppling(0.0)
+    reach = math.hypot(AWAY, TOP)
 
     def until(tilt: float) -> RoomContact | None:
         """Return the contact with a track that is cut where the piece has this tilt."""
         k = int(np.searchsorted(run.tilt, tilt)) + 1
-        parts = (values[:k] for values in (track.sample, track.place, track.turn, track.energy))
-        sample, where, turn, energy = parts
-        return contact_with_place(Track(track.shape, sample, where, turn, energy, 1e-3), place)
+        return contact_with_place(cut(track, k), person(0.0))
 
-    # the upper edge of the place is at `top` below the face at first, and then within it
-    deep = tilt + 1.05 * ENTERS_BY / math.hypot(away, top)
-    assert until(tilt + 0.9 * ENTERS_BY / math.hypot(away, top)) is None
+    # the upper edge of the place is at `TOP` below the face at first, and then within it
+    deep = TOUCHES + 1.05 * ENTERS_BY / reach
+    assert until(TOUCHES + 0.9 * ENTERS_BY / reach) is None
     contact = until(deep)
     assert contact is not None
-    assert contact.time == pytest.approx(float(np.interp(tilt, run.tilt, run.time)), abs=2e-3)
+    assert contact.time == pytest.approx(float(np.interp(TOUCHES, run.tilt, run.time)), abs=2e-3)
     # the point of the face moves across the face, faster from the touch to there
-    fallen_deep = STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(deep - alpha))
-    faster = math.sqrt(2.0 * fallen_deep / (4.0 / 3.0 * R * R))
-    assert 0.98 * rate * math.hypot(away, top) <= contact.speed <= 1.15 * faster * math.hypot(away, top)
-    assert contact.energy == pytest.approx(body.mass * fallen_deep, rel=0.01)
+    assert 0.98 * rate(TOUCHES) * reach <= contact.speed <= 1.15 * rate(deep) * reach
+    assert contact.energy == pytest.approx(energy(deep), rel=0.01)
 
 
 @pytest.mark.parametrize(("into", "hits"), [(0.03, False), (0.07, True)])
@@ -178,15 +173,7 @@ def test_the_speed_within_a_place_is_the_largest_of_all_samples() -> None:
     assert whole is not None
     first = round(whole.time / track.dt) + 1
     # cut short after each sample: the largest so far
-    parts = [
-        contact_with_place(
-            replace(
-                track, **{name: getattr(track, name)[:k] for name in ("sample", "place", "turn", "energy")}
-            ),
-            place,
-        )
-        for k in range(first + 1, len(track.sample) + 1)
-    ]
+    parts = [contact_with_place(cut(track, k), place) for k in range(first + 1, len(track.sample) + 1)]
     speeds = np.array([part.speed for part in parts if part is not None])
     assert len(speeds) > 100
     assert (np.diff(speeds) >= 0.0).all()
@@ -199,11 +186,9 @@ def test_two_pieces_meet_where_their_tracks_cross() -> None:
     steps = np.arange(101)
     x = 0.5 * 0.01 * steps  # 0.5 m/s
     moves = track_in_plane(at_rest(Standing(solid, (-0.65, 0.0, 0.0)), 0.01), x, 0.0 * x, 0.0 * x)
-    contact = contact_between(moves, one)
-    assert contact is not None
-    assert contact.time == pytest.approx(0.25 / 0.5, abs=1e-6)
-    assert contact.speed == pytest.approx(0.5)
-    assert contact.energy == pytest.approx(0.5 * 20.0 * 0.25)
+    assert meet(moves, one)
+    before = np.flatnonzero(x < 0.25)  # at 0.5 s it has closed the gap of 0.25 m
+    assert not meet(cut(moves, len(before)), one)
 
 
 def test_an_outline_is_the_hull_of_what_is_below_it() -> None:

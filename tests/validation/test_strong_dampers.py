@@ -13,8 +13,8 @@ from in_space import G, energy
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.forces import purchases_of
 from stayput.rooms.runs import part_with, with_member
+from stayput.rooms.steps import purchases_of
 from stayput.rooms.verify import question_of
 
 BOX = sp.Solid.box(0.3, 0.3, 0.3, 10.0)

@@ -15,7 +15,7 @@ import pytest
 import stayput as sp
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
-from stayput.verification import Option
+from stayput.verification.options import Option
 from studies.study import span
 from studies.tokyo import (
     ALONE,
@@ -130,16 +130,16 @@ def test_what_does_not_come_out_is_said(kobe, found):
 @pytest.mark.parametrize("motion", ["built_in", pytest.param("kobe", marks=needs_record)])
 def test_the_claim_at_the_lower_level_has_the_numbers_of_its_table(motion, request):
     """Cupboards at 60 %, by device: in the severest facing, and over all of them as in brackets."""
-    study = request.getfixturevalue(motion)
-    facing = study.data.attrs["severest_facing"]
-    caption = next(caption for caption in study.tables if caption.startswith("At 60 %"))
-    cells = study.tables[caption].set_index("device")["cupboard overturns"].str.extract(r"(\d+) \((\d+)\)")
+    made = request.getfixturevalue(motion)
+    facing = made.data.attrs["severest_facing"]
+    caption = next(caption for caption in made.tables if caption.startswith("At 60 %"))
+    cells = made.tables[caption].set_index("device")["cupboard overturns"].str.extract(r"(\d+) \((\d+)\)")
 
     def told(options, column):
         return f"{span(cells.loc[named(options), column].astype(float), '.0f')} %"
 
     here, everywhere = ([told(kind, place) for kind in (POLES, MATS + STOPPERS)] for place in (0, 1))
-    assert study.claims[1]["ours"].endswith(
+    assert made.claims[1]["ours"].endswith(
         f"facing {facing}: by device, it overturns in {here[0]} of the draws with poles and in {here[1]} "
         f"with mats or stoppers; over all facings, in {everywhere[0]} and {everywhere[1]}"
     )
@@ -163,11 +163,7 @@ def test_a_cell_is_a_single_run(built_in):
     (mats,) = ALONE[0].measures
     draw = draws(4, 2, 1)[1][0]
     body = drawn_body(BODIES["cupboard"], draw)
-    weaker = replace(
-        mats,
-        tension=mats.tension * draw.strength,
-        shear=mats.shear * draw.strength,
-    )
+    weaker = replace(mats, tension=mats.tension * draw.strength, shear=mats.shear * draw.strength)
     run = sp.simulate(body, drawn_surfaces(drawn_place(ROOM, draw), draw), motion, measures=(weaker,))
     cell = built_in.data.sel(body="cupboard", device=ALONE[0].name, facing="−x", level=FULL).isel(sample=0)
     assert run.overturned is bool(cell["overturned"])

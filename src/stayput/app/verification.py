@@ -32,9 +32,8 @@ from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import Scenario
 from stayput.scenario.measures import table_of
 from stayput.verification.contents import runs_of_contents
-from stayput.verification.grades import weakest
 from stayput.verification.notes import everyday_note, shaken_notes
-from stayput.verification.options import YOURS, compared_options, options_of, usual
+from stayput.verification.options import YOURS, compared_options, usual, weakest
 from stayput.verification.words import asides
 
 if TYPE_CHECKING:
@@ -73,7 +72,7 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     """
     own = own_measures(scenario)
     if not own:
-        options_of(scenario)
+        compared_options(scenario)
         return scenario
     tables: list[dict[str, Any]] = [{"name": YOURS, "combine": [table_of(measure) for measure in own]}]
     seen = {own}

@@ -6,21 +6,17 @@ TEXTS: dict[str, tuple[str, str]] = {
     "print": ("Print", "印刷"),
     "back": ("Back to the room", "部屋に戻る"),
     "now": (
-        "Chances in shaking of JMA intensity {strength}, as the room is: {chances}.",
-        "{strength}の揺れでは、今の部屋のままだと{chances}です。",
+        "Chances {shaking}, as the room is: {chances}.",
+        "{shaking}では、今の部屋のままだと{chances}です。",
     ),
-    "now_of_one": (
-        "Chances under {motion}, of JMA intensity {strength}, as the room is: {chances}.",
-        "{motion}（{strength}の揺れ）では、今の部屋のままだと{chances}です。",
-    ),
+    "shaking": ("in shaking of JMA intensity {strength}", "{strength}の揺れ"),
+    "shaking_of_one": ("under {motion}, of JMA intensity {strength}", "{motion}（{strength}の揺れ）"),
     "then": (
         "Chances after all {last} steps: {chances}.",
         "1～{last}をすべて行うと、{chances}です。",
     ),
     "then_one": ("Chances after step 1: {chances}.", "1を行うと、{chances}です。"),
-    "chance_hit": ("{share} that somebody is hit", "人に家具が当たる確率は{share}"),
-    "chance_shut_in": ("{share} that somebody is shut in", "外に出られなくなる確率は{share}"),
-    "chance_blocked": ("{share} that a door is blocked", "ドアがふさがる確率は{share}"),
+    "chance": ("{share} that {what}", "{what}確率は{share}"),
     "falls": ("Chance of overturning: {pieces}.", "倒れる確率：{pieces}。"),
     "piece_falls": ("{piece} {was}", "「{piece}」{was}"),
     "piece_falls_then": ("{piece} {was} → {now}", "「{piece}」{was}→{now}"),
@@ -62,13 +58,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "dropped_ceiling": ("a ceiling that hangs on wires", "吊り天井"),
     # The plan and the elevations
     "scale": (
-        "Plan 1:{plan}, elevations 1:{elevation} when printed at 100 %; lengths in metres.",
-        "平面図1:{plan}、立面図1:{elevation}（等倍で印刷した場合）。長さの単位はメートルです。",
+        "Plan 1:{plan}{elevations} when printed at 100 %; lengths in metres.",
+        "平面図1:{plan}{elevations}（等倍で印刷した場合）。長さの単位はメートルです。",
     ),
-    "scale_alone": (
-        "Plan 1:{plan} when printed at 100 %; lengths in metres.",
-        "平面図1:{plan}（等倍で印刷した場合）。長さの単位はメートルです。",
-    ),
+    "elevations": (", elevations 1:{scale}", "、立面図1:{scale}"),
     "elevation_alt": (
         "{piece} from the front and from the side, to scale",
         "「{piece}」の正面図と側面図（縮尺どおり）",
@@ -80,7 +73,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "what": ("What to do", "やること"),
     "drawing": ("Drawing", "図"),
     # What a step is
-    "fix": ("{piece}: {products}", "{piece}：{products}"),
     "product": ("{measure} × {count}", "{measure}×{count}"),
     "buy": ("Buy", "買う物"),
     "where": ("Where", "取付け位置"),
@@ -142,13 +134,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "weak_anywhere": ("not enough for JMA intensity 4 either", "震度4でも強さが足りません"),
     # Where it goes
     "at_wall": (
-        "on the wall {height:.2f} m above the floor, {apart}, each on a stud",
-        "壁の床から{height:.2f} mの高さ、{apart}、それぞれ下地のある所",
+        "on the wall {height:.2f} m above the floor, {apart}{studs}",
+        "壁の床から{height:.2f} mの高さ、{apart}{studs}",
     ),
-    "at_wall_plain": (
-        "on the wall {height:.2f} m above the floor, {apart}",
-        "壁の床から{height:.2f} mの高さ、{apart}",
-    ),
+    "on_studs": (", each on a stud", "、それぞれ下地のある所"),
     "apart": (
         "{apart:.2f} m apart ({edge:.2f} m from its sides)",
         "間隔{apart:.2f} m（側面から{edge:.2f} m）",
@@ -175,7 +164,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "下地センサーなどで下地（間柱）を探す（間隔は{near:.0f} mmか{far:.0f} mmが多い）。ねじは下地に{depth:.0f} mm以上入れる",
     ),
-    "check_board": (
+    "check_plasterboard": (
         "plasterboard alone holds little: use anchors made for it, or find a stud after all",
         "石こうボードだけでは弱い。専用アンカーを使うか、下地を探し直す",
     ),
@@ -183,7 +172,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "drill with a masonry bit and use plugs; ask before drilling in a flat",
         "コンクリート用ドリルとプラグを使う。集合住宅では管理規約を確かめる",
     ),
-    "check_strip": (
+    "check_hanging strip": (
         "the strip must be nailed to the posts, and not only glued on",
         "付け鴨居・長押が柱に釘で留まっていることを確かめる",
     ),
@@ -201,30 +190,20 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "check_hard": ("the floor must be hard", "床が硬いことを確かめる"),
     "check_move": (
-        "empty it first; measure the new place; keep sockets and doors free",
-        "中身を出してから動かす。移動先の寸法を測り、コンセントとドアをふさがない",
+        "{empty}measure the new place; keep sockets and doors free",
+        "{empty}移動先の寸法を測り、コンセントとドアをふさがない",
     ),
-    "check_move_place": (
-        "measure the new place; keep sockets and doors free",
-        "移動先の寸法を測り、コンセントとドアをふさがない",
-    ),
+    "empty": ("empty it first; ", "中身を出してから動かす。"),
     # Effects
     "overturns": ("overturns {was} → {now}", "倒れる確率{was}→{now}"),
-    "only": ("{chance}", "{chance}"),
-    "only_unclear": ("{chance}, which may be chance", "{chance}（偶然の差かもしれません）"),
+    "unclear": ("{chance}, which may be chance", "{chance}（偶然の差かもしれません）"),
     "alone": ("alone: {chance}", "これだけ行うと、{chance}"),
-    "alone_unclear": (
-        "alone: {chance}, which may be chance",
-        "これだけ行うと、{chance}（偶然の差かもしれません）",
-    ),
     "only_together": (
         "helps only together with {steps}",
         "これだけでは変わらず、{steps}も行うと効果があります",
     ),
     "after_others": ("after the steps above: {chance}", "上の項目に続けて行うと、{chance}"),
-    "hit": ("somebody is hit {was} → {now}", "人に当たる確率{was}→{now}"),
-    "shut_in": ("somebody is shut in {was} → {now}", "外に出られなくなる確率{was}→{now}"),
-    "blocked": ("a door is blocked {was} → {now}", "ドアがふさがる確率{was}→{now}"),
+    "changes": ("{what} {was} → {now}", "{what}確率{was}→{now}"),
     # Marks
     "mark": ("How well this is known: {grade}", "根拠の確かさ：{grade}"),
     "weakest": ("Least well known here: {inputs}.", "この項目で最も不確かな入力：{inputs}。"),

@@ -132,13 +132,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{piece}を{wall}沿い（{start}から中心まで{along:.2f} m）へ移動",
     ),
     "move_place": (
-        "move {place}, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
-        "{place}を、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
+        "{how}, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
+        "{how}、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
-    "turn_place": (
-        "turn {place} by 90° and move it, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
-        "{place}の向きを90°変え、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
-    ),
+    "moved": ("move {place}", "{place}を"),
+    "turned": ("turn {place} by 90° and move it", "{place}の向きを90°変え"),
     "falls_too": (
         "{often} {piece} overturns{interval}{others}",
         "{often}{piece}が倒れます{interval}{others}",

@@ -116,33 +116,23 @@ TEXTS: dict[str, tuple[str, str]] = {
     # what comes out of the furniture: clauses, and sentences that follow the verdict's
     "contents_out": ("{share} of the {contents} come out", "{contents}の{share}が飛び出します"),
     "contents_leave": (
-        (
-            "where the piece stands, half of them leave from {height} or higher (at most {highest}), "
-            "nine tenths at {fast:.2f} m/s or less"
-        ),
-        (
-            "家具が立っている場合、その半数は高さ{height}以上（最高{highest}）から、"
-            "9割は水平速度{fast:.2f} m/s以下で飛び出します"
-        ),
+        "where the piece stands, {from_where}, nine tenths at {fast:.2f} m/s or less",
+        "家具が立っている場合、{from_where}、9割は水平速度{fast:.2f} m/s以下で飛び出します",
     ),
-    "contents_leave_the_top": (
-        (
-            "where the piece stands, half of them or more leave from {highest}, none from higher, "
-            "nine tenths at {fast:.2f} m/s or less"
-        ),
-        (
-            "家具が立っている場合、その半数以上は最も高い{highest}から、"
-            "9割は水平速度{fast:.2f} m/s以下で飛び出します"
-        ),
+    "from_shelves": (
+        "half of them leave from {height} or higher (at most {highest})",
+        "その半数は高さ{height}以上（最高{highest}）から",
+    ),
+    "from_the_top": (
+        "half of them or more leave from {highest}, none from higher",
+        "その半数以上は最も高い{highest}から",
     ),
     "contents_stay": ("the {contents} stay inside", "{contents}は飛び出しません"),
     "contents_unknown": ("what the {contents} do is unknown", "{contents}の動きは計算できませんでした"),
     "contents_without": (" ({share} without a measure)", "（対策なしでは{share}）"),
-    "contents_with": ("With {measure}, {clause}{aside}.", "{measure}があると{clause}{aside}。"),
-    "contents_with_well": (
-        "With {measure}, well installed, {clause}{aside}.",
-        "{measure}を正しく取り付けた場合、{clause}{aside}。",
-    ),
+    "contents_with": ("With {measure}{held}{clause}{aside}.", "{measure}{held}{clause}{aside}。"),
+    "held": (", ", "があると"),
+    "well_held": (", well installed, ", "を正しく取り付けた場合、"),
     "contents_alone": ("And {clause}.", "また、{clause}。"),
     "stands_but": ("It then stands, but {clause}{aside}.", "倒れなくても、{clause}{aside}。"),
     # notes beside the numbers
@@ -295,7 +285,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_building": ("the building", "建物"),
     "the_wall": ("what is behind the wall's surface", "壁の下地"),
     "the_ceiling": ("what is above the ceiling's surface", "天井の下地"),
-    "of_a_measure": ("{measure}: {parameter}", "{measure}：{parameter}"),
     # probability distributions and draws
     "mean": ("Mean", "平均"),
     "deviation": ("Deviation", "標準偏差"),
@@ -306,10 +295,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "draws": ("Draws", "サンプル数"),
     "start": ("Start", "開始番号"),
     "motions": ("Motions", "地震動の数"),
-    "not_above_zero": (
-        "{name} is {value:g}; it must be larger than 0.",
-        "{name}が{value:g}になっています。0より大きい値にしてください。",
-    ),
     "not_above_zero_or_too_large": (
         "{name} is {value:g}; it must be larger than 0 and at most {most:g}.",
         "{name}が{value:g}になっています。0より大きく{most:g}以下の値にしてください。",

@@ -61,7 +61,7 @@ def _print_one(verdict: Verdict, lang: str) -> None:
     from stayput.report.verdict import numbers
     from stayput.report.verdict.numbers import word
     from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
-    from stayput.verification.words import headline, title
+    from stayput.verification.words import title
     from stayput.wording import with_aside
 
     text = partial(word, language=lang)
@@ -92,7 +92,7 @@ def _print_one(verdict: Verdict, lang: str) -> None:
         headings,
         lines,
         rejected,
-        above=headline(verdict, lang),
+        above=verdict.sentence(lang),
         below=below,
         notes=verdict.notes(lang),
         end=simulations(verdict, lang),
@@ -104,7 +104,6 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
     from stayput.report.verdict import numbers
     from stayput.report.verdict.numbers import word
     from stayput.report.verdict.tables import impossible_rows, several_ranking, simulations
-    from stayput.verification.words import headline_of_several
 
     lines: list[_Line] = []
     for row in several_ranking(verdict, lang):
@@ -116,15 +115,15 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
     slid, option = word("brief_slide", lang), say("several.option", lang)
     headings = (option, *_events(verdict, lang), slid, *verdict.scenario.names)
     below = (say("several.brief_text", lang),)
-    above, end = headline_of_several(verdict, lang), simulations(verdict, lang)
+    above, end = verdict.sentence(lang), simulations(verdict, lang)
     _print_ranking(verdict, lang, headings, lines, rejected, above=above, below=below, end=end)
 
 
 def _events(verdict: Verdict | AssemblyVerdict, lang: str) -> list[str]:
     """Return the headings of the columns of events."""
+    from stayput.montecarlo.counting import EVENTS
     from stayput.report.verdict import numbers
     from stayput.report.verdict.numbers import word
-    from stayput.verification import EVENTS
 
     limit = numbers.length(verdict.slide_limit, lang)
     return [word(f"brief_{event}", lang, limit=limit) for event in EVENTS]

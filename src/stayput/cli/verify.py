@@ -76,9 +76,10 @@ def verify(
     """Run ``stayput verify``."""
     from stayput.errors import within
     from stayput.files import check_target
+    from stayput.montecarlo.counting import SLIDE_LIMIT
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import RoomScenario, Scenario
-    from stayput.verification import SLIDE_LIMIT, Verdict
+    from stayput.verification import Verdict
 
     for page in (report, plan):
         if page is not None:

@@ -177,25 +177,12 @@ class Fastening:
 def _wood(label: Phrase, pull: Phrase, shear: Phrase, density: float, depth: float) -> Fastening:
     """Return a wood screw in wood of a specific gravity."""
     mm, mean = 1e3 * SCREW, 1e3 * density
-    slip = 1e3 * 2.0 * mean**1.5 * mm / 23.0  # slip modulus of a screw through steel
+    drawn, slip = 1e3 * 25.0 * mm * 1e3 * depth, 1e3 * 2.0 * mean**1.5 * mm / 23.0  # slip through steel
+    withdrawal = screw_withdrawal(density, SCREW, depth)
+    sideways = screw_shear(0.082e6 * (1.0 - 0.01 * mm) * mean, SCREW, depth)
     return Fastening(
-        Link(
-            label,
-            pull,
-            1e3 * 25.0 * mm * 1e3 * depth,
-            screw_withdrawal(density, SCREW, depth),
-            0.002,
-            HANDBOOK,
-            Confidence.MEDIUM,
-        ),
-        Link(
-            label,
-            shear,
-            slip,
-            screw_shear(0.082e6 * (1.0 - 0.01 * mm) * mean, SCREW, depth),
-            0.005,
-            EUROCODE,
-        ),
+        Link(label, pull, drawn, withdrawal, 0.002, HANDBOOK, Confidence.MEDIUM),
+        Link(label, shear, slip, sideways, 0.005, EUROCODE),
     )
 
 
@@ -256,31 +243,18 @@ FASTENINGS: Mapping[str, Fastening] = {
 }
 """A fastener by what the wall is made of."""
 
+_LEAVES_TOP = ("the screws pull out of the furniture's top board", "家具の天板からねじが抜ける")
+_TEARS_TOP = ("the screws tear through the furniture's top board", "家具の天板がねじのところで裂ける")
+_PARTICLE_SHEAR = screw_shear(50e6 * 4.0**-0.6 * 15.0**0.2, SCREW, SCREW_IN_TOP)
+_LEAST = "least of JIS A 5908 for boards of type 18, recalled"
+
 TOPS: Mapping[str, Fastening] = {
     "particle board": Fastening(
-        Link(
-            _PARTICLE,
-            ("the screws pull out of the furniture's top board", "家具の天板からねじが抜ける"),
-            1e6,
-            500.0,
-            0.002,
-            "least of JIS A 5908 for boards of type 18, recalled",
-        ),
-        Link(
-            _PARTICLE,
-            ("the screws tear through the furniture's top board", "家具の天板がねじのところで裂ける"),
-            1e6,
-            screw_shear(50e6 * 4.0**-0.6 * 15.0**0.2, SCREW, SCREW_IN_TOP),
-            0.005,
-            EUROCODE,
-        ),
+        Link(_PARTICLE, _LEAVES_TOP, 1e6, 500.0, 0.002, _LEAST),
+        Link(_PARTICLE, _TEARS_TOP, 1e6, _PARTICLE_SHEAR, 0.005, EUROCODE),
     ),
     "solid wood": _wood(
-        ("screw in solid wood", "無垢材のねじ"),
-        ("the screws pull out of the furniture's top board", "家具の天板からねじが抜ける"),
-        ("the screws tear through the furniture's top board", "家具の天板がねじのところで裂ける"),
-        TOP_WOOD,
-        SCREW_IN_TOP,
+        ("screw in solid wood", "無垢材のねじ"), _LEAVES_TOP, _TEARS_TOP, TOP_WOOD, SCREW_IN_TOP
     ),
 }
 """A fastener by what the furniture's top board is made of."""

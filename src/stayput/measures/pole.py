@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
@@ -168,35 +168,18 @@ class TensionPole(Measure):
         point = (-body.width / 2 + self.setback, body.height)
         space = room.ceiling.height - at_rest(body, point)[1]
         if not SHORTEST <= space <= LONGEST:
-            raise InputError(
-                "measures.length",
-                "room.ceiling.height",
-                measure=self.label,
-                space=space,
-                low=SHORTEST,
-                high=LONGEST,
-            )
+            limits: dict[str, Any] = {"space": space, "low": SHORTEST, "high": LONGEST}
+            raise InputError("measures.length", "room.ceiling.height", measure=self.label, **limits)
         link = self.chain(room.ceiling.construction)
         # what a user gives, he has; a default pole is tightened as far as its ceiling lets it be
-        most = link.strength if self.strength is not None else TIGHTENED * link.strength
-        preload = min(self.preload, most)
+        tightened = 1.0 if self.strength is not None else TIGHTENED
+        preload = min(self.preload, tightened * link.strength)
         n = self.count
-        pushes = Line(
-            n * link.stiffness,
-            slack_minus=-preload / link.stiffness,
-            limit_minus=n * link.strength,
-            ultimate=link.ultimate,
-            weakest=link.fails,
-        )
+        k, slack, most = n * link.stiffness, -preload / link.stiffness, n * link.strength
+        pushes = Line(k, slack_minus=slack, limit_minus=most, ultimate=link.ultimate, weakest=link.fails)
         rubs = Line(n * self.sideways_stiffness, 0.0, 0.0, 0.0, ultimate=self.pad)
+        grip = min(self.friction, self.pad / space)
         element = Element(
-            self.kind,
-            point,
-            pushes,
-            rubs,
-            facing=(0.0, -1.0),
-            friction=min(self.friction, self.pad / space),
-            drops_out=True,
-            count=n,
+            self.kind, point, pushes, rubs, facing=(0.0, -1.0), friction=grip, drops_out=True, count=n
         )
         return Held(body, room, (element,), (self,))

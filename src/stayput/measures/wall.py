@@ -157,29 +157,16 @@ class Bracket(WallDevice):
         # the wall bears what pushes
         normal = replace(self._line(pull, body.mass), limit_minus=math.inf)
         tangent = self._line(self.pushed_along(made_of), body.mass)
+        brittle = pull.ultimate == 0.0
         element = Element(
-            self.kind,
-            point,
-            normal,
-            tangent,
-            facing=(1.0, 0.0),
-            interaction=pull.ultimate == 0.0,
-            count=self.count,
+            self.kind, point, normal, tangent, facing=(1.0, 0.0), interaction=brittle, count=self.count
         )
         return Held(body, room, (element,), (self,))
 
     def _line(self, link: Link, mass: float) -> Line:
         k, most = self.count * link.stiffness, self.count * self._factor() * link.strength
-        return Line(
-            k,
-            damper(self.damping, k, mass),
-            self.slack,
-            self.slack,
-            most,
-            most,
-            ultimate=link.ultimate,
-            weakest=link.fails,
-        )
+        c, slack = damper(self.damping, k, mass), self.slack
+        return Line(k, c, slack, slack, most, most, ultimate=link.ultimate, weakest=link.fails)
 
 
 @dataclass(frozen=True, slots=True)
@@ -304,15 +291,9 @@ class Tie(WallDevice):
                 "measures.anchor", "angle", measure=self.label, angle=self.angle, height=z + rise
             )
         link = self.drawn(self.fixed_to(wall), z + rise, height_of(room))
-        k = self.count * link.stiffness
-        pulls = Line(
-            k,
-            damper(self.damping, k, body.mass),
-            self.slack,
-            limit_plus=self.count * link.strength,
-            ultimate=link.ultimate,
-            weakest=link.fails,
-        )
+        k, most = self.count * link.stiffness, self.count * link.strength
+        c = damper(self.damping, k, body.mass)
+        pulls = Line(k, c, self.slack, limit_plus=most, ultimate=link.ultimate, weakest=link.fails)
         tie = Element(self.kind, point, pulls, to_anchor=(-away, rise), count=self.count)
         return Held(body, room, (tie,), (self,))
 

@@ -93,7 +93,7 @@ class Ground:
             return self.to_jma_zero
         return factors_to_level_zero(self.measure, self.motions)
 
-    @property
+    @cached_property
     def acting(self) -> tuple[Motion, ...]:
         """The motions without the components that do not act on the furniture."""
         return tuple(
@@ -257,19 +257,15 @@ class Hazard:
         return Ground(self.ground, self.vertical, dimensions=self.dimensions)
 
     @cached_property
-    def _acting(self) -> tuple[Motion, ...]:
-        return self._scaled.acting
-
-    @cached_property
     def _elastic(self) -> tuple[Motion, ...]:
         """The floor's motions where they scale with the ground's."""
         if self.building is None:
-            return self._acting
+            return self._scaled.acting
         return self._scaled.floors(self.building, (self.storey,), np.ones(len(self.ground)))[0][0]
 
     @cached_property
     def _ground_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        return _peaks(self._acting)
+        return _peaks(self._scaled.acting)
 
     @cached_property
     def _elastic_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -315,10 +311,7 @@ class Hazard:
         if not self.ground.floor:
             pga, pgv = self._ground_peaks
             measures |= {PGA: np.abs(factors) * pga, PGV: np.abs(factors) * pgv}
-        measures |= {
-            PFA: np.abs(scales) * pfa,
-            PFV: np.abs(scales) * pfv,
-        }
+        measures |= {PFA: np.abs(scales) * pfa, PFV: np.abs(scales) * pfv}
         for measure in self.further:
             if measure not in measures:
                 measures[measure] = self._further(measure, np.abs(factors))
@@ -332,9 +325,7 @@ class Hazard:
     @cached_property
     def _spectral(self) -> dict[float, NDArray[np.float64]]:
         periods = [measure.period for measure in self.further if measure.period is not None]
-        return {
-            period: np.array([horizontal_sa(motion, period) for motion in self.ground]) for period in periods
-        }
+        return {T: np.array([horizontal_sa(motion, T) for motion in self.ground]) for T in periods}
 
     def _further(self, measure: IntensityMeasure, factors: NDArray[np.float64]) -> NDArray[np.float64]:
         for motion in self.ground:

@@ -71,16 +71,7 @@ def run_level(
     """
     motions = len(floors.motions)
     cases, elements, motion = joined_rows(rows, motions)
-    cases["scale"] = floors.scales[motion]
-    results, devices = run_columns(
-        cases,
-        elements,
-        floors.motions,
-        motion,
-        dimensions=floors.dimensions,
-        threads=threads,
-        on_progress=progress,
-    )
+    results, devices = _ran(cases, elements, motion, floors, threads, progress)
     failed = failures_of(elements, devices).count > 0
     runs: list[Runs] = []
     start = 0
@@ -89,6 +80,27 @@ def run_level(
         runs.append(_runs(piece_rows, results[part], devices[part], failed[part], motions))
         start = part.stop
     return runs
+
+
+def _ran(
+    cases: NDArray[np.void],
+    elements: NDArray[np.void],
+    motion: NDArray[np.int64],
+    floors: FloorMotions,
+    threads: int | None,
+    progress: Callable[[int], None] | None,
+) -> tuple[NDArray[np.void], NDArray[np.void]]:
+    """Run cases under the motions of a level, each under that of its number."""
+    cases["scale"] = floors.scales[motion]
+    return run_columns(
+        cases,
+        elements,
+        floors.motions,
+        motion,
+        dimensions=floors.dimensions,
+        threads=threads,
+        on_progress=progress,
+    )
 
 
 def joined_rows(
@@ -235,16 +247,7 @@ def run_levels(
         made += len(chosen)
         floors = floors_at(float(levels[number]))
         chosen_cases, chosen_elements = cases[chosen], elements[chosen]
-        chosen_cases["scale"] = floors.scales[motion[chosen]]
-        results, devices = run_columns(
-            chosen_cases,
-            chosen_elements,
-            floors.motions,
-            motion[chosen],
-            dimensions=floors.dimensions,
-            threads=threads,
-            on_progress=progress,
-        )
+        results, devices = _ran(chosen_cases, chosen_elements, motion[chosen], floors, threads, progress)
         overturned[number, chosen] = results["outcome"] == OVERTURNED_OUTCOME
         missing[number, chosen] = results["outcome"] == FAILED_OUTCOME
         if not len(starts):

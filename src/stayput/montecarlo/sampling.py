@@ -406,7 +406,8 @@ def sample_until_precise(
                 continue
             break
         chances |= {place: joined[place].probability_of_overturning() for place in active}
-        more = [place for place in active if _needs_more(chances[place], precision, done)]
+        known = (place for place in active if chances[place].runs)
+        more = [place for place in known if samples_needed(chances[place], precision) > done]
         if done >= most or not more:
             precise = not more and all(
                 chance.runs > 0 and samples_needed(chance, precision) > 0 for chance in chances.values()
@@ -414,10 +415,3 @@ def sample_until_precise(
             break
         active = active if together else more
     return [joined[place] for place in range(count)], done, precise
-
-
-def _needs_more(chance: Probability, precision: float, done: int) -> bool:
-    """Return whether more samples of the same motions would reach the precision, and are needed for it."""
-    if not chance.runs:
-        return False
-    return samples_needed(chance, precision) > done

@@ -238,7 +238,8 @@ def run_several(
     def run(option: int, motion: int, sample: int) -> None:
         draw, place = drawn[motion][sample], (option, motion, sample)
         shaking = shaking_of(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
-        traced = trace_draw(assemblies[option], room, draw, shaking, gravity)
+        around = drawn_room(assemblies[option], room, draw.room)
+        traced = trace_draw(assemblies[option], around, draw, shaking, gravity)
         standing, trace = [one.standing for one in traced.bodies], traced.trace
         results[place] = results_of(standing, trace, shaking.times)
         devices[place] = trace.devices, utilisation(trace.springs, trace.devices)
@@ -291,10 +292,10 @@ def leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float) 
 def trace_draw(
     assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
 ) -> AssemblyTrace:
-    """Run an assembly under one draw."""
+    """Run an assembly, as stated, under one draw, in a room as drawn."""
     return trace_assembly(
         drawn_assembly(assembly, draw),
-        drawn_room(assembly, room, draw.room),
+        room,
         shaking,
         gravity,
         strength=draw.room.strength,
@@ -314,7 +315,8 @@ def replay(
     motion, scale
         The floor's motion, and the factor on it.
     """
-    traced = trace_draw(assembly, room, draw, shaking_of(motion, scale, draw, gravity), gravity)
+    around, shaking = drawn_room(assembly, room, draw.room), shaking_of(motion, scale, draw, gravity)
+    traced = trace_draw(assembly, around, draw, shaking, gravity)
     return run_of_assembly(traced, assembly.joints, room, motion.scaled(scale))
 
 

@@ -18,7 +18,7 @@ from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
 from stayput.rooms.contact import inside_each_other
-from stayput.rooms.runs import RoomPart, part_with, with_measures
+from stayput.rooms.runs import RoomPart, group_of, part_with, with_measures
 from stayput.rooms.tracks import Track, outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
@@ -67,6 +67,11 @@ class Change:
     at: tuple[float, float] | None = None
     heading: float | None = None
 
+    def place(self, heading: float) -> tuple[tuple[float, float], float]:
+        """Return where what faces a direction is moved to, and what it faces there: the same unless told."""
+        assert self.at is not None
+        return self.at, heading if self.heading is None else self.heading
+
 
 @dataclass(frozen=True, eq=False)
 class FreeFloor:
@@ -109,7 +114,8 @@ class FreeFloor:
         """
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
-        taken = [_outline(one) for number, one in enumerate(self.standing) if number != but_piece]
+        others = (one for number, one in enumerate(self.standing) if number != but_piece)
+        taken = [outline_of((one.solid.vertices @ one.turn.T) + np.asarray(one.at)) for one in others]
         taken += [place.corners for place in self.plan.places if place.name != but_place]
         taken += [
             _before(self.plan, door.wall, door.start, door.width, door.width) for door in self.plan.doors
@@ -120,10 +126,6 @@ class FreeFloor:
             if height > window.sill
         ]
         return not any(overlap(corners, other) for other in taken)
-
-
-def _outline(one: Standing) -> NDArray[np.float64]:
-    return outline_of((one.solid.vertices @ one.turn.T) + np.asarray(one.at))
 
 
 def _before(plan: FloorPlan, wall: str, start: float, width: float, depth: float) -> NDArray[np.float64]:
@@ -146,10 +148,8 @@ def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
     return True
 
 
-def measures_tried(
-    scenario: RoomScenario, whole: Assembly, group: tuple[int, ...], body: int
-) -> Iterator[tuple[Change, RoomPart]]:
-    """Yield the measures that can be put on a piece of a group, with the group as it is then held.
+def measures_tried(scenario: RoomScenario, whole: Assembly, body: int) -> Iterator[tuple[Change, RoomPart]]:
+    """Yield the measures that can be put on a piece, with those that run together as it is then held.
 
     Parameters
     ----------
@@ -157,28 +157,23 @@ def measures_tried(
         The room.
     whole : Assembly
         All pieces, as stated.
-    group : tuple of int
-        The pieces that run together.
     body : int
         The piece; on one that is no furniture there are no measures.
     """
     for kind in TRIED:
         measure = MEASURES[kind]()
-        part = held_part(scenario, whole, group, body, [measure])
+        part = held_part(scenario, whole, body, [measure])
         if part is not None:
             yield Change(scenario.names[body], measure), part
 
 
 def held_part(
-    scenario: RoomScenario,
-    whole: Assembly,
-    group: tuple[int, ...],
-    body: int,
-    measures: Sequence[Measure],
+    scenario: RoomScenario, whole: Assembly, body: int, measures: Sequence[Measure]
 ) -> RoomPart | None:
-    """Return a group with further measures on one of its pieces, or None where they cannot be put there."""
+    """Return a piece with further measures, and what runs with it; None where they cannot be put there."""
     if not isinstance(whole.members[body], Piece):
         return None
+    group = group_of(scenario, body)
     try:
         part = part_with(scenario, group, with_measures(whole, body, measures))
     except InputError:  # another measure at the same place

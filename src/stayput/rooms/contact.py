@@ -41,19 +41,16 @@ ROUNDING = 1e-9
 
 
 class RoomContact(NamedTuple):
-    """A contact of a piece with the place of a person, or with another piece.
+    """A contact of a piece with the place of a person; the piece moves on as if nobody were there.
 
     Parameters
     ----------
     time : float
         When they first touch [s].
     speed : float
-        Of a piece and a place: the largest of the part of the piece that is within the place; the piece moves
-        on as if nobody were there, so it is an upper bound. Of two pieces: at which they close in as they
-        first touch [m/s].
+        The largest of the part of the piece that is within the place: an upper bound [m/s].
     energy : float
-        Kinetic energy: the largest of a piece while it touches a place, also an upper bound, and that of two
-        pieces together as they first touch [J].
+        The largest kinetic energy of the piece while it touches: also an upper bound [J].
     """
 
     time: float
@@ -176,24 +173,19 @@ def _speed_within(track: Track, place: PersonPlace, touching: _Touching) -> floa
     return max(touching.closing, fastest / track.dt)
 
 
-def contact_between(one: Track, other: Track) -> RoomContact | None:
-    """Return the first contact of two pieces that were run each by itself under the same motion, or None."""
+def meet(one: Track, other: Track) -> bool:
+    """Return whether two pieces come together that were run each by itself under the same motion."""
     if one.stays and other.stays:
-        return None
+        return False
     sample = np.union1d(one.sample, other.sample)
     first, second = (np.searchsorted(track.sample, sample, side="right") - 1 for track in (one, other))
     (low, high), (least, most) = _bounds(one.corners()), _bounds(other.corners())
     near = np.all((low[first] <= most[second]) & (high[first] >= least[second]), axis=1)
-    touching = _touching(
-        sample,
-        near,
-        one.dt,
-        lambda k: separation(_body_at(one, first[k]), _body_at(other, second[k])),
-    )
-    if touching is None:
-        return None
-    k = int(touching.places[0])
-    return RoomContact(touching.time, touching.closing, float(one.energy[first[k]] + other.energy[second[k]]))
+
+    def gap_at(k: NDArray[np.intp]) -> NDArray[np.float64]:
+        return separation(_body_at(one, first[k]), _body_at(other, second[k]))
+
+    return _touching(sample, near, one.dt, gap_at) is not None
 
 
 class _Touching(NamedTuple):

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.errors import InputError, instance_of
 from stayput.rooms.changes import Change
-from stayput.rooms.effects import Answer, Move, OtherTracks, Question
-from stayput.rooms.runs import groups_of, moved_to, placed_elsewhere, with_member
+from stayput.rooms.effects import Answer, Move, OtherTracks
+from stayput.rooms.runs import Question, groups_of, moved_to, placed_elsewhere, with_member
 from stayput.rooms.verify import refuse_what_stands_wrong
 from stayput.simulation.placing import bare
 from stayput.simulation.standing import Piece, Standing
@@ -82,14 +82,12 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
 
 def elsewhere(member: Piece | Standing, move: Change) -> Piece | Standing:
     """Return a piece where it is moved to."""
-    assert move.at is not None
-    heading = bare(member).heading if move.heading is None else move.heading
-    return moved_to(member, move.at, heading)
+    return moved_to(member, *move.place(bare(member).heading))
 
 
 def _place_moved(place: PersonPlace, move: Change) -> PersonPlace:
-    assert move.at is not None
-    return replace(place, at=move.at, heading=place.heading if move.heading is None else move.heading)
+    at, heading = move.place(place.heading)
+    return replace(place, at=at, heading=heading)
 
 
 def moved_as_decided(question: Question, as_it_is: Answer, change: Change) -> Move:

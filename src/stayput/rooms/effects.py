@@ -21,66 +21,20 @@ from stayput.rooms.changes import (
     swept,
 )
 from stayput.rooms.events import EndOfRuns, Events, Hits, Ways, collisions, events_of, hits_of
-from stayput.rooms.runs import PartRuns, RoomPart, placed_elsewhere, runs_of_each
+from stayput.rooms.runs import PartRuns, Question, RoomPart, placed_elsewhere
 from stayput.rooms.verdict import FALLS, ChangeVerdict, RoomEffect, presence
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Generator, Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.several import DrawOfSeveral
     from stayput.rooms.tracks import Track
-    from stayput.scenario.room import RoomScenario
-    from stayput.simulation.standing import Assembly
 
 
 SAME = 0.05
 """Distance below which another place is the one where something is already [m]."""
-
-FIRST_RUNS = 20
-"""Runs of the room after which there is a first answer, at least."""
-
-
-class Question(NamedTuple):
-    """What all runs of a verification share."""
-
-    scenario: RoomScenario
-    plan: FloorPlan
-    whole: Assembly
-    drawn: list[list[DrawOfSeveral]]
-    floors: FloorMotions
-    threads: int | None
-    advance: Callable[[int], None] = lambda _runs: None
-
-    def run(self, parts: Sequence[RoomPart]) -> list[PartRuns]:
-        """Run parts of the room under all draws."""
-        return [*self.runs_of_each(parts)]
-
-    def runs_of_each(self, parts: Sequence[RoomPart]) -> Generator[PartRuns]:
-        """Run parts of the room under all draws, and yield what became of each as soon as it is known."""
-        return runs_of_each(
-            parts,
-            self.drawn,
-            self.floors,
-            self.scenario.gravity,
-            threads=self.threads,
-            progress=self.advance,
-        )
-
-    def with_samples(self, start: int, end: int) -> Question:
-        """Return the same with some of the samples of each motion only."""
-        return self._replace(drawn=[row[start:end] for row in self.drawn])
-
-    def blocks(self) -> Iterator[tuple[int, int]]:
-        """Yield ranges of the samples of each motion: a few to begin with, then as many as before again."""
-        motions, samples = len(self.drawn), len(self.drawn[0])
-        end = 0
-        while end < samples:
-            start, end = end, min(samples, max(-(-FIRST_RUNS // motions), 2 * end))
-            yield start, end
 
 
 class Answer(NamedTuple):
@@ -256,12 +210,11 @@ def changes_of(question: Question, state: RoomState) -> Iterator[ChangeVerdict]:
         risk = risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
         return body in harmful, risk, chances[body]
 
-    part_of = {body: part for part in state.parts for body in part.bodies}
     chances = as_it_is.overturning
     tried = [
         each
         for body in sorted(harmful | falling_pieces(as_it_is), key=harm, reverse=True)
-        for each in measures_tried(scenario, whole, part_of[body].bodies, body)
+        for each in measures_tried(scenario, whole, body)
     ]
     with closing(question.runs_of_each([held for _, held in tried])) as found:
         for (change, held), runs in zip(tried, found, strict=True):
@@ -287,7 +240,7 @@ def moves_of(question: Question, state: RoomState, harmful: Collection[int]) -> 
         if others or body not in harmful or not scenario.furniture[body].is_furniture:
             continue
         for wall, middles in places_at_walls(scenario, whole, body, floor):
-            moved = _best_at_wall(question, body, wall, middles, as_it_is, ways)
+            moved = _best_at_wall(question, state, body, wall, middles)
             if moved is not None:
                 yield moved
 
@@ -375,17 +328,13 @@ def compared(move: Move, state: RoomState) -> ChangeVerdict:
 
 
 def _best_at_wall(
-    question: Question,
-    body: int,
-    wall: str,
-    middles: list[tuple[float, float]],
-    as_it_is: Answer,
-    ways: Ways,
+    question: Question, state: RoomState, body: int, wall: str, middles: list[tuple[float, float]]
 ) -> Move | None:
     """Return where along a wall a piece does least harm.
 
     It runs in the middle of those places; the tracks elsewhere are the same, shifted.
     """
+    as_it_is, ways = state.as_it_is, state.ends.ways
     scenario, member = question.scenario, bare(question.whole.members[body])
     heading = FACING[wall]
     same = abs(math.remainder(heading - member.heading, 2.0 * math.pi)) < 1e-9

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy import ndimage
 
-from stayput.rooms.contact import contact_between, contact_with_place
+from stayput.rooms.contact import contact_with_place, meet
 from stayput.rooms.tracks import Track, tracks_of
 
 if TYPE_CHECKING:
@@ -291,7 +291,7 @@ def collisions(tracks: Sequence[Sequence[Track]]) -> dict[tuple[int, int], NDArr
     for b in range(len(tracks)):
         for a in range(b):
             pairs = zip(tracks[a], tracks[b], strict=True)
-            met = np.array([contact_between(one, other) is not None for one, other in pairs])
+            met = np.array([meet(*pair) for pair in pairs])
             if met.any():
                 found[a, b] = met
     return found

@@ -31,8 +31,7 @@ from stayput.rooms.effects import (
     risk_of,
 )
 from stayput.rooms.events import Hits, hits_of
-from stayput.rooms.forces import Purchase, in_number, purchases_of
-from stayput.rooms.runs import PartRuns, RoomPart, part_with, with_measures, with_member
+from stayput.rooms.runs import PartRuns, RoomPart, group_of, part_with, with_measures, with_member
 from stayput.rooms.steps import (
     ALIKE,
     SETS,
@@ -41,25 +40,28 @@ from stayput.rooms.steps import (
     Fix,
     Home,
     PlanStep,
+    Purchase,
     Trial,
-    chance_of_overturning,
     for_people,
     frees,
+    in_number,
     in_order_of_gain,
     merit,
+    purchases_of,
 )
 from stayput.rooms.verdict import RoomEffect, RoomVerdict
 from stayput.rooms.verify import floors_of, question_of, states, verdict_of
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Assembly, Piece
-from stayput.verification.grades import inputs_in_room
+from stayput.verification.options import inputs_in_room
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from stayput.fragility import Probability
     from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.rooms.effects import Move, Question, RoomState
+    from stayput.rooms.effects import Move, RoomState
+    from stayput.rooms.runs import Question
     from stayput.rooms.tracks import Track
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
@@ -268,9 +270,8 @@ class _Planner:
         found = [(move, self._effect(move.plan, move.way)) for move in moves]
         if decided:
             return found
-        return sorted((pair for pair in found if pair[1].helps), key=lambda pair: in_order_of_gain(pair[1]))[
-            :1
-        ]
+        helping = [pair for pair in found if pair[1].helps]
+        return [min(helping, key=lambda pair: in_order_of_gain(pair[1]))] if helping else []
 
     def _moving(self, move: Move, effect: RoomEffect) -> ChosenStep:
         scenario, what = self.question.scenario, move.change.what
@@ -281,10 +282,9 @@ class _Planner:
         step = PlanStep(
             what, move.change, None, effect, effect, overturned, None, tuple(deciding), decided=decided
         )
-        places = list(enumerate(move.plan.places))
         was = self.question.plan.places
-        place = next((own for own in places if own[1] != was[own[0]]), None)
-        return ChosenStep(step, place, move.way, move.way)
+        places = (own for own in enumerate(move.plan.places) if own[1] != was[own[0]])
+        return ChosenStep(step, next(places, None), move.way, move.way)
 
     def _after(self, moves: Sequence[Move]) -> Assembly:
         """Return the pieces with some moved."""
@@ -315,19 +315,10 @@ class _Planner:
         instead = None
         if fix.drilled and undrilled:
             instead = self._fitted(min(undrilled, key=merit), body, whole)[0]
-        scenario = self.question.scenario
+        scenario, was = self.question.scenario, self._overturned(body)
         deciding = inputs_in_room(tuple(one.measure for one in fix.purchases), scenario, body)
-        step = PlanStep(
-            scenario.names[body],
-            None,
-            fix,
-            fix.alone,
-            fix.alone,
-            self._overturned(body),
-            instead,
-            deciding,
-            decided=decided is not None,
-        )
+        what, alone, as_decided = scenario.names[body], fix.alone, decided is not None
+        step = PlanStep(what, None, fix, alone, alone, was, instead, deciding, decided=as_decided)
         return ChosenStep(step, None, here, there)
 
     def _with_drilling(self, body: int, whole: Assembly) -> None:
@@ -339,10 +330,9 @@ class _Planner:
 
     def _helpful(self, body: int, whole: Assembly, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece, and return those that help and can be put on it in ``whole``."""
-        as_it_is = self.state.as_it_is
-        bare = self._own_risk(
-            OtherTracks({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
-        )
+        as_it_is, group = self.state.as_it_is, group_of(self.question.scenario, body)
+        here = OtherTracks({one: as_it_is.tracks[one] for one in group}, as_it_is.missing)
+        bare = self._own_risk(here)
         return [
             one
             for one in self._tried(body, sets)
@@ -380,7 +370,8 @@ class _Planner:
     def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> Trial:
         way = OtherTracks.of(part, runs)
         effect, own = self._effect(self.question.plan, way), self._own_risk(way)
-        return Trial(measures, way, effect, own, chance_of_overturning(runs, part.bodies.index(body)))
+        overturns = runs.of_body(part.bodies.index(body)).probability_of_overturning()
+        return Trial(measures, way, effect, own, overturns)
 
     def _own_risk(self, way: OtherTracks) -> float:
         """Return the chance that a person is hit by some pieces, whatever others do."""
@@ -388,16 +379,14 @@ class _Planner:
         hits = [[self._hits(place, own).happened for own in way.tracks.values()] for place in places]
         return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
 
-    def _group(self, body: int) -> tuple[int, ...]:
-        return next(part.bodies for part in self.state.parts if body in part.bodies)
-
     def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
         """Return the part of a piece with measures on it, or None where they cannot be put there."""
-        return held_part(self.question.scenario, whole, self._group(body), body, measures)
+        return held_part(self.question.scenario, whole, body, measures)
 
     def _with(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart:
         """Return the part of a piece with measures on it, which have not been put in place."""
-        return part_with(self.question.scenario, self._group(body), with_measures(whole, body, measures))
+        scenario = self.question.scenario
+        return part_with(scenario, group_of(scenario, body), with_measures(whole, body, measures))
 
     def _fitted(self, tried: Trial, body: int, whole: Assembly) -> tuple[Fix, OtherTracks, OtherTracks]:
         """Return measures as they are bought, and how the piece moves where it stands and where it will.
@@ -419,7 +408,7 @@ class _Planner:
         if whole is not self.question.whole:
             runs = self.question.run([part])[0]
             there = OtherTracks.of(part, runs)
-            overturns = chance_of_overturning(runs, place)
+            overturns = runs.of_body(place).probability_of_overturning()
         held = placed(part.assembly.members, part.room)[place].held
         assert held is not None
         cautions = tuple(

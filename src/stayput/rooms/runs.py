@@ -25,20 +25,20 @@ from stayput.model.room import SIDE_WALLS, WALLS_AROUND, Room
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
-from stayput.montecarlo.several import DrawOfSeveral, drawn_assembly, drawn_room, leaning, turned
+from stayput.montecarlo.several import DrawOfSeveral, drawn_room, leaning, trace_draw, turned
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
-from stayput.simulation.space import trace_assembly
 from stayput.simulation.space_case import SpaceShaking, results_of
 from stayput.simulation.standing import Assembly, Piece, Standing
 from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterable, Sequence
+    from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario.room import RoomScenario
 
@@ -127,6 +127,11 @@ def groups_of(scenario: RoomScenario) -> tuple[tuple[int, ...], ...]:
     return tuple(tuple(i for i, own in enumerate(group) if own == number) for number in sorted(set(group)))
 
 
+def group_of(scenario: RoomScenario, body: int) -> tuple[int, ...]:
+    """Return the pieces that run together with one of them."""
+    return next(group for group in groups_of(scenario) if body in group)
+
+
 def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) -> RoomPart:
     """Return some of the members of an assembly of all pieces."""
     members = [whole.members[body] for body in bodies]
@@ -202,75 +207,102 @@ class PartRuns:
         return Outcomes.of(self.results[..., place], self.device_failed)
 
 
-def runs_of_each(
-    parts: Sequence[RoomPart],
-    drawn: Sequence[Sequence[DrawOfSeveral]],
-    floors: FloorMotions,
-    gravity: float,
-    *,
-    threads: int | None = None,
-    progress: Callable[[int], None] | None = None,
-) -> Generator[PartRuns]:
-    """Run parts of a room, each by itself, and yield what became of them in their order.
+FIRST_RUNS = 20
+"""Runs of the room after which there is a first answer, at least."""
 
-    No thread waits for the last runs of a part, nor for what is done with them: those of the next have begun.
+
+class Question(NamedTuple):
+    """What all runs of a verification share.
 
     Parameters
     ----------
-    parts : sequence of RoomPart
-        The pieces, as stated.
-    drawn : sequence of sequence of DrawOfSeveral
-        The draws of all pieces of the room, by motion and sample.
+    scenario : RoomScenario
+        The room.
+    plan : FloorPlan
+        Its plan.
+    whole : Assembly
+        All pieces, as stated.
+    drawn : list of list of DrawOfSeveral
+        The draws of all pieces, by motion and sample.
     floors : FloorMotions
         The motions.
-    gravity : float
-        Acceleration of gravity [m/s²].
-    threads : int, optional
-        As many as there are cores by default. The bits do not depend on them.
-    progress : callable, optional
+    threads : int or None
+        As many as there are cores where it is None. The bits do not depend on them.
+    advance : callable
         Called with the number of runs just done; an exception that it raises stops the work.
-
-    Raises
-    ------
-    InputError
-        Measures that cannot be put in place, as stated or in one of the draws.
     """
-    motions, samples = len(drawn), len(drawn[0])
-    under_way: dict[int, PartRuns] = {}
 
-    def run(number: int, motion: int, sample: int) -> None:
-        part, runs, draw = parts[number], under_way[number], drawn[motion][sample]
-        shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
-        act = _run_in_plane if part.in_plane else _run_in_space
-        results, devices, peaks, tracks = act(part, draw.of(part.bodies), shaking, gravity)
-        runs.results[motion, sample] = results
-        runs.device_failed[motion, sample] = (devices["failure"] != HOLDS).any()
-        row = motion * samples + sample
-        fell = (results["outcome"] == OVERTURNED_OUTCOME).tolist()
-        runs.tracks[row] = [replace(track, overturned=own) for track, own in zip(tracks, fell, strict=True)]
-        runs.peaks[row] = peaks
+    scenario: RoomScenario
+    plan: FloorPlan
+    whole: Assembly
+    drawn: list[list[DrawOfSeveral]]
+    floors: FloorMotions
+    threads: int | None
+    advance: Callable[[int], None] = lambda _runs: None
 
-    def calls() -> Generator[Callable[[], None]]:
-        for number, part in enumerate(parts):
-            under_way[number] = PartRuns(
-                np.zeros((motions, samples, len(part.bodies)), RESULT),
-                np.zeros((motions, samples), np.bool_),
-                [[] for _ in range(motions * samples)],
-                [{} for _ in range(motions * samples)],
-            )
-            for motion in range(motions):
-                for sample in range(samples):
-                    yield partial(run, number, motion, sample)
+    def run(self, parts: Sequence[RoomPart]) -> list[PartRuns]:
+        """Run parts of the room, each by itself, under all draws."""
+        return [*self.runs_of_each(parts)]
 
-    left, following = [motions * samples] * len(parts), 0
-    with Pool(threads) as pool:
-        for call, _ in pool.as_completed(calls()):
-            left[call // (motions * samples)] -= 1
-            if progress is not None:
-                progress(1)
-            while following < len(parts) and left[following] == 0:
-                following += 1
-                yield under_way.pop(following - 1)
+    def runs_of_each(self, parts: Sequence[RoomPart]) -> Generator[PartRuns]:
+        """Run parts of the room, and yield what became of each, in their order, as soon as it is known.
+
+        No thread waits for the last runs of a part, nor for what is done with them: those of the next have
+        begun.
+
+        Raises
+        ------
+        InputError
+            Measures that cannot be put in place, as stated or in one of the draws.
+        """
+        motions, samples = len(self.drawn), len(self.drawn[0])
+        under_way: dict[int, PartRuns] = {}
+
+        def run(number: int, motion: int, sample: int) -> None:
+            part, runs, draw = parts[number], under_way[number], self.drawn[motion][sample]
+            scale = float(self.floors.scales[motion])
+            shaking = turned(self.floors.motions[motion], scale, draw.direction)
+            act = _run_in_plane if part.in_plane else _run_in_space
+            ran = act(part, draw.of(part.bodies), shaking, self.scenario.gravity)
+            results, devices, runs.peaks[motion * samples + sample], tracks = ran
+            runs.results[motion, sample] = results
+            runs.device_failed[motion, sample] = (devices["failure"] != HOLDS).any()
+            fell = (results["outcome"] == OVERTURNED_OUTCOME).tolist()
+            runs.tracks[motion * samples + sample] = [
+                replace(track, overturned=own) for track, own in zip(tracks, fell, strict=True)
+            ]
+
+        def calls() -> Generator[Callable[[], None]]:
+            for number, part in enumerate(parts):
+                under_way[number] = PartRuns(
+                    np.zeros((motions, samples, len(part.bodies)), RESULT),
+                    np.zeros((motions, samples), np.bool_),
+                    [[] for _ in range(motions * samples)],
+                    [{} for _ in range(motions * samples)],
+                )
+                for place in np.ndindex(motions, samples):
+                    yield partial(run, number, *place)
+
+        left, following = [motions * samples] * len(parts), 0
+        with Pool(self.threads) as pool:
+            for call, _ in pool.as_completed(calls()):
+                left[call // (motions * samples)] -= 1
+                self.advance(1)
+                while following < len(parts) and left[following] == 0:
+                    following += 1
+                    yield under_way.pop(following - 1)
+
+    def with_samples(self, start: int, end: int) -> Question:
+        """Return the same with some of the samples of each motion only."""
+        return self._replace(drawn=[row[start:end] for row in self.drawn])
+
+    def blocks(self) -> Iterator[tuple[int, int]]:
+        """Yield ranges of the samples of each motion: a few to begin with, then as many as before again."""
+        motions, samples = len(self.drawn), len(self.drawn[0])
+        end = 0
+        while end < samples:
+            start, end = end, min(samples, max(-(-FIRST_RUNS // motions), 2 * end))
+            yield start, end
 
 
 def _run_in_space(
@@ -281,14 +313,8 @@ def _run_in_space(
     The floor leans to the front of the first of them, as in the plane.
     """
     shaking = leaning(shaking, draw.room.lean, part.assembly.members[0].heading, gravity)
-    traced = trace_assembly(
-        drawn_assembly(part.assembly, draw),
-        _far_as_stated(part.room, drawn_room(part.assembly, part.room, draw.room)),
-        shaking,
-        gravity,
-        strength=draw.room.strength,
-        friction=draw.room.friction,
-    )
+    room = _far_as_stated(part.room, drawn_room(part.assembly, part.room, draw.room))
+    traced = trace_draw(part.assembly, room, draw, shaking, gravity)
     standing = [one.standing for one in traced.bodies]
     results = results_of(standing, traced.trace, shaking.times)
     peaks: PeakForces = {}

@@ -15,23 +15,16 @@ from stayput.rooms.words import interval_text, label_of, piece_name
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
 from stayput.verification.words import class_phrase, share_text
-from stayput.wording import inside
+from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterator
 
     from stayput.fragility import Probability
-    from stayput.rooms.forces import Purchase
+    from stayput.rooms.steps import Purchase
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""
-
-
-def joined(parts: Iterable[Phrase], by: str = "common.listed") -> Phrase:
-    """Return phrases as a list in one."""
-    english, japanese = zip(*parts, strict=True)
-    between = phrase(by)
-    return between[0].join(english), between[1].join(japanese)
 
 
 def newtons(force: float) -> Phrase:
@@ -95,9 +88,10 @@ def where(purchase: Purchase, fix: Fix) -> Phrase:
             return phrase("action_plan.belt_top", setback=measure.setback, height=height, apart=apart)
         case WallDevice():
             assert held.room.left_wall is not None
-            studs = measure.fixed_to(held.room.left_wall) == "stud"
-            key = "action_plan.at_wall" if studs else "action_plan.at_wall_plain"
-            return phrase(key, height=base + elements[0].point[1], apart=apart)
+            in_studs = measure.fixed_to(held.room.left_wall) == "stud"
+            studs = phrase("action_plan.on_studs") if in_studs else ""
+            height = base + elements[0].point[1]
+            return phrase("action_plan.at_wall", height=height, apart=apart, studs=studs)
         case TensionPole():
             assert held.room.ceiling is not None
             space = held.room.ceiling.height - base - elements[0].point[1]
@@ -124,12 +118,9 @@ def checks(fix: Fix) -> Iterator[Phrase]:
             case WallDevice():
                 assert held.room.left_wall is not None
                 near, far = (1e3 * pitch for pitch in STUD_PITCH)
-                seen[purchase.measure.fixed_to(held.room.left_wall)] = {
-                    "stud": phrase("action_plan.check_stud", near=near, far=far, depth=1e3 * SCREW_IN_STUD),
-                    "plasterboard": phrase("action_plan.check_board"),
-                    "concrete": phrase("action_plan.check_concrete"),
-                    "hanging strip": phrase("action_plan.check_strip"),
-                }[purchase.measure.fixed_to(held.room.left_wall)]
+                made_of = purchase.measure.fixed_to(held.room.left_wall)
+                numbers = {"near": near, "far": far, "depth": 1e3 * SCREW_IN_STUD}
+                seen[made_of] = phrase(f"action_plan.check_{made_of}", **numbers)
                 seen["top"] = phrase("action_plan.check_top")
             case TensionPole():
                 seen["ceiling"] = phrase("action_plan.check_ceiling")
@@ -177,6 +168,15 @@ def chances_after(effect: RoomEffect) -> dict[str, tuple[Probability, float]]:
     }
 
 
+def worth_telling(effect: RoomEffect, plan: ActionPlan) -> dict[str, tuple[Probability, float]]:
+    """Return those of them that happen; none in a room without places."""
+    return {
+        key: (chance, was)
+        for key, (chance, was) in chances_after(effect).items()
+        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
+    }
+
+
 def falls(plan: ActionPlan) -> Phrase | None:
     """Return which pieces overturn often, before the steps and after all of them; None where none does."""
     before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
@@ -207,16 +207,16 @@ def effects(effect: RoomEffect, plan: ActionPlan, before: RoomEffect | None = No
     before : RoomEffect, optional
         From what it changes; from the room as it is where it is left out.
     """
-    then = chances_after(effect)
-    first = {key: was for key, (_, was) in then.items()}
-    if before is not None:
-        first = {key: chance.estimate for key, (chance, _) in chances_after(before).items()}
-    told = [
-        phrase(f"action_plan.{key}", was=share_text(first[key]), now=with_ends(chance))
-        for key, (chance, was) in then.items()
-        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
-    ]
-    return joined(told)
+    first = {} if before is None else chances_after(before)
+    return joined(
+        phrase(
+            "action_plan.changes",
+            what=phrase(f"rooms.chance_of_{key}"),
+            was=share_text(first[key][0].estimate if first else was),
+            now=with_ends(chance),
+        )
+        for key, (chance, was) in worth_telling(effect, plan).items()
+    )
 
 
 def changes_nothing(effect: RoomEffect, before: RoomEffect | None = None) -> bool:
@@ -238,9 +238,11 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
     if not step.for_people and (not step.decided or changes_nothing(step.alone)):
         yield phrase("action_plan.only_falls" if _steadies(step) else "action_plan.no_gain")
         return
+    alone = effects(step.alone, plan)
+    if not step.alone.helps:
+        alone = phrase("action_plan.unclear", chance=alone)
     if len(plan.steps) == 1:
-        key = "only" if step.alone.helps else "only_unclear"
-        yield phrase(f"action_plan.{key}", chance=effects(step.alone, plan))
+        yield alone
         return
     before = None if number == 1 else plan.steps[number - 2].together
     after = before is not None and not changes_nothing(step.together, before)
@@ -249,8 +251,7 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
         steps = joined([(str(other), str(other)) for other in others], "action_plan.and")
         yield phrase("action_plan.only_together", steps=steps)
     else:
-        key = "alone" if step.alone.helps else "alone_unclear"
-        yield phrase(f"action_plan.{key}", chance=effects(step.alone, plan))
+        yield phrase("action_plan.alone", chance=alone)
     if after:
         yield phrase("action_plan.after_others", chance=effects(step.together, plan, before))
 
@@ -276,7 +277,7 @@ def heading(step: PlanStep, plan: ActionPlan) -> Phrase:
         return english[:1].upper() + english[1:], japanese
     english, japanese = piece_name(step.what)
     called = english[:1].upper() + english[1:], japanese
-    return phrase("action_plan.fix", piece=called, products=products(step.fix))
+    return joined((called, products(step.fix)), "common.colon")
 
 
 def held_by(fix: Fix) -> Held:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Mapping
     from pathlib import Path
 
     import numpy as np
@@ -175,12 +175,12 @@ class RoomEffect:
     @property
     def better(self) -> tuple[str, ...]:
         """What happens clearly less often: some of "hit", "shut_in", "blocked" and "overturned"."""
-        return tuple(dict.fromkeys(name for name, one in self._changes() if one.clear and one.estimate < 0.0))
+        return self._clear(-1.0)
 
     @property
     def worse(self) -> tuple[str, ...]:
         """What happens clearly more often."""
-        return tuple(dict.fromkeys(name for name, one in self._changes() if one.clear and one.estimate > 0.0))
+        return self._clear(1.0)
 
     @property
     def helps(self) -> bool:
@@ -192,12 +192,12 @@ class RoomEffect:
         """How many pieces overturn, on average."""
         return sum(one.estimate for one in self.overturned)
 
-    def _changes(self) -> Iterator[tuple[str, Difference]]:
-        yield "hit", self.hit_change
-        yield "shut_in", self.shut_in_change
-        yield "blocked", self.blocked_change
-        for one in self.overturned_change:
-            yield "overturned", one
+    def _clear(self, sign: float) -> tuple[str, ...]:
+        """Return what changes clearly in one direction, each once."""
+        falls = (("overturned", one) for one in self.overturned_change)
+        ways = ("shut_in", self.shut_in_change), ("blocked", self.blocked_change)
+        changes = (("hit", self.hit_change), *ways, *falls)
+        return tuple(dict.fromkeys(name for name, one in changes if one.clear and sign * one.estimate > 0.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -293,16 +293,16 @@ class RoomVerdict:
     doors: tuple[DoorVerdict, ...]
     pieces: tuple[RoomPiece, ...]
     collisions: Mapping[tuple[str, str], Probability]
-    changes: tuple[ChangeVerdict, ...]
     typical: TypicalRun | None
-    complete: bool
     motions: int
     samples: int
-    runs: int
     slide_limit: float
     seed: int
-    seconds: float
     floor: str = ""
+    changes: tuple[ChangeVerdict, ...] = ()
+    complete: bool = False
+    runs: int = 0
+    seconds: float = 0.0
 
     def __repr__(self) -> str:
         chances = f"hit {self.hit.text}; shut in {self.shut_in.text}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,9 +16,9 @@ from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
 from stayput.progress import tally
 from stayput.rooms.contact import inside_each_other
-from stayput.rooms.effects import Answer, Question, RoomState, anybody, changes_of, hits_by, in_order, risk_of
+from stayput.rooms.effects import Answer, RoomState, anybody, changes_of, hits_by, in_order, risk_of
 from stayput.rooms.events import EndOfRuns, shares_covered
-from stayput.rooms.runs import groups_of, part_with
+from stayput.rooms.runs import Question, groups_of, part_with
 from stayput.rooms.verdict import (
     ChangeVerdict,
     DoorVerdict,
@@ -165,37 +165,24 @@ def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Ass
         corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)
         low, high = corners.min(axis=0), corners.max(axis=0)
         name = f"furniture[{number}].at"
+        called = repr(names[number])
         if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
-            raise InputError(
-                "rooms.in_a_wall",
-                name,
-                name=repr(scenario.names[number]),
-                low_x=float(low[0]),
-                high_x=float(high[0]),
-                low_y=float(low[1]),
-                high_y=float(high[1]),
-                width=plan.width,
-                length=plan.length,
-            )
+            values: dict[str, Any] = {"width": plan.width, "length": plan.length}
+            for axis, one in enumerate("xy"):
+                values |= {f"low_{one}": float(low[axis]), f"high_{one}": float(high[axis])}
+            raise InputError("rooms.in_a_wall", name, name=called, **values)
         ceiling = scenario.room.ceiling
         if ceiling is not None and high[2] > ceiling.height + 1e-6:
-            raise InputError(
-                "rooms.in_the_ceiling",
-                f"furniture[{number}]",
-                name=repr(names[number]),
-                high=float(high[2]),
-                height=ceiling.height,
-            )
+            values = {"high": float(high[2]), "height": ceiling.height}
+            raise InputError("rooms.in_the_ceiling", f"furniture[{number}]", name=called, **values)
         others: list[tuple[Standing | PersonPlace, str]] = [
             (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
         ]
         others += [(place, repr(place.name)) for place in plan.places]
-        for other, called in others:
+        for other, what in others:
             depth = inside_each_other(standing, other)
             if depth > DEEPEST:
-                raise InputError(
-                    "rooms.in_another", name, name=repr(names[number]), other=called, depth=depth
-                )
+                raise InputError("rooms.in_another", name, name=called, other=what, depth=depth)
 
 
 def _verdicts(question: Question, slide_limit: float, *, changes: bool) -> Iterator[RoomVerdict]:
@@ -255,15 +242,11 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
             (scenario.names[a], scenario.names[b]): probability(met.reshape(shape), missing)
             for (a, b), met in as_it_is.met.items()
         },
-        changes=(),
         typical=_typical(question, as_it_is),
-        complete=False,
         motions=motions,
         samples=samples,
-        runs=0,
         slide_limit=slide_limit,
         seed=scenario.uncertainty.seed,
-        seconds=0.0,
         floor=question.floors.floor,
     )
 

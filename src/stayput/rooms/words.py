@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import chain, repeat
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import PIECES
@@ -25,25 +25,18 @@ TOLD = 0.005
 """From this share on something is told in the verdict's sentence."""
 
 
-class DefaultName(NamedTuple):
-    """The name of what has none of its own: its kind, with a number where there are several."""
-
-    kind: str
-    number: str
-
-
-def default_name(name: str, kinds: Mapping[str, Phrase]) -> DefaultName | None:
-    """Return what a name such as "bookcase" or "bookcase 2" consists of; None for a name of the user's own.
+def default_name(name: str, kinds: Mapping[str, Phrase]) -> tuple[str, str] | None:
+    """Return kind and number of a name such as "bookcase" or "bookcase 2"; None for a name of the user's own.
 
     With a number the kind may also be written as it is called in either language: "Bookcase 2", "本棚 2".
     """
     if name in kinds:
-        return DefaultName(name, "")
+        return name, ""
     before, _, number = name.rpartition(" ")
     if not (number.isascii() and number.isdecimal()):
         return None
     called = (kind for kind, words in kinds.items() if before.lower() in (kind, *words))
-    return next((DefaultName(kind, number) for kind in called), None)
+    return next(((kind, number) for kind in called), None)
 
 
 def _called(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
@@ -51,8 +44,8 @@ def _called(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
     found = default_name(name, kinds)
     if found is None:
         return (name, name)
-    kind = kinds[found.kind]
-    return phrase("rooms.numbered", name=kind, number=found.number) if found.number else kind
+    kind, number = found
+    return phrase("rooms.numbered", name=kinds[kind], number=number) if number else kinds[kind]
 
 
 def _within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
@@ -61,7 +54,7 @@ def _within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
     if found is None:
         return phrase("rooms.named", name=name)
     called = _called(name, kinds)
-    return called if found.number else phrase("rooms.the", name=called)
+    return called if found[1] else phrase("rooms.the", name=called)
 
 
 _PLACES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
@@ -89,7 +82,7 @@ def piece_within(name: str) -> Phrase:
     found = default_name(name, PIECES)
     if found is None:
         return phrase("rooms.named", name=name)
-    return phrase("rooms.a_numbered_piece" if found.number else "rooms.the_piece", name=piece_name(name))
+    return phrase("rooms.a_numbered_piece" if found[1] else "rooms.the_piece", name=piece_name(name))
 
 
 def names_in(scenario: AssemblyScenario, language: str) -> tuple[str, ...]:
@@ -100,9 +93,9 @@ def names_in(scenario: AssemblyScenario, language: str) -> tuple[str, ...]:
 def _where_somebody_is(place: PersonPlace) -> Phrase:
     """Return where the person of a place is: "in bed", "at desk 2"."""
     found = default_name(place.name, _PLACES)
-    in_bed = found == DefaultName("bed", "")  # which has no article then
+    in_bed = found == ("bed", "")  # which has no article then
     called = place_name(place) if in_bed else _within(place.name, _PLACES)
-    return phrase(f"rooms.{'at' if found is None else _AT[found.kind]}_place", place=called)
+    return phrase(f"rooms.{'at' if found is None else _AT[found[0]]}_place", place=called)
 
 
 def often(share: float, cases: Phrase) -> Phrase:
@@ -203,8 +196,8 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
     place = next((one.place for one in verdict.places if one.place.name == change.what), None)
     if place is not None and change.what not in verdict.scenario.names:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
-        key = "rooms.turn_place" if turned else "rooms.move_place"
-        return phrase(key, place=_within(place.name, _PLACES), x=x, y=y)
+        how = phrase("rooms.turned" if turned else "rooms.moved", place=_within(place.name, _PLACES))
+        return phrase("rooms.move_place", how=how, x=x, y=y)
     wall = wall_faced(change.heading)
     along, start = (y, "near_side_wall") if wall in ("left_wall", "right_wall") else (x, "left_wall")
     return phrase(

@@ -2,33 +2,8 @@
 
 from __future__ import annotations
 
-from stayput.montecarlo.counting import EVENTS, SLIDE_LIMIT, Quantiles
 from stayput.verification.compare import LEVELS
 from stayput.verification.entry import verify
-from stayput.verification.options import Option, options_of
-from stayput.verification.verdict import (
-    AsInstalled,
-    AssemblyOptionVerdict,
-    AssemblyVerdict,
-    DeviceSummary,
-    OptionVerdict,
-    PieceVerdict,
-    Verdict,
-)
+from stayput.verification.verdict import AssemblyVerdict, Verdict
 
-__all__ = [
-    "EVENTS",
-    "LEVELS",
-    "SLIDE_LIMIT",
-    "AsInstalled",
-    "AssemblyOptionVerdict",
-    "AssemblyVerdict",
-    "DeviceSummary",
-    "Option",
-    "OptionVerdict",
-    "PieceVerdict",
-    "Quantiles",
-    "Verdict",
-    "options_of",
-    "verify",
-]
+__all__ = ["LEVELS", "AssemblyVerdict", "Verdict", "verify"]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import time
 from dataclasses import replace
 from functools import cache, partial
-from typing import TYPE_CHECKING, NamedTuple
+from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -91,7 +92,7 @@ def compare(
     place = shaking.building, shaking.storey or 1
     hazard = Hazard(ground, *place, bool(shaking.vertical), dimensions, tuple(further))
     settings = Settings.of(scenario, len(ground), limit)
-    faulty = _faulty(options, scenario)
+    faulty = _badly_installed(options, scenario)
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
@@ -111,14 +112,12 @@ def compare(
                 scenario=scenario,
                 intensity=floors.median_intensity,
                 slide_limit=limit,
-                options=_verdicts(options, held, outcomes, [], [], limit, {}, [None] * len(options)),
+                options=_verdicts(options, held, outcomes, limit),
                 estimates=estimates,
                 levels=np.empty(0),
                 motions=len(ground),
                 samples=samples,
                 runs=made,
-                settled=0,
-                precise=False,
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
                 impossible=impossible,
@@ -140,11 +139,11 @@ def compare(
             count(unneeded)
         installed: dict[str, AsInstalled] = {}
         if faulty:
-            bad = _rows(tuple(each.option for each in faulty), scenario, settings, samples)
+            bad = _rows(tuple(option for option, *_ in faulty), scenario, settings, samples)
             found = run_level(bad, floors, threads=threads, progress=count)
             well = {option.name: runs for option, runs in zip(options, here, strict=True)}
-            for each, runs in zip(faulty, found, strict=True):
-                installed[each.option.name] = _as_installed(each, well[each.option.name], runs, limit)
+            for (option, how, share), runs in zip(faulty, found, strict=True):
+                installed[option.name] = _as_installed(how, share, well[option.name], runs, limit)
         inside = contents_verdicts(options, scenario, floors, settings.seed, threads)
         floors_at = cache(partial(hazard.at, threads=threads))
         falls: list[Falls] = []
@@ -157,7 +156,7 @@ def compare(
         measures = [floors_at(float(level)) for level in rows]
     return replace(
         ranked(here, samples),
-        options=_verdicts(options, held, here, falls, measures, limit, installed, inside),
+        options=_verdicts(options, held, here, limit, falls, measures, installed, inside),
         levels=rows,
         runs=at_a_level + badly + made,
         settled=at_a_level * len(rows) - made,
@@ -184,39 +183,33 @@ def _rows(
     return [rows_of(body, room, each.measures, drawn, gravity, initial, dimensions) for each in options]
 
 
-class _Faulty(NamedTuple):
-    """An option badly installed, what is wrong with it, and in what share."""
-
-    option: Option
-    how: tuple[Phrase, ...]
-    share: float
-
-
-def _faulty(options: tuple[Option, ...], scenario: Scenario) -> list[_Faulty]:
-    """Return those options badly installed of which the scenario asks a share."""
-    found: list[_Faulty] = []
-    room = scenario.room.room()
+def _badly_installed(
+    options: tuple[Option, ...], scenario: Scenario
+) -> list[tuple[Option, tuple[Phrase, ...], float]]:
+    """Return the options badly installed of which the scenario asks a share, what is wrong, and the share."""
+    found: list[tuple[Option, tuple[Phrase, ...], float]] = []
     for option in options:
-        worse = option.badly_installed(room)
-        if worse is None:
-            continue
-        bad, wrong = worse
-        share = scenario.uncertainty.badly(max(each.share for each in wrong))
+        bad, wrong = option.badly_installed(scenario.room.room()) or (option, ())
+        share = scenario.uncertainty.badly(max(each.share for each in wrong)) if wrong else 0.0
         if share > 0.0:
-            found.append(_Faulty(bad, tuple(each.how for each in wrong), share))
+            found.append((bad, tuple(each.how for each in wrong), share))
     return found
 
 
-def _as_installed(faulty: _Faulty, well: Runs, badly: Runs, slide_limit: float) -> AsInstalled:
-    share, ends = faulty.share, (well.probabilities(slide_limit), badly.probabilities(slide_limit))
+def _as_installed(
+    how: tuple[Phrase, ...], share: float, well: Runs, badly: Runs, limit: float
+) -> AsInstalled:
+    ends = well.probabilities(limit), badly.probabilities(limit)
     usual = {
         event: (1.0 - share) * chance.estimate + share * ends[1][event].estimate
         for event, chance in ends[0].items()
     }
-    return AsInstalled(share, faulty.how, ends[1], usual)
+    return AsInstalled(share, how, ends[1], usual)
 
 
-def _curves(name: str, falls: Falls, measures: list[FloorMotions]) -> dict[IntensityMeasure, FragilityCurve]:
+def _curves(
+    name: str, falls: Falls, measures: Sequence[FloorMotions]
+) -> dict[IntensityMeasure, FragilityCurve]:
     return {
         im: fragility_curve(
             Trials.from_runs(
@@ -235,11 +228,11 @@ def _verdicts(
     options: tuple[Option, ...],
     held: list[Held],
     stated: list[Runs],
-    falls: list[Falls],
-    measures: list[FloorMotions],
     slide_limit: float,
-    installed: Mapping[str, AsInstalled],
-    inside: list[ContentsVerdict | None],
+    falls: Sequence[Falls] = (),
+    measures: Sequence[FloorMotions] = (),
+    installed: Mapping[str, AsInstalled] = MappingProxyType({}),
+    inside: Sequence[ContentsVerdict | None] = (),
 ) -> tuple[OptionVerdict, ...]:
     verdicts: list[OptionVerdict] = []
     for i, outcomes in ranked_outcomes(stated, [len(option.measures) for option in options], slide_limit):
@@ -256,7 +249,7 @@ def _verdicts(
                 curves=curves,
                 capacities={p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {},
                 installed=installed.get(option.name),
-                contents=inside[i],
+                contents=inside[i] if inside else None,
             )
         )
     return tuple(verdicts)

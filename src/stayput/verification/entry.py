@@ -51,15 +51,11 @@ class _RunsOfOne(_Runs, total=False):
 
 
 @overload
-def verify(what: Scenario | Case, **asked: Unpack[_RunsOfOne]) -> Verdict: ...
-
-
-@overload
 def verify(
-    what: Body,
+    what: Scenario | Case | Body,
     room: Room | None = ...,
     *,
-    shaking: StatedShaking,
+    shaking: StatedShaking | None = ...,
     building: Building | ShearModel | None = ...,
     storey: int | None = ...,
     **asked: Unpack[_RunsOfOne],
@@ -178,6 +174,12 @@ def verify(
     2
     """
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
+    runs: dict[str, Any] = {
+        "slide_limit": limit,
+        "threads": threads,
+        "progress": progress,
+        "on_progress": on_progress,
+    }
     settings = {"samples": samples, "seed": seed, "precision": precision}
     stated = {key: value for key, value in settings.items() if value is not None}
     place: dict[str, Any] = {"building": building, "storey": storey}
@@ -204,33 +206,12 @@ def verify(
     if isinstance(scenario, AssemblyScenario):
         if levels is not None and np.size(levels):
             raise InputError("several.levels", "levels")
-        return verify_several(
-            scenario, slide_limit=limit, threads=threads, progress=progress, on_progress=on_progress
-        )
+        return verify_several(scenario, **runs)
+    further = list_of("intensity_measures", intensity_measures, IntensityMeasure)
+    known = dict.fromkeys(intensity_measure(one.key, "intensity_measures") for one in further)
     return compare(
-        scenario,
-        levels=levels,
-        further=_further(intensity_measures),
-        slide_limit=limit,
-        every_run=every_run,
-        threads=threads,
-        progress=progress,
-        on_progress=on_progress,
-        on_verdict=on_verdict,
+        scenario, levels=levels, further=[*known], every_run=every_run, on_verdict=on_verdict, **runs
     )
-
-
-def _further(measures: Sequence[IntensityMeasure]) -> tuple[IntensityMeasure, ...]:
-    """Return the measures of intensity that are wanted, each once.
-
-    Raises
-    ------
-    InputError
-        A measure that motions of the ground have not.
-    """
-    given = list_of("intensity_measures", measures, IntensityMeasure)
-    known = (intensity_measure(one.key, "intensity_measures") for one in given)
-    return tuple(dict.fromkeys(known))
 
 
 def _refuse_beside(what: Scenario | AssemblyScenario | Case, given: dict[str, Any]) -> None:

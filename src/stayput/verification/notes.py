@@ -27,12 +27,12 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
 from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_loads, position_of
 from stayput.standards.asce43 import VERTICAL_SHARE
-from stayput.verification.grades import furniture_tag, grade, weakest
+from stayput.verification.options import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
-from stayput.wording import FAR
+from stayput.wording import FAR, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterator
     from typing import Self
 
     from stayput.model.body import Body
@@ -176,8 +176,8 @@ def notes(verdict: Verdict) -> tuple[Phrase, ...]:
     return *shaken_notes(verdict, verdict.best.option), everyday_note(verdict)
 
 
-def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
-    """Return the notes of a verdict but that on the piece without an earthquake.
+def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
+    """Yield the notes of a verdict but that on the piece without an earthquake.
 
     Parameters
     ----------
@@ -186,29 +186,18 @@ def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
     graded : Option
         The option whose grade is explained.
     """
-    return (
-        *_strength(verdict),
-        *_floor(verdict),
-        *_estimate(verdict),
-        *_field(verdict),
-        *_grade(graded, verdict),
-        *_far(verdict),
-        *_contents(verdict),
-        *_engine(verdict.scenario),
-    )
-
-
-def _strength(verdict: Verdict) -> Iterator[Phrase]:
-    """Yield how strongly the ground shakes, where a published model says so."""
     strength = verdict.scenario.shaking.strength
     if strength is not None and strength.scatter:
         yield phrase("verification.strength", strength=strength.told(verdict.motions))
-
-
-def _floor(verdict: Verdict) -> Iterator[Phrase]:
-    """Yield what the motions of an upper floor cannot say."""
     if verdict.floor:
         yield phrase("verification.of_a_floor", floor=floor_phrase(verdict.floor))
+    yield from _estimate(verdict)
+    yield from _field(verdict)
+    yield _grade(graded, verdict)
+    if any(slides_off(option, verdict) for option in verdict.options):
+        yield phrase("verification.slides_off", far=FAR)
+    yield from _contents(verdict)
+    yield from _engine(verdict.scenario)
 
 
 def _engine(scenario: Scenario) -> Iterator[Phrase]:
@@ -218,11 +207,6 @@ def _engine(scenario: Scenario) -> Iterator[Phrase]:
         yield phrase("verification.in_space", heading=math.degrees(scenario.furniture.heading))
     elif body.length is not None and body.length < LONG * body.width:
         yield phrase("verification.not_long", ratio=body.length / body.width, long=LONG)
-
-
-def _listed(phrases: Iterable[Phrase]) -> Phrase:
-    english, japanese = zip(*phrases, strict=True)
-    return "; ".join(english), "、".join(japanese)
 
 
 def _field(verdict: Verdict) -> Iterator[Phrase]:
@@ -254,7 +238,7 @@ def _estimate(verdict: Verdict) -> Iterator[Phrase]:
         "verification.estimate_differs",
         formula=percent(formula),
         simulated=percent(simulated),
-        left_out=_listed(_left_out(verdict)),
+        left_out=joined(_left_out(verdict)),
     )
 
 
@@ -282,14 +266,14 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     yield phrase("verification.of_their_own")
 
 
-def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
+def _grade(option: Option, verdict: Verdict) -> Phrase:
     scenario = verdict.scenario
     deciding = weakest(option, scenario)
-    inputs = _listed(item.label for item in deciding[:LISTED])
+    inputs = joined(item.label for item in deciding[:LISTED])
     if len(deciding) > LISTED:
         more = phrase("verification.and_more", more=len(deciding) - LISTED)
         inputs = inputs[0] + more[0], inputs[1] + more[1]
-    yield phrase(
+    return phrase(
         "verification.grade",
         option=(title(option, verdict, "en"), title(option, verdict, "ja")),
         letter=grade(option, scenario).value,
@@ -346,8 +330,3 @@ def _contents(verdict: Verdict) -> Iterator[Phrase]:
         emptied=contents.emptied.texts,
         opened="" if wide is None else phrase("verification.drawers_open", share=wide.texts),
     )
-
-
-def _far(verdict: Verdict) -> Iterator[Phrase]:
-    if any(slides_off(option, verdict) for option in verdict.options):
-        yield phrase("verification.slides_off", far=FAR)

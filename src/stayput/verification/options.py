@@ -1,4 +1,8 @@
-"""The options that a verification compares: nothing, measures, and joints of several pieces."""
+"""The options that a verification compares: nothing, measures, joints; and how well founded their inputs are.
+
+What each grade means stands in `stayput.measures.measure`, and with the parameters whether they decide.
+The earthquakes are what is asked, so they have no grade.
+"""
 
 from __future__ import annotations
 
@@ -7,17 +11,25 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 
 from stayput.catalogue import Phrase, phrase, say
 from stayput.errors import InputError
-from stayput.measures import MEASURES, BadlyInstalled, Measure, hold
+from stayput.measures import MEASURES, BadlyInstalled, Measure, TensionPole, hold
+from stayput.measures.floor import OtherFriction
+from stayput.measures.measure import GRADE_OF, Grade
+from stayput.measures.wall import WallDevice
+from stayput.model.body import FURNITURE
+from stayput.model.parameters import GIVEN, parameters
+from stayput.model.room import SURFACES, Floor
 from stayput.model.state import refuse_bad_start
 from stayput.scenario.pieces import NOTHING, AssemblyOption
 from stayput.simulation.placing import placed
+from stayput.uncertainty import Confidence
+from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
-    from stayput.model.body import Body
     from stayput.model.room import Room
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
+    from stayput.scenario.tables import BuildingTable, FurnitureTable
 
 OptionT = TypeVar("OptionT")
 
@@ -96,25 +108,20 @@ class Impossible(Generic[OptionT]):
     option: OptionT
     error: InputError
 
-    @property
-    def reason(self) -> str:
-        """Why not, in English."""
-        return str(self.error)
-
     def why(self, language: str) -> str:
         """Return why not, in "en" or "ja"."""
         return self.error.told("ja" if language == "ja" else "en")
 
 
-def partition_options(
-    options: Sequence[Option], body: Body, room: Room
-) -> tuple[tuple[Option, ...], tuple[Impossible[Option], ...]]:
+def _possible(
+    options: Iterable[OptionT], put_in_place: Callable[[OptionT], object]
+) -> tuple[tuple[OptionT, ...], tuple[Impossible[OptionT], ...]]:
     """Return those options that can be put in place, and those that cannot with the reason."""
-    possible: list[Option] = []
-    impossible: list[Impossible[Option]] = []
+    possible: list[OptionT] = []
+    impossible: list[Impossible[OptionT]] = []
     for option in options:
         try:
-            hold(body, room, option.measures)
+            put_in_place(option)
         except InputError as error:  # no wall behind, no ceiling known, an anchor above the ceiling
             impossible.append(Impossible(option, error.with_traceback(None)))
         else:
@@ -128,11 +135,6 @@ def usual() -> tuple[Option, ...]:
     return tuple(Option(" + ".join(names), tuple(MEASURES[name]() for name in names)) for names in sets)
 
 
-def usual_options(body: Body, room: Room) -> tuple[Option, ...]:
-    """Return the usual measures, each alone, and the usual pair: those that can be applied here."""
-    return partition_options(usual(), body, room)[0]
-
-
 def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible[Option], ...]]:
     """Return the options that a verification compares, that without a measure first, and the impossible ones.
 
@@ -143,39 +145,17 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
         of one name.
     """
     named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
-    _refuse_twice((Option("none"), *named))
-    body, room = scenario.furniture.body(), scenario.room.room()
-    refuse_bad_start(body, room, scenario.initial.state())
-    compared = named if named or scenario.without_measures else usual()
-    possible, impossible = partition_options(compared, body, room)
-    if named and not possible:
-        raise impossible[0].error
-    return (Option("none"), *possible), impossible
-
-
-def options_of(scenario: Scenario) -> tuple[Option, ...]:
-    """Return the options of a scenario, that without a measure first.
-
-    Raises
-    ------
-    InputError
-        A measure that cannot be applied there, or two of one name.
-    """
-    body, room = scenario.furniture.body(), scenario.room.room()
-    named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
-    for option in named:
-        hold(body, room, option.measures)
-    compared = named if named or scenario.without_measures else usual_options(body, room)
-    options = (Option("none"), *compared)
-    _refuse_twice(options)
-    return options
-
-
-def _refuse_twice(options: Sequence[Option]) -> None:
-    names = [option.name for option in options]
+    names = ["none", *(option.name for option in named)]
     for name in names:
         if names.count(name) > 1:
             raise InputError("verification.two_of_one_name", "measures", name=repr(name))
+    body, room = scenario.furniture.body(), scenario.room.room()
+    refuse_bad_start(body, room, scenario.initial.state())
+    compared = named if named or scenario.without_measures else usual()
+    possible, impossible = _possible(compared, lambda option: hold(body, room, option.measures))
+    if named and not possible:
+        raise impossible[0].error
+    return (Option("none"), *possible), impossible
 
 
 ON_TOP = ("l_bracket", "belt", "tension_pole")
@@ -188,31 +168,19 @@ ALONE = ("l_bracket",)
 """Those of them that are compared without the joints too."""
 
 
-def label(option: AssemblyOption, scenario: AssemblyScenario) -> Phrase:
-    """Return what an option consists of: "Joints + Screwed L-brackets on upper part"."""
-    english, japanese = (_label(option, scenario.names, language) for language in ("en", "ja"))
-    return english, japanese
-
-
-def brief_label(option: AssemblyOption) -> Phrase:
-    """Return the same without the names of the pieces."""
-    english, japanese = (_label(option, (), language) for language in ("en", "ja"))
-    return english, japanese
-
-
-def _label(option: AssemblyOption, names: tuple[str, ...], language: str) -> str:
+def label(option: AssemblyOption, names: Sequence[str] = ()) -> Phrase:
+    """Return what an option consists of: "Joints + Belts on upper part"; no "on" without names."""
     if not option.count:
-        return say("several.nothing", language)
+        return phrase("several.nothing")
     on: dict[Phrase, list[str]] = {}
     for number, measures in enumerate(option.measures):
         for measure in measures:
             on.setdefault(measure.label, []).extend(names[number : number + 1])
-    parts = [say("several.joined", language)] if option.joined else []
+    parts = [phrase("several.joined")] if option.joined else []
     for what, held in on.items():
-        pieces = (" and " if language == "en" else "と").join(held)
-        on_pieces = phrase("several.on", measure=what, pieces=pieces)
-        parts.append(say(on_pieces if held else what, language))
-    return (" + " if language == "en" else "＋").join(parts)
+        pieces = " and ".join(held), "と".join(held)
+        parts.append(phrase("several.on", measure=what, pieces=pieces) if held else what)
+    return joined(parts, "action_plan.plus")
 
 
 def options_of_several(
@@ -227,26 +195,19 @@ def options_of_several(
     """
     nothing = AssemblyOption(NOTHING, False, ((),) * len(scenario.names))
     named = scenario.options
-    wanted = named or _usual(scenario)
-    possible: list[AssemblyOption] = []
-    rejected: list[Impossible[AssemblyOption]] = []
-    for option in wanted:
+    room = scenario.surroundings()
+
+    def put_in_place(option: AssemblyOption) -> None:
         try:
-            _put_in_place(scenario, option)
-        except InputError as error:  # no wall behind, no ceiling known, mats under a piece on another
-            rejected.append(Impossible(option, scenario.by_names(error)))
-        else:
-            possible.append(option)
+            placed(scenario.assembly(option).members, room)
+        except InputError as error:  # such as mats under a piece on another
+            raise scenario.by_names(error) from None
+
+    possible, rejected = _possible(named or _usual(scenario), put_in_place)
     if named and not possible:
         with scenario.naming_file():
             raise rejected[0].error
-    return (nothing, *possible), tuple(rejected)
-
-
-def _put_in_place(scenario: AssemblyScenario, option: AssemblyOption) -> None:
-    """Raise `InputError` where an option cannot be put in place."""
-    members, room = scenario.assembly(option).members, scenario.surroundings()
-    placed(members, room)
+    return (nothing, *possible), rejected
 
 
 def _usual(scenario: AssemblyScenario) -> tuple[AssemblyOption, ...]:
@@ -269,3 +230,138 @@ def _usual(scenario: AssemblyScenario) -> tuple[AssemblyOption, ...]:
             if joints:
                 found.append(AssemblyOption(f"joined + {kind}", True, measures))
     return tuple(found)
+
+
+SOFT = 0.2e-3
+"""From so far on that the floor gives, it decides whether a flat base overturns [m]: tatami and carpet."""
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """An input that decides the outcome, and how well founded its value is.
+
+    Parameters
+    ----------
+    label : Phrase
+        What it is, in English and Japanese.
+    tag : str
+        A `stayput.uncertainty.Confidence`, or `stayput.model.parameters.GIVEN`.
+    """
+
+    label: Phrase
+    tag: str
+
+    @property
+    def grade(self) -> Grade:
+        """Its grade."""
+        return GRADE_OF[self.tag]
+
+
+def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
+    """Return the inputs that decide the outcome of an option, the piece first.
+
+    Parameters
+    ----------
+    option : Option
+        The measures, which can be put in place.
+    scenario : Scenario
+        The furniture and where it stands.
+    """
+    before = scenario.room.room()
+    after = hold(scenario.furniture.body(), before, option.measures).room.floor
+    replaced = (after.static_friction, after.kinetic_friction) != (
+        before.floor.static_friction,
+        before.floor.kinetic_friction,
+    )
+    return (
+        Input(phrase("verification.size_and_mass"), furniture_tag(scenario.furniture)),
+        *_around(scenario, after, replaced),
+        *(one for measure in option.measures for one in _of_measure(measure)),
+    )
+
+
+def weakest(option: Option, scenario: Scenario) -> tuple[Input, ...]:
+    """Return the inputs of the worst grade among those of an option; see `inputs`."""
+    deciding = inputs(option, scenario)
+    worst = max(item.grade for item in deciding)
+    return tuple(item for item in deciding if item.grade == worst)
+
+
+def grade(option: Option, scenario: Scenario) -> Grade:
+    """Return the grade of an option: that of its weakest input."""
+    return weakest(option, scenario)[0].grade
+
+
+def inputs_in_room(measures: tuple[Measure, ...], scenario: RoomScenario, number: int) -> tuple[Input, ...]:
+    """Return the inputs that decide what becomes of a piece of a room with measures on it.
+
+    Parameters
+    ----------
+    measures : tuple of Measure
+        The measures, which can be put in place.
+    scenario : RoomScenario
+        The room.
+    number : int
+        The piece.
+    """
+    table, room = scenario.furniture[number], scenario.surroundings()
+    known = table.preset is None or table.mass not in (None, FURNITURE[table.preset].mass)
+    found = [Input(phrase("verification.size_and_mass"), GIVEN if known else Confidence.LOW.value)]
+    found += _around(scenario, room.floor, any(isinstance(one, OtherFriction) for one in measures))
+    stated = scenario.room.model_fields_set
+    for measure in measures:
+        found += _of_measure(measure)
+        if isinstance(measure, WallDevice) and "walls" not in stated:
+            found.append(Input(phrase("verification.the_wall"), Confidence.LOW.value))
+    ceiling = scenario.room.ceiling
+    on_ceiling = any(isinstance(measure, TensionPole) for measure in measures)
+    if on_ceiling and ceiling is not None and "construction" not in ceiling.model_fields_set:
+        found.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
+    return tuple(found)
+
+
+def _around(scenario: Scenario | RoomScenario, floor: Floor, replaced: bool) -> Iterator[Input]:
+    """Yield what decides of the floor, whose friction a measure may have replaced, and of the building."""
+    if not replaced:
+        yield Input(phrase("verification.floor_friction"), floor_tag(scenario))
+    if floor.settlement >= SOFT:
+        table = scenario.room.floor
+        usual = isinstance(table, str) or table.settlement is None
+        tag = Confidence.LOW.value if usual else GIVEN
+        yield Input(phrase("verification.floor_settlement"), tag)
+    building = scenario.shaking.building
+    if building is not None:
+        yield Input(phrase("verification.the_building"), building_tag(building))
+
+
+def _of_measure(measure: Measure) -> Iterator[Input]:
+    called = inside(measure.label[0]), measure.label[1]
+    for parameter in parameters(measure):
+        if parameter.decides:
+            label = joined((called, parameter.label), "common.colon")
+            yield Input(label, parameter.tag(getattr(measure, parameter.name)))
+
+
+def furniture_tag(table: FurnitureTable) -> str:
+    """Return the tag of a piece's size and mass; a preset's own value is a default."""
+    preset = FURNITURE.get(table.preset or "")
+    if preset is None:
+        return GIVEN
+    known = (
+        table.width not in (None, preset.width),
+        table.height not in (None, preset.height),
+        table.shelves is not None or table.mass not in (None, preset.mass),
+    )
+    return GIVEN if all(known) else Confidence.LOW.value
+
+
+def floor_tag(scenario: Scenario | AssemblyScenario) -> str:
+    """Return the tag of the floor's friction."""
+    table = scenario.room.floor
+    surface = table if isinstance(table, str) else table.surface
+    return GIVEN if surface is None else SURFACES[surface].confidence.value
+
+
+def building_tag(table: BuildingTable) -> str:
+    """Return the tag of a building: its masses are the user's, or follow from the structure."""
+    return GIVEN if table.masses is not None else Confidence.LOW.value

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
 from stayput.saved import InJson
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible, Option
+
+RankedT = TypeVar("RankedT")
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +83,21 @@ class AsInstalled:
     usual: Mapping[str, float]
 
 
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class RankedOption:
+    """What is known of any option, whether of one piece or of several; see `OptionVerdict`."""
+
+    rank: int
+    probabilities: Mapping[str, Probability]
+    change: Difference | None
+    slide: Quantiles
+    tilt: Quantiles
+    typical: Member
+    worst: Member
+
+
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class OptionVerdict:
+class OptionVerdict(RankedOption):
     """Results of one option: no measure, or one or several of them.
 
     Parameters
@@ -112,16 +127,9 @@ class OptionVerdict:
     """
 
     option: Option
-    rank: int
-    probabilities: Mapping[str, Probability]
-    change: Difference | None
-    slide: Quantiles
-    tilt: Quantiles
     devices: tuple[DeviceSummary, ...]
     curves: Mapping[IntensityMeasure, FragilityCurve]
     capacities: Mapping[float, Capacity]
-    typical: Member
-    worst: Member
     installed: AsInstalled | None = None
     contents: ContentsVerdict | None = None
 
@@ -130,8 +138,36 @@ class OptionVerdict:
         return f"OptionVerdict({self.option.name!r}, rank {self.rank}, overturned {overturned})"
 
 
+@dataclass(frozen=True, slots=True, eq=False, repr=False, kw_only=True)
+class Ranking(Generic[RankedT]):
+    """What is known of any verification, whether of one piece or of several; see `Verdict`."""
+
+    intensity: float
+    slide_limit: float
+    options: tuple[RankedT, ...]
+    motions: int
+    samples: int
+    runs: int
+    seed: int
+    seconds: float
+    precise: bool = False
+    floor: str = ""
+
+    @property
+    def best(self) -> RankedT:
+        """The option that ranks first."""
+        return self.options[0]
+
+    def report(self, path: str | Path, language: str = "en") -> Path:
+        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
+        from stayput.report.verdict.html import write_report
+
+        assert isinstance(self, Verdict | AssemblyVerdict)
+        return write_report(self, path, language)
+
+
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class Verdict(InJson):
+class Verdict(Ranking[OptionVerdict], InJson):
     """The outcome of a verification.
 
     Parameters
@@ -182,21 +218,11 @@ class Verdict(InJson):
     """
 
     scenario: Scenario
-    intensity: float
-    slide_limit: float
-    options: tuple[OptionVerdict, ...]
     estimates: Estimates
     levels: NDArray[np.float64]
-    motions: int
-    samples: int
-    runs: int
-    settled: int
-    precise: bool
-    seed: int
-    seconds: float
+    settled: int = 0
     impossible: tuple[Impossible[Option], ...] = ()
     complete: bool = True
-    floor: str = ""
 
     def __repr__(self) -> str:
         ranked = ", ".join(
@@ -232,11 +258,6 @@ class Verdict(InJson):
         """The option without a measure."""
         return next(option for option in self.options if not option.option.measures)
 
-    @property
-    def best(self) -> OptionVerdict:
-        """The option that ranks first."""
-        return self.options[0]
-
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""
         from stayput.verification.words import headline
@@ -244,8 +265,8 @@ class Verdict(InJson):
         return headline(self, language)
 
     def grade(self, option: OptionVerdict) -> Grade:
-        """Return the grade of an option: that of its weakest input; see `stayput.verification.grades`."""
-        from stayput.verification.grades import grade
+        """Return the grade of an option: that of its weakest input; see `stayput.verification.options`."""
+        from stayput.verification.options import grade
 
         return grade(option.option, self.scenario)
 
@@ -273,12 +294,6 @@ class Verdict(InJson):
         from stayput.report.verdict.tables import verdict_csv
 
         return verdict_csv(self)
-
-    def report(self, path: str | Path, language: str = "en") -> Path:
-        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
-        from stayput.report.verdict.html import write_report
-
-        return write_report(self, path, language)
 
 
 @dataclass(frozen=True, slots=True)
@@ -310,7 +325,7 @@ class DeviceOfSeveral:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class AssemblyOptionVerdict:
+class AssemblyOptionVerdict(RankedOption):
     """Results of one option of several pieces.
 
     Parameters
@@ -335,19 +350,12 @@ class AssemblyOptionVerdict:
     """
 
     option: AssemblyOption
-    rank: int
-    probabilities: Mapping[str, Probability]
-    change: Difference | None
-    slide: Quantiles
-    tilt: Quantiles
     pieces: tuple[PieceVerdict, ...]
     devices: tuple[DeviceOfSeveral, ...]
-    typical: Member
-    worst: Member
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class AssemblyVerdict:
+class AssemblyVerdict(Ranking[AssemblyOptionVerdict]):
     """The outcome of a verification of several pieces.
 
     Parameters
@@ -375,17 +383,7 @@ class AssemblyVerdict:
     """
 
     scenario: AssemblyScenario
-    intensity: float
-    slide_limit: float
-    options: tuple[AssemblyOptionVerdict, ...]
-    motions: int
-    samples: int
-    runs: int
-    precise: bool
-    seed: int
-    seconds: float
     rejected: tuple[Impossible[AssemblyOption], ...] = ()
-    floor: str = ""
 
     def __repr__(self) -> str:
         best, pieces = self.best, ", ".join(self.scenario.names)
@@ -395,11 +393,6 @@ class AssemblyVerdict:
     def without(self) -> AssemblyOptionVerdict:
         """The option without joints and measures."""
         return next(option for option in self.options if not option.option.count)
-
-    @property
-    def best(self) -> AssemblyOptionVerdict:
-        """The option that ranks first."""
-        return self.options[0]
 
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""
@@ -424,9 +417,3 @@ class AssemblyVerdict:
         from stayput.report.verdict.tables import verdict_csv
 
         return verdict_csv(self)
-
-    def report(self, path: str | Path, language: str = "en") -> Path:
-        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
-        from stayput.report.verdict.html import write_report
-
-        return write_report(self, path, language)

@@ -12,7 +12,7 @@ from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
 from stayput.verification.options import Impossible, Option, label
-from stayput.wording import FAR, inside, is_open, with_aside
+from stayput.wording import FAR, inside, is_open, joined, with_aside
 
 if TYPE_CHECKING:
     from stayput.fragility import Probability
@@ -63,12 +63,6 @@ def share_text(share: float) -> Phrase:
     both = (f"{number} %", f"{number}%")
     bound = {"<": "common.under", ">": "common.over"}.get(shown[0])
     return both if bound is None else phrase(bound, share=both)
-
-
-def of_the_cases(share: float) -> str:
-    """Return a share in English: "in 12 % of the cases", "in none of the cases"."""
-    amount = {0.0: "none", 1.0: "all"}.get(share, share_text(share)[0])
-    return f"in {amount} of the cases"
 
 
 def doubt(chance: Probability) -> Phrase | str:
@@ -176,8 +170,9 @@ def _of_contents(verdict: Verdict) -> Phrase:
         return phrase("verification.stands_but", clause=clause, aside=aside)
     if not best.option.measures:
         return phrase("verification.contents_alone", clause=clause)
-    key = "verification.contents_with" if best.installed is None else "verification.contents_with_well"
-    return phrase(key, measure=_title_inside(best.option, verdict), clause=clause, aside=aside)
+    measure, held = _title_inside(best.option, verdict), "held" if best.installed is None else "well_held"
+    held = phrase(f"verification.{held}")
+    return phrase("verification.contents_with", measure=measure, held=held, clause=clause, aside=aside)
 
 
 def _helps(option: OptionVerdict, without: OptionVerdict) -> bool:
@@ -240,7 +235,9 @@ def _overturns(option: OptionVerdict | AssemblyOptionVerdict, verdict: Ranked, w
     it, change = phrase(f"{where}.it"), option.change
     if change is None:
         return phrase("verification.overturns", it=it, falls=falls_phrase(bare))
-    values = {"bare": share_text(bare), "held": (of_the_cases(held), share_text(held)[1])}
+    english, japanese = share_text(held)
+    amount = {0.0: "none", 1.0: "all"}.get(held, english)
+    values = {"bare": share_text(bare), "held": (f"in {amount} of the cases", japanese)}
     if change.clear:
         key = "verification.less_often" if change.estimate < 0.0 else "verification.more_often"
     else:  # alike also where the difference is unknown
@@ -262,17 +259,15 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         parts.append(contents_out(option, verdict))
         if (leaving := option.contents.leaving) is not None:
             middle, highest = length(leaving.height), length(leaving.highest)
-            key = (
-                "verification.contents_leave_the_top" if middle == highest else "verification.contents_leave"
-            )
-            parts.append(phrase(key, height=middle, highest=highest, fast=leaving.fast))
+            key = "verification.from_the_top" if middle == highest else "verification.from_shelves"
+            shelves = phrase(key, height=middle, highest=highest)
+            parts.append(phrase("verification.contents_leave", from_where=shelves, fast=leaving.fast))
     if shares[DEVICE_FAILED] >= 0.05:
         parts.append(phrase("verification.device_fails", share=share_text(shares[DEVICE_FAILED])))
         worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)
         if worst is not None and worst.weakest is not None:
             parts.append(phrase("verification.gives_way", weakest=worst.weakest))
     if (installed := option.installed) is not None:
-        english, japanese = zip(*installed.how, strict=True)
         usual, badly = installed.usual[OVERTURNED], installed.badly[OVERTURNED]
         alike = share_text(usual) == share_text(held) or badly.low <= held <= badly.high
         parts.append(
@@ -281,7 +276,7 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
                 well=share_text(held),
                 usual=share_text(usual),
                 share=percent(installed.share),
-                how=("; ".join(english), "、".join(japanese)),
+                how=joined(installed.how),
             )
         )
     if slides_off(option, verdict):
@@ -304,7 +299,7 @@ def title_of_several(
     result: AssemblyOptionVerdict | Impossible[AssemblyOption], verdict: AssemblyVerdict, language: str
 ) -> str:
     """Return what an option consists of, after its name where that is the user's own."""
-    content = label(result.option, verdict.scenario)
+    content = label(result.option, verdict.scenario.names)
     if not is_own(result, verdict):
         return say(content, language)
     return with_aside(result.option.name, inside(content[0]) if language == "en" else content[1], language)

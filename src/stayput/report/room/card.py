@@ -15,25 +15,24 @@ from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.elevation import SIZES, elevation_scale, elevation_svg, plan_scale, sizes_of
 from stayput.report.room.plan import numbered_plan
 from stayput.report.room.sheet import PlanSheet
-from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import (
-    chances_after,
     changes_nothing,
     checks,
     effects,
     falls,
     heading,
-    joined,
     to_buy,
     too_weak,
     what_it_brings,
     where,
     with_ends,
+    worth_telling,
 )
-from stayput.rooms.steps import COST_BOUNDS
+from stayput.rooms.steps import COST_BOUNDS, MARGIN, QUANTILE
 from stayput.rooms.words import motion_phrase, piece_name, piece_within
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import shaking_phrase, share_text
+from stayput.wording import joined
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
@@ -70,6 +69,7 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
     drawn = [step.fix for step in plan.steps if step.fix is not None]
     elevations = elevation_scale(drawn, sizes)
     drawing, scale, legend = _plan(plan, sizes, language)
+    beside = phrase("action_plan.elevations", scale=elevations) if drawn else ""
     content = {
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
@@ -78,7 +78,7 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
         "dense": sizes == SIZES[-1],
         "plan": drawing,
         "legend": legend,
-        "scale": _own(language, "scale" if drawn else "scale_alone", plan=scale, elevation=elevations),
+        "scale": _own(language, "scale", plan=scale, elevations=beside),
         "rows": [_row(number, plan, elevations, language) for number in range(1, len(plan.steps) + 1)],
         "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
@@ -94,22 +94,22 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
     if together is None and falling is None and not plan.unsolved:
         yield phrase("action_plan.nothing")
-    told = {  # what is worth telling: nobody is hit in a room without places
-        key: (chance, was)
-        for key, (chance, was) in ({} if together is None else chances_after(together)).items()
-        if (key == "hit" and verdict.places) or was != 0.0 or chance.estimate != 0.0
-    }
+    told = {} if together is None else worth_telling(together, plan)
     if told:
         now, then = (
-            joined(phrase(f"action_plan.chance_{key}", share=share) for key, share in shares.items())
+            joined(
+                phrase("action_plan.chance", what=phrase(f"rooms.chance_of_{key}"), share=share)
+                for key, share in shares.items()
+            )
             for shares in (
                 {key: share_text(was) for key, (_, was) in told.items()},
                 {key: with_ends(chance) for key, (chance, _) in told.items()},
             )
         )
         only, strength = motion_phrase(verdict), shaking_phrase(verdict)
-        key = "action_plan.now" if only is None else "action_plan.now_of_one"
-        yield phrase(key, strength=strength, motion=only or "", chances=now)
+        key = "action_plan.shaking" if only is None else "action_plan.shaking_of_one"
+        shaking = phrase(key, strength=strength, motion=only or "")
+        yield phrase("action_plan.now", shaking=shaking, chances=now)
         key = "action_plan.then_one" if len(plan.steps) == 1 else "action_plan.then"
         yield phrase(key, last=len(plan.steps), chances=then)
     if falling is not None:
@@ -161,8 +161,8 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
     """Return what to look at before which steps, or before which of their variants without drilling."""
     found: dict[tuple[bool, Phrase], list[str]] = {}
     for number, step in enumerate(plan.steps, 1):
-        moved = f"action_plan.check_move{'_place' if step.overturned is None else ''}"
-        ways = [[phrase(moved)] if step.fix is None else checks(step.fix)]
+        empty = "" if step.overturned is None else phrase("action_plan.empty")
+        ways = [[phrase("action_plan.check_move", empty=empty)] if step.fix is None else checks(step.fix)]
         ways += [] if step.instead is None else [checks(step.instead)]
         for undrilled, own in enumerate(ways):
             found.setdefault((bool(undrilled), joined(own, "action_plan.next")), []).append(str(number))

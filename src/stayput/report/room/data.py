@@ -9,9 +9,9 @@ import stayput
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.data import head_data, in_both, interval_data, quantiles_data, shaking_data
 from stayput.rooms.events import CELL
-from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import forces_asked, heading, where
-from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room, tags
+from stayput.rooms.steps import MARGIN, QUANTILE
+from stayput.rooms.words import best_sentence, change_label, change_sentence, tags
 from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 def room_data(verdict: RoomVerdict) -> dict[str, Any]:
     """Return a verdict as plain values, in SI units that the keys name; what is not finite is None."""
     return {
-        **head_data(verdict, partial(sentence_of_room, verdict)),
+        **head_data(verdict),
         "best": in_both(partial(best_sentence, verdict)),
         **shaking_data(verdict),
         **attributes(verdict, "motions", "samples", "runs", "seed", "seconds"),

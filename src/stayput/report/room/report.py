@@ -25,7 +25,6 @@ from stayput.rooms.words import (
     motion_phrase,
     piece_name,
     place_name,
-    sentence_of_room,
     tags,
 )
 
@@ -51,7 +50,7 @@ class TextTable(NamedTuple):
 def sentences(verdict: RoomVerdict, language: str) -> tuple[str, ...]:
     """Return what is said above the tables."""
     best = best_sentence(verdict, language)
-    return (sentence_of_room(verdict, language), *([best] if best else []))
+    return (verdict.sentence(language), *([best] if best else []))
 
 
 def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:

@@ -13,7 +13,7 @@ from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS, PIECES
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
 from stayput.rooms.events import CELL, PASSAGE
-from stayput.verification.grades import building_tag, floor_tag, furniture_tag
+from stayput.verification.options import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

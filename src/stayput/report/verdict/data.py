@@ -15,33 +15,27 @@ from stayput.motion.intensity import intensity_class
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
 from stayput.report.verdict.tables import contents_data, flat_quantiles
-from stayput.verification.grades import inputs
 from stayput.verification.notes import everyday_cases, notes
-from stayput.verification.words import (
-    headline,
-    headline_of_several,
-    reason,
-    reason_of_several,
-    title_of_several,
-)
+from stayput.verification.options import inputs
+from stayput.verification.words import reason, reason_of_several, title_of_several
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from stayput.fragility import Difference, FragilityCurve, Probability
     from stayput.measures import Measure
+    from stayput.montecarlo.counting import Quantiles
     from stayput.report.verdict.assumptions import Assumption
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import AssemblyScenario, Scenario
-    from stayput.verification import (
-        AssemblyOptionVerdict,
-        AssemblyVerdict,
-        OptionVerdict,
-        Quantiles,
-        Verdict,
-    )
+    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible
-    from stayput.verification.verdict import DeviceOfSeveral, Estimates
+    from stayput.verification.verdict import (
+        AssemblyOptionVerdict,
+        DeviceOfSeveral,
+        OptionVerdict,
+    )
 
 
 _ENDS = ("estimate", "low", "high")
@@ -52,12 +46,12 @@ def json_text(data: dict[str, Any]) -> str:
     return json.dumps(data, allow_nan=False, ensure_ascii=False, indent=2) + "\n"
 
 
-def head_data(verdict: Verdict | AssemblyVerdict | RoomVerdict, text: Callable[[str], str]) -> dict[str, Any]:
+def head_data(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> dict[str, Any]:
     """Return the version, the title, and the verdict in one sentence by the language."""
     return {
         "stayput": stayput.__version__,
         "title": verdict.scenario.title,
-        "verdict": in_both(text),
+        "verdict": in_both(verdict.sentence),
     }
 
 
@@ -96,7 +90,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         The verdict.
     """
     return {
-        **head_data(verdict, partial(headline, verdict)),
+        **head_data(verdict),
         "notes": [by_language(note) for note in notes(verdict)],
         "best": verdict.best.option.name,
         **shaking_data(verdict),
@@ -275,7 +269,7 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
 def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
     """Return a verdict on several pieces as plain values; see `verdict_data`."""
     return {
-        **head_data(verdict, partial(headline_of_several, verdict)),
+        **head_data(verdict),
         "best": verdict.best.option.name,
         **shaking_data(verdict),
         "slide_limit_m": verdict.slide_limit,

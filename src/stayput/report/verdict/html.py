@@ -42,7 +42,7 @@ from stayput.report.verdict.tables import (
     weakest_inputs,
 )
 from stayput.verification import AssemblyVerdict
-from stayput.verification.words import class_label, headline, headline_of_several, title
+from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -53,7 +53,8 @@ if TYPE_CHECKING:
     from stayput.report.verdict.assumptions import Assumption
     from stayput.report.verdict.pairs import RunPair
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification import OptionVerdict, Verdict
+    from stayput.verification import Verdict
+    from stayput.verification.verdict import OptionVerdict
 
 
 def write_report(verdict: Verdict | AssemblyVerdict, path: str | Path, language: str = "en") -> Path:
@@ -151,7 +152,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     scenes = {"modes": modes, "pairs": [pair.data(scenario.furniture) for pair in pairs]}
     return {
         **_of_a_ranking(verdict, "report", word("report", language), assumptions(verdict), language),
-        "headline": headline(verdict, language),
+        "headline": verdict.sentence(language),
         "shares": [f"{100.0 * share:g}" for share in SHARES],
         "notes": verdict.notes(language),
         "grades": grades_text(language),
@@ -178,7 +179,7 @@ def _content_of_several(verdict: AssemblyVerdict, language: str) -> dict[str, An
     rows = several_ranking(verdict, language)
     return {
         **content,
-        "headline": headline_of_several(verdict, language),
+        "headline": verdict.sentence(language),
         "rows": rows,
         "pairs": pairs_of_several(verdict, language),
         "device_columns": [say("several.holds", language), *content["device_columns"]],

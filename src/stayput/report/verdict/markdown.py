@@ -23,7 +23,7 @@ from stayput.report.verdict.tables import (
     simulations,
 )
 from stayput.verification import AssemblyVerdict
-from stayput.verification.words import headline, headline_of_several, title
+from stayput.verification.words import title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
     ]
     estimates = table((text("formula"), text("says"), text("beside")), estimate_rows(verdict, language))
     return _text(
-        *_head(verdict, text("report"), headline(verdict, language), language),
+        *_head(verdict, text("report"), verdict.sentence(language), language),
         *(f"{plain(note)}\n" for note in verdict.notes(language)),
         *_runs(verdict, language),
         *_ranking(verdict, columns, ranking(verdict, language), language),
@@ -82,7 +82,7 @@ def several_markdown(verdict: AssemblyVerdict, language: str = "en") -> str:
     columns = (*_events(verdict, option, any_piece, language), each, text("slide_both"), text("why"))
     devices = [(row.label, *cells) for row in rows for cells in several_device_rows(row.option, language)]
     return _text(
-        *_head(verdict, say("several.report", language), headline_of_several(verdict, language), language),
+        *_head(verdict, say("several.report", language), verdict.sentence(language), language),
         f"{say('several.about', language)}\n",
         *_runs(verdict, language),
         *_ranking(verdict, columns, rows, language),

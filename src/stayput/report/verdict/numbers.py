@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Capacity, Difference, Probability
     from stayput.model.room import Room
-    from stayput.verification import Quantiles
+    from stayput.montecarlo.counting import Quantiles
 
 
 NO_NUMBER = "–"

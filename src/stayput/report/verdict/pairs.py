@@ -47,7 +47,9 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
     from stayput.simulation.run import Run
-    from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict, Option
+    from stayput.verification import AssemblyVerdict
+    from stayput.verification.options import Option
+    from stayput.verification.verdict import AssemblyOptionVerdict
 
 RATE = 50.0
 """Poses a second that the report holds; its script draws straight lines between them."""

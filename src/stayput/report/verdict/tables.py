@@ -17,8 +17,7 @@ from stayput.report.verdict.numbers import word
 from stayput.simulation.placing import JOINT, JOINT_LABEL
 from stayput.spreadsheets import csv_text
 from stayput.verification import AssemblyVerdict
-from stayput.verification.grades import weakest
-from stayput.verification.options import brief_label
+from stayput.verification.options import label, weakest
 from stayput.verification.words import is_own, length, reason, reason_of_several, title, title_of_several
 from stayput.wording import with_aside
 
@@ -26,14 +25,14 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Probability
     from stayput.model.room import Room
-    from stayput.verification import (
+    from stayput.montecarlo.counting import Quantiles
+    from stayput.verification import Verdict
+    from stayput.verification.contents import ContentsVerdict
+    from stayput.verification.verdict import (
         AssemblyOptionVerdict,
         DeviceSummary,
         OptionVerdict,
-        Quantiles,
-        Verdict,
     )
-    from stayput.verification.contents import ContentsVerdict
 
 AnyResult = TypeVar("AnyResult", bound="OptionVerdict | AssemblyOptionVerdict")
 
@@ -124,7 +123,7 @@ def several_ranking(verdict: AssemblyVerdict, language: str) -> list[RankingRow[
         RankingRow(
             result,
             title_of_several(result, verdict, language),
-            result.option.name if is_own(result, verdict) else say(brief_label(result.option), language),
+            result.option.name if is_own(result, verdict) else say(label(result.option), language),
             *_shown(result, verdict.scenario.surroundings(), language),
             reason_of_several(result, verdict, language),
             pieces=tuple((piece.name, piece.probabilities[OVERTURNED]) for piece in result.pieces),
@@ -238,7 +237,7 @@ def verdict_csv(verdict: Verdict | AssemblyVerdict) -> str:
     else:
         records = [_record(result, verdict) for result in verdict.options]
         records += [
-            {"option": one.option.name, "measures": one.option.label("en"), "not_possible": one.reason}
+            {"option": one.option.name, "measures": one.option.label("en"), "not_possible": one.why("en")}
             for one in verdict.impossible
         ]
     names = list(records[0])
