@@ -100,18 +100,11 @@ SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
 
 NUMBERS = {
-    "furniture.width": parameter_of(Body, "width"),
-    "furniture.height": parameter_of(Body, "height"),
-    "furniture.length": parameter_of(Body, "length"),
-    "furniture.mass": parameter_of(Body, "mass"),
+    **{f"furniture.{name}": parameter_of(Body, name) for name in ("width", "height", "length", "mass")},
     "furniture.shelves": parameter_of(Part, "mass"),
-    "room.left_wall.gap": parameter_of(Wall, "gap"),
-    "room.left_wall.construction": parameter_of(Wall, "construction"),
-    "room.ceiling.height": parameter_of(Ceiling, "height"),
-    "room.ceiling.construction": parameter_of(Ceiling, "construction"),
-    "everyday.drawers": parameter_of(Everyday, "drawers"),
-    "everyday.load": parameter_of(Everyday, "load"),
-    "everyday.pull": parameter_of(Everyday, "pull"),
+    **{f"room.left_wall.{name}": parameter_of(Wall, name) for name in ("gap", "construction")},
+    **{f"room.ceiling.{name}": parameter_of(Ceiling, name) for name in ("height", "construction")},
+    **{f"everyday.{name}": parameter_of(Everyday, name) for name in ("drawers", "load", "pull")},
     "shaking.suite.count": parameter_of(synthetic_suite, "count"),
     "shaking.pga": parameter_of(strength_of_pga, "pga"),
     "shaking.pgv": parameter_of(strength_of_pgv, "pgv"),
@@ -222,18 +215,17 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
     """Return the surfaces that a kind of measure needs, found by applying it without each."""
     body = Body(0.4, 1.8, 100.0)
 
-    def applies(room: Room) -> bool:
-        try:
-            hold(body, room, (kind(),))
-        except InputError:
-            return False
-        return True
-
     without: dict[Literal["wall", "ceiling"], Room] = {
         "wall": Room(ceiling=Ceiling(2.4)),
         "ceiling": Room(left_wall=Wall(0.05)),
     }
-    return [surface for surface, room in without.items() if not applies(room)]
+    needed: list[Literal["wall", "ceiling"]] = []
+    for surface, room in without.items():
+        try:
+            hold(body, room, (kind(),))
+        except InputError:
+            needed.append(surface)
+    return needed
 
 
 def _parameter(parameter: Parameter, usual: float | None = None) -> ParameterReply:
