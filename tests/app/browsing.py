@@ -43,7 +43,7 @@ LOOKS = pytest.mark.parametrize(
 )
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def chromium() -> Iterator[Callable[..., Browser]]:
     """What starts a Chromium with further arguments."""
     path = prerequisites.find_chromium()
@@ -53,7 +53,7 @@ def chromium() -> Iterator[Callable[..., Browser]]:
         yield lambda flags: playwright.chromium.launch(executable_path=path, args=[*FLAGS, *flags])
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def browser(chromium: Callable[..., Browser]) -> Iterator[Browser]:
     """A Chromium without WebGL, where scenes in space are drawn flat."""
     with chromium(FLAT) as found:
@@ -75,6 +75,13 @@ class Opened:
     home: str
     console: list[str] = field(default_factory=list)
     asked: list[str] = field(default_factory=list)
+
+    def check(self, *allowed: str) -> None:
+        """Check that nothing has gone wrong but what is allowed, nor been asked of anybody else."""
+        own = (self.home + "/", "blob:" + self.home)
+        assert [url for url in self.asked if not url.startswith(own)] == []
+        busy = ("status of 429", "status of 503")  # what the page waits for, on a machine that is slow
+        assert [line for line in self.console if not any(part in line for part in (*allowed, *busy))] == []
 
     def simulated(self, act: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """Do something and return what the simulation that follows was asked and what it answered."""
@@ -198,13 +205,15 @@ def opened(
     verify: bool = False,
     allowed: tuple[str, ...] = (),
     routes: Mapping[str, Callable[[Route], None]] | None = None,
+    headers: Mapping[str, str] | None = None,
 ) -> Generator[Opened]:
     """Open the page; at the end nothing may have gone wrong, nor have been asked of anybody else.
 
     Verifications are left out unless they are wanted, and then they are of a few motions; what "routes" match
-    is answered by their functions.
+    is answered by their functions. Everything that is asked has the headers.
     """
     page = new_page(browser, server, size=size, language=language, theme=theme, motion=motion)
+    page.set_extra_http_headers(dict(headers or {}))
     found = Opened(page, server.address)
     page.on("console", lambda one: one.type in ("error", "warning") and found.console.append(one.text))
     page.on("pageerror", lambda error: found.console.append(str(error)))
@@ -221,10 +230,4 @@ def opened(
         page.goto(f"{server.address}/{address}")
         found.settle()
         yield found
-    strangers = [
-        url for url in found.asked if not url.startswith((server.address + "/", "blob:" + server.address))
-    ]
-    assert strangers == []
-    busy = ("status of 429", "status of 503")  # what the page waits for, on a machine that is slow
-    expected = (*allowed, *busy)
-    assert [line for line in found.console if not any(part in line for part in expected)] == []
+    found.check(*allowed)

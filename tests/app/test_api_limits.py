@@ -46,14 +46,8 @@ def simulate(client: httpx.Client, scene: Any, measures: Any = ()) -> httpx.Resp
 @pytest.mark.parametrize(
     ("changed", "field"),
     [
-        ({"furniture": {}}, "scene.furniture.width"),
-        ({"furniture": {"preset": "bokcase"}}, "scene.furniture.preset"),
         ({"furniture": {"preset": "chest", "shelvs": [1]}}, "scene.furniture.shelvs"),
-        ({"room": {"left_wall": {"gap": -1}}}, "scene.room.left_wall.gap"),
-        (
-            {"shaking": {"sine": {**SINE, "duration": 1e4}}},
-            "scene.shaking.sine.duration",
-        ),
+        ({"shaking": {"sine": {**SINE, "duration": 1e4}}}, "scene.shaking.sine.duration"),
         ({"shaking": {"sine": {**SINE, "dt": 1e-6}}}, "scene.shaking.sine.dt"),
         ({"shaking": {"suite": {"count": 500}}}, "scene.shaking.suite.count"),
         ({"shaking": {"building": {"storeys": 150}, "storey": 1}}, "scene.shaking.building.storeys"),
@@ -71,10 +65,7 @@ def test_a_scene_that_is_refused_says_where(client: httpx.Client, changed: Any, 
     ("measures", "field"),
     [
         ([{"type": "gel_mats"}, {"type": "anti_slip_sheet"}], None),
-        ([{"type": "glue"}], "measures[0].type"),
-        ([{}], "measures[0].type"),
         ([{"type": "gel_mats", "area": -1.0}], "measures[0].area"),
-        ([{"type": "gel_mats", "colour": 1}], "measures[0].colour"),
         (["gel_mats"], "measures.0"),
         ([{"type": "belt"}] * 9, "measures"),
         ([{"type": "tension_pole", "setback": 1.0}], "measures"),

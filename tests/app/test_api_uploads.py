@@ -76,7 +76,6 @@ def bomb() -> bytes:
     ("data", "words"),
     [
         (bomb(), "compressed archive"),
-        (",".join(["1"] * 5000) + "\n", "columns"),
         ("1," * 1_500_000, "line"),
         ("\n".join(["1"] * 900_000), "time step"),
     ],
@@ -134,15 +133,9 @@ def test_motions_are_few_and_expire(monkeypatch: pytest.MonkeyPatch) -> None:
         assert len(list(folder_of(server).iterdir())) == 2
         clock.ahead += 2000.0
         assert client.get(f"/api/v1/motions/{names[2]}").status_code == 404
-        assert not list(folder_of(server).iterdir())
-
-
-def test_the_folder_goes_with_the_server() -> None:
-    with running() as server, client_of(server) as client:
-        upload(client, RECORD, unit="m/s²")
         folder = folder_of(server)
-        assert folder.is_dir()
-    assert not folder.exists()
+        assert not list(folder.iterdir())
+    assert not folder.exists()  # it goes with the server
 
 
 def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.Client) -> None:
@@ -277,12 +270,7 @@ def test_channels_are_listed_and_another_one_is_taken(client: httpx.Client) -> N
 
 @pytest.mark.parametrize(
     ("name", "above"),
-    [
-        ("market_floor42_gal.csv", True),
-        ("本社ビル42階.csv", True),
-        ("top floor.csv", True),
-        ("10階建て1階.csv", False),
-    ],
+    [("本社ビル42階.csv", True), ("10階建て1階.csv", False)],
 )
 def test_a_name_says_whether_it_is_of_an_upper_floor(client: httpx.Client, name: str, above: bool) -> None:
     found = upload(client, three(1.0, 0.5, 0.25), name).json()

@@ -176,22 +176,21 @@ def test_the_room_is_emptied_and_everything_brought_back(editor: Editor) -> None
     assert editor.room() == ROOM
 
 
-def test_a_door_and_a_window_are_taken_beside_their_lines(browser: Browser, server: Running) -> None:
+def test_a_door_and_a_window_are_taken_beside_their_lines(editor: Editor) -> None:
     chosen = "import('/room/room.js').then((one) => one.selected())"
-    with editing(browser, server) as it:
-        for thing, point, off in (
-            ({"table": "doors", "index": 0}, (3.75, 0.3), (0, 0)),  # within its swing
-            ({"table": "doors", "index": 0}, (4.0, 0.45), (14, 0)),  # beside its opening, from outside
-            ({"table": "windows", "index": 0}, (1.6, 3.0), (0, 6)),
-            ({"table": "windows", "index": 0}, (1.6, 3.0), (0, -14)),
-        ):
-            it.page.evaluate("import('/room/room.js').then((one) => one.select(null))")
-            x, y = it.at(*point)
-            it.page.mouse.click(x + off[0], y + off[1])
-            assert it.page.evaluate(chosen) == thing
-        start = it.at(3.75, 0.3)
-        it.pull(start, (start[0], start[1] - 60))  # by its swing
-        assert it.room()["doors"][0]["start"] > 0.3
+    for thing, point, off in (
+        ({"table": "doors", "index": 0}, (3.75, 0.3), (0, 0)),  # within its swing
+        ({"table": "doors", "index": 0}, (4.0, 0.45), (14, 0)),  # beside its opening, from outside
+        ({"table": "windows", "index": 0}, (1.6, 3.0), (0, 6)),
+        ({"table": "windows", "index": 0}, (1.6, 3.0), (0, -14)),
+    ):
+        editor.page.evaluate("import('/room/room.js').then((one) => one.select(null))")
+        x, y = editor.at(*point)
+        editor.page.mouse.click(x + off[0], y + off[1])
+        assert editor.page.evaluate(chosen) == thing
+    start = editor.at(3.75, 0.3)
+    editor.pull(start, (start[0], start[1] - 60))  # by its swing
+    assert editor.room()["doors"][0]["start"] > 0.3
 
 
 OFFICE = {
