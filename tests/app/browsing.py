@@ -17,7 +17,7 @@ from long_cases import long
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
 
-    from playwright.sync_api import Browser, FloatRect, Page, Response, Route
+    from playwright.sync_api import Browser, FloatRect, Page, Playwright, Response, Route
     from serving import Running
 
 
@@ -43,27 +43,45 @@ LOOKS = pytest.mark.parametrize(
 )
 
 
-@pytest.fixture(scope="package")
-def chromium() -> Iterator[Callable[..., Browser]]:
-    """What starts a Chromium with further arguments."""
-    path = prerequisites.find_chromium()
-    if path is None:
-        prerequisites.do_without(prerequisites.BROWSER)
-    with sync_playwright() as playwright:
-        yield lambda flags: playwright.chromium.launch(executable_path=path, args=[*FLAGS, *flags])
+class Chromium:
+    """Starts Chromium; the one without WebGL is the same for all tests until it is closed."""
+
+    def __init__(self) -> None:
+        self._ending = ExitStack()
+        self._playwright: Playwright | None = None
+        self._flat: Browser | None = None
+
+    def start(self, flags: list[str]) -> Browser:
+        path = prerequisites.find_chromium()
+        if path is None:
+            prerequisites.do_without(prerequisites.BROWSER)
+        if self._playwright is None:
+            self._playwright = self._ending.enter_context(sync_playwright())
+        return self._playwright.chromium.launch(executable_path=path, args=[*FLAGS, *flags])
+
+    def flat(self) -> Browser:
+        self._flat = self._flat or self.start(FLAT)
+        return self._flat
+
+    def close(self) -> None:
+        """End all of it, and with it the event loop of this thread, which other tests have none of."""
+        self._ending.close()
+        self._playwright = self._flat = None
 
 
-@pytest.fixture(scope="package")
-def browser(chromium: Callable[..., Browser]) -> Iterator[Browser]:
-    """A Chromium without WebGL, where scenes in space are drawn flat."""
-    with chromium(FLAT) as found:
-        yield found
+CHROMIUM = Chromium()
 
 
 @pytest.fixture(scope="module")
-def webgl(chromium: Callable[..., Browser]) -> Iterator[Browser]:
+def browser() -> Browser:
+    """A Chromium without WebGL, where scenes in space are drawn flat."""
+    return CHROMIUM.flat()
+
+
+@pytest.fixture(scope="module")
+def webgl() -> Iterator[Browser]:
     """A Chromium with WebGL."""
-    with chromium(WEBGL) as found:
+    with CHROMIUM.start(WEBGL) as found:
         yield found
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import Opened, browser, chromium, opened, webgl
+from browsing import CHROMIUM, Opened, browser, opened, webgl
 from room_editing import Editor, editing
 from room_judge import Judge, begin_anew, room_page
 from serving import Running, client_of, running
@@ -17,7 +18,16 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
 
-__all__ = ["browser", "chromium", "webgl"]
+__all__ = ["browser", "webgl"]
+
+HERE = Path(__file__).parent
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(nextitem: pytest.Item | None) -> None:
+    """Close Chromium after the last of these tests."""
+    if nextitem is None or not nextitem.path.is_relative_to(HERE):
+        CHROMIUM.close()
 
 
 @pytest.fixture(scope="session")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import math
-import tomllib
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -65,15 +64,6 @@ def test_presets_are_complete_in_both_languages(client: httpx.Client) -> None:
     for text in texts:
         assert text["en"].strip()
         assert any(ord(character) > 0x3000 for character in text["ja"]) or text["ja"][-1].isdigit(), text
-
-
-def test_the_scene_to_begin_with_falls_and_is_held(client: httpx.Client) -> None:
-    found = client.get("/api/v1/presets").json()
-    run = simulated(client, found["scene"], found["measures_shown"])
-    assert run["without"]["overturned"]
-    assert not run["with"]["overturned"]
-    assert run["motion"]["synthetic"]
-    assert run["motion"]["ground_class"] == "6-upper"
 
 
 def test_a_run_is_the_simulation_s(client: httpx.Client) -> None:
@@ -159,13 +149,6 @@ def test_answers_are_compressed_where_they_are_taken_so(client: httpx.Client) ->
     assert "content-encoding" not in small.headers
 
 
-def test_a_scene_as_a_scenario_file(client: httpx.Client) -> None:
-    answer = client.post("/api/v1/scenario/toml", json={"scene": SCENE, "measures": [{"type": "belt"}]})
-    read = sp.Scenario.parse(tomllib.loads(answer.text))
-    assert read.furniture == sp.Scenario.parse(SCENE).furniture
-    assert read.measures[0].measures == (MEASURES["belt"](),)
-
-
 def test_a_verification_is_done_as_a_job(client: httpx.Client) -> None:
     scene = {**SCENE, "uncertainty": {"samples": 8}}
     own = [{"type": "l_bracket"}, {"type": "anti_slip_sheet"}]
@@ -224,27 +207,3 @@ def test_numbers_that_are_not_finite_are_null(client: httpx.Client) -> None:
     assert found["motion"]["ground_intensity"] is None
     assert found["without"]["outcome"] == "rested"
     assert math.isfinite(found["floor"]["scale_shown"])
-
-
-def test_a_verdict_has_measures_as_installed_and_the_tip_over(client: httpx.Client) -> None:
-    scene = {
-        **SCENE,
-        "furniture": {"preset": "chest"},
-        "shaking": {"suite": {"count": 3}, "intensity": 6.0},
-        "everyday": {"load": 300.0},
-        "uncertainty": {"samples": 3, "installation": 0.5},
-    }
-    asked = {"scene": scene, "measures": BRACKET, "compare_usual": False, "curves": False}
-    verdict = finished(client, asked)["result"]
-    without, held = sorted(verdict["options"], key=lambda one: len(one["measures"]))
-    assert without["as_installed"] is None
-    installed = held["as_installed"]
-    assert installed["badly_share"] == 0.5
-    ends = (held["overturned"]["estimate"], installed["badly"]["overturned"]["estimate"])
-    assert installed["usual"]["overturned"] == pytest.approx(sum(ends) / 2.0)
-    assert installed["how"][0]["ja"]
-    cases = verdict["everyday"]["cases"]
-    assert [one["case"] for one in cases] == ["all_drawers", "one_drawer", "pull"]
-    assert [one["tips_over"] for one in cases] == [True, True, False]
-    assert cases[0]["label"]["en"] in verdict["everyday"]["sentence"]["en"]
-    assert verdict["everyday"]["sentence"] not in verdict["notes"]

@@ -89,6 +89,7 @@ def test_it_ends_quietly_while_it_compiles(monkeypatch: pytest.MonkeyPatch, tmp_
     assert (started.returncode, told) == (0, "")
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not STATUS.exists(), reason="this system does not tell memory in /proc")
 def test_memory_stays_flat() -> None:
     """Over hundreds of requests of all kinds, from four clients at once; it may grow by 20 kB for each."""

@@ -156,31 +156,6 @@ def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.C
     assert client.get(f"/api/v1/motions/{answer['id']}").json()["warnings"] == answer["warnings"]
 
 
-def test_a_record_with_gravity_is_taken_less_its_mean(client: httpx.Client) -> None:
-    text = "t,x,y,z\n" + "".join(f"{0.01 * i:.2f},{np.sin(0.2 * i):.5f},0,-9.81\n" for i in range(1500))
-    asked = upload(client, text, unit="m/s²")
-    assert (asked.status_code, asked.json()["field"]) == (422, "remove_mean")
-    assert "重力加速度が含まれています" in asked.json()["message_ja"]
-    found = upload(client, text, unit="m/s²", remove_mean="true").json()
-    assert found["shaking"]["remove_mean"] is True
-    assert "mean removed [m/s²]: x " in found["source"]
-    scene = {**SCENE, "shaking": found["shaking"]}
-    assert "remove_mean = true" in client.post("/api/v1/scenario/toml", json={"scene": scene}).text
-    assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200
-    rows = "".join(f"{0.01 * i:.2f},{0.3 + np.sin(0.2 * i):.5f}\n" for i in range(1500))
-    offset = upload(client, rows, unit="m/s²").json()
-    assert [one["field"] for one in offset["warnings"]] == ["remove_mean"]
-
-
-def test_a_refusal_says_what_the_unit_may_be_and_what_else_is_missing(client: httpx.Client) -> None:
-    rows = "".join(f"{0.01 * i:.2f},{i % 7}\n" for i in range(1500))
-    asked = upload(client, "# acceleration in cm/s/s\n" + rows).json()
-    assert (asked["field"], asked["perhaps"], asked["also"]) == ("unit", "cm/s²", [])
-    asked = upload(client, "1\n-1\n" * 700).json()
-    assert (asked["field"], asked["perhaps"], asked["also"]) == ("unit", None, ["dt"])
-    assert upload(client, "t (s),a (gal)\n" + rows).status_code == 201
-
-
 def test_a_vertical_channel_does_not_shake_sideways(client: httpx.Client) -> None:
     text = "# unit: m/s²\nt,NS,EW,UD\n" + "".join(
         f"{0.01 * i:.2f},{i % 7 - 3},{i % 5 - 2},{i % 3 - 1}\n" for i in range(1500)
@@ -266,22 +241,6 @@ def test_channels_are_listed_and_another_one_is_taken(client: httpx.Client) -> N
     assert none.status_code == 422
     assert none.json()["field"] == "component"
     assert client.get(place).json()["shaking"] == found["shaking"]  # as it was uploaded
-
-
-@pytest.mark.parametrize(
-    ("name", "above"),
-    [("本社ビル42階.csv", True), ("10階建て1階.csv", False)],
-)
-def test_a_name_says_whether_it_is_of_an_upper_floor(client: httpx.Client, name: str, above: bool) -> None:
-    found = upload(client, three(1.0, 0.5, 0.25), name).json()
-    assert bool(found["floor"]) == above
-    assert any("building" in one["message"] for one in found["warnings"]) == above
-    assert all(one["message"] and one["message_ja"] for one in found["warnings"])
-    scene = {**SCENE, "shaking": found["shaking"]}
-    shaken = client.post("/api/v1/shaking", json={"scene": scene})
-    assert ("not of the place" in shaken.json()["sentence"]["en"]) == above  # though it is kept under an id
-    assert found["id"] not in shaken.text
-    assert client.delete(f"/api/v1/motions/{found['id']}").status_code == 204
 
 
 def test_an_option_is_called_by_the_page_s_control_or_by_its_flag(client: httpx.Client) -> None:

@@ -7,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import PHONE, Opened, opened
+from browsing import Opened, opened
 
 import stayput as sp
 
@@ -296,12 +296,3 @@ def test_the_mean_of_a_record_is_taken_off(
         assert asked["scene"]["shaking"]["remove_mean"] is True
         it.page.wait_for_selector(button, state="detached")
         it.wait("() => location.hash.includes('remove_mean')")
-
-
-def test_a_phone_shows_one_screen_at_a_time(browser: Browser, server: Running) -> None:
-    with opened(browser, server, size=PHONE) as it:
-        for screen in ("scene", "see", "understand", "keep"):
-            it.go(screen)
-            assert it.page.locator(".screen:visible").count() == 1
-            assert it.page.locator(f"#{screen}-title").evaluate("one => one === document.activeElement")
-            assert it.page.eval_on_selector("html", "one => one.scrollWidth") <= PHONE["width"]

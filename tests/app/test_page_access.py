@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from browsing import COMPILING, DESK, LOOKS, PHONE, opened
+from test_page_space import PIECES, scenario_file
 
 from stayput.app.pages import words
 from stayput.catalogue import LANGUAGES, room_page
@@ -41,6 +42,12 @@ def test_axe_finds_nothing_serious(
             if size is DESK:
                 it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
             assert it.grave() == []
+        it.page.set_input_files("#file", scenario_file(PIECES))
+        it.page.wait_for_selector("#pieces:not([hidden])", state="attached")
+        it.settle()
+        it.go("see")
+        assert it.grave() == []
+        assert it.page.evaluate("document.documentElement.scrollWidth") <= size["width"]
 
 
 def test_the_keyboard_reaches_and_works_everything(browser: Browser, server: Running) -> None:

@@ -17,7 +17,7 @@ import stayput as sp
 from stayput.app import motions, reader
 from stayput.app.limits import MEBIBYTE, Limits
 from stayput.app.motions import Readers
-from stayput.errors import InputError, warn
+from stayput.errors import InputError
 from waiting import wait_until
 
 if TYPE_CHECKING:
@@ -54,18 +54,6 @@ def test_motions_and_refusals_are_those_of_reading_here(tmp_path: Path, own: Rea
     with pytest.raises(InputError) as there:
         read(own, path)
     assert str(there.value).replace("“Unit”", "unit") == str(here.value)  # called by its control
-
-
-def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    def read_shaking(*_: object, **__: object) -> sp.Motion:
-        warn(sp.InputWarning("It is very strong."))
-        return sp.sine(1.0, 1.0, 2.0)
-
-    path = tmp_path / "a"
-    path.write_text("1")
-    monkeypatch.setattr(reader, "read_shaking", read_shaking)
-    task = reader.ReadingTask(str(path), {}, Limits())
-    assert [str(warning) for warning in reader.read(task).warnings] == ["It is very strong."]
 
 
 def test_a_file_that_takes_too_long_is_refused_and_the_next_one_is_read() -> None:

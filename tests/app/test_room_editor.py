@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from browsing import DESK, PHONE
 from room_editing import ROOM, editing
 
@@ -140,26 +139,6 @@ def test_a_verdict_is_drawn_in_layers(editor: Editor) -> None:
     assert "hit:" not in (editor.page.text_content("#plan .layer-names") or "")
     editor.page.evaluate(f"async () => {{ {grid}, {{ old: true }}); }}")
     assert "old" in (editor.page.get_attribute("#plan", "class") or "")
-
-
-@pytest.mark.parametrize(
-    ("theme", "language", "size"),
-    [("dark", "ja", PHONE), *long(("light", "en", DESK))],
-    ids=["phone", "desk"],
-)
-def test_axe_finds_nothing_serious_in_the_editor(
-    browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
-) -> None:
-    with editing(browser, server, theme=theme, language=language, size=size) as it:
-        for thing in (None, "furniture-0", "places-0", "doors-0"):
-            if thing:
-                it.page.evaluate(
-                    "async (index) => (await import('/room/room.js')).select({ table: index[0], index: 0 })",
-                    thing.split("-"),
-                )
-            found = Axe().run(it.page, {"include": [["#editor"]]}).response["violations"]
-            assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
-            assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
 def test_defaults_of_the_page_are_those_of_the_scenario(editor: Editor) -> None:

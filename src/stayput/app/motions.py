@@ -327,7 +327,7 @@ class Motions:
     def _get(self, name: str) -> StoredMotion:
         stored = self.used(name)
         if stored is None:
-            raise refused(404, "app.no_such_motion")
+            raise refused(404, "app.no_such_id")
         return stored
 
     def _drop(self, name: str) -> None:

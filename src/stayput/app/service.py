@@ -64,7 +64,7 @@ def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
 
 def of_file(statuses: tuple[int, ...], *kinds: str) -> dict[str, Any]:
     """Return how a route is described that answers with a file of one of some kinds, or refuses."""
-    answer = {200: {"content": {kind: {} for kind in kinds}}}
+    answer: dict[int | str, Any] = {200: {"content": {kind: {} for kind in kinds}}}
     return {"response_class": Response, "responses": answer | problems(*statuses)}
 
 
