@@ -85,6 +85,15 @@ def webgl() -> Iterator[Browser]:
         yield found
 
 
+def grave(page: Page) -> list[str]:
+    """Return what axe finds that is serious or critical."""
+    return [
+        f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
+        for one in Axe().run(page).response["violations"]
+        if one["impact"] in ("serious", "critical")
+    ]
+
+
 @dataclass
 class Opened:
     """A page that is open, and what it has said and asked."""
@@ -118,13 +127,7 @@ class Opened:
         return found
 
     def grave(self) -> list[str]:
-        """Return what axe finds that is serious or critical."""
-        found = Axe().run(self.page).response["violations"]
-        return [
-            f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
-            for one in found
-            if one["impact"] in ("serious", "critical")
-        ]
+        return grave(self.page)
 
     def settle(self) -> None:
         """Wait until the newest scene is drawn; the server's first one is compiled before."""

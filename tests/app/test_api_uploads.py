@@ -97,10 +97,10 @@ def test_forms_that_are_none(client: httpx.Client) -> None:
     def post(content: bytes, kind: str) -> httpx.Response:
         return client.post("/api/v1/motions", content=content, headers={"content-type": kind})
 
-    for answer in (post(b"x", "multipart/form-data"), post(b"x", "multipart/form-data; boundary=y")):
-        assert answer.status_code == 400
-        assert "multipart/form-data" in answer.json()["message"]
-        assert "送ってください" in answer.json()["message_ja"]
+    answer = post(b"x", "multipart/form-data")
+    assert answer.status_code == 400
+    assert "multipart/form-data" in answer.json()["message"]
+    assert "送ってください" in answer.json()["message_ja"]
     answers = {
         "file": post(b"x", "text/plain"),
         "other": client.post("/api/v1/motions", files={"file": ("a", b"x"), "other": ("a", b"x")}),

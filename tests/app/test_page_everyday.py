@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from serving import Running
 
 
-def test_what_wall_and_ceiling_are_made_of_goes_to_the_server(it: Opened) -> None:
+def test_what_is_said_of_wall_ceiling_and_installation_goes_to_the_server(it: Opened) -> None:
     wall, ceiling = (it.page.get_by_label(name) for name in ("What the wall offers", "above the ceiling"))
     asked, _ = it.simulated(lambda: wall.select_option(label="concrete"))
     assert asked["scene"]["room"]["left_wall"]["construction"] == "concrete"
@@ -22,11 +22,7 @@ def test_what_wall_and_ceiling_are_made_of_goes_to_the_server(it: Opened) -> Non
     it.kept("wallConstruction=concrete", "ceilingConstruction=dropped")
     it.simulated(lambda: it.page.get_by_label("There is a wall behind it").uncheck())
     assert not wall.is_visible()
-
-
-def test_measures_are_told_as_people_install_them(it: Opened) -> None:
-    switch = it.page.get_by_label("as people install it")
-    asked, _ = it.simulated(switch.check)
+    asked, _ = it.simulated(it.page.get_by_label("as people install it").check)
     assert asked["scene"]["uncertainty"] == {"installation": "as people install it"}
     it.kept("installed=1")
 
@@ -52,21 +48,6 @@ def test_the_tip_over_without_an_earthquake(browser: Browser, server: Running) -
         assert [url for url in it.asked if url.endswith(("/simulate", "/verify"))] == before
         report = it.page.request.get(it.page.locator("#report").get_attribute("href") or "").text()
         assert it.text("#everyday") in report.replace("\N{NO-BREAK SPACE}", " ")
-
-
-def test_a_verification_that_is_forgotten_is_made_again(browser: Browser, server: Running) -> None:
-    with opened(browser, server, "#piece=chest", verify=True, allowed=("status of 404",)) as it:
-        it.go("understand")
-        it.wait("() => document.querySelector('#understand').dataset.state === 'done'")
-        job = it.page.evaluate("() => document.querySelector('#understand').dataset.job")
-        it.page.request.delete(f"{it.home}/api/v1/jobs/{job}", headers={"origin": it.home})
-        it.page.get_by_label("Load on an open drawer").nth(1).fill("300")
-        it.wait(
-            "old => document.querySelector('#understand').dataset.state === 'done'"
-            " && document.querySelector('#understand').dataset.job !== old",
-            job,
-        )
-        assert "300 kg" in it.text("#everyday-cases")
 
 
 def test_a_link_and_a_reload_bring_all_of_it_back(browser: Browser, server: Running) -> None:
