@@ -17,7 +17,7 @@ from long_cases import long
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
 
-    from playwright.sync_api import Browser, FloatRect, Page, Response, Route
+    from playwright.sync_api import Browser, FloatRect, Page, Playwright, Response, Route
     from serving import Running
 
 
@@ -43,28 +43,55 @@ LOOKS = pytest.mark.parametrize(
 )
 
 
-@pytest.fixture(scope="module")
-def chromium() -> Iterator[Callable[..., Browser]]:
-    """What starts a Chromium with further arguments."""
-    path = prerequisites.find_chromium()
-    if path is None:
-        prerequisites.do_without(prerequisites.BROWSER)
-    with sync_playwright() as playwright:
-        yield lambda flags: playwright.chromium.launch(executable_path=path, args=[*FLAGS, *flags])
+class Chromium:
+    """Starts Chromium; the one without WebGL is the same for all tests until it is closed."""
+
+    def __init__(self) -> None:
+        self._ending = ExitStack()
+        self._playwright: Playwright | None = None
+        self._flat: Browser | None = None
+
+    def start(self, flags: list[str]) -> Browser:
+        path = prerequisites.find_chromium()
+        if path is None:
+            prerequisites.do_without(prerequisites.BROWSER)
+        if self._playwright is None:
+            self._playwright = self._ending.enter_context(sync_playwright())
+        return self._playwright.chromium.launch(executable_path=path, args=[*FLAGS, *flags])
+
+    def flat(self) -> Browser:
+        self._flat = self._flat or self.start(FLAT)
+        return self._flat
+
+    def close(self) -> None:
+        """End all of it, and with it the event loop of this thread, which other tests have none of."""
+        self._ending.close()
+        self._playwright = self._flat = None
+
+
+CHROMIUM = Chromium()
 
 
 @pytest.fixture(scope="module")
-def browser(chromium: Callable[..., Browser]) -> Iterator[Browser]:
+def browser() -> Browser:
     """A Chromium without WebGL, where scenes in space are drawn flat."""
-    with chromium(FLAT) as found:
-        yield found
+    return CHROMIUM.flat()
 
 
 @pytest.fixture(scope="module")
-def webgl(chromium: Callable[..., Browser]) -> Iterator[Browser]:
+def webgl() -> Iterator[Browser]:
     """A Chromium with WebGL."""
-    with chromium(WEBGL) as found:
+    with CHROMIUM.start(WEBGL) as found:
         yield found
+
+
+def grave(page: Page) -> list[str]:
+    """Return what axe finds that is serious or critical."""
+    return [
+        f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
+        for one in Axe().run(page).response["violations"]
+        if one["impact"] in ("serious", "critical")
+    ]
 
 
 @dataclass
@@ -75,6 +102,13 @@ class Opened:
     home: str
     console: list[str] = field(default_factory=list)
     asked: list[str] = field(default_factory=list)
+
+    def check(self, *allowed: str) -> None:
+        """Check that nothing has gone wrong but what is allowed, nor been asked of anybody else."""
+        own = (self.home + "/", "blob:" + self.home)
+        assert [url for url in self.asked if not url.startswith(own)] == []
+        busy = ("status of 429", "status of 503")  # what the page waits for, on a machine that is slow
+        assert [line for line in self.console if not any(part in line for part in (*allowed, *busy))] == []
 
     def simulated(self, act: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """Do something and return what the simulation that follows was asked and what it answered."""
@@ -93,13 +127,7 @@ class Opened:
         return found
 
     def grave(self) -> list[str]:
-        """Return what axe finds that is serious or critical."""
-        found = Axe().run(self.page).response["violations"]
-        return [
-            f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
-            for one in found
-            if one["impact"] in ("serious", "critical")
-        ]
+        return grave(self.page)
 
     def settle(self) -> None:
         """Wait until the newest scene is drawn; the server's first one is compiled before."""
@@ -198,13 +226,15 @@ def opened(
     verify: bool = False,
     allowed: tuple[str, ...] = (),
     routes: Mapping[str, Callable[[Route], None]] | None = None,
+    headers: Mapping[str, str] | None = None,
 ) -> Generator[Opened]:
     """Open the page; at the end nothing may have gone wrong, nor have been asked of anybody else.
 
     Verifications are left out unless they are wanted, and then they are of a few motions; what "routes" match
-    is answered by their functions.
+    is answered by their functions. Everything that is asked has the headers.
     """
     page = new_page(browser, server, size=size, language=language, theme=theme, motion=motion)
+    page.set_extra_http_headers(dict(headers or {}))
     found = Opened(page, server.address)
     page.on("console", lambda one: one.type in ("error", "warning") and found.console.append(one.text))
     page.on("pageerror", lambda error: found.console.append(str(error)))
@@ -221,10 +251,4 @@ def opened(
         page.goto(f"{server.address}/{address}")
         found.settle()
         yield found
-    strangers = [
-        url for url in found.asked if not url.startswith((server.address + "/", "blob:" + server.address))
-    ]
-    assert strangers == []
-    busy = ("status of 429", "status of 503")  # what the page waits for, on a machine that is slow
-    expected = (*allowed, *busy)
-    assert [line for line in found.console if not any(part in line for part in expected)] == []
+    found.check(*allowed)

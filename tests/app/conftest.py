@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import Opened, browser, chromium, opened, webgl
+from browsing import CHROMIUM, Opened, browser, opened, webgl
 from room_editing import Editor, editing
-from room_judge import Judge, room_page
+from room_judge import Judge, begin_anew, room_page
 from serving import Running, client_of, running
 
 if TYPE_CHECKING:
@@ -17,7 +18,16 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
 
-__all__ = ["browser", "chromium", "webgl"]
+__all__ = ["browser", "webgl"]
+
+HERE = Path(__file__).parent
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(nextitem: pytest.Item | None) -> None:
+    """Close Chromium after the last of these tests."""
+    if nextitem is None or not nextitem.path.is_relative_to(HERE):
+        CHROMIUM.close()
 
 
 @pytest.fixture(scope="session")
@@ -32,23 +42,42 @@ def client(server: Running) -> Iterator[httpx.Client]:
         yield found
 
 
+@pytest.fixture(scope="module")
+def opened_room(browser: Browser, server: Running) -> Iterator[tuple[Opened, Judge]]:
+    judge = Judge()
+    with room_page(browser, server, judge) as found:
+        yield found, judge
+
+
 @pytest.fixture
-def judge() -> Judge:
+def judge(opened_room: tuple[Opened, Judge]) -> Judge:
     """What answers about rooms in the server's place."""
-    return Judge()
+    begin_anew(*opened_room)
+    return opened_room[1]
 
 
 @pytest.fixture
 def it(request: pytest.FixtureRequest, browser: Browser, server: Running) -> Iterator[Opened]:
-    """The page of one piece; that of a room where a judge answers about it."""
-    of_room = "judge" in request.fixturenames
-    judge = request.getfixturevalue("judge") if of_room else None
-    with room_page(browser, server, judge) if judge else opened(browser, server) as found:
+    """The page of one piece; where a judge answers that of a room, one for all tests of a module."""
+    if "judge" not in request.fixturenames:
+        with opened(browser, server) as found:
+            yield found
+        return
+    request.getfixturevalue("judge")
+    found, _ = request.getfixturevalue("opened_room")
+    yield found
+    found.check()
+
+
+@pytest.fixture(scope="module")
+def opened_editor(browser: Browser, server: Running) -> Iterator[Editor]:
+    with editing(browser, server) as found:
         yield found
 
 
 @pytest.fixture
-def editor(browser: Browser, server: Running) -> Iterator[Editor]:
-    """The editor with the usual room in it."""
-    with editing(browser, server) as found:
-        yield found
+def editor(opened_editor: Editor) -> Iterator[Editor]:
+    """The editor with the usual room in it: one page for all tests of a module."""
+    opened_editor.begin_anew()
+    yield opened_editor
+    assert opened_editor.console == []

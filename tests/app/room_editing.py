@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from browsing import DESK, new_page
@@ -42,6 +42,14 @@ class Editor:
     """The editor with a room in it."""
 
     page: Page
+    console: list[str] = field(default_factory=list)
+
+    def begin_anew(self) -> None:
+        """Put the usual room into the editor as if the page had just been opened."""
+        self.page.evaluate(
+            "() => { delete performance.now; document.activeElement?.blur(); scrollTo(0, 0); }"
+        )
+        self.take(ROOM)
 
     def room(self) -> dict[str, Any]:
         found: dict[str, Any] = self.page.evaluate("import('/room/room.js').then((one) => one.current())")
@@ -96,10 +104,11 @@ class Editor:
         send("touchEnd")
 
     def handle(self, name: str) -> tuple[float, float]:
-        """Return where the middle of a handle is on the screen."""
-        box = self.page.locator(f"[data-handle={name}] .felt").evaluate(
-            "one => one.getBoundingClientRect().toJSON()"
-        )
+        """Return where the middle of a handle is on the screen, once it stays there."""
+        handle = self.page.wait_for_selector(f"[data-handle={name}] .felt")
+        assert handle
+        handle.wait_for_element_state("stable")
+        box = handle.evaluate("one => one.getBoundingClientRect().toJSON()")
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
     def select(self, thing: str) -> None:
@@ -111,9 +120,9 @@ class Editor:
 
     def field(self, label: str, value: str) -> None:
         """Type a value into a field of the inspector."""
-        field = self.page.locator("#inspector").get_by_label(label, exact=True)
-        field.fill(value)
-        field.press("Enter")
+        number = self.page.locator("#inspector").get_by_label(label, exact=True)
+        number.fill(value)
+        number.press("Enter")
 
     @property
     def said(self) -> str:
@@ -142,18 +151,17 @@ def editing(
     """
     page = new_page(browser, server, size=size, language=language, theme=theme, touch=touch)
     try:
-        wrong = list[str]()
-        page.on("pageerror", lambda error: wrong.append(str(error)))
-        page.on("console", lambda one: wrong.append(one.text) if one.type == "error" else None)
+        editor = Editor(page)
+        page.on("pageerror", lambda error: editor.console.append(str(error)))
+        page.on("console", lambda one: editor.console.append(one.text) if one.type == "error" else None)
         for path in ("room", "simulate"):
             page.route(f"**/api/v1/{path}", lambda route: None)  # it is never answered
         # where each module is loaded by itself, so that a test can ask it
         page.goto(f"{server.address}/room/index.html")
         page.wait_for_selector("#plan .thing", state="attached")
-        editor = Editor(page)
         editor.take(room)
         yield editor
-        assert [one for one in wrong if refused is None or f"status of {refused}" not in one] == []
+        assert [one for one in editor.console if refused is None or f"status of {refused}" not in one] == []
     finally:
         page.unroute_all(behavior="ignoreErrors")
         page.close()

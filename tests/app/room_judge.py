@@ -9,7 +9,9 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, cast
 
 from browsing import opened
+from serving import AS_BEFORE
 
+from stayput.app.presets import ROOM_SCENE
 from stayput.rooms.verdict import FALLS
 from stayput.rooms.words import tags
 
@@ -157,11 +159,20 @@ class Judge:
         What was asked, in order.
     ended : list of int
         Which of these jobs the page has ended, by their places in ``asked``.
+    forgotten : int
+        How many questions came before those in ``asked``.
     """
 
     stage: str = DONE
     asked: list[dict[str, Any]] = field(default_factory=list)
     ended: list[int] = field(default_factory=list)
+    forgotten: int = 0
+
+    def begin_anew(self) -> None:
+        """Forget all that was asked but the last question."""
+        self.stage, self.ended = DONE, []
+        self.forgotten += len(self.asked) - 1
+        del self.asked[:-1]
 
     @property
     def routes(self) -> dict[str, Callable[[Route], None]]:
@@ -177,7 +188,7 @@ class Judge:
         route.fulfill(status=202, json=self._reply(len(self.asked) - 1, QUEUED))
 
     def _job(self, route: Route) -> None:
-        place = int(route.request.url.rsplit("/", 1)[1], 16)
+        place = max(0, int(route.request.url.rsplit("/", 1)[1], 16) - self.forgotten)
         if route.request.method == "DELETE":
             self.ended.append(place)
         route.fulfill(json=self._reply(place, self.stage))
@@ -189,7 +200,7 @@ class Judge:
         counted = {**verdict, "complete": False, "changes": []}
         rough = {**counted, "samples": 1, "runs": 24}
         return {
-            "id": f"{place:032x}",
+            "id": f"{place + self.forgotten:032x}",
             "state": {QUEUED: "waiting", ROUGH: "running", COUNTED: "running", DONE: "done"}[stage],
             "done": {QUEUED: 0, ROUGH: 24, COUNTED: 48, DONE: 360}[stage],
             "total": 360,
@@ -206,9 +217,34 @@ def room_page(
     browser: Browser, server: Running, judge: Judge, address: str = "", **more: Any
 ) -> Generator[Opened]:
     """Open the page of a room, about which the judge answers."""
-    with opened(browser, server, f"room/{address}", routes=judge.routes, **more) as it:
+    usual = {"routes": judge.routes, "headers": {AS_BEFORE: "1"}}
+    with opened(browser, server, f"room/{address}", **usual, **more) as it:
         judged(it)
         yield it
+
+
+ANEW = """async (first) => {
+  const [room, scenes, screens] = await Promise.all(
+    ["room/room", "room/scenes", "screens"].map((name) => import(`/${name}.js`)));
+  localStorage.clear();
+  sessionStorage.clear();
+  scenes.leave();
+  scenes.list();
+  screens.goTo("scene", false);
+  room.replace(first);
+  for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+}"""
+
+
+def begin_anew(it: Opened, judge: Judge) -> None:
+    """Put the room that the server proposes into the page as if it had just been opened."""
+    judge.stage = DONE
+    if it.page.get_attribute("html", "lang") != "en":
+        it.speak("en")
+    it.page.evaluate(ANEW, ROOM_SCENE)
+    it.settle()
+    judged(it)
+    judge.begin_anew()
 
 
 def judged(it: Opened) -> None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from serving import SCENE, Clock, Running, client_of, hold_verifications, running
 
-from stayput.app import api, jobs
+from stayput.app import jobs
 from stayput.app.limits import Limits
 from stayput.app.running import simulated
 from waiting import PATIENCE, wait_until
@@ -46,14 +46,8 @@ def simulate(client: httpx.Client, scene: Any, measures: Any = ()) -> httpx.Resp
 @pytest.mark.parametrize(
     ("changed", "field"),
     [
-        ({"furniture": {}}, "scene.furniture.width"),
-        ({"furniture": {"preset": "bokcase"}}, "scene.furniture.preset"),
         ({"furniture": {"preset": "chest", "shelvs": [1]}}, "scene.furniture.shelvs"),
-        ({"room": {"left_wall": {"gap": -1}}}, "scene.room.left_wall.gap"),
-        (
-            {"shaking": {"sine": {**SINE, "duration": 1e4}}},
-            "scene.shaking.sine.duration",
-        ),
+        ({"shaking": {"sine": {**SINE, "duration": 1e4}}}, "scene.shaking.sine.duration"),
         ({"shaking": {"sine": {**SINE, "dt": 1e-6}}}, "scene.shaking.sine.dt"),
         ({"shaking": {"suite": {"count": 500}}}, "scene.shaking.suite.count"),
         ({"shaking": {"building": {"storeys": 150}, "storey": 1}}, "scene.shaking.building.storeys"),
@@ -71,10 +65,7 @@ def test_a_scene_that_is_refused_says_where(client: httpx.Client, changed: Any, 
     ("measures", "field"),
     [
         ([{"type": "gel_mats"}, {"type": "anti_slip_sheet"}], None),
-        ([{"type": "glue"}], "measures[0].type"),
-        ([{}], "measures[0].type"),
         ([{"type": "gel_mats", "area": -1.0}], "measures[0].area"),
-        ([{"type": "gel_mats", "colour": 1}], "measures[0].colour"),
         (["gel_mats"], "measures.0"),
         ([{"type": "belt"}] * 9, "measures"),
         ([{"type": "tension_pole", "setback": 1.0}], "measures"),
@@ -183,42 +174,6 @@ def test_every_answer_has_its_headers(client: httpx.Client) -> None:
         assert "server" not in headers
 
 
-def test_jobs_are_bounded_and_cancelled_ones_stop_computing(monkeypatch: pytest.MonkeyPatch) -> None:
-    verify = api.verify
-
-    def endless(scenario: Any, **more: Any) -> Any:
-        while scenario.uncertainty.samples > 1:
-            verify(scenario, **more)
-        return verify(scenario, **more)
-
-    monkeypatch.setattr(api, "verify", endless)
-    limits = replace(Limits(), jobs_running=1, jobs_waiting=1, threads=1, samples=20_000)
-    scene = {**SCENE, "uncertainty": {"samples": 20_000}}
-    asked = {"scene": scene, "measures": [{"type": "anti_slip_sheet"}], "compare_usual": False}
-    with running(limits) as server, client_of(server) as client:
-
-        def job(known: dict[str, Any]) -> Any:
-            return client.get(f"/api/v1/jobs/{known['id']}").json()
-
-        first, second = (client.post("/api/v1/verify", json=asked).json() for _ in range(2))
-        assert second["state"] == "waiting"
-        third = client.post("/api/v1/verify", json=asked)
-        refused(third, 429)
-        assert int(third.headers["retry-after"]) > 0
-        wait_until(lambda: job(first)["done"] > 0)
-        refused(client.get(f"/api/v1/jobs/{first['id']}/report"), 409)
-        for one in (second, first):
-            assert client.delete(f"/api/v1/jobs/{one['id']}").json()["state"] == "cancelled"
-        # the only thread for jobs is free again, though the first would never have ended
-        few = {**asked, "scene": {**SCENE, "uncertainty": {"samples": 1}}}
-        third = client.post("/api/v1/verify", json=few).json()
-        wait_until(lambda: job(third)["state"] not in ("waiting", "running"))
-        assert job(third)["state"] == "done"
-        gone = job(first)
-        assert gone["state"] == "cancelled"
-        assert gone["done"] < gone["total"]
-
-
 def test_a_job_that_nobody_asks_for_gives_way(monkeypatch: pytest.MonkeyPatch) -> None:
     limits = replace(Limits(), jobs_running=1, jobs_waiting=2, threads=1)
     asked = {"scene": SCENE, "measures": [{"type": "anti_slip_sheet"}], "compare_usual": False}
@@ -234,6 +189,7 @@ def test_a_job_that_nobody_asks_for_gives_way(monkeypatch: pytest.MonkeyPatch) -
         left, unasked, awaited = post(lease_s=300.0), post(lease_s=300.0), post(lease_s=3000.0)
         refused(client.post("/api/v1/verify", json=asked), 429)
         assert state(awaited) == "waiting"
+        refused(client.get(f"/api/v1/jobs/{awaited}/report"), 409)
         clock.ahead += 1000.0
         wait_until(lambda: state(awaited) == "running")
         service: Service = server.app.state.service

@@ -20,7 +20,7 @@ import pytest
 from serving import COMPILING, SCENE
 
 from stayput.app.pages import words
-from stayput.app.server import address_of, bind
+from stayput.app.server import address_of, bind, own_addresses, warning_of
 from stayput.errors import InputError
 from waiting import PATIENCE, wait_until
 
@@ -40,9 +40,9 @@ START = "from stayput.cli import main; main()"
 
 
 @contextmanager
-def process() -> Generator[tuple[str, subprocess.Popen[str]]]:
+def process(*options: str) -> Generator[tuple[str, subprocess.Popen[str]]]:
     """Start the server as a process; give its address and it."""
-    command_line = [sys.executable, "-c", START, "app", "--port", "0", "--no-browser"]
+    command_line = [sys.executable, "-c", START, "app", "--port", "0", "--no-browser", *options]
     pipe = subprocess.PIPE
     with subprocess.Popen(command_line, stdout=pipe, stderr=pipe, text=True) as started:
         try:
@@ -66,16 +66,18 @@ def memory(pid: int) -> float:
     return int(found[1]) / 1024
 
 
-def test_it_prints_its_address_and_ends_quietly_on_an_interrupt() -> None:
+def test_it_prints_its_address_warns_and_ends_quietly_on_an_interrupt() -> None:
     scene = {**SCENE, "uncertainty": {"samples": 2000}}
-    with process() as (address, started):
+    with process("--host", "0.0.0.0") as (address, started):
         with client_at(address) as client:
             place = client.post("/api/v1/verify", json={"scene": scene}).headers["location"]
             wait_until(lambda: client.get(place).json()["done"] > 0)
         started.send_signal(signal.SIGINT)
         _, told = started.communicate(timeout=PATIENCE)
     assert started.returncode in (0, -signal.SIGINT)
-    assert "Traceback" not in told
+    (warning,) = told.splitlines()
+    assert warning.startswith("Warning: other machines can reach stayput")
+    assert address.rpartition(":")[2] in warning
 
 
 def test_it_ends_quietly_while_it_compiles(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -87,6 +89,7 @@ def test_it_ends_quietly_while_it_compiles(monkeypatch: pytest.MonkeyPatch, tmp_
     assert (started.returncode, told) == (0, "")
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not STATUS.exists(), reason="this system does not tell memory in /proc")
 def test_memory_stays_flat() -> None:
     """Over hundreds of requests of all kinds, from four clients at once; it may grow by 20 kB for each."""
@@ -132,6 +135,39 @@ def test_an_address_that_is_taken_is_refused() -> None:
             bind("127.0.0.1", port)
     with pytest.raises(InputError, match="cannot be served"):
         bind("no such host", 0)
+
+
+def test_the_loopback_needs_no_warning() -> None:
+    with bind("127.0.0.1", 0) as bound:
+        assert warning_of(bound) is None
+
+
+def test_all_addresses_are_named_each_once() -> None:
+    with bind("0.0.0.0", 0) as bound:
+        port = bound.getsockname()[1]
+        told = warning_of(bound)
+    assert told is not None
+    own = own_addresses(socket.AF_INET)
+    assert len(set(own)) == len(own)
+    assert not [one for one in own if one.startswith(("127.", "0."))]
+    assert all(f"http://{one}:{port}/" in told for one in own)
+    assert str(port) in told
+    assert "password" in told
+
+
+def test_one_address_is_named_as_it_is() -> None:
+    """An address in a network, which the machine of the tests need not have."""
+
+    class Bound:
+        family = socket.AF_INET
+
+        def getsockname(self) -> tuple[str, int]:
+            return "192.0.2.7", 8000
+
+    told = warning_of(Bound())  # pyright: ignore[reportArgumentType]
+    assert told is not None
+    assert told.count("http://") == 1
+    assert "http://192.0.2.7:8000/" in told
 
 
 def test_an_address_of_version_6_is_in_brackets() -> None:

@@ -75,24 +75,6 @@ def test_nine_short_jobs_end_while_a_long_one_goes_on(monkeypatch: pytest.Monkey
         assert all(state(name)["position"] is None for name in (*names, *long))
 
 
-def test_the_place_in_the_queue_gets_better(monkeypatch: pytest.MonkeyPatch) -> None:
-    go_on = slow_where(monkeypatch, "long")
-    monkeypatch.setattr(turns, "SLICE", 1e9)  # the first keeps its turn
-    with running(replace(Limits(), threads=1)) as server, client_of(server) as client:
-        asked = {**ASKED, "scene": {**FEW, "title": "long"}}
-        names = [client.post("/api/v1/verify", json=asked).json()["id"] for _ in range(3)]
-
-        def position(name: str) -> int | None:
-            return client.get(f"/api/v1/jobs/{name}").json()["position"]
-
-        wait_until(lambda: position(names[0]) is None)
-        assert [position(name) for name in names] == [None, 1, 2]
-        client.delete(f"/api/v1/jobs/{names[1]}")
-        assert [position(name) for name in names] == [None, None, 1]
-        go_on.set()
-        wait_until(lambda: client.get(f"/api/v1/jobs/{names[2]}").json()["state"] == "done")
-
-
 def test_a_client_may_not_fill_the_queue(monkeypatch: pytest.MonkeyPatch) -> None:
     go_on = slow_where(monkeypatch, "long")
     with running(replace(Limits(), threads=1, jobs_per_address=8)) as server:

@@ -9,6 +9,7 @@ from browsing import DESK, PHONE, WAIT
 from playwright.sync_api import expect
 
 import stayput as sp
+from long_cases import long
 from stayput.report.animation import animate_run
 from stayput.verification import verify
 
@@ -29,43 +30,7 @@ def opened(browser: Browser, path: Path) -> tuple[Page, list[str]]:
     return page, said
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_the_animation_plays_under_any_name(browser: Browser, tmp_path: Path, name: str) -> None:
-    body = sp.Body(width=0.4, height=1.8, mass=100.0)
-    run = sp.simulate(body, sp.Room(floor=sp.Floor()), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
-    page, said = opened(browser, animate_run(run, tmp_path / "run.html", names=[name]))
-    assert name[:4].strip().lower() in page.locator("h1").inner_text().lower()
-    page.wait_for_function("document.getElementById('mode').textContent !== ''")
-    assert page.locator("body > script").count() == 2
-    assert not said
-    page.close()
-
-
-def test_the_report_draws_its_scenes_under_any_name(browser: Browser, tmp_path: Path) -> None:
-    scenario = sp.Scenario.parse(
-        {
-            "title": NAMES[0],
-            "furniture": {"preset": "bookcase", "name": NAMES[1]},
-            "room": {"left_wall": {"gap": 0.02}},
-            "shaking": {"builtin": "near-fault", "scale": 0.6},
-            "measures": [{"type": "belt", "name": "<!--<script>"}],
-            "uncertainty": {"samples": 2},
-        }
-    )
-    verdict = verify(scenario, levels=[], threads=1, progress=False)
-    path = tmp_path / "report.html"
-    verdict.report(path)
-    page, said = opened(browser, path)
-    assert page.title() == NAMES[0]
-    page.wait_for_selector("canvas", state="attached")
-    for state in page.locator(".pair .state").all():
-        expect(state).to_contain_text("°", timeout=WAIT)
-    assert page.locator(".pair canvas").count() >= 1
-    assert not said
-    page.close()
-
-
-@pytest.mark.parametrize("size", [PHONE, DESK])
+@pytest.mark.parametrize("size", [PHONE, *long(DESK)])
 def test_players_in_a_report_are_shown_whole(
     browser: Browser,
     tmp_path: Path,
@@ -94,11 +59,13 @@ def test_players_in_a_report_are_shown_whole(
     page.close()
 
 
-def test_the_animation_plays_pauses_and_steps(browser: Browser, tmp_path: Path) -> None:
+def test_the_animation_plays_pauses_and_steps_under_any_name(browser: Browser, tmp_path: Path) -> None:
     run = sp.simulate(
         sp.Body(0.4, 1.8, 100.0), sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0)
     )
-    page, said = opened(browser, animate_run(run, tmp_path / "run.html"))
+    page, said = opened(browser, animate_run(run, tmp_path / "run.html", names=["".join(NAMES)]))
+    assert "".join(NAMES) in page.locator("h1").inner_text()
+    assert page.locator("body > script").count() == 2
     page.wait_for_function("parseFloat(document.getElementById('clock').textContent) > 0.1")
     assert page.locator("#play").inner_text() == "Pause"
     page.keyboard.press(" ")
@@ -116,17 +83,23 @@ def test_the_animation_plays_pauses_and_steps(browser: Browser, tmp_path: Path) 
     page.close()
 
 
-def test_the_report_plays_a_pair_from_its_start_to_its_end(browser: Browser, tmp_path: Path) -> None:
+def test_the_report_plays_a_pair_from_its_start_to_its_end_under_any_name(
+    browser: Browser, tmp_path: Path
+) -> None:
     scenario = sp.Scenario.parse(
         {
-            "furniture": {"preset": "bookcase"},
+            "title": NAMES[0],
+            "furniture": {"preset": "bookcase", "name": NAMES[1]},
             "shaking": {"sine": {"amplitude": 4.0, "frequency": 1.0, "duration": 2.0}},
-            "measures": [{"type": "anti_slip_sheet"}],
+            "measures": [{"type": "anti_slip_sheet", "name": NAMES[0]}],
             "uncertainty": {"samples": 1},
         }
     )
     verify(scenario, levels=[], threads=1, progress=False).report(tmp_path / "report.html")
     page, said = opened(browser, tmp_path / "report.html")
+    assert page.title() == NAMES[0]
+    for state in page.locator(".pair .state").all():
+        expect(state).to_contain_text("°", timeout=WAIT)
     pair = page.locator(".pair").first
     pair.locator(".speed").select_option("2")
     poster = pair.locator(".clock").inner_text()

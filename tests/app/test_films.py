@@ -102,13 +102,3 @@ def test_the_file_gives_the_page_s_numbers_to_the_bit(client: httpx.Client, dime
             assert told["pieces"][0]["residual_slide_m"] == copied.slide[0, -1].tolist()
         for device, one in zip(told["devices"], copied.devices, strict=True):
             assert device["peak_pull_n"] == one.peak_pull
-    held = {"scene": few, "measures": BRACKET, "compare_usual": False, "curves": False}
-    verdict = done(client, **held)["result"]
-    shown = {one["name"]: one["overturned"] for one in verdict["options"]}
-    for option in sp.verify(file, levels=()).options:
-        chance = option.probabilities["overturned"]
-        assert shown[option.option.name]["estimate"] == chance.estimate
-        assert (shown[option.option.name]["low"], shown[option.option.name]["high"]) == (
-            chance.low,
-            chance.high,
-        )

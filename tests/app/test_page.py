@@ -7,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import PHONE, Opened, opened
+from browsing import Opened, opened
 
 import stayput as sp
 
@@ -27,11 +27,17 @@ def pictures(page: Page) -> list[str]:
     return page.eval_on_selector_all("canvas.stage", "all => all.map(canvas => canvas.toDataURL())")
 
 
-def test_the_first_picture_is_there_without_a_click(it: Opened) -> None:
+def test_the_first_picture_is_there_without_a_click_and_still_where_that_is_wanted(it: Opened) -> None:
     for stage in ("#stage-without", "#stage-with"):
         assert it.page.eval_on_selector(stage, DRAWN) > 10
     assert "overturned" in it.text("#says-without")
     assert "stayed upright" in it.text("#says-with")
+    first = it.page.input_value("#time")
+    it.page.wait_for_timeout(300)
+    assert it.page.input_value("#time") == first
+    assert float(first) > 0  # of the moment that says most
+    it.page.click("#play")
+    it.wait("first => document.getElementById('time').value !== first", first)
 
 
 def test_every_piece_is_drawn_and_simulated_at_its_size(it: Opened, server: Running) -> None:
@@ -152,15 +158,6 @@ def test_the_animation_plays_pauses_and_is_scrubbed(browser: Browser, server: Ru
         assert value() != jumped
 
 
-def test_less_motion_means_a_still_picture(it: Opened) -> None:
-    first = it.page.input_value("#time")
-    it.page.wait_for_timeout(300)
-    assert it.page.input_value("#time") == first
-    assert float(first) > 0  # of the moment that says most
-    it.page.click("#play")
-    it.wait("first => document.getElementById('time').value !== first", first)
-
-
 def test_a_link_shows_the_scene_again(browser: Browser, server: Running) -> None:
     with opened(browser, server) as it:
         it.simulated(lambda: it.page.click("#presets button:has-text('Wardrobe')"))
@@ -230,11 +227,16 @@ def test_what_is_refused_is_said_in_the_reader_s_language(browser: Browser, serv
 def test_a_record_that_the_server_forgets_is_missed(
     browser: Browser, server: Running, tmp_path: Path
 ) -> None:
-    file = tmp_path / "record.csv"
-    sp.near_fault().write(file)
+    file = tmp_path / "<img src=x onerror=alert(1)>.csv"
+    (motion := sp.near_fault()).write(file)
     with opened(browser, server, allowed=("404", "422")) as it:
-        asked, _ = it.simulated(lambda: it.page.set_input_files("#file", file))
+        asked, answer = it.simulated(lambda: it.page.set_input_files("#file", file))
         it.page.wait_for_selector("#uploaded svg path")
+        assert it.page.locator("#uploaded img").count() == 0
+        assert "intensity" not in asked["scene"]["shaking"]
+        assert answer["motion"]["pga_m_s2"] == pytest.approx(motion.pga, rel=1e-3)
+        asked, _ = it.simulated(lambda: it.page.get_by_label("Make the record as strong").check())
+        assert asked["scene"]["shaking"]["intensity"] == 6.25
         name = asked["scene"]["shaking"]["record"]
         assert it.page.request.delete(f"{server.address}/api/v1/motions/{name}").status == 204
         it.page.get_by_label("Height (cm)").fill("170")
@@ -242,23 +244,6 @@ def test_a_record_that_the_server_forgets_is_missed(
         assert "no longer on the server" in it.text("#uploaded")
         it.page.wait_for_selector("#problem", state="hidden")  # the scene goes on without it
         assert "computed one" in it.text("#summary")
-
-
-def test_a_record_is_chosen_scaled_and_left(browser: Browser, server: Running, tmp_path: Path) -> None:
-    file = tmp_path / "<img src=x onerror=alert(1)>.csv"
-    motion = sp.near_fault()
-    motion.write(file)
-    with opened(browser, server) as it:
-        asked, answer = it.simulated(lambda: it.page.set_input_files("#file", file))
-        assert asked["scene"]["shaking"]["record"]
-        assert "intensity" not in asked["scene"]["shaking"]
-        assert answer["motion"]["pga_m_s2"] == pytest.approx(motion.pga, rel=1e-3)
-        assert it.page.locator("#uploaded img").count() == 0
-        it.page.wait_for_selector("#uploaded svg path")
-        asked, _ = it.simulated(lambda: it.page.get_by_label("Make the record as strong").check())
-        assert asked["scene"]["shaking"]["intensity"] == 6.25
-        asked, _ = it.simulated(lambda: it.page.click("text=Without this record"))
-        assert "record" not in asked["scene"]["shaking"]
 
 
 DROP = """(place, text) => {
@@ -296,12 +281,3 @@ def test_the_mean_of_a_record_is_taken_off(
         assert asked["scene"]["shaking"]["remove_mean"] is True
         it.page.wait_for_selector(button, state="detached")
         it.wait("() => location.hash.includes('remove_mean')")
-
-
-def test_a_phone_shows_one_screen_at_a_time(browser: Browser, server: Running) -> None:
-    with opened(browser, server, size=PHONE) as it:
-        for screen in ("scene", "see", "understand", "keep"):
-            it.go(screen)
-            assert it.page.locator(".screen:visible").count() == 1
-            assert it.page.locator(f"#{screen}-title").evaluate("one => one === document.activeElement")
-            assert it.page.eval_on_selector("html", "one => one.scrollWidth") <= PHONE["width"]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from browsing import COMPILING, DESK, LOOKS, PHONE, opened
+from test_page_space import PIECES, scenario_file
 
 from stayput.app.pages import words
 from stayput.catalogue import LANGUAGES, room_page
@@ -41,6 +42,12 @@ def test_axe_finds_nothing_serious(
             if size is DESK:
                 it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
             assert it.grave() == []
+        it.page.set_input_files("#file", scenario_file(PIECES))
+        it.page.wait_for_selector("#pieces:not([hidden])", state="attached")
+        it.settle()
+        it.go("see")
+        assert it.grave() == []
+        assert it.page.evaluate("document.documentElement.scrollWidth") <= size["width"]
 
 
 def test_the_keyboard_reaches_and_works_everything(browser: Browser, server: Running) -> None:
@@ -100,8 +107,12 @@ def test_both_languages_have_every_word() -> None:
         assert re.search(r"[A-Za-z]", plain) is None, key
 
 
-def test_the_language_is_the_browsers_and_the_choice_is_kept(browser: Browser, server: Running) -> None:
-    with opened(browser, server, language="ja") as it:
+def test_language_and_theme_are_the_systems_until_chosen(browser: Browser, server: Running) -> None:
+    paper = "getComputedStyle(document.body).backgroundColor"
+    with opened(browser, server, language="ja", theme="dark") as it:
+        dark = it.page.evaluate(paper)
+        it.page.click("#theme")
+        assert (light := it.page.evaluate(paper)) != dark
         assert it.page.get_attribute("html", "lang") == "ja"
         it.page.get_by_label("高さ (cm)", exact=True).fill("150")
         it.kept("height=1.5")
@@ -110,17 +121,6 @@ def test_the_language_is_the_browsers_and_the_choice_is_kept(browser: Browser, s
         it.page.reload()
         it.settle()
         assert it.page.get_attribute("html", "lang") == "en"
-
-
-def test_the_theme_is_the_systems_until_chosen(browser: Browser, server: Running) -> None:
-    paper = "getComputedStyle(document.body).backgroundColor"
-    with opened(browser, server, theme="dark") as it:
-        dark = it.page.evaluate(paper)
-        it.page.click("#theme")
-        light = it.page.evaluate(paper)
-        assert dark != light
-        it.page.reload()
-        it.settle()
         assert it.page.evaluate(paper) == light
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from browsing import DESK, PHONE, opened
+from browsing import PHONE, opened
 
 import stayput as sp
 
@@ -90,15 +90,16 @@ def test_other_ways_to_say_it_in_japanese_on_a_phone(browser: Browser, server: R
         assert wide <= PHONE["width"]
 
 
-def test_an_entry_of_a_link_that_makes_no_sense_is_an_intensity(browser: Browser, server: Running) -> None:
-    for entry in ("earthquake:7", "mmi:much", "quake:3", "earthquake:7;20;10;volcanic;300"):
-        with opened(browser, server, f"#piece=bookcase&entry={entry}") as it:
-            it.settle()
-            assert it.page.get_by_label("What do you know of it?").input_value() == "intensity"
-
-
-def test_synthetic_earthquakes_are_called_so(browser: Browser, server: Running) -> None:
-    with opened(browser, server, size=DESK) as it:
+def test_a_wrong_entry_of_a_link_is_an_intensity(browser: Browser, server: Running) -> None:
+    read = """async (entries) => {
+      const [{ fromText }, { presets }] = await Promise.all([import("/earthquake.js"), import("/api.js")]);
+      const known = await presets();
+      return entries.map((entry) => fromText(entry, known));
+    }"""
+    wrong = ["earthquake:7", "mmi:much", "quake:3", "earthquake:7;20;10;volcanic;300"]
+    with opened(browser, server, f"#piece=bookcase&entry={wrong[0]}") as it:
+        assert it.page.get_by_label("What do you know of it?").input_value() == "intensity"
+        assert it.page.evaluate(read, wrong) == [None] * len(wrong)
         it.simulated(lambda: it.page.get_by_label("Kind of earthquake").select_option("near-fault"))
         told = it.text("#family-about")
         assert told.startswith("Computed motions, no recordings")

@@ -1,7 +1,8 @@
-"""What the page asks of wall, ceiling, installation and everyday use, and what it says of them."""
+"""What the page asks of wall, ceiling, installation, contents and everyday use, and what it says of them."""
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from browsing import opened
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
     from serving import Running
 
 
-def test_what_wall_and_ceiling_are_made_of_goes_to_the_server(it: Opened) -> None:
+def test_what_is_said_of_wall_ceiling_and_installation_goes_to_the_server(it: Opened) -> None:
     wall, ceiling = (it.page.get_by_label(name) for name in ("What the wall offers", "above the ceiling"))
     asked, _ = it.simulated(lambda: wall.select_option(label="concrete"))
     assert asked["scene"]["room"]["left_wall"]["construction"] == "concrete"
@@ -21,11 +22,7 @@ def test_what_wall_and_ceiling_are_made_of_goes_to_the_server(it: Opened) -> Non
     it.kept("wallConstruction=concrete", "ceilingConstruction=dropped")
     it.simulated(lambda: it.page.get_by_label("There is a wall behind it").uncheck())
     assert not wall.is_visible()
-
-
-def test_measures_are_told_as_people_install_them(it: Opened) -> None:
-    switch = it.page.get_by_label("as people install it")
-    asked, _ = it.simulated(switch.check)
+    asked, _ = it.simulated(it.page.get_by_label("as people install it").check)
     assert asked["scene"]["uncertainty"] == {"installation": "as people install it"}
     it.kept("installed=1")
 
@@ -53,21 +50,6 @@ def test_the_tip_over_without_an_earthquake(browser: Browser, server: Running) -
         assert it.text("#everyday") in report.replace("\N{NO-BREAK SPACE}", " ")
 
 
-def test_a_verification_that_is_forgotten_is_made_again(browser: Browser, server: Running) -> None:
-    with opened(browser, server, "#piece=chest", verify=True, allowed=("status of 404",)) as it:
-        it.go("understand")
-        it.wait("() => document.querySelector('#understand').dataset.state === 'done'")
-        job = it.page.evaluate("() => document.querySelector('#understand').dataset.job")
-        it.page.request.delete(f"{it.home}/api/v1/jobs/{job}", headers={"origin": it.home})
-        it.page.get_by_label("Load on an open drawer").nth(1).fill("300")
-        it.wait(
-            "old => document.querySelector('#understand').dataset.state === 'done'"
-            " && document.querySelector('#understand').dataset.job !== old",
-            job,
-        )
-        assert "300 kg" in it.text("#everyday-cases")
-
-
 def test_a_link_and_a_reload_bring_all_of_it_back(browser: Browser, server: Running) -> None:
     link = (
         "#piece=chest&drawers=3&drawerLoad=40&pull=90&installed=1"
@@ -91,3 +73,36 @@ def test_a_link_with_senseless_words_leaves_what_is_usual(browser: Browser, serv
         assert it.page.get_by_label("What the wall offers").input_value() == "stud"
         shown = it.page.locator("#everyday-ask input[type=number]").all()
         assert [one.input_value() for one in shown] == ["0", "27.2", "10000"]
+
+
+def test_what_is_inside_is_asked_and_the_ranking_says_what_comes_out(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server, verify=True) as it:
+        assert not it.page.get_by_label("Doors").is_visible()
+        asked, _ = it.simulated(lambda: it.page.get_by_label("What may come out").select_option("dishes"))
+        assert asked["scene"]["contents"] == {"kind": "dishes", "doors": "none"}
+        asked, _ = it.simulated(lambda: it.page.get_by_label("Doors").select_option("hinged"))
+        assert asked["scene"]["contents"]["doors"] == "hinged"
+        it.kept("contents=dishes", "doors=hinged")
+        it.go("understand")
+        it.wait("() => /dishes (come out|stay inside)/.test(document.querySelector('#ranking').innerText)")
+
+
+def test_the_headline_says_what_comes_out_and_how_it_is_as_people_install_it(
+    browser: Browser, server: Running
+) -> None:
+    address = "#piece=bookcase&contents=books&measures=l_bracket&installed=1"
+    with opened(browser, server, address, verify=True) as it:
+        it.go("understand")
+        it.wait("() => document.querySelectorAll('#also li:not(.hint)').length === 2")
+        without, held = it.page.locator("#also li:not(.hint)").all_inner_texts()
+        comes_out = re.compile(r"%\sof the books come out\.|The books stay inside\.")
+        assert without.startswith("Without measures: ")
+        assert comes_out.search(without)
+        assert "As people install it" not in without
+        assert comes_out.search(held)
+        assert re.search(r"As people install it, it overturns in \d", held)
+        it.speak("ja")
+        assert re.search(r"本(の.*が飛び出します|は飛び出しません)。", it.text("#also"))
+        assert "実際の取付けでは" in it.text("#also")

@@ -1,4 +1,4 @@
-"""The page in Chromium: its jobs and its scene when it is left, comes back, or lacks its server."""
+"""The page in Chromium: its jobs and its scene when it is left, comes back, or has to wait for its server."""
 
 from __future__ import annotations
 
@@ -118,3 +118,20 @@ def test_care_speed_and_building_are_remembered(it: Opened) -> None:
     asked, _ = it.simulated(lambda: it.page.get_by_label("In a building").check())
     assert asked["scene"]["shaking"]["storey"] == 9
     assert asked["scene"]["shaking"]["building"]["storeys"] == 14
+
+
+@pytest.mark.parametrize(
+    ("address", "ready", "said"),
+    [("", True, "The first picture is being computed."), ("room/", False, "The server is getting ready.")],
+)
+def test_the_server_is_said_to_compile_only_while_it_does(
+    browser: Browser, server: Running, address: str, ready: bool, said: str
+) -> None:
+    page = browser.new_page(locale="en-GB")
+    page.route("**/api/v1/ping", lambda route: route.fulfill(json={"ready": ready, "version": "0"}))
+    for never in ("simulate", "room", "verify"):
+        page.route(f"**/api/v1/{never}", lambda route: None)
+    page.goto(f"{server.address}/{address}")
+    page.locator("#wait", has_text=said).wait_for(state="visible")
+    page.unroute_all(behavior="ignoreErrors")
+    page.close()

@@ -177,6 +177,23 @@ def test_a_record_of_an_upper_floor_is_not_sent_through_a_building_without_a_wor
         assert refused["message"] not in it.text("main")
 
 
+SEEN = """() => {
+  const box = document.getElementById("stage-with").getBoundingClientRect();
+  return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0) > 100;
+}"""
+"""Whether the picture is in sight."""
+
+SPY = """() => {
+  const write = CanvasRenderingContext2D.prototype.fillText;
+  globalThis.written = [];
+  CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+    written.push(text);
+    return write.call(this, text, ...rest);
+  };
+}"""
+"""Notes what is written into pictures."""
+
+
 def test_nothing_lies_over_the_picture_of_a_phone_on_its_side(browser: Browser, server: Running) -> None:
     overlap = """() => {
       const bar = document.querySelector(".transport").getBoundingClientRect();
@@ -190,34 +207,22 @@ def test_nothing_lies_over_the_picture_of_a_phone_on_its_side(browser: Browser, 
             assert not it.page.evaluate(overlap), down
         # the picture and its buttons are on the screen together
         it.page.evaluate("document.querySelector('.theatre').scrollIntoView()")
-        stage, bar = (it.page.locator(what).first.bounding_box() for what in (".stage", ".transport"))
-        assert stage is not None
-        assert bar is not None
-        steps = it.page.locator("#steps").bounding_box()
-        assert steps is not None
-        assert stage["y"] >= 0
-        assert bar["y"] + bar["height"] <= steps["y"]
-
-
-@pytest.mark.parametrize("size", [SIDEWAYS, *long(PHONE, {"width": 1280, "height": 700})])
-def test_an_event_is_jumped_to_with_the_picture_in_sight(
-    browser: Browser, server: Running, size: dict[str, int]
-) -> None:
-    seen = """() => {
-      const box = document.getElementById("stage-with").getBoundingClientRect();
-      return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0) > 100;
-    }"""
-    with opened(browser, server, size=size) as it:
+        bar = it.box(".transport")
+        assert it.box(".stage >> nth=0")["y"] >= 0
+        assert bar["y"] + bar["height"] <= it.box("#steps")["y"]
         jump = it.page.locator("#story .jump").last
-        jump.scroll_into_view_if_needed()
-        jump.click()
-        it.wait(seen)
+        for size in (SIDEWAYS, PHONE, {"width": 1280, "height": 700}):
+            it.page.set_viewport_size(size)  # type: ignore[arg-type]
+            jump.scroll_into_view_if_needed()
+            jump.click()
+            it.wait(SEEN)
 
 
-def test_lines_of_devices_have_their_names(browser: Browser, server: Running) -> None:
-    with opened(
-        browser, server, scene(measures="l_bracket,gel_mats,tension_pole,belt", ceiling=2.4, gap=0.02)
-    ) as it:
+def test_lines_of_devices_have_their_names_and_a_tilt_beyond_its_picture_is_marked(
+    browser: Browser, server: Running
+) -> None:
+    link = scene(measures="l_bracket,gel_mats,tension_pole,belt", ceiling=2.4, gap=0.02)
+    with opened(browser, server, link) as it:
         names = it.page.locator("#device-key li").all_inner_texts()
         assert "Adhesive gel mats, front" in names
         assert len(names) == 5
@@ -226,21 +231,9 @@ def test_lines_of_devices_have_their_names(browser: Browser, server: Running) ->
             "#device-key path", "all => all.map(one => one.getAttribute('stroke-dasharray'))"
         )
         assert len(set(dashes)) == 4
-
-
-def test_a_tilt_beyond_its_picture_is_marked(browser: Browser, server: Running) -> None:
-    spy = """
-    const write = CanvasRenderingContext2D.prototype.fillText;
-    globalThis.written = [];
-    CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
-      written.push(text);
-      return write.call(this, text, ...rest);
-    };"""
-    with opened(browser, server) as it:
-        it.page.add_init_script(spy)
-        it.page.reload()
-        it.settle()
-        assert "▲ up to 90 °" in it.page.evaluate("written")
+        it.page.evaluate(SPY)
+        it.page.click("#theme")  # by which everything is drawn again
+        it.wait("() => written.includes('▲ up to 90 °')")
 
 
 def test_the_slider_of_the_time_and_the_title_speak_the_language(browser: Browser, server: Running) -> None:

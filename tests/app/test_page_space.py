@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from axe_playwright_python.sync_playwright import Axe
-from browsing import COMPILING, LOOKS, opened
+from browsing import COMPILING, opened
 from PIL import Image
 from playwright.sync_api import expect
 from test_space_in_browser import coloured, differ
 
-from long_cases import long
+from stayput.model.body import FURNITURE
 from stayput.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -93,17 +92,15 @@ def test_the_plane_is_the_default_and_space_is_chosen_kept_and_taken_back(it: Op
 
 def test_the_length_of_a_piece_is_its_presets_until_it_is_set(browser: Browser, server: Running) -> None:
     with opened(browser, server) as it:
-        presets = it.page.evaluate("fetch('api/v1/presets').then(answer => answer.json())")
-        lengths = {one["id"]: one["length_m"] for one in presets["furniture"]}
         asked, _ = it.simulated(lambda: it.page.click("#presets button:has-text('Refrigerator')"))
-        assert asked["scene"]["furniture"]["length"] == lengths["refrigerator"]
+        assert asked["scene"]["furniture"]["length"] == (own := FURNITURE["refrigerator"].length)
         field = it.page.get_by_label("Length, from side to side (cm)")
         asked, _ = it.simulated(lambda: field.fill("95"))
         assert asked["scene"]["furniture"]["length"] == 0.95
         it.kept("length=0.95")
     with opened(browser, server, "#piece=refrigerator&width=0.6&height=1.7&mass=90") as it:
         asked, _ = it.simulated(lambda: it.page.get_by_label("Mass with its content (kg)").fill("95"))
-        assert asked["scene"]["furniture"]["length"] == lengths["refrigerator"]  # of a link that names none
+        assert asked["scene"]["furniture"]["length"] == own  # of a link that names none
 
 
 def test_the_pictures_follow_the_slider_the_views_and_the_keys(webgl: Browser, server: Running) -> None:
@@ -126,11 +123,16 @@ def test_the_pictures_follow_the_slider_the_views_and_the_keys(webgl: Browser, s
         assert not it.page.get_by_label("Top", exact=True).is_checked()
 
 
-def test_the_wheel_scrolls_the_page_and_with_control_comes_nearer(browser: Browser, server: Running) -> None:
-    with opened(browser, server, LINK) as it:
+SHOWN = """given => Promise.all([import("/canvas/digits.js"), import("/words.js")]).then(
+  ([{ digits }, { number }]) => given.map((one) => [digits(one, 1), number(one, 1)]))"""
+
+
+def test_a_picture_without_webgl_is_flat_and_led_by_the_wheel(browser: Browser, server: Running) -> None:
+    with opened(browser, server, LINK + "&contents=books&doors=none") as it:
+        assert "has no WebGL 2" in it.text("#flat")
+        assert coloured(picture(it))[0] > 0.02
         it.page.locator("#space-without").scroll_into_view_if_needed()
-        box = it.page.locator("#space-without").bounding_box()
-        assert box
+        box = it.box("#space-without")
         it.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
         seen, before = picture(it), it.page.evaluate("() => scrollY")
         it.page.mouse.wheel(0, 60)
@@ -142,27 +144,24 @@ def test_the_wheel_scrolls_the_page_and_with_control_comes_nearer(browser: Brows
         it.page.mouse.wheel(0, -300)
         it.page.keyboard.up("Control")
         assert coloured(picture(it))[0] > 1.1 * coloured(seen)[0]
-
-
-def test_a_new_scene_is_seen_from_where_the_one_before_was(browser: Browser, server: Running) -> None:
-    with opened(browser, server, LINK) as it:
         it.page.get_by_label("Top", exact=True).check()
         seen = picture(it)
         it.simulated(lambda: it.page.get_by_label("Mass with its content (kg)").fill("120"))
-        assert differ(picture(it), seen) < 0.05
+        assert differ(picture(it), seen) < 0.05  # a new scene is seen from where the one before was
         it.page.get_by_label("Front", exact=True).check()
         assert differ(picture(it), seen) > 0.1
-
-
-def test_no_number_is_a_negative_zero(browser: Browser, server: Running) -> None:
-    with opened(browser, server, LINK) as it:
-        shown = it.page.evaluate(
-            """([given]) => Promise.all([import("/canvas/digits.js"), import("/words.js")]).then(
-              ([{ digits }, { number }]) => given.map((one) => [digits(one, 1), number(one, 1)]))""",
-            [[-0.0, -0.04, -0.05, 0.04, -1.25, 12.345]],
-        )
+        shown = it.page.evaluate(SHOWN, [-0.0, -0.04, -0.05, 0.04, -1.25, 12.345])  # none is a negative zero
         assert [one for one, _ in shown] == ["0.0", "0.0", "−0.1", "0.0", "−1.3", "12.3"]
         assert [one for _, one in shown] == ["0.0", "0.0", "-0.1", "0.0", "-1.3", "12.3"]
+        contents = it.page.get_by_label("What may come out")
+        assert contents.is_disabled()  # as it is told in the plane alone
+        it.speak("ja")
+        assert "飛び出しは平面でだけ計算できます" in it.text("#sizes")
+        it.speak("en")
+        asked, _ = it.simulated(lambda: it.page.check("#engine input[value=plane]"))
+        assert asked["scene"]["contents"] == {"kind": "books", "doors": "none"}
+        assert contents.is_enabled()
+        assert it.page.locator("#flat").is_hidden()
 
 
 def test_histories_and_sentences_are_those_of_space(browser: Browser, server: Running) -> None:
@@ -176,24 +175,6 @@ def test_histories_and_sentences_are_those_of_space(browser: Browser, server: Ru
         height = it.page.locator("#histories").evaluate("one => one.clientHeight")
         it.simulated(lambda: it.page.check("#engine input[value=plane]"))
         assert height > it.page.locator("#histories").evaluate("one => one.clientHeight")
-
-
-def test_what_comes_out_is_closed_in_space(browser: Browser, server: Running) -> None:
-    with opened(browser, server, LINK + "&contents=books&doors=none", language="ja") as it:
-        chosen = it.page.get_by_label("飛び出しを調べる収納物")
-        assert chosen.is_disabled()
-        assert "飛び出しは平面でだけ計算できます" in it.text("#sizes")
-        asked, _ = it.simulated(lambda: it.page.check("#engine input[value=plane]"))
-        assert asked["scene"]["contents"] == {"kind": "books", "doors": "none"}
-        assert chosen.is_enabled()
-
-
-def test_without_webgl_it_says_so_and_draws_flat(browser: Browser, server: Running) -> None:
-    with opened(browser, server, LINK) as it:
-        assert "has no WebGL 2" in it.text("#flat")
-        assert coloured(picture(it))[0] > 0.02
-        it.simulated(lambda: it.page.check("#engine input[value=plane]"))
-        assert it.page.locator("#flat").is_hidden()
 
 
 def test_chances_in_space_come_without_curves_until_they_are_asked_for(
@@ -262,10 +243,7 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(it: Opened) -
     assert min(coloured(picture(it))) > 0.01  # blue below, orange above
     assert "upper part: " in it.text("#story")
     assert it.text("#pieces-key").split("\n") == ["lower part", "upper part"]
-    stage, pieces = (it.page.locator(one).bounding_box() for one in ("#space-without", "#pieces"))
-    assert stage
-    assert pieces
-    assert stage["y"] < pieces["y"]  # a long list does not push the picture away
+    assert it.box("#space-without")["y"] < it.box("#pieces")["y"]  # a long list does not push it away
     with it.page.expect_download() as found:
         it.page.click("#toml")
     assert found.value.suggested_filename == "dresser.toml"
@@ -326,22 +304,15 @@ def test_a_file_too_long_for_a_link_says_so(browser: Browser, server: Running) -
         it.page.wait_for_selector("#address", state="visible")
 
 
-@pytest.mark.parametrize(
-    ("letters", "said"),
-    [
-        ("AAAA", "The link is damaged: it does not hold all of the file “a.toml”"),
-        ("y0jNyclXKM8vyklRBAA", "The scenario file is 'a.toml'; it must be TOML"),
-    ],
-)
-def test_links_whose_pieces_cannot_be_shown_say_why(
-    browser: Browser, server: Running, letters: str, said: str
-) -> None:
-    link = f"{LINK}&file=a.toml&pieces={letters}"
-    with opened(browser, server, link, allowed=("status of 422",)) as it:
-        assert said in it.text("#notices")
-        assert it.page.locator("#pieces").is_hidden()
+def test_links_whose_pieces_cannot_be_shown_say_why(browser: Browser, server: Running) -> None:
+    link = f"{LINK}&file=a.toml&pieces="
+    with opened(browser, server, f"{link}AAAA", allowed=("status of 422",)) as it:
+        assert "The link is damaged: it does not hold all of the file “a.toml”" in it.text("#notices")
         it.page.click("#notices button")
         it.page.wait_for_selector("#notices", state="hidden")
+        it.page.evaluate("link => { location.hash = link }", f"{link}y0jNyclXKM8vyklRBAA")
+        it.page.locator("#notices", has_text="The scenario file is 'a.toml'; it must be TOML").wait_for()
+        assert it.page.locator("#pieces").is_hidden()
 
 
 ONE = '[furniture]\npreset = "chest"'
@@ -371,22 +342,3 @@ def test_files_that_are_not_shown_say_why_and_change_nothing(browser: Browser, s
         assert it.text("#story") == story
         assert differ(picture(it), seen) == 0.0
         assert it.page.locator("#pieces").is_visible()
-
-
-@LOOKS
-@pytest.mark.parametrize("several", [True, *long(False)])
-def test_axe_finds_nothing_serious_and_nothing_is_cut(
-    browser: Browser, server: Running, theme: str, language: str, size: dict[str, int], several: bool
-) -> None:
-    with opened(browser, server, BELTED, theme=theme, language=language, size=size) as it:
-        if several:
-            drop(it, PIECES)
-        for screen in ("scene", "see"):
-            it.go(screen)
-            grave = [
-                (one["id"], one["nodes"][0]["html"][:120])
-                for one in Axe().run(it.page).response["violations"]
-                if one["impact"] in ("serious", "critical")
-            ]
-            assert grave == []
-            assert it.page.evaluate("document.documentElement.scrollWidth") <= size["width"]

@@ -6,7 +6,7 @@ import asyncio
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ import stayput as sp
 from stayput.app import motions, reader
 from stayput.app.limits import MEBIBYTE, Limits
 from stayput.app.motions import Readers
-from stayput.errors import InputError, warn
+from stayput.errors import InputError
 from waiting import wait_until
 
 if TYPE_CHECKING:
@@ -37,36 +37,23 @@ def own() -> Iterator[Readers]:
     found.close()
 
 
-def test_a_motion_is_the_one_that_is_read_here(tmp_path: Path, own: Readers) -> None:
-    path = tmp_path / "record.csv"
-    path.write_text(RECORD)
-    found, _ = asyncio.run(own.read(path, unit="gal"))
-    here = sp.read_motion(path, unit="gal")
-    assert found == here
-    assert not found.x.flags.writeable
+def read(readers: Readers, path: Path, **options: Any) -> Any:
+    """Read on a thread: in this one Chromium may have the event loop."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(lambda: asyncio.run(readers.read(path, **options))).result()
 
 
-@pytest.mark.parametrize("text", ["", "hello\n", "0.0,nan\n", "0.0,1\n0.5,1\n0.51,1\n", RECORD])
-def test_refusals_are_the_same_as_here(tmp_path: Path, own: Readers, text: str) -> None:
+def test_motions_and_refusals_are_those_of_reading_here(tmp_path: Path, own: Readers) -> None:
     path = tmp_path / "記録.csv"
-    path.write_text(text)
+    path.write_text(RECORD)
+    found, _ = read(own, path, unit="gal")
+    assert found == sp.read_motion(path, unit="gal")
+    assert not found.x.flags.writeable
     with pytest.raises(InputError) as here:
         sp.read_motion(path)
     with pytest.raises(InputError) as there:
-        asyncio.run(own.read(path))
+        read(own, path)
     assert str(there.value).replace("“Unit”", "unit") == str(here.value)  # called by its control
-
-
-def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    def read_shaking(*_: object, **__: object) -> sp.Motion:
-        warn(sp.InputWarning("It is very strong."))
-        return sp.sine(1.0, 1.0, 2.0)
-
-    path = tmp_path / "a"
-    path.write_text("1")
-    monkeypatch.setattr(reader, "read_shaking", read_shaking)
-    task = reader.ReadingTask(str(path), {}, Limits())
-    assert [str(warning) for warning in reader.read(task).warnings] == ["It is very strong."]
 
 
 def test_a_file_that_takes_too_long_is_refused_and_the_next_one_is_read() -> None:
@@ -82,13 +69,8 @@ def test_a_file_that_takes_too_long_is_refused_and_the_next_one_is_read() -> Non
         assert not list(folder_of(server).iterdir())
         service: Service = server.app.state.service
         service.readers._limits = Limits()  # a small one takes less, but not on every machine
-        assert asyncio.run(service.readers.read(_small(folder_of(server)), unit="gal", dt=0.01))
-
-
-def _small(folder: Path) -> Path:
-    path = folder / "small"
-    path.write_text("1\n-1\n0\n" * 5)
-    return path
+        (small := folder_of(server) / "small").write_text("1\n-1\n0\n" * 5)
+        assert read(service.readers, small, unit="gal", dt=0.01)
 
 
 def test_the_app_goes_on_while_a_file_is_stuck(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -119,13 +101,10 @@ def test_a_file_that_needs_too_much_memory_is_refused() -> None:
         assert client.get("/api/v1/ping").status_code == 200
 
 
-@pytest.mark.parametrize("program", ["raise SystemExit(1)", "import os; os._exit(0)"])
-def test_a_process_that_dies_is_the_end_of_its_file_alone(
-    monkeypatch: pytest.MonkeyPatch, program: str
-) -> None:
+def test_a_process_that_dies_is_the_end_of_its_file_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     with running() as server, client_of(server) as client:
         with monkeypatch.context() as patched:
-            patched.setattr(motions, "START", program)
+            patched.setattr(motions, "START", "import os; os._exit(0)")
             answer = upload(client, RECORD, unit="gal")
         assert answer.status_code == 422
         assert "was ended" in answer.json()["message"]

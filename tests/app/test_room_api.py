@@ -191,10 +191,3 @@ def test_a_room_is_run_as_a_whole_written_and_read(room_client: httpx.Client) ->
     read = room_client.post("/api/v1/scenario/read", json={"toml": written.text}).json()
     assert read["scene"] == ROOM_SCENE
     assert read["pieces"] == ["bookcase", "wardrobe", "chest"]
-
-
-def test_presets_say_where_people_are(room_client: httpx.Client) -> None:
-    places = {one["id"]: one for one in room_client.get("/api/v1/presets").json()["places"]}
-    bed = sp.PersonPlace.of("bed", (1.0, 1.0))
-    assert (places["bed"]["high_m"], places["bed"]["night"]) == (bed.high, bed.night)
-    assert all(one["label"]["ja"] for one in places.values())

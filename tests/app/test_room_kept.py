@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import tomllib
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -52,13 +51,6 @@ def test_a_short_film_of_a_room_says_the_verdict(
     assert told["names"] == ("本棚",)
     page = client.post("/api/v1/simulate/film", params={"lang": "ja"}, json={"scene": ROOM}).text
     assert "家具を支えません" in page
-
-
-def test_the_file_of_a_room_gives_the_page_s_numbers_to_the_bit(client: httpx.Client) -> None:
-    asked = {"scene": ROOM, "measures": []}
-    file = sp.RoomScenario.parse(tomllib.loads(client.post("/api/v1/scenario/toml", json=asked).text))
-    told = client.post("/api/v1/simulate", json=asked).json()["without"]["pieces"]
-    assert [one["peak_tilt_rad"] for one in told] == file.run().peak_tilt.tolist()
 
 
 def test_the_page_keeps_the_film(browser: Browser, server: Running) -> None:

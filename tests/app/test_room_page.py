@@ -64,7 +64,7 @@ def test_the_verdict_is_the_servers(browser: Browser, server: Running) -> None:
         assert "mixed" not in it.text("#summary")
 
 
-def test_the_verdict_comes_bit_by_bit(browser: Browser, server: Running) -> None:
+def test_the_verdict_comes_bit_by_bit_and_is_stopped(browser: Browser, server: Running) -> None:
     judge = Judge(QUEUED)
     with opened(browser, server, "room/", routes=judge.routes) as it:
         it.wait("() => document.getElementById('state').textContent.includes('2 before you')")
@@ -79,8 +79,13 @@ def test_the_verdict_comes_bit_by_bit(browser: Browser, server: Running) -> None
         judge.stage = COUNTED  # only changes are still tried
         it.wait("() => document.getElementById('state').textContent.startsWith('The changes')")
         assert not it.page.locator("#rough").is_visible()
+        it.page.click("#cancel")
+        assert it.text("#state") == "Stopped."
+        it.wait("() => !document.getElementById('verify').hidden")
         judge.stage = DONE
+        it.page.click("#verify")
         judged(it)
+        assert judge.ended[0] == 0
         assert not it.page.locator("#rough").is_visible()
         assert it.page.locator("#ranking > li").count() == 3
         assert it.page.get_attribute("#report", "aria-disabled") == "false"
@@ -259,19 +264,6 @@ def test_the_old_verdict_is_marked_and_its_question_ends(it: Opened, judge: Judg
     judged(it)
     assert len(judge.asked) == 3
     assert {0, 1} <= set(judge.ended)
-
-
-def test_stop_and_again(browser: Browser, server: Running) -> None:
-    judge = Judge(ROUGH)
-    with opened(browser, server, "room/", routes=judge.routes) as it:
-        it.page.wait_for_selector("#rough:visible")
-        it.page.click("#cancel")
-        assert it.text("#state") == "Stopped."
-        it.wait("() => !document.getElementById('verify').hidden")
-        judge.stage = DONE
-        it.page.click("#verify")
-        judged(it)
-        assert judge.ended[0] == 0
 
 
 def test_the_fields_are_the_rooms(it: Opened, judge: Judge) -> None:

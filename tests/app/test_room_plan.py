@@ -92,15 +92,11 @@ def test_what_follows_quickly_is_one_change(editor: Editor) -> None:
     assert editor.room() == ROOM
 
 
-def test_a_finger_drags_a_piece(browser: Browser, server: Running) -> None:
-    with editing(browser, server, touch=True) as it:
-        it.point(it.at(2.0, 1.0), it.at(1.4, 1.6))
-        assert it.room()["furniture"][1]["at"] == pytest.approx([1.4, 1.6], abs=0.03)
-
-
 @pytest.mark.parametrize("size", [PHONE, *long(DESK)], ids=["phone", "desk"])
-def test_a_finger_drags_a_kind_into_the_plan(browser: Browser, server: Running, size: dict[str, int]) -> None:
+def test_a_finger_drags_kinds_and_pieces(browser: Browser, server: Running, size: dict[str, int]) -> None:
     with editing(browser, server, size=size, touch=True) as it:
+        it.point(it.at(2.0, 1.0), it.at(1.4, 0.8))
+        assert it.room()["furniture"][1]["at"] == pytest.approx([1.4, 0.8], abs=0.1)
         end = it.at(2.0, 1.6)
         box = it.page.locator("#palette [data-kind=wardrobe]").bounding_box()
         assert box is not None
@@ -166,32 +162,21 @@ def test_what_is_selected_is_turned_and_removed_under_the_plan(
         assert it.said == "Removed: Chest of drawers"
 
 
-def test_the_room_is_emptied_and_everything_brought_back(editor: Editor) -> None:
-    editor.page.click("#plan-empty")
-    room = editor.room()
-    assert all(room[table] == [] for table in ("furniture", "places", "doors", "windows"))
-    assert room["plan"] == ROOM["plan"]
-    assert editor.page.locator("#plan-empty").is_disabled()
-    editor.page.click("#plan-undo")
-    assert editor.room() == ROOM
-
-
-def test_a_door_and_a_window_are_taken_beside_their_lines(browser: Browser, server: Running) -> None:
+def test_a_door_and_a_window_are_taken_beside_their_lines(editor: Editor) -> None:
     chosen = "import('/room/room.js').then((one) => one.selected())"
-    with editing(browser, server) as it:
-        for thing, point, off in (
-            ({"table": "doors", "index": 0}, (3.75, 0.3), (0, 0)),  # within its swing
-            ({"table": "doors", "index": 0}, (4.0, 0.45), (14, 0)),  # beside its opening, from outside
-            ({"table": "windows", "index": 0}, (1.6, 3.0), (0, 6)),
-            ({"table": "windows", "index": 0}, (1.6, 3.0), (0, -14)),
-        ):
-            it.page.evaluate("import('/room/room.js').then((one) => one.select(null))")
-            x, y = it.at(*point)
-            it.page.mouse.click(x + off[0], y + off[1])
-            assert it.page.evaluate(chosen) == thing
-        start = it.at(3.75, 0.3)
-        it.pull(start, (start[0], start[1] - 60))  # by its swing
-        assert it.room()["doors"][0]["start"] > 0.3
+    for thing, point, off in (
+        ({"table": "doors", "index": 0}, (3.75, 0.3), (0, 0)),  # within its swing
+        ({"table": "doors", "index": 0}, (4.0, 0.45), (14, 0)),  # beside its opening, from outside
+        ({"table": "windows", "index": 0}, (1.6, 3.0), (0, 6)),
+        ({"table": "windows", "index": 0}, (1.6, 3.0), (0, -14)),
+    ):
+        editor.page.evaluate("import('/room/room.js').then((one) => one.select(null))")
+        x, y = editor.at(*point)
+        editor.page.mouse.click(x + off[0], y + off[1])
+        assert editor.page.evaluate(chosen) == thing
+    start = editor.at(3.75, 0.3)
+    editor.pull(start, (start[0], start[1] - 60))  # by its swing
+    assert editor.room()["doors"][0]["start"] > 0.3
 
 
 OFFICE = {

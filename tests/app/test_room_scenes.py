@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import pytest
 from browsing import PHONE, WAIT
 from room_judge import Judge, after, chance, made, place_of, room_page
 
 if TYPE_CHECKING:
+    import pytest
     from browsing import Opened
     from playwright.sync_api import Browser, Page
     from serving import Running
@@ -53,6 +53,7 @@ def test_two_tabs_do_not_write_over_each_other(it: Opened, judge: Judge) -> None
         ".filter((one) => one.room).map((one) => one.room.furniture[0].along).sort()"
     )
     assert along == [0.4, 1.9]
+    other.close()
 
 
 def another_tab(it: Opened, judge: Judge) -> Page:
@@ -65,21 +66,19 @@ def another_tab(it: Opened, judge: Judge) -> Page:
     return page
 
 
-@pytest.mark.parametrize(
-    ("error", "said"),
-    [("QuotaExceededError", "storage for this page is full"), ("SecurityError", "private window")],
-)
-def test_it_is_said_where_nothing_can_be_kept(it: Opened, judge: Judge, error: str, said: str) -> None:
-    it.page.evaluate(
-        """(name) => {
-          localStorage.setItem("other", "1");
-          Storage.prototype.setItem = function () { throw new DOMException("", name); };
-        }""",
-        error,
-    )
-    it.page.click("#keep-scene button")
-    assert said in it.text("#scenes-said")
-    assert it.page.locator("#scenes strong").count() == 0
+REFUSING = """(name) => {
+  localStorage.other = "1";
+  Storage.prototype.setItem = function () { throw new DOMException("", name); };
+}"""
+
+
+def test_it_is_said_where_nothing_can_be_kept(browser: Browser, server: Running) -> None:
+    with room_page(browser, server, Judge()) as it:
+        for error, said in (("QuotaExceededError", "page is full"), ("SecurityError", "private window")):
+            it.page.evaluate(REFUSING, error)
+            it.page.click("#keep-scene button")
+            assert said in it.text("#scenes-said")
+            assert it.page.locator("#scenes strong").count() == 0
 
 
 def test_two_rooms_are_compared_under_one_earthquake(it: Opened, judge: Judge) -> None:

@@ -221,3 +221,8 @@ def test_axe_finds_nothing_serious(
         for screen in SCREENS if size in (PHONE, SIDE) else ("scene",):
             it.go(screen)
             assert it.grave() == []
+        it.go("scene")
+        for thing in ("furniture-0", "places-0", "doors-0"):
+            it.page.focus(f"[data-thing={thing}]")
+            assert it.grave() == []
+            assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")

@@ -57,15 +57,3 @@ def test_the_first_picture_needs_few_bytes(browser: Browser, server: Running) ->
         first_picture(page, server.address)
         fetched = line.fetched
     assert sum(fetched.values()) <= MOST_BYTES, fetched
-
-
-def test_what_was_fetched_once_is_not_fetched_again(browser: Browser, server: Running) -> None:
-    with browser.new_context(viewport=PHONE, locale="en-GB") as context:  # type: ignore[arg-type]
-        page = context.new_page()
-        first_picture(page, server.address)
-        line = Line(page)
-        page.reload()
-        page.wait_for_selector("html[data-drawn]", state="attached")
-    again = {url: size for url, size in line.fetched.items() if url.endswith((".css", ".js"))}
-    del again[f"{server.address}/words_table.js"]  # which the server makes
-    assert max(again.values()) < 1000, again

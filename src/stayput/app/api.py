@@ -9,36 +9,18 @@ from fastapi import APIRouter, Form, Query, Request
 from starlette.responses import Response
 
 import stayput
+from stayput.app import replies, requests
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
 from stayput.app.presets import presets
-from stayput.app.replies import (
-    MotionReply,
-    PingReply,
-    PresetsReply,
-    PreviewReply,
-    SceneReply,
-    ShakingReply,
-)
-from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
-    EverydayRequest,
-    Name,
-    ReadRequest,
-    ShakingRequest,
-    SimulateRequest,
-    TomlRequest,
-    Upload,
-    VerifyRequest,
-)
 from stayput.app.room_api import add_rooms
 from stayput.app.run_replies import SimulateReply, SpaceSimulateReply
 from stayput.app.running import shaking_reply, simulated
 from stayput.app.scenes import several_pieces
-from stayput.app.service import Service, json_response, problems
+from stayput.app.service import OF_BODY, OF_JOB, Service, json_response, of_file, problems
 from stayput.app.turns import StoppedError
 from stayput.app.verdict_replies import EverydayReply, JobReply
 from stayput.app.verification import everyday_reply, runs_of, with_everyday, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
-from stayput.report.verdict.tables import verdict_csv
 from stayput.scenario import AssemblyScenario
 from stayput.scenario.toml import table_of_toml
 from stayput.spreadsheets import CSV_ENCODING
@@ -70,22 +52,18 @@ def api(service: Service) -> APIRouter:
 
 
 def _add_general(router: APIRouter, service: Service) -> None:
-    @router.get("/ping", response_model=PingReply)
+    @router.get("/ping", response_model=replies.PingReply)
     async def ping() -> Response:
         """Say whether the server is there."""
-        return json_response(PingReply(ready=service.ready, version=stayput.__version__))
+        return json_response(replies.PingReply(ready=service.ready, version=stayput.__version__))
 
-    @router.get("/presets", response_model=PresetsReply, responses=problems(503))
+    @router.get("/presets", response_model=replies.PresetsReply, responses=problems(503))
     async def all_presets() -> Response:
         """Return everything that can be chosen."""
         return await service.workers.run(lambda: json_response(presets(service.limits)))
 
-    @router.post(
-        "/scenario/toml",
-        response_class=Response,
-        responses=problems(400, 413, 422, 503, file="application/toml"),
-    )
-    async def toml(body: TomlRequest) -> Response:
+    @router.post("/scenario/toml", **of_file(OF_BODY, "application/toml"))
+    async def toml(body: requests.TomlRequest) -> Response:
         """Return a scene as a scenario file."""
 
         def work() -> Response:
@@ -94,24 +72,24 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
         return await service.workers.run(work)
 
-    @router.post("/scenario/read", response_model=SceneReply, responses=problems(400, 413, 422, 503))
-    async def read(body: ReadRequest) -> Response:
+    @router.post("/scenario/read", response_model=replies.SceneReply, responses=problems(*OF_BODY))
+    async def read(body: requests.ReadRequest) -> Response:
         """Return a scenario file as a scene."""
 
         def work() -> Response:
             scene = table_of_toml(body.toml, Path(body.name))
             checked = service.stated(scene, [])
             pieces = checked.names if isinstance(checked, AssemblyScenario) else ()
-            return json_response(SceneReply(scene=scene, pieces=list(pieces)))
+            return json_response(replies.SceneReply(scene=scene, pieces=list(pieces)))
 
         return await service.workers.run(work)
 
 
 def _add_runs(router: APIRouter, service: Service) -> None:
-    refusals = problems(400, 413, 422, 503)
+    runs = SimulateReply | SpaceSimulateReply
 
-    @router.post("/simulate", response_model=SimulateReply | SpaceSimulateReply, responses=refusals)
-    async def simulate(request: Request, body: SimulateRequest) -> Response:
+    @router.post("/simulate", response_model=runs, responses=problems(*OF_BODY))
+    async def simulate(request: Request, body: requests.SimulateRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work(_left: Stop) -> Response:
@@ -122,15 +100,9 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         workers = service.slow if several_pieces(body.scene) else service.workers
         return await service.while_awaited(workers, request, work)
 
-    @router.post(
-        "/simulate/csv",
-        response_class=Response,
-        responses=problems(400, 413, 422, 503, file="text/csv"),
-    )
+    @router.post("/simulate/csv", **of_file(OF_BODY, "text/csv"))
     async def simulate_csv(
-        request: Request,
-        body: SimulateRequest,
-        which: Which = "without",
+        request: Request, body: requests.SimulateRequest, which: Which = "without"
     ) -> Response:
         """Run a scene without or with measures; return its histories at the record's samples."""
 
@@ -140,18 +112,12 @@ def _add_runs(router: APIRouter, service: Service) -> None:
 
         return await service.while_awaited(service.slow, request, work)
 
-    @router.post(
-        "/simulate/film",
-        response_class=Response,
-        responses={
-            200: {"content": {kind: {} for kind in ("text/html", "image/gif", "video/mp4")}},
-            **refusals,
-            **problems(404, 409),
-        },
-    )
+    films = ("text/html", "image/gif", "video/mp4")
+
+    @router.post("/simulate/film", **of_file((*OF_BODY, 404, 409), *films))
     async def simulate_film(
         request: Request,
-        body: SimulateRequest,
+        body: requests.SimulateRequest,
         which: Which = "without",
         kind: Annotated[Literal["html", "gif", "mp4"], Query()] = "html",
         lang: Annotated[Language, Query()] = "en",
@@ -181,24 +147,15 @@ def _add_runs(router: APIRouter, service: Service) -> None:
 
         return await service.while_awaited(service.slow, request, work)
 
-    @router.post("/shaking", response_model=ShakingReply, responses=refusals)
-    async def strength(body: ShakingRequest) -> Response:
+    @router.post("/shaking", response_model=replies.ShakingReply, responses=problems(*OF_BODY))
+    async def strength(body: requests.ShakingRequest) -> Response:
         """Return how strongly the ground shakes in a scene, as a JMA intensity with its scatter."""
-
-        def work() -> Response:
-            return json_response(shaking_reply(service.shaken(body.scene, [])))
-
-        return await service.workers.run(work)
+        return await service.workers.run(lambda: json_response(shaking_reply(service.shaken(body.scene, []))))
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:
-    @router.post(
-        "/verify",
-        status_code=202,
-        response_model=JobReply,
-        responses=problems(400, 413, 422, 429, 503),
-    )
-    async def start(body: VerifyRequest) -> Response:
+    @router.post("/verify", status_code=202, response_model=JobReply, responses=problems(*OF_BODY, 429))
+    async def start(body: requests.VerifyRequest) -> Response:
         """Begin a verification: it goes on as a job."""
 
         def prepare() -> tuple[Scenario, list[float], int]:
@@ -223,23 +180,21 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         return service.begun(work, runs, scenario, body.lease_s)
 
     @router.get("/jobs/{name}", response_model=JobReply, responses=problems(404, 422, 503))
-    async def get_job(name: Name) -> Response:
+    async def get_job(name: requests.Name) -> Response:
         """Return how a job stands, and its verdict once it is done."""
         job = service.jobs.get(name)
         return await service.workers.run(lambda: json_response(service.reply_of(job)))
 
     @router.delete("/jobs/{name}", response_model=JobReply, responses=problems(404, 422, 503))
-    async def cancel_job(name: Name) -> Response:
+    async def cancel_job(name: requests.Name) -> Response:
         """Stop a job; forget one that has ended."""
         job = service.jobs.cancel(name)
         return await service.workers.run(lambda: json_response(service.reply_of(job)))
 
-    @router.put(
-        "/jobs/{name}/everyday",
-        response_model=EverydayReply,
-        responses=problems(400, 404, 409, 413, 422, 503),
-    )
-    async def put_everyday(name: Name, body: EverydayRequest) -> Response:
+    refusals = problems(*OF_BODY, 404, 409)
+
+    @router.put("/jobs/{name}/everyday", response_model=EverydayReply, responses=refusals)
+    async def put_everyday(name: requests.Name, body: requests.EverydayRequest) -> Response:
         """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
         service.verdict(name)
         scenario = await service.workers.run(service.scene, body.scene, [])
@@ -248,12 +203,10 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         job.verdict, job.reports = changed, {}
         return await service.workers.run(lambda: json_response(everyday_reply(changed)))
 
-    @router.get(
-        "/jobs/{name}/report",
-        response_class=Response,
-        responses=problems(404, 409, 422, 503, file="text/html"),
-    )
-    async def report(request: Request, name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
+    @router.get("/jobs/{name}/report", **of_file(OF_JOB, "text/html"))
+    async def report(
+        request: Request, name: requests.Name, lang: Annotated[Language, Query()] = "en"
+    ) -> Response:
         """Return the report of a job: one HTML file."""
         job, verdict = service.done(name)
         reports = job.reports  # those of this verdict
@@ -265,58 +218,41 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 
         return await service.while_awaited(service.slow, request, work)
 
-    @router.get(
-        "/jobs/{name}/csv",
-        response_class=Response,
-        responses=problems(404, 409, 422, 503, file="text/csv"),
-    )
-    async def table(name: Name) -> Response:
+    @router.get("/jobs/{name}/csv", **of_file(OF_JOB, "text/csv"))
+    async def table(name: requests.Name) -> Response:
         """Return the ranking of a job as a table."""
         _, verdict = service.done(name)
-
-        def work() -> Response:
-            if isinstance(verdict, Verdict):
-                return attachment(verdict_csv(verdict).encode(CSV_ENCODING), "stayput_ranking.csv")
-            return attachment(verdict.to_csv().encode(CSV_ENCODING), "stayput_room.csv")
-
-        return await service.workers.run(work)
+        file = "stayput_ranking.csv" if isinstance(verdict, Verdict) else "stayput_room.csv"
+        return await service.workers.run(lambda: attachment(verdict.to_csv().encode(CSV_ENCODING), file))
 
 
 def _add_motions(router: APIRouter, service: Service) -> None:
     @router.post(
-        "/motions",
-        status_code=201,
-        response_model=MotionReply,
-        responses=problems(400, 413, 422, 429, 503),
+        "/motions", status_code=201, response_model=replies.MotionReply, responses=problems(*OF_BODY, 429)
     )
-    async def add(upload: Annotated[Upload, Form(media_type="multipart/form-data")]) -> Response:
+    async def add(upload: Annotated[requests.Upload, Form(media_type="multipart/form-data")]) -> Response:
         """Upload a record; it is kept for a while under the id that is returned."""
-        name = await service.motions.add(upload)
-        return await service.workers.run(lambda: json_response(service.motions.about(name), 201))
+        stored = await service.motions.add(upload)
+        return await service.workers.run(lambda: json_response(service.motions.about(stored), 201))
 
-    @router.get("/motions/{name}", response_model=MotionReply, responses=problems(404, 422, 503))
-    async def about(name: Name, component: ComponentQuery = None) -> Response:
+    @router.get("/motions/{name}", response_model=replies.MotionReply, responses=problems(404, 422, 503))
+    async def about(name: requests.Name, component: ComponentQuery = None) -> Response:
         """Return what is known of an uploaded motion."""
         stored = await service.motions.with_component(name, component)
-        return await service.workers.run(lambda: json_response(service.motions.about(name, stored)))
+        return await service.workers.run(lambda: json_response(service.motions.about(stored)))
 
     @router.get(
-        "/motions/{name}/preview",
-        response_model=PreviewReply,
-        responses=problems(404, 422, 503),
+        "/motions/{name}/preview", response_model=replies.PreviewReply, responses=problems(404, 422, 503)
     )
-    async def preview(name: Name, component: ComponentQuery = None) -> Response:
+    async def preview(name: requests.Name, component: ComponentQuery = None) -> Response:
         """Return the outline of an uploaded motion."""
         stored = await service.motions.with_component(name, component)
         return await service.workers.run(lambda: json_response(service.motions.preview(stored.motion)))
 
-    @router.delete(
-        "/motions/{name}",
-        status_code=204,
-        responses=problems(404, 409, 422),
-        response_class=Response,
-    )
-    async def remove(name: Name) -> Response:
+    refusals = problems(404, 409, 422)
+
+    @router.delete("/motions/{name}", status_code=204, responses=refusals, response_class=Response)
+    async def remove(name: requests.Name) -> Response:
         """Forget an uploaded motion."""
         service.motions.remove(name)
         return Response(status_code=204)

@@ -178,7 +178,7 @@ class Jobs:
             self._expire()
             job = self._jobs.get(name)
         if job is None:
-            raise refused(404, "app.no_such_job")
+            raise refused(404, "app.no_such_id")
         job.last_used = time.monotonic()
         return job
 
@@ -191,7 +191,6 @@ class Jobs:
             There is none of this name.
         """
         job = self.get(name)
-        job.stop.set()
         with self._lock:
             if job.ended is None:
                 self._cancel(job)
@@ -224,10 +223,8 @@ class Jobs:
                 verdict = work(note_progress, note_verdict)
         except StoppedError:
             self._end(job, "cancelled")
-        except RefusedError as refusal:
-            self._end(job, "failed", error=refusal.error)
-        except InputError as error:
-            self._end(job, "failed", error=error)
+        except (RefusedError, InputError) as error:
+            self._end(job, "failed", error=error.error if isinstance(error, RefusedError) else error)
         except Exception:
             if job.stop.is_set():  # the server ends, and with it what the job works with
                 self._end(job, "cancelled")

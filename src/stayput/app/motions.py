@@ -166,20 +166,17 @@ class Motions:
         self._stored: dict[str, StoredMotion] = {}
         self._lock = threading.Lock()
 
-    def knows(self, name: str) -> bool:
-        """Return whether there is such a motion."""
+    def used(self, name: str) -> StoredMotion | None:
+        """Return a motion, if there is one of this name, and note that it is used."""
         self.expire()
         with self._lock:
-            return name in self._stored
+            stored = self._stored.get(name)
+            if stored is not None:
+                stored.last_used = time.monotonic()
+            return stored
 
-    def touch(self, name: str) -> None:
-        """Note that a motion is used."""
-        with self._lock:
-            if name in self._stored:
-                self._stored[name].last_used = time.monotonic()
-
-    async def add(self, upload: Upload) -> str:
-        """Read a file's content in a process of its own and keep it; return its name here.
+    async def add(self, upload: Upload) -> StoredMotion:
+        """Read a file's content in a process of its own and keep it.
 
         Raises
         ------
@@ -202,7 +199,7 @@ class Motions:
         with self._lock:
             self._stored[name] = stored
         self.expire()
-        return name
+        return stored
 
     async def with_component(self, name: str, component: str | None) -> StoredMotion:
         """Return a motion, read anew where another channel than the one it was uploaded with is to be x.
@@ -235,27 +232,13 @@ class Motions:
         known = tuple(warning.rewritten(rewrite) for warning in warnings)
         return StoredMotion(motion, shaking, size, known)
 
-    def about(self, name: str, stored: StoredMotion | None = None) -> MotionReply:
-        """Return the facts about a motion.
-
-        Parameters
-        ----------
-        name : str
-            Its id.
-        stored : StoredMotion, optional
-            The motion with another component, from `with_component`.
-
-        Raises
-        ------
-        RefusedError
-            There is none of this name.
-        """
-        stored = self._get(name) if stored is None else stored
+    def about(self, stored: StoredMotion) -> MotionReply:
+        """Return the facts about a motion."""
         motion = stored.motion
         intensity = intensity_of(motion)
         return MotionReply.from_attributes(
             motion,
-            id=name,
+            id=stored.shaking["record"],
             samples=len(motion),
             components=list(motion.components),
             channels=_channels(motion),
@@ -342,13 +325,10 @@ class Motions:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def _get(self, name: str) -> StoredMotion:
-        self.expire()
-        with self._lock:
-            stored = self._stored.get(name)
-            if stored is None:
-                raise refused(404, "app.no_such_motion")
-            stored.last_used = time.monotonic()
-            return stored
+        stored = self.used(name)
+        if stored is None:
+            raise refused(404, "app.no_such_id")
+        return stored
 
     def _drop(self, name: str) -> None:
         del self._stored[name]

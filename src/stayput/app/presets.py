@@ -7,49 +7,19 @@ from dataclasses import MISSING
 from typing import TYPE_CHECKING, Any, Literal
 
 import stayput
+from stayput.app import replies
 from stayput.app.downloads import film_kinds
-from stayput.app.replies import (
-    FamilyReply,
-    FurnitureReply,
-    IntensityReply,
-    LimitsReply,
-    MeasureReply,
-    ModeReply,
-    NamedReply,
-    ParameterReply,
-    PlaceReply,
-    PresetsReply,
-    StructureReply,
-    SurfaceReply,
-    Words,
-)
-from stayput.building.building import STOREY_HEIGHT
-from stayput.building.building import STRUCTURES as BUILDINGS
-from stayput.catalogue import phrase
-from stayput.catalogue.names import (
-    CONTENTS,
-    DOORS,
-    EVENTS,
-    FAMILIES,
-    FURNITURE,
-    INTENSITIES,
-    MODES,
-    ON_FURNITURE,
-    OUTCOMES,
-    PEOPLE,
-    STRUCTURES,
-    SURFACES,
-)
+from stayput.app.replies import Words
+from stayput.building.building import STOREY_HEIGHT, STRUCTURES
+from stayput.catalogue import names, phrase
 from stayput.errors import InputError
 from stayput.everyday import PRESET_DRAWERS, Everyday
 from stayput.measures import MEASURES, hold, parameters
-from stayput.model.body import FURNITURE as PIECES
-from stayput.model.body import Body, Part
+from stayput.model.body import FURNITURE, Body, Part
 from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
 from stayput.model.parameters import parameter_of
 from stayput.model.parameters import parameters as parameters_of
-from stayput.model.room import SURFACES as FRICTIONS
-from stayput.model.room import Ceiling, Room, Wall
+from stayput.model.room import SURFACES, Ceiling, Room, Wall
 from stayput.motion.ground_shaking import (
     EarthquakeSource,
     strength_of_mercalli,
@@ -100,18 +70,11 @@ SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
 
 NUMBERS = {
-    "furniture.width": parameter_of(Body, "width"),
-    "furniture.height": parameter_of(Body, "height"),
-    "furniture.length": parameter_of(Body, "length"),
-    "furniture.mass": parameter_of(Body, "mass"),
+    **{f"furniture.{name}": parameter_of(Body, name) for name in ("width", "height", "length", "mass")},
     "furniture.shelves": parameter_of(Part, "mass"),
-    "room.left_wall.gap": parameter_of(Wall, "gap"),
-    "room.left_wall.construction": parameter_of(Wall, "construction"),
-    "room.ceiling.height": parameter_of(Ceiling, "height"),
-    "room.ceiling.construction": parameter_of(Ceiling, "construction"),
-    "everyday.drawers": parameter_of(Everyday, "drawers"),
-    "everyday.load": parameter_of(Everyday, "load"),
-    "everyday.pull": parameter_of(Everyday, "pull"),
+    **{f"room.left_wall.{name}": parameter_of(Wall, name) for name in ("gap", "construction")},
+    **{f"room.ceiling.{name}": parameter_of(Ceiling, name) for name in ("height", "construction")},
+    **{f"everyday.{name}": parameter_of(Everyday, name) for name in ("drawers", "load", "pull")},
     "shaking.suite.count": parameter_of(synthetic_suite, "count"),
     "shaking.pga": parameter_of(strength_of_pga, "pga"),
     "shaking.pgv": parameter_of(strength_of_pgv, "pgv"),
@@ -130,81 +93,81 @@ NUMBERS = {
 """Numbers and words of a scene, and of a room with a plan, that the pages ask for."""
 
 
-def presets(limits: Limits) -> PresetsReply:
+def presets(limits: Limits) -> replies.PresetsReply:
     """Return everything that can be chosen."""
-    return PresetsReply(
+    return replies.PresetsReply(
         version=stayput.__version__,
-        furniture=[_furniture(name, preset) for name, preset in PIECES.items()],
+        furniture=[_furniture(name, preset) for name, preset in FURNITURE.items()],
         surfaces=[
-            SurfaceReply.from_attributes(surface, id=name, label=Words.of(SURFACES[name]))
-            for name, surface in FRICTIONS.items()
+            replies.SurfaceReply.from_attributes(surface, id=name, label=Words.of(names.SURFACES[name]))
+            for name, surface in SURFACES.items()
         ],
-        contents=_named(CONTENTS),
-        doors=_named(DOORS),
+        contents=_named(names.CONTENTS),
+        doors=_named(names.DOORS),
         structures=[
-            StructureReply(
+            replies.StructureReply(
                 id=name,
-                label=Words.of(STRUCTURES[name]),
+                label=Words.of(names.STRUCTURES[name]),
                 storey_height_m=STOREY_HEIGHT,
                 damping=structure.damping,
                 most_storeys=limits.storeys,
             )
-            for name, structure in BUILDINGS.items()
+            for name, structure in STRUCTURES.items()
         ],
         families=[
-            FamilyReply(id=name, label=Words.of(label), about=Words.of(about))
-            for name, (label, about) in FAMILIES.items()
+            replies.FamilyReply(id=name, label=Words.of(label), about=Words.of(about))
+            for name, (label, about) in names.FAMILIES.items()
         ],
         intensities=[_intensity(name, start) for name, start in CLASSES],
         measures=[_measure(name, kind) for name, kind in MEASURES.items()],
         numbers={name: _parameter(one) for name, one in NUMBERS.items()},
         modes=[
-            ModeReply(id=mode.value, label=Words.of(MODES[mode]), colour=colour)
+            replies.ModeReply(id=mode.value, label=Words.of(names.MODES[mode]), colour=colour)
             for mode, colour in MODE_COLOURS.items()
         ],
-        outcomes=_named(OUTCOMES),
-        events=_named(EVENTS),
+        outcomes=_named(names.OUTCOMES),
+        events=_named(names.EVENTS),
         scene=SCENE,
         measures_shown=SCENE_MEASURES,
         places=[
-            PlaceReply.from_attributes(place, id=name, label=Words.of(phrase(f"rooms.{name}")))
+            replies.PlaceReply.from_attributes(place, id=name, label=Words.of(phrase(f"rooms.{name}")))
             for name, place in PLACES.items()
         ],
         room_scene=ROOM_SCENE,
         films=list(film_kinds()),
-        limits=LimitsReply.from_attributes(limits),
+        limits=replies.LimitsReply.from_attributes(limits),
     )
 
 
-def _named(labels: Mapping[str, Phrase]) -> list[NamedReply]:
-    return [NamedReply(id=name, label=Words.of(label)) for name, label in labels.items()]
+def _named(labels: Mapping[str, Phrase]) -> list[replies.NamedReply]:
+    return [replies.NamedReply(id=name, label=Words.of(label)) for name, label in labels.items()]
 
 
-def _furniture(name: str, preset: Preset) -> FurnitureReply:
+def _furniture(name: str, preset: Preset) -> replies.FurnitureReply:
     body = Body(preset.width, preset.height, preset.mass)
-    return FurnitureReply.from_attributes(
+    return replies.FurnitureReply.from_attributes(
         preset,
         id=name,
-        label=Words.of(FURNITURE[name]),
+        label=Words.of(names.FURNITURE[name]),
         shelves=None if preset.carcass_mass is None else SHELVES,
         drawers=PRESET_DRAWERS.get(name, 0),
         centre_of_gravity_m=body.centre_of_gravity,
     )
 
 
-def _intensity(name: str, start: float) -> IntensityReply:
-    return IntensityReply(
+def _intensity(name: str, start: float) -> replies.IntensityReply:
+    return replies.IntensityReply(
         id=name,
-        label=Words.of(INTENSITIES[name]),
+        label=Words.of(names.INTENSITIES[name]),
         from_=start if math.isfinite(start) else None,
         middle=intensity_of_class(name),
-        about=Words.of(PEOPLE[name]),
-        furniture=Words.of(ON_FURNITURE[name]),
+        about=Words.of(names.PEOPLE[name]),
+        furniture=Words.of(names.ON_FURNITURE[name]),
     )
 
 
-def _measure(name: str, kind: type[Measure]) -> MeasureReply:
-    return MeasureReply(
+def _measure(name: str, kind: type[Measure]) -> replies.MeasureReply:
+    return replies.MeasureReply(
         type=name,
         label=Words.of(kind.label),
         about=Words.of(kind.about),
@@ -222,22 +185,21 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
     """Return the surfaces that a kind of measure needs, found by applying it without each."""
     body = Body(0.4, 1.8, 100.0)
 
-    def applies(room: Room) -> bool:
-        try:
-            hold(body, room, (kind(),))
-        except InputError:
-            return False
-        return True
-
     without: dict[Literal["wall", "ceiling"], Room] = {
         "wall": Room(ceiling=Ceiling(2.4)),
         "ceiling": Room(left_wall=Wall(0.05)),
     }
-    return [surface for surface, room in without.items() if not applies(room)]
+    needed: list[Literal["wall", "ceiling"]] = []
+    for surface, room in without.items():
+        try:
+            hold(body, room, (kind(),))
+        except InputError:
+            needed.append(surface)
+    return needed
 
 
-def _parameter(parameter: Parameter, usual: float | None = None) -> ParameterReply:
-    return ParameterReply.from_attributes(
+def _parameter(parameter: Parameter, usual: float | None = None) -> replies.ParameterReply:
+    return replies.ParameterReply.from_attributes(
         parameter,
         default=None if parameter.default is MISSING else parameter.default,
         usual=usual,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Annotated
 
 from fastapi import Depends, Query, Request
@@ -12,7 +12,7 @@ from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.requests import Name, RoomRequest  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.scenes import motions_of, read_room_scene, refusal
-from stayput.app.service import json_response, problems
+from stayput.app.service import OF_BODY, OF_JOB, json_response, of_file, problems
 from stayput.app.turns import Turn
 from stayput.app.verdict_replies import JobReply, PlanProgressReply
 from stayput.catalogue import LANGUAGES, Language
@@ -55,12 +55,7 @@ AskedHome = Annotated[Home, Depends(_asked_home)]
 def add_rooms(router: APIRouter, service: Service) -> None:
     """Add the routes of rooms to those of the API."""
 
-    @router.post(
-        "/room",
-        status_code=202,
-        response_model=JobReply,
-        responses=problems(400, 413, 422, 429, 503),
-    )
+    @router.post("/room", status_code=202, response_model=JobReply, responses=problems(*OF_BODY, 429))
     async def start(body: RoomRequest) -> Response:
         """Begin the verification of a room: it goes on as a job, whose result gets better while it runs."""
 
@@ -86,21 +81,14 @@ def add_rooms(router: APIRouter, service: Service) -> None:
         return service.begun(work, runs, scenario, body.lease_s, before)
 
     def finished(name: str) -> tuple[Job, RoomVerdict]:
-        job = service.jobs.get(name)
-        if job.state != "done" or not isinstance(job.verdict, RoomVerdict):
+        job, verdict = service.done(name)
+        if not isinstance(verdict, RoomVerdict):
             raise refused(409, "app.no_report_yet", state=job.state)
-        return job, job.verdict
+        return job, verdict
 
-    @router.get(
-        "/jobs/{name}/plan",
-        response_class=Response,
-        responses=problems(404, 409, 422, 503, file="text/html"),
-    )
+    @router.get("/jobs/{name}/plan", **of_file(OF_JOB, "text/html"))
     async def plan(
-        request: Request,
-        name: Name,
-        home: AskedHome,
-        lang: Annotated[Language, Query()] = "en",
+        request: Request, name: Name, home: AskedHome, lang: Annotated[Language, Query()] = "en"
     ) -> Response:
         """Return what to buy and do in the room of a job: one page to print."""
         job, verdict = finished(name)
@@ -122,11 +110,9 @@ def add_rooms(router: APIRouter, service: Service) -> None:
 
         return await service.while_awaited(service.planners, request, work)
 
-    @router.get(
-        "/jobs/{name}/plan/progress",
-        response_model=PlanProgressReply,
-        responses=problems(404, 409, 422),
-    )
+    refusals = problems(404, 409, 422)
+
+    @router.get("/jobs/{name}/plan/progress", response_model=PlanProgressReply, responses=refusals)
     async def progress(name: Name, home: AskedHome) -> Response:
         """Return how far a plan has come that another request is waiting for, or whether it is there."""
         job, _ = finished(name)
@@ -199,10 +185,7 @@ def _plan(
         return action_plan(
             replace(verdict, scenario=before),
             decided=changes_between(before, verdict.scenario),
-            no_drilling=home.no_drilling,
-            tatami=home.tatami,
-            plasterboard=home.plasterboard,
-            dropped_ceiling=home.dropped_ceiling,
+            **asdict(home),
             threads=threads,
             progress=False,
             on_progress=on_progress,

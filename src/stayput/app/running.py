@@ -7,23 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.app import run_replies
 from stayput.app.motions import class_of, intensity_of
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import ShakingReply, Words
-from stayput.app.run_replies import (
-    BuildingReply,
-    EventReply,
-    FloorReply,
-    HitReply,
-    MotionOfRun,
-    RunInRoomReply,
-    RunReply,
-    SimulateReply,
-    SpaceEventReply,
-    SpaceRunReply,
-    SpaceSimulateReply,
-    ViewReply,
-)
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.room import WALLS_AROUND
@@ -117,7 +104,9 @@ def pieces_run(scenario: AssemblyScenario) -> SpaceRun:
         raise RefusedError(422, error.about("scene")) from None
 
 
-def simulated(scenario: Scenario | AssemblyScenario) -> SimulateReply | SpaceSimulateReply:
+def simulated(
+    scenario: Scenario | AssemblyScenario,
+) -> run_replies.SimulateReply | run_replies.SpaceSimulateReply:
     """Run a scene: one piece without and with the user's measures, or several pieces.
 
     Raises
@@ -138,29 +127,31 @@ def simulated(scenario: Scenario | AssemblyScenario) -> SimulateReply | SpaceSim
     return _space_reply(scenario, scenes, told, ground)
 
 
-def _plane_reply(scenario: Scenario, runs: list[Run], ground: Motion) -> SimulateReply:
+def _plane_reply(scenario: Scenario, runs: list[Run], ground: Motion) -> run_replies.SimulateReply:
     motion = runs[0].motion
     scene = scene_of(runs, end=motion.duration)
     data = scene.data(RATE)
     replies = [_run_reply(run, run_data, scenario) for run, run_data in zip(runs, data["runs"], strict=True)]
     times = frames(0.0, motion.duration, RATE)
-    return SimulateReply(
+    return run_replies.SimulateReply(
         motion=_motion_of_run(ground, motion),
-        floor=FloorReply(**data["floor"]),
-        view=ViewReply(**data["view"]),
+        floor=run_replies.FloorReply(**data["floor"]),
+        view=run_replies.ViewReply(**data["view"]),
         building=_building_reply(scenario.shaking, ground, times, scene.shift_scale),
         without=replies[0],
         with_=replies[1] if len(replies) > 1 else None,
     )
 
 
-def _run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> RunReply:
+def _run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> run_replies.RunReply:
     """Return a run as arrays for a picture: its data in a scene, and what happened."""
-    return RunReply(
+    return run_replies.RunReply(
         **data,
         sentence=Words.of(piece_sentences(run, scenario.furniture.preset, scenario.furniture.name)),
         events=[
-            EventReply(time_s=round(event.time, TIME_DIGITS), kind=event.kind.value, mode=event.mode.value)
+            run_replies.EventReply(
+                time_s=round(event.time, TIME_DIGITS), kind=event.kind.value, mode=event.mode.value
+            )
             for event in run.events
         ],
         events_total=run.events_total,
@@ -178,10 +169,10 @@ def ground_and_floor(scenario: Scenario | AssemblyScenario) -> tuple[Motion, Mot
     return scenario.model_copy(update={"shaking": bare}).motion(), scenario.motion()
 
 
-def _motion_of_run(ground: Motion, motion: Motion) -> MotionOfRun:
+def _motion_of_run(ground: Motion, motion: Motion) -> run_replies.MotionOfRun:
     """Return the motion under the furniture, beside that of the ground."""
     ground_intensity, floor_intensity = intensity_of(ground), intensity_of(motion)
-    return MotionOfRun.from_attributes(
+    return run_replies.MotionOfRun.from_attributes(
         motion,
         ground_intensity=ground_intensity,
         ground_class=class_of(ground_intensity),
@@ -192,7 +183,7 @@ def _motion_of_run(ground: Motion, motion: Motion) -> MotionOfRun:
 
 def _building_reply(
     shaking: ShakingTable, ground: Motion, times: NDArray[np.float64], scale: float
-) -> BuildingReply | None:
+) -> run_replies.BuildingReply | None:
     """Return how the building of a scene moves in a picture, if there is one.
 
     Parameters
@@ -211,7 +202,7 @@ def _building_reply(
         return None
     structure = None if table.masses is not None else table.structure or "RC"
     roof = table.building().floor_motion(ground, table.highest())
-    return BuildingReply(
+    return run_replies.BuildingReply(
         storeys=table.highest() - 1,
         storey=storey,
         structure=structure,
@@ -232,14 +223,14 @@ def name_in(scenario: Scenario, language: str) -> str:
     return japanese if language == "ja" else english
 
 
-def _pieces_reply(scenario: AssemblyScenario, ground: Motion) -> SpaceSimulateReply:
+def _pieces_reply(scenario: AssemblyScenario, ground: Motion) -> run_replies.SpaceSimulateReply:
     run = pieces_run(scenario)
     told = became(run, names_in(scenario, "en"))[0], became(run, names_in(scenario, "ja"))[1]
     reply = _space_reply(scenario, [space_scene(run, scenario.names)], [told], ground)
     if isinstance(scenario, RoomScenario):
         hits, blocked, shut_in = happens_in(run, scenario)
-        each = [HitReply(piece=piece, place=place) for piece, place in hits]
-        reply.in_room = RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
+        each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
+        reply.in_room = run_replies.RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
     return reply
 
 
@@ -248,12 +239,12 @@ def _space_reply(
     scenes: Sequence[SpaceScene],
     sentences: Sequence[Phrase],
     ground: Motion,
-) -> SpaceSimulateReply:
+) -> run_replies.SpaceSimulateReply:
     """Return the reply about a run without measures, and about one with them where there is one."""
     data = [scene.data() for scene in scenes]
     floor, *_ = [each.pop("floor") for each in data]  # which all runs share
     replies = [_space_run_reply(*each) for each in zip(scenes, data, sentences, strict=True)]
-    return SpaceSimulateReply(
+    return run_replies.SpaceSimulateReply(
         motion=_motion_of_run(ground, scenes[0].run.motion),
         floor=floor,
         building=_building_reply(scenario.shaking, ground, scenes[0].time, scenes[0].shift_scale),
@@ -262,9 +253,9 @@ def _space_reply(
     )
 
 
-def _space_run_reply(scene: SpaceScene, data: dict[str, Any], sentence: Phrase) -> SpaceRunReply:
+def _space_run_reply(scene: SpaceScene, data: dict[str, Any], sentence: Phrase) -> run_replies.SpaceRunReply:
     run = scene.run
-    return SpaceRunReply(
+    return run_replies.SpaceRunReply(
         outcome=run.outcome.value,
         sentence=Words.of(sentence),
         overturned=bool(run.overturned.any()),
@@ -282,7 +273,7 @@ def _device(device: DeviceResult, run: SpaceRun, scene: SpaceScene) -> Any:
     return {**device_results(device), "name": place_called(device, scene.names), **at_poses}
 
 
-def _events(run: SpaceRun) -> list[SpaceEventReply]:
+def _events(run: SpaceRun) -> list[run_replies.SpaceEventReply]:
     """Return when each piece first slides and lifts an edge, its hits on the room, and when it overturns."""
     found: list[tuple[float, EventKind, int]] = [
         (hit.time, HITS[hit.surface], hit.body) for hit in run.hits[:MOST_EVENTS] if hit.surface
@@ -297,7 +288,7 @@ def _events(run: SpaceRun) -> list[SpaceEventReply]:
         found += [(time, kind, piece) for kind, time in first.items() if not math.isnan(time)]
     found.sort(key=lambda event: event[0])
     return [
-        SpaceEventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)
+        run_replies.SpaceEventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)
         for time, kind, piece in found
     ]
 

@@ -145,9 +145,7 @@ def _parsed(
 ) -> AnyScenario:
     """Make a scenario of a scene whose texts and shaking are looked at first; ``own``: see `refusal`."""
     _refuse_half_characters(scene)
-    shaking = scene.get("shaking")
-    if isinstance(shaking, dict):
-        _check_shaking(cast("dict[str, Any]", shaking), limits, motions)
+    _check_shaking(_table(scene.get("shaking")), limits, motions)
     try:
         return kind.parse(scene, motions.folder)
     except InputError as error:
@@ -171,25 +169,17 @@ def _refuse_half_characters(scene: dict[str, Any]) -> None:
 def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) -> None:
     """Refuse a shaking that names a file of the server or is too long, before any motion is made."""
     for key in RECORD_FILES:
-        name = shaking.get(key)
-        if isinstance(name, str):
-            if not motions.knows(name):
-                place = f"shaking.{key}"
-                raise refused(422, "app.no_such_record", f"scene.{place}", name=place)
-            motions.touch(name)
-    suite = shaking.get("suite")
-    if isinstance(suite, str):
+        name, place = shaking.get(key), f"shaking.{key}"
+        if isinstance(name, str) and motions.used(name) is None:
+            raise refused(422, "app.no_such_record", f"scene.{place}", name=place)
+    if isinstance(shaking.get("suite"), str):
         raise refused(422, "app.suite_folder", "scene.shaking.suite")
-    if isinstance(suite, dict):
-        _at_most(cast("dict[str, Any]", suite), "shaking.suite", "count", limits.suite)
-    building = shaking.get("building")
-    if isinstance(building, dict):
-        table = cast("dict[str, Any]", building)
-        _at_most(table, "shaking.building", "storeys", limits.storeys)
-        _few_entries(table.get("masses"), "shaking.building.masses", limits.storeys)
-    harmonic = shaking.get("sine")
-    if isinstance(harmonic, dict):
-        _check_sine(cast("dict[str, Any]", harmonic), limits)
+    suite, building, harmonic = (_table(shaking.get(key)) for key in ("suite", "building", "sine"))
+    _at_most(suite, "shaking.suite", "count", limits.suite)
+    _at_most(building, "shaking.building", "storeys", limits.storeys)
+    _few_entries(building.get("masses"), "shaking.building.masses", limits.storeys)
+    if harmonic:
+        _check_sine(harmonic, limits)
 
 
 def _check_sine(table: dict[str, Any], limits: Limits) -> None:
@@ -205,6 +195,11 @@ def _check_sine(table: dict[str, Any], limits: Limits) -> None:
     samples = length / step if step > 0.0 else 0.0
     if samples > (most := limits.samples_of_motion):
         raise refused(422, "app.many_samples", "scene.shaking.sine.dt", value=round(samples), most=most)
+
+
+def _table(value: object) -> dict[str, Any]:
+    """Return a table; an empty one for what is none, which the scenario's own check refuses."""
+    return cast("dict[str, Any]", value) if isinstance(value, dict) else {}
 
 
 def _at_most(table: dict[str, Any], name: str, key: str, most: int) -> None:

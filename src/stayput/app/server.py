@@ -132,7 +132,7 @@ def _add_refusals(app: FastAPI, with_file_names: Callable[[str], str]) -> None:
         if first["type"] == "json_invalid":
             return error_response(400, InputError("app.not_json"))
         if first["loc"][0] == "path":  # of no id that this server gave
-            return error_response(404, InputError("app.no_such_job"))
+            return error_response(404, InputError("app.no_such_id"))
         return error_response(422, refusal_of_request(first))
 
     async def http(_request: Request, error: Exception) -> Response:

@@ -41,8 +41,15 @@ POLL_INTERVAL = 0.5
 """How often a long request checks whether its client has left [s]."""
 
 
-def problems(*statuses: int, file: str = "") -> dict[int | str, dict[str, Any]]:
-    """Return the entries of refusals in the description of the API, and of an answer that is a file."""
+OF_BODY = (400, 413, 422, 503)
+"""Statuses by which a body is refused."""
+
+OF_JOB = (404, 409, 422, 503)
+"""Statuses by which what a job has made is refused."""
+
+
+def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
+    """Return the entries of refusals in the description of the API."""
     words = {
         400: "The body is not JSON.",
         404: "There is none of this id.",
@@ -52,8 +59,13 @@ def problems(*statuses: int, file: str = "") -> dict[int | str, dict[str, Any]]:
         429: "There are too many already.",
         503: "The server is busy.",
     }
-    found: dict[int | str, dict[str, Any]] = {200: {"content": {file: {}}}} if file else {}
-    return found | {status: {"model": Problem, "description": words[status]} for status in statuses}
+    return {status: {"model": Problem, "description": words[status]} for status in statuses}
+
+
+def of_file(statuses: tuple[int, ...], *kinds: str) -> dict[str, Any]:
+    """Return how a route is described that answers with a file of one of some kinds, or refuses."""
+    answer: dict[int | str, Any] = {200: {"content": {kind: {} for kind in kinds}}}
+    return {"response_class": Response, "responses": answer | problems(*statuses)}
 
 
 class Service:
@@ -194,10 +206,6 @@ class Service:
         return read(data, measures, self.limits, self.motions)
 
 
-def json_response(
-    reply: Reply,
-    status: int = 200,
-    headers: dict[str, str] | None = None,
-) -> Response:
+def json_response(reply: Reply, status: int = 200, headers: dict[str, str] | None = None) -> Response:
     """Return a reply as a JSON response; call it on a worker where the reply is large."""
     return Response(reply.model_dump_json(by_alias=True), status, headers, "application/json")

@@ -8,20 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.app import verdict_replies
 from stayput.app.refusals import problem, refused
 from stayput.app.replies import Words
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of
-from stayput.app.verdict_replies import (
-    CurveReply,
-    EstimateReply,
-    EverydayReply,
-    JobReply,
-    ObservedReply,
-    RoomVerdictReply,
-    VerdictReply,
-    ZoneReply,
-)
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.measures import MEASURES, hold
@@ -117,7 +108,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     return runs
 
 
-def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
+def job_reply(job: Job, rewrite: Callable[[str], str]) -> verdict_replies.JobReply:
     """Return the state of a job, with its verdict once it is done; that of a room as far as it is known.
 
     Parameters
@@ -127,7 +118,7 @@ def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
     rewrite : callable
         Puts the users' names for their files into a sentence.
     """
-    return JobReply.from_attributes(
+    return verdict_replies.JobReply.from_attributes(
         job,
         state=job.state,  # before the verdict, which is the final one when the job is done
         progress=1.0 if job.state == "done" else min(1.0, job.done / max(1, job.total)),
@@ -137,11 +128,13 @@ def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
     )
 
 
-def _any_verdict_reply(verdict: AnyVerdict) -> VerdictReply | RoomVerdictReply:
+def _any_verdict_reply(
+    verdict: AnyVerdict,
+) -> verdict_replies.VerdictReply | verdict_replies.RoomVerdictReply:
     return _room_verdict_reply(verdict) if isinstance(verdict, RoomVerdict) else verdict_reply(verdict)
 
 
-def verdict_reply(verdict: Verdict) -> VerdictReply:
+def verdict_reply(verdict: Verdict) -> verdict_replies.VerdictReply:
     """Return a verdict as plain data: that of its JSON file, as the page reads it."""
     data = verdict_data(verdict)
     pairs = zip(verdict.options, data["options"], strict=True)
@@ -156,7 +149,7 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
         "everyday": everyday_reply(verdict),
         "estimates": {**data["estimates"], "rows": _estimates(verdict)},
     }
-    return VerdictReply.model_validate(data)
+    return verdict_replies.VerdictReply.model_validate(data)
 
 
 def with_everyday(verdict: Verdict, everyday: EverydayTable) -> Verdict:
@@ -164,17 +157,17 @@ def with_everyday(verdict: Verdict, everyday: EverydayTable) -> Verdict:
     return replace(verdict, scenario=verdict.scenario.model_copy(update={"everyday": everyday}))
 
 
-def everyday_reply(verdict: Verdict) -> EverydayReply:
+def everyday_reply(verdict: Verdict) -> verdict_replies.EverydayReply:
     """Return what the piece of a verdict withstands without an earthquake."""
-    return EverydayReply.model_validate(
+    return verdict_replies.EverydayReply.model_validate(
         {"sentence": Words.of(everyday_note(verdict)), "cases": everyday_data(verdict.scenario)}
     )
 
 
-def _estimates(verdict: Verdict) -> list[EstimateReply]:
+def _estimates(verdict: Verdict) -> list[verdict_replies.EstimateReply]:
     rows = zip(estimate_rows(verdict, "en"), estimate_rows(verdict, "ja"), strict=True)
     return [
-        EstimateReply(formula=formula, says=says, beside=beside)
+        verdict_replies.EstimateReply(formula=formula, says=says, beside=beside)
         for formula, says, beside in (map(Words.of, zip(*row, strict=True)) for row in rows)
     ]
 
@@ -216,11 +209,11 @@ def _option_data(result: OptionVerdict, data: dict[str, Any], verdict: Verdict) 
     }
 
 
-def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> CurveReply:
+def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> verdict_replies.CurveReply:
     grid, fitted = curve.grid(CURVE_POINTS), curve.state is CurveState.FITTED
     low, high = curve.band(grid)
     banded = fitted and not curve.one_motion
-    return CurveReply(
+    return verdict_replies.CurveReply(
         state=str(curve.state),
         method=METHOD,
         text=curve.text,
@@ -228,7 +221,7 @@ def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> CurveReply:
         probability=_shares(curve.probability(grid)) if fitted else None,
         low=_shares(low) if banded else None,
         high=_shares(high) if banded else None,
-        observed=[ObservedReply(intensity=level["im"], **level) for level in levels],
+        observed=[verdict_replies.ObservedReply(intensity=level["im"], **level) for level in levels],
     )
 
 
@@ -236,7 +229,7 @@ def _shares(values: NDArray[np.float64]) -> list[float]:
     return np.round(values, 5).tolist()
 
 
-def _room_verdict_reply(verdict: RoomVerdict) -> RoomVerdictReply:
+def _room_verdict_reply(verdict: RoomVerdict) -> verdict_replies.RoomVerdictReply:
     """Return a verdict on a room as plain data: that of its JSON file, as the page reads it."""
     data = room_data(verdict)
     data["complete"] = verdict.complete
@@ -248,10 +241,10 @@ def _room_verdict_reply(verdict: RoomVerdict) -> RoomVerdictReply:
         measure = result.change.measure
         change["measures"] = None if measure is None else [table_of(measure)]
         change["table"] = "furniture" if result.change.what in verdict.scenario.names else "places"
-    return RoomVerdictReply.model_validate(data)
+    return verdict_replies.RoomVerdictReply.model_validate(data)
 
 
-def _zone(shares: NDArray[np.float64]) -> ZoneReply:
+def _zone(shares: NDArray[np.float64]) -> verdict_replies.ZoneReply:
     nx, ny = shares.shape
     steps = np.round(255.0 * shares).astype(np.uint8)
-    return ZoneReply(nx=nx, ny=ny, shares=base64.b64encode(steps.tobytes()).decode("ascii"))
+    return verdict_replies.ZoneReply(nx=nx, ny=ny, shares=base64.b64encode(steps.tobytes()).decode("ascii"))

@@ -110,7 +110,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The room as it was before the changes that are tried cannot be worked out: {why} Take them back, or say that they are already done.",
         "試している変更の前の部屋は計算できません。{why}変更を元に戻すか、「実施済み」を選んでください。",
     ),
-    "no_such_job": (
+    "no_such_id": (
         "There is nothing of this id on this server; it may have expired.",
         "このIDのものはサーバーにありません。保存期間が過ぎた可能性があります。",
     ),
@@ -146,10 +146,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "motion_needed": (
         "A verification needs this motion; wait for its end, or cancel it.",
         "計算中の検証がこの記録を使っています。終わるまで待つか、計算を中止してください。",
-    ),
-    "no_such_motion": (
-        "There is no such motion; it may have expired and must be uploaded again.",
-        "その記録はありません。保存期間が過ぎた場合は、もう一度アップロードしてください。",
     ),
     "long_motion": (
         "The motion lasts {value:.0f} s; this server allows {most:g} s.",

@@ -12,12 +12,8 @@ export function drawBuilding(canvas, building, floor, t) {
     wide = Math.min(width * 0.5, Math.max(26, 5 * storey));
   const here = at(floor.time_s, floor.x_m, t),
     share = Math.max(0, (building.storey - 1) / n);
-  const base = building.ground_x_m ? at(floor.time_s, building.ground_x_m, t) : 0;
-  const roof = building.roof_x_m
-    ? at(floor.time_s, building.roof_x_m, t)
-    : share > 0
-      ? base + (here - base) / share
-      : here;
+  const base = at(floor.time_s, building.ground_x_m, t),
+    roof = at(floor.time_s, building.roof_x_m, t);
   const most = largest(building, floor),
     scale = (0.2 * width) / most;
   const sway = (level) => {
@@ -36,14 +32,12 @@ export function drawBuilding(canvas, building, floor, t) {
       a = sway(level),
       b = sway(level + 1),
       own = level + 1 === building.storey;
-    pen.beginPath();
-    pen.moveTo(a - wide / 2, low);
-    pen.lineTo(a + wide / 2, low);
-    pen.lineTo(b + wide / 2, high);
-    pen.lineTo(b - wide / 2, high);
-    pen.closePath();
-    pen.fillStyle = own ? ink.record : ink.card;
-    pen.fill();
+    filled(pen, own ? ink.record : ink.card, [
+      [a - wide / 2, low],
+      [a + wide / 2, low],
+      [b + wide / 2, high],
+      [b - wide / 2, high],
+    ]);
     pen.strokeStyle = ink.ink;
     pen.lineWidth = own ? 2 : 1;
     pen.stroke();
@@ -65,24 +59,24 @@ const known = new WeakMap();
 
 function largest(building, floor) {
   if (!known.has(floor)) {
-    const series = [floor.x_m, building.ground_x_m, building.roof_x_m].filter(Boolean);
-    known.set(
-      floor,
-      Math.max(
-        1e-3,
-        ...series.map((values) => values.reduce((most, one) => Math.max(most, Math.abs(one)), 0)),
-      ),
-    );
+    const series = [floor.x_m, building.ground_x_m, building.roof_x_m];
+    const most = series.map((values) => values.reduce((most, one) => Math.max(most, Math.abs(one)), 0));
+    known.set(floor, Math.max(1e-3, ...most));
   }
   return known.get(floor);
 }
 
-function marker(pen, x, y) {
+const marker = (pen, x, y) =>
+  filled(pen, ink.alarm, [
+    [x, y],
+    [x + 9, y - 6],
+    [x + 9, y + 6],
+  ]);
+
+function filled(pen, colour, points) {
   pen.beginPath();
-  pen.moveTo(x, y);
-  pen.lineTo(x + 9, y - 6);
-  pen.lineTo(x + 9, y + 6);
+  points.forEach(([x, y]) => pen.lineTo(x, y));
   pen.closePath();
-  pen.fillStyle = ink.alarm;
+  pen.fillStyle = colour;
   pen.fill();
 }

@@ -13,8 +13,8 @@ export function fit(field) {
 }
 
 /** A line under a field that says what is amiss; it is hidden where nothing is. */
-function remark() {
-  const element = el("p", { class: "hint why", role: "status", hidden: true });
+export function remark(id = null) {
+  const element = el("p", { class: "hint why", id, role: "status", hidden: true });
   const note = (text) => {
     element.hidden = !text;
     element.textContent = text ?? "";

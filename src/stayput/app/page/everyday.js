@@ -1,8 +1,8 @@
 // "And without an earthquake?": what people do to the piece, and the margin in each case.
 
-import { slider } from "./controls.js";
 import { el, fill, part } from "./dom.js";
-import { change, current, numberOf } from "./scene.js";
+import { current } from "./scene.js";
+import { numberField } from "./scene_fields.js";
 import { both, number, t } from "./words.js";
 
 const STEPS = { drawers: 1, drawerLoad: 1, pull: 5 };
@@ -14,15 +14,7 @@ export const asks = (key) => key in STEPS;
 /** Builds the fields; called again for another language. */
 export function build(presets) {
   fields = Object.fromEntries(
-    Object.entries(STEPS).map(([key, step]) => [
-      key,
-      slider({
-        label: t(key),
-        ...numberOf(presets, key),
-        step,
-        changed: (value) => change({ [key]: key === "drawers" ? Math.round(value) : value }),
-      }),
-    ]),
+    Object.entries(STEPS).map(([key, step]) => [key, numberField(presets, key, { whole: key === "drawers", step })]),
   );
   fill(
     part("everyday-ask"),

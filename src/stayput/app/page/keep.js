@@ -2,11 +2,10 @@
 
 import * as api from "./api.js";
 import { copying, fill, offer, part } from "./dom.js";
-import { SECONDS, drawing, isDrawn, shortKind } from "./films.js";
+import { SECONDS, isDrawn, linkTo, pressed, shortKind, wireFilm } from "./films.js";
 import * as pieces from "./pieces.js";
-import { worded } from "./refusals.js";
 import { current, sampled } from "./scene.js";
-import { spoken, t } from "./words.js";
+import { t } from "./words.js";
 
 let held = false, // whether there is a run with measures
   kind = "gif", // of the short films
@@ -35,62 +34,28 @@ const complete = ({ scene, measures }) => ({
 
 /** Wires the buttons; "request" gives the scene and its measures. */
 export function wire(request) {
-  const attempt = (work) => async () => {
-    try {
-      await work();
-    } catch (error) {
-      say(...worded(error));
-    }
-  };
   copying(part("copy"), part("address"), () => say(t("copied")));
-  part("toml").addEventListener(
-    "click",
-    attempt(async () =>
-      offer(
-        pieces.shownText() ?? (await api.toml(complete(request()))),
-        pieces.shownName() ?? "scenario.toml",
-        "application/toml",
-      ),
-    ),
-  );
+  pressed(part("toml"), say, async () => {
+    const text = pieces.shownText() ?? (await api.toml(complete(request())));
+    offer(text, pieces.shownName() ?? "scenario.toml", "application/toml");
+  });
   for (const which of ["without", "with"]) {
-    part(`csv-${which}`).addEventListener(
-      "click",
-      attempt(async () => offer(await api.runAsCsv(request(), which), `run_${which}.csv`, "text/csv")),
+    pressed(part(`csv-${which}`), say, async () =>
+      offer(await api.runAsCsv(request(), which), `run_${which}.csv`, "text/csv"),
     );
-    const wireFilm = (button, asked) =>
-      button.addEventListener(
-        "click",
-        attempt(async () => {
-          try {
-            await drawing(button, say, async () => {
-              const query = { which, lang: spoken(), ...asked() },
-                made = await api.film(request(), query);
-              offer(made, `run_${which}.${query.kind}`, made.type);
-            });
-          } finally {
-            button.disabled = shut(button);
-          }
-        }),
-      );
-    wireFilm(part(`html-${which}`), () => ({ kind: "html" }));
-    wireFilm(part(`film-${which}`), () => ({ kind, seconds: SECONDS, ...(job && { job }) }));
+    const film = (button, query) => {
+      const asked = () => ({ content: request(), query: { which, ...query() }, name: `run_${which}` });
+      wireFilm(button, say, asked, () => (button.disabled = shut(button)));
+    };
+    film(part(`html-${which}`), () => ({ kind: "html" }));
+    film(part(`film-${which}`), () => ({ kind, seconds: SECONDS, ...(job && { job }) }));
   }
 }
 
 /** Points the links of the verdict at a finished job, or at nothing. */
 export function point(done) {
   job = done;
-  for (const [id, address] of [
-    ["report", job && api.reportAddress(job, spoken())],
-    ["table", job && api.tableAddress(job)],
-  ]) {
-    const link = part(id);
-    if (address) link.setAttribute("href", address);
-    else link.removeAttribute("href");
-    link.setAttribute("aria-disabled", String(!address));
-  }
-  part("report-wait").hidden = Boolean(job);
+  linkTo(job);
 }
 
 /** Shows the address of the scene, what is too long for one, and whether there is a run with measures. */

@@ -1,7 +1,7 @@
 // The scene in the page's address, so that a link shows it again.
 
 import { fromText, written } from "./earthquake.js";
-import { clamp, limitsOf, plain, wordsOf } from "./scene.js";
+import { clamp, limitsOf, wordsOf } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
 const NUMBERS = [
@@ -96,7 +96,7 @@ function measured(text, presets) {
 export function fromHash(hash, presets, start) {
   const within = (value, name) => clamp(value, limitsOf(presets, name));
   const pairs = new URLSearchParams(hash.replace(/^#/, ""));
-  const scene = { ...structuredClone(plain), ...start };
+  const scene = { ...start };
   const lists = {
     piece: presets.furniture,
     floor: presets.surfaces,

@@ -1,10 +1,11 @@
 // "Set the scene": whether the room is on the ground or in a building, and on which of its storeys.
 
-import { choice, oneOf, slider } from "./controls.js";
+import { oneOf } from "./controls.js";
 import { fill, part } from "./dom.js";
 import { recalled, remember } from "./memory.js";
-import { change, current, limitsOf, numberOf } from "./scene.js";
-import { both, t } from "./words.js";
+import { change, current, limitsOf } from "./scene.js";
+import { choiceField, named, numberField } from "./scene_fields.js";
+import { t } from "./words.js";
 
 const BUILDING = ["storeys", "storey", "structure"];
 let fields = {},
@@ -30,23 +31,9 @@ export function build(presets) {
       ],
       changed: (where) => change(where === "ground" ? { storeys: 0, storey: 1 } : building()),
     }),
-    storeys: slider({
-      label: t("storeys"),
-      range: [1, most],
-      step: 1,
-      changed: (storeys) => change({ storeys: Math.round(storeys) }),
-    }),
-    storey: slider({
-      label: t("storey"),
-      ...numberOf(presets, "storey"),
-      step: 1,
-      changed: (storey) => change({ storey: Math.round(storey) }),
-    }),
-    structure: choice({
-      label: t("structure"),
-      options: presets.structures.map((one) => ({ id: one.id, label: both(one.label) })),
-      changed: (structure) => change({ structure }),
-    }),
+    storeys: numberField(presets, "storeys", { whole: true, range: [1, most], limits: [1, most] }),
+    storey: numberField(presets, "storey", { whole: true }),
+    structure: choiceField("structure", named(presets.structures)),
   };
   fill(
     part("building"),

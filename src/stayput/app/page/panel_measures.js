@@ -1,12 +1,12 @@
 // "Set the scene": what holds the piece; several measures at once.
 
 import { toggle } from "./controls.js";
-import { el, fill, part } from "./dom.js";
-import { measureField } from "./measure_fields.js";
+import { fill, part } from "./dom.js";
+import { measureList, measureRow, replaces } from "./measure_fields.js";
 import { change, current } from "./scene.js";
 import { both, t } from "./words.js";
 
-let rows = {},
+let rows = [],
   kinds = [],
   installed = null;
 
@@ -22,31 +22,16 @@ export function build(presets) {
     changed: (installed) => change({ installed }),
   });
   const open = part("measures").querySelector("details.more")?.open ?? false;
-  rows = Object.fromEntries(kinds.map((one) => [one.type, row(one)]));
-  const of = (usual) => kinds.filter((one) => one.usual === usual).map((one) => rows[one.type].element);
-  fill(
-    part("measures"),
-    of(true),
-    el("details", { class: "more", open }, el("summary", { text: t("moreMeasures") }), ...of(false)),
-    installed.element,
+  rows = kinds.map((kind) =>
+    measureRow(kind, {
+      hint: both(kind.about),
+      values: () => current().measures[kind.type],
+      set: (on) => set(kind, on),
+      give: (name, value) => give(kind, name, value),
+    }),
   );
+  fill(part("measures"), measureList(rows, open), installed.element);
   update();
-}
-
-function row(kind) {
-  const box = toggle({ label: both(kind.label), hint: both(kind.about), changed: (on) => set(kind, on) });
-  const settings = el("details", { class: "settings" }, el("summary", { text: t("adjust") }));
-  settings.addEventListener("toggle", () => {
-    if (settings.open && settings.children.length === 1)
-      settings.append(...kind.parameters.map((one) => field(kind, one)).filter(Boolean));
-  });
-  const why = el("p", { class: "hint why", hidden: true });
-  return {
-    element: el("div", { class: "measure" }, box.element, why, kind.parameters.length ? settings : null),
-    box,
-    settings,
-    why,
-  };
 }
 
 /** Puts a measure in place or takes it away; what was in the same place goes. */
@@ -55,7 +40,7 @@ function set(kind, on) {
   delete measures[kind.type];
   if (on) {
     for (const type of Object.keys(measures))
-      if (kind.place && measureOf(type)?.place === kind.place) delete measures[type];
+      if (replaces(kind, measureOf(type))) delete measures[type];
     measures[kind.type] = {};
   }
   change({ measures });
@@ -65,9 +50,6 @@ function give(kind, name, value) {
   const measures = current().measures;
   change({ measures: { ...measures, [kind.type]: { ...measures[kind.type], [name]: value } } });
 }
-
-const field = (kind, about) =>
-  measureField(about, current().measures[kind.type]?.[about.name], (value) => give(kind, about.name, value));
 
 /** What a kind of measure needs and the scene has not: "wall", "ceiling", or nothing. */
 function lacking(kind, scene) {
@@ -91,14 +73,9 @@ export const inPlace = (scene) =>
 export function update() {
   const scene = current();
   installed.set(scene.installed);
-  for (const kind of kinds) {
-    const { box, settings, why } = rows[kind.type],
-      on = kind.type in scene.measures;
-    const lacks = lacking(kind, scene);
-    box.set(on);
-    box.input.disabled = Boolean(lacks) && !on;
-    settings.hidden = !on;
-    why.hidden = !lacks;
-    if (lacks) why.textContent = [on ? t("isLeftOut") : "", t(`needs_${lacks}`)].filter(Boolean).join(t("space"));
+  for (const { kind, update: put } of rows) {
+    const on = kind.type in scene.measures,
+      lacks = lacking(kind, scene);
+    put(on, lacks && [on ? t("isLeftOut") : "", t(`needs_${lacks}`)].filter(Boolean).join(t("space")));
   }
 }

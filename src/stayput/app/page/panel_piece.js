@@ -1,9 +1,10 @@
 // "Set the scene": the piece of furniture, its size, and how it is loaded.
 
-import { choice, oneOf, slider } from "./controls.js";
+import { oneOf } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { details, pathOf } from "./canvas/furniture.js";
-import { balance, change, current, fromPreset, numberOf } from "./scene.js";
+import { balance, change, current, fromPreset } from "./scene.js";
+import { choiceField, named, numberField } from "./scene_fields.js";
 import { both, length, number, t } from "./words.js";
 
 let fields = {},
@@ -34,12 +35,7 @@ export function build(presets) {
     height: size(presets, "height"),
     width: size(presets, "width"),
     length: size(presets, "length"),
-    mass: slider({
-      label: t(scene.shelves ? "carcass" : "mass"),
-      ...numberOf(presets, "mass"),
-      step: 1,
-      changed: (mass) => change({ mass }),
-    }),
+    mass: numberField(presets, "mass", { label: t(scene.shelves ? "carcass" : "mass"), step: 1 }),
   };
   const loads = scene.shelves ? shelves(presets, scene) : [centre(presets)];
   const sizes = ["height", "width", "length", "mass"].map((name) => fields[name].element);
@@ -49,13 +45,7 @@ export function build(presets) {
 }
 
 const size = (presets, key) =>
-  slider({
-    label: t(key),
-    ...numberOf(presets, key),
-    step: 0.01,
-    hint: key === "width" ? t("widthHint") : null,
-    changed: (value) => change({ [key]: value }),
-  });
+  numberField(presets, key, { step: 0.01, hint: key === "width" ? t("widthHint") : null });
 
 /** Whether the piece is shaken in the plane of its depth or in space, and where it faces then. */
 function engine(presets) {
@@ -65,52 +55,28 @@ function engine(presets) {
     options: ["plane", "space"].map((id) => ({ id, label: t(`engine_${id}`) })),
     changed: (id) => change({ inSpace: id === "space" }),
   });
-  fields.heading = slider({
-    label: t("heading"),
-    ...numberOf(presets, "heading"),
-    unit: "°",
-    step: 1,
-    hint: t("headingHint"),
-    changed: (heading) => change({ heading }),
-  });
+  fields.heading = numberField(presets, "heading", { unit: "°", step: 1, hint: t("headingHint") });
   return [fields.engine.element, fields.heading.element];
 }
 
 function centre(presets) {
-  fields.centre = slider({
-    label: t("centre"),
-    ...numberOf(presets, "centre"),
-    unit: "%",
-    step: 0.01,
-    factor: 100,
-    hint: t("centreHint"),
-    changed: (value) => change({ centre: value }),
-  });
+  fields.centre = numberField(presets, "centre", { unit: "%", step: 0.01, factor: 100, hint: t("centreHint") });
   return fields.centre.element;
 }
 
 /** What is inside, and the doors before it: what comes out is told with the measures. */
 function inside(presets) {
-  const named = (list) => list.map((one) => ({ id: one.id, label: both(one.label) }));
-  fields.contents = choice({
-    label: t("contents"),
-    options: [{ id: "nothing", label: t("noContents") }, ...named(presets.contents)],
-    changed: (contents) => change({ contents }),
-  });
-  fields.doors = choice({
-    label: t("doors"),
-    options: named(presets.doors),
-    changed: (doors) => change({ doors }),
-  });
+  const nothing = { id: "nothing", label: t("noContents") };
+  fields.contents = choiceField("contents", [nothing, ...named(presets.contents)]);
+  fields.doors = choiceField("doors", named(presets.doors));
   return [fields.contents.element, fields.doors.element];
 }
 
 function shelves(presets, scene) {
   const n = scene.shelves.length;
   fields.shelves = scene.shelves.map((_, i) =>
-    slider({
+    numberField(presets, "load", {
       label: t("shelf", { n: i + 1 }),
-      ...numberOf(presets, "load"),
       step: 1,
       changed: (load) => change({ shelves: current().shelves.map((old, j) => (i === j ? load : old)) }),
     }),
@@ -143,6 +109,14 @@ const PERSON =
   "M-.1 1.5a.1 .1 0 1 0 .2 0a.1 .1 0 1 0 -.2 0z" +
   "M-.2 1.33Q0 1.42 .2 1.33L.17 .71H.11L.09 0H-.09L-.11 .71H-.17z";
 
+/** A piece as it is seen from its side: its outline, and what it is of. */
+const front = (kind, w, h, loads, place) => [
+  svg("path", { class: "outline", d: pathOf([[-w / 2, 0], [w / 2, 0], [w / 2, h], [-w / 2, h]], place) }),
+  ...details(kind, w, h, loads).map(({ tone, points }) =>
+    svg("path", { class: `detail ${tone}`, d: pathOf(points, place) }),
+  ),
+];
+
 const TALL = 2.1,
   CARD = 64;
 
@@ -152,20 +126,11 @@ function card(preset) {
     h = preset.height_m;
   const place = (u, v) => [36 + u * scale, CARD + 4 - v * scale];
   const loads = preset.shelves ? Array(preset.shelves).fill(1) : null;
-  const outline = [
-    [-w / 2, 0],
-    [w / 2, 0],
-    [w / 2, h],
-    [-w / 2, h],
-  ];
   const drawing = svg(
     "svg",
     { viewBox: `0 0 72 ${CARD + 8}`, "aria-hidden": "true" },
     svg("path", { class: "floorline", d: `M4 ${CARD + 4.5}H68` }),
-    svg("path", { class: "outline", d: pathOf(outline, place) }),
-    ...details(preset.id, w, h, loads).map((one) =>
-      svg("path", { class: `detail ${one.tone}`, d: pathOf(one.points, place) }),
-    ),
+    ...front(preset.id, w, h, loads, place),
   );
   const button = el(
     "button",
@@ -211,12 +176,6 @@ function drawSketch(scene) {
     ground = 0.08,
     unit = 200 / (tall + ground);
   const place = (x, z) => [(x + 0.75) * unit, (tall - z) * unit];
-  const outline = [
-    [-w / 2, 0],
-    [w / 2, 0],
-    [w / 2, h],
-    [-w / 2, h],
-  ];
   const [gx, gz] = place(0, up),
     [edge, floor] = place(w / 2, 0);
   const back = -w / 2 - scene.gap,
@@ -239,10 +198,7 @@ function drawSketch(scene) {
         `M0 ${floor}H${wide * unit}V200H0Z` +
         (scene.wall && left > 0 ? `M0 0H${left.toFixed(1)}V${floor}H0Z` : ""),
     }),
-    svg("path", { class: "outline", d: pathOf(outline, place) }),
-    ...details(scene.piece, w, h, scene.shelves).map((one) =>
-      svg("path", { class: `detail ${one.tone}`, d: pathOf(one.points, place) }),
-    ),
+    ...front(scene.piece, w, h, scene.shelves, place),
     svg("path", { class: "lean", d: `M${gx} ${gz}L${edge} ${floor}` }),
     svg("circle", { class: "g", cx: gx, cy: gz, r: 6 }),
     svg("path", { class: "gmark", d: `M${gx} ${gz}v-6a6 6 0 0 1 6 6zM${gx} ${gz}v6a6 6 0 0 1-6-6z` }),

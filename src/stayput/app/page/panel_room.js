@@ -1,10 +1,10 @@
 // "Set the scene": floor, wall, ceiling.
 
-import { slider, toggle } from "./controls.js";
+import { toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
 import { ceilingTooLow, missing } from "./notices.js";
-import { change, current, numberOf } from "./scene.js";
-import { surfaceFields } from "./surface_fields.js";
+import { change, current } from "./scene.js";
+import { numberField, surfaceFields } from "./scene_fields.js";
 import { t } from "./words.js";
 
 const ROOM = ["floor", "wall", "gap", "wallConstruction", "ceiling", "ceilingConstruction"];
@@ -15,12 +15,7 @@ export function build(presets) {
   fields = {
     ...surfaceFields(presets),
     wall: toggle({ label: t("wall"), changed: (wall) => change({ wall }) }),
-    gap: slider({
-      label: t("gap"),
-      ...numberOf(presets, "gap"),
-      step: 0.005,
-      changed: (gap) => change({ gap }),
-    }),
+    gap: numberField(presets, "gap", { step: 0.005 }),
   };
   fill(
     part("room"),

@@ -1,9 +1,10 @@
 // "Set the scene": how strong the shaking is, and of which kind; or a record of the user's own.
 
-import { choice, oneOf, slider, toggle } from "./controls.js";
+import { oneOf, toggle } from "./controls.js";
 import { el, fill, part } from "./dom.js";
 import * as earthquake from "./earthquake.js";
-import { change, current, forServer, numberOf, throughBuilding } from "./scene.js";
+import { change, current, forServer, throughBuilding } from "./scene.js";
+import { choiceField, named, numberField } from "./scene_fields.js";
 import { both, number, t } from "./words.js";
 
 let fields = {},
@@ -26,30 +27,13 @@ export function build(presets) {
   classes = presets.intensities;
   families = presets.families;
   fields = {
-    intensity: slider({
-      label: t("intensity"),
-      ...numberOf(presets, "intensity"),
-      step: 0.05,
-      changed: (intensity) => change({ intensity }),
-    }),
-    family: choice({
-      label: t("family"),
-      options: presets.families.map((one) => ({ id: one.id, label: both(one.label) })),
-      changed: (family) => change({ family, member: 1 }),
-    }),
-    member: slider({
-      label: t("member"),
-      ...numberOf(presets, "member"),
-      step: 1,
-      hint: t("memberHint"),
-      changed: (member) => change({ member: Math.round(member) }),
-    }),
+    intensity: numberField(presets, "intensity", { step: 0.05 }),
+    family: choiceField("family", named(presets.families), (family) => change({ family, member: 1 })),
+    member: numberField(presets, "member", { whole: true, hint: t("memberHint") }),
     scaled: toggle({ label: t("scaled"), changed: (scaled) => change({ scaled }) }),
     quick: oneOf({
       label: t("intensityClass"),
-      options: classes
-        .filter((one) => one.middle >= 3.5)
-        .map((one) => ({ id: one.id, label: both(one.label) })),
+      options: named(classes.filter((one) => one.middle >= 3.5)),
       changed: (id) =>
         change({
           intensity: classes.find((one) => one.id === id).middle,

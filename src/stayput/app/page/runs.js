@@ -42,8 +42,8 @@ function preparedInSpace(run, floor) {
 const building = (told) =>
   told && {
     ...told,
-    ground_x_m: told.ground_x_m && numbers(told.ground_x_m),
-    roof_x_m: told.roof_x_m && numbers(told.roof_x_m),
+    ground_x_m: numbers(told.ground_x_m),
+    roof_x_m: numbers(told.roof_x_m),
   };
 
 /** An answer of "simulate", ready to be drawn. */

@@ -131,22 +131,15 @@ export function fromPreset(preset) {
 
 /** What the user sees first, from the scene that the server proposes. */
 export function fromServer(presets) {
-  const { furniture, room = {}, shaking = {} } = presets.scene;
-  const preset = presets.furniture.find((one) => one.id === furniture.preset) ?? presets.furniture[0];
-  const wall = room.left_wall ?? room.back_wall;
-  const middle = presets.intensities.find((one) => one.id === shaking.intensity)?.middle;
+  const { furniture, room, shaking } = presets.scene;
   return {
     ...structuredClone(plain),
-    ...fromPreset(preset),
-    floor: typeof room.floor === "string" ? room.floor : plain.floor,
-    wall: Boolean(wall),
-    gap: wall?.gap ?? plain.gap,
-    ceiling: room.ceiling?.height ?? plain.ceiling,
-    storeys: shaking.building?.storeys ?? 0,
-    storey: shaking.storey ?? 1,
-    intensity: middle ?? (Number(shaking.intensity) || plain.intensity),
-    family: shaking.suite?.family ?? plain.family,
-    member: shaking.member ?? plain.member,
+    ...fromPreset(presets.furniture.find((one) => one.id === furniture.preset)),
+    floor: room.floor,
+    gap: room.left_wall.gap,
+    ceiling: room.ceiling.height,
+    intensity: presets.intensities.find((one) => one.id === shaking.intensity).middle,
+    member: shaking.member,
     measures: Object.fromEntries(presets.measures_shown.map(({ type, ...values }) => [type, values])),
   };
 }

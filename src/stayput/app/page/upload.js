@@ -5,7 +5,7 @@ import { choice, oneOf } from "./controls.js";
 import { el, fill, part } from "./dom.js";
 import { inNumbers, picture } from "./record.js";
 import { patiently } from "./connection.js";
-import { packed, unpackedBytes, utf8 } from "./packing.js";
+import { packed, unpackedBytes } from "./packing.js";
 import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { spoken, t } from "./words.js";

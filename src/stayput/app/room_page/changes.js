@@ -5,7 +5,7 @@ import { mayBe } from "./action_plan.js";
 import { el, fill, part } from "../dom.js";
 import { both, number, percent, t } from "../words.js";
 import { capital, chance, points } from "./amounts.js";
-import { FACING } from "./geometry.js";
+import { upright, wallBehind } from "./geometry.js";
 import { DEFAULTS } from "./kinds.js";
 import * as room from "./room.js";
 import { noted } from "./tried.js";
@@ -74,8 +74,6 @@ function option(one, shown) {
   );
 }
 
-const apart = (one, other) => Math.abs(Math.atan2(Math.sin(one - other), Math.cos(one - other)));
-
 /** Makes a change of a verdict in the room: one entry for undo. */
 export function apply({ table, what, measures, at_m: at, heading_rad: heading }) {
   const before = room.current();
@@ -91,7 +89,7 @@ export function apply({ table, what, measures, at_m: at, heading_rad: heading })
 
 /** Puts a piece with its back to the wall that it faces away from; the gap is the usual one. */
 function toWall(piece, [x, y], heading) {
-  const [wall] = Object.entries(FACING).find(([, facing]) => apart(facing, heading) < 1e-3);
+  const wall = wallBehind(heading);
   for (const key of ["at", "heading", "gap"]) delete piece[key];
-  Object.assign(piece, { against: wall, along: wall.endsWith("side_wall") ? x : y });
+  Object.assign(piece, { against: wall, along: upright(wall) ? y : x });
 }

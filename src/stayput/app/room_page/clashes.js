@@ -2,10 +2,10 @@
 
 import { carrier, extents, lying, onWall, opening, standing, thing, things } from "./geometry.js";
 import { nameOf } from "./kinds.js";
+import { swing } from "./shapes.js";
 import { length, t } from "../words.js";
 
-const DEEPEST = 1e-6, // by rounding [m]
-  ARC = 12; // parts of the arc that a door's edge goes along
+const DEEPEST = 1e-6; // by rounding [m]
 
 /** How deep two convex outlines are in each other [m]; 0 or less: they are apart. */
 export function depthOf(first, second) {
@@ -29,12 +29,8 @@ export function beyondWalls(plan, outline) {
 
 /** The floor over which a door swings, as an outline. */
 export function sweep(room, what) {
-  const { wall, start, width, hinge } = opening(room, what),
-    at = hinge === "start" ? start : start + width;
-  const edge = Array.from({ length: ARC + 1 }, (_, i) => (i * Math.PI) / 2 / ARC).map((angle) =>
-    onWall(room.plan, wall, at + (hinge === "start" ? 1 : -1) * width * Math.cos(angle), width * Math.sin(angle)),
-  );
-  return [onWall(room.plan, wall, at), ...edge];
+  const { at, edge } = swing({ atWall: (...spot) => onWall(room.plan, ...spot) }, opening(room, what));
+  return [at, ...edge];
 }
 
 /** The pieces and places that are on a part of the floor. */

@@ -1,6 +1,6 @@
 // What a thing is called and where it is, in words: "Bookcase, at the left wall, 1.90 m from the near wall".
 
-import { FACING, lying, opening, standing, tidyAngle, upright, carrier } from "./geometry.js";
+import { carrier, isOpening, lying, nextWall, opening, standing, tidyAngle, upright, wallBehind } from "./geometry.js";
 import { DEFAULTS, nameOf } from "./kinds.js";
 import { number, t } from "../words.js";
 
@@ -11,7 +11,7 @@ export const described = (room, what) => [nameOf(room, what), ...where(room, wha
 
 /** Where a thing is: parts of a sentence. */
 export function where(room, what) {
-  if (what.table === "doors" || what.table === "windows") return openingWhere(room, what);
+  if (isOpening(what)) return openingWhere(room, what);
   if (what.table === "places") {
     const { at, heading } = lying(room, what.index),
       kind = room.places[what.index].kind ?? DEFAULTS.places.kind;
@@ -34,16 +34,9 @@ const free = ([x, y]) => [
 const along = (wall, distance) =>
   t("fromWall", { distance: metres(distance), wall: t(upright(wall) ? "near_side_wall" : "left_wall") });
 
-const OPPOSITE = {
-  left_wall: "right_wall",
-  right_wall: "left_wall",
-  near_side_wall: "far_side_wall",
-  far_side_wall: "near_side_wall",
-};
-
 function direction(heading, key) {
-  const behind = Object.keys(FACING).find((wall) => Math.abs(tidyAngle(FACING[wall] - heading)) < 0.01);
-  if (behind) return t(key, { wall: t(OPPOSITE[behind]) });
+  const behind = wallBehind(heading);
+  if (behind) return t(key, { wall: t(nextWall(behind, 2)) });
   return t("turnedBy", { angle: number((tidyAngle(heading) * 180) / Math.PI) });
 }
 

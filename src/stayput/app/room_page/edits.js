@@ -1,6 +1,6 @@
 // What can be done to a room: each function returns the next room and leaves the one it was given as it is.
 
-import { WALLS, carrier, extents, fromWall, inFrame, lying, ofFrame, opening, standing } from "./geometry.js";
+import { WALLS, carrier, extents, fromWall, inFrame, isOpening, ofFrame, opening, standing } from "./geometry.js";
 import { thing, tidyAngle, upright, wallLength, within } from "./geometry.js";
 import { DEFAULTS, freeName, limitsOf } from "./kinds.js";
 
@@ -62,12 +62,6 @@ export function inWall(room, what, wall, start) {
 
 /** Something turned to a heading about its middle; a piece then stands free. */
 export const turned = (room, what, heading) => placed(room, what, thing(room, what).at, tidyAngle(heading));
-
-/** The next wall, counter-clockwise. */
-export const nextWall = (wall) => {
-  const round = ["near_side_wall", "right_wall", "far_side_wall", "left_wall"];
-  return round[(round.indexOf(wall) + 1) % 4];
-};
 
 /** A piece as a box of its sizes, which may then be others. */
 function asBox(room, what, sizes) {
@@ -131,10 +125,7 @@ export function withOrigin(room, [x, y], width, length) {
   const back = (one) => (one.against ? { ...one, along: fine(one.along - along(one.against)) } : free(one));
   const all = (one) => (one.was?.place ? { ...back(one), was: { ...one.was, place: back(one.was.place) } } : back(one));
   const opened = (one) => ({ ...one, start: fine(one.start - along(one.wall)) });
-  const next = {
-    ...room,
-    furniture: room.furniture.map(all),
-  };
+  const next = { ...room, furniture: room.furniture.map(all) };
   if (room.places) next.places = room.places.map(all);
   for (const table of ["doors", "windows"]) if (room[table]) next[table] = room[table].map(opened);
   return withSides(next, width, length);
@@ -142,14 +133,9 @@ export function withOrigin(room, [x, y], width, length) {
 
 /** Something put within the room where it is not. */
 function settled(room, what) {
-  if (what.table === "doors" || what.table === "windows") {
-    const { wall, start } = opening(room, what);
-    return inWall(room, what, wall, start);
-  }
-  if (what.table === "places")
-    return placed(room, what, lying(room, what.index).at, lying(room, what.index).heading);
-  const { against, along } = room.furniture[what.index],
-    { at, heading } = standing(room, what.index);
+  const { wall, start, at, heading } = thing(room, what),
+    { against, along } = room[what.table][what.index];
+  if (wall) return inWall(room, what, wall, start);
   return against ? atWall(room, what, against, along) : placed(room, what, at, heading);
 }
 
@@ -199,9 +185,9 @@ export const withNew = (room, table, made) => [
 /** The table of a new thing of a kind, not yet at its place. */
 export function newThing(room, table, kind) {
   const name = freeName(room, table, kind);
-  if (table === "furniture")
-    return { name, preset: kind, at: [room.plan.width / 2, room.plan.length / 2], heading: 0 };
-  if (table === "places") return { name, kind, at: [room.plan.width / 2, room.plan.length / 2], heading: 0 };
+  const middle = { at: [room.plan.width / 2, room.plan.length / 2], heading: 0 };
+  if (table === "furniture") return { name, preset: kind, ...middle };
+  if (table === "places") return { name, kind, ...middle };
   const wall = WALLS[2],
     width = Math.min(DEFAULTS[table].width, room.plan.width);
   return { ...DEFAULTS[table], ...(table === "doors" ? { name } : {}), wall, start: 0, width };
@@ -215,7 +201,7 @@ export function doubled(room, what) {
   if (table !== "windows")
     copy.name = freeName(room, table, old.preset ?? old.kind ?? old.name ?? DEFAULTS[table].name);
   const [next, made] = withNew(room, table, copy);
-  if (table === "doors" || table === "windows") {
+  if (isOpening(what)) {
     const { wall, start, width } = opening(next, made),
       after = start + 2 * width <= wallLength(room.plan, wall);
     return [inWall(next, made, wall, after ? start + width : start - width), made];

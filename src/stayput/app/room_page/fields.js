@@ -1,6 +1,6 @@
 // Fields of the inspector: a number with its unit that is taken when it is typed to the end, a name.
 
-import { fit } from "../controls.js";
+import { fit, remark } from "../controls.js";
 import { el } from "../dom.js";
 import { t } from "../words.js";
 
@@ -12,7 +12,7 @@ let made = 0;
  */
 export function amount({ label, unit = "", factor = 1, decimals = 0, limits, changed }) {
   const id = `amount-${++made}`,
-    why = el("p", { class: "hint why", id: `${id}-why`, role: "status", hidden: true });
+    { element: why, note } = remark(`${id}-why`);
   const field = el("input", {
     type: "number",
     id,
@@ -23,8 +23,7 @@ export function amount({ label, unit = "", factor = 1, decimals = 0, limits, cha
   let current = null;
   const written = (value) => String(Number((value * factor).toFixed(decimals)));
   const complain = (text) => {
-    why.hidden = !text;
-    why.textContent = text ?? "";
+    note(text);
     if (text) field.setAttribute("aria-invalid", "true");
     else field.removeAttribute("aria-invalid");
   };
@@ -61,16 +60,15 @@ export function amount({ label, unit = "", factor = 1, decimals = 0, limits, cha
 /** A name; refuse(text) returns why one is not possible, or null. */
 export function naming({ label, refuse, changed }) {
   const id = `amount-${++made}`,
-    why = el("p", { class: "hint why", id: `${id}-why`, role: "status", hidden: true }),
+    { element: why, note } = remark(`${id}-why`),
     field = el("input", { type: "text", id, maxlength: 80, "aria-describedby": `${id}-why` });
   field.addEventListener("change", () => {
     const problem = refuse(field.value.trim());
-    why.hidden = !problem;
-    why.textContent = problem ?? "";
+    note(problem);
     if (!problem) changed(field.value.trim());
   });
   const set = (value) => {
-    why.hidden = true;
+    note(null);
     field.value = value;
   };
   return {

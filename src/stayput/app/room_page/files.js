@@ -3,10 +3,10 @@
 import * as api from "../api.js";
 import { patiently } from "../connection.js";
 import { copying, fill, offer, part } from "../dom.js";
-import { SECONDS, drawing, shortKind } from "../films.js";
+import { SECONDS, linkTo, pressed, shortKind, wireFilm } from "../films.js";
 import { utf8 } from "../packing.js";
-import { worded, wordedOfScenario } from "../refusals.js";
-import { spoken, t } from "../words.js";
+import { wordedOfScenario } from "../refusals.js";
+import { t } from "../words.js";
 import * as room from "./room.js";
 import { played } from "./theatre.js";
 
@@ -24,31 +24,21 @@ export function wire(opened, kinds) {
   part("open").addEventListener("change", ({ target }) => {
     const [file] = target.files;
     target.value = "";
-    if (file) open(file, (...content) => say(...content), opened);
+    if (file) open(file, say, opened);
   });
-  part("toml").addEventListener("click", async () => {
-    try {
-      const text = await api.toml({ scene: room.current(), measures: [] });
-      offer(text, `${room.current().title || "room"}.toml`, "application/toml");
-      say();
-    } catch (error) {
-      say(...worded(error));
-    }
+  const name = () => room.current().title || "room";
+  pressed(part("toml"), say, async () => {
+    offer(await api.toml({ scene: room.current(), measures: [] }), `${name()}.toml`, "application/toml");
+    say();
   });
   const film = (button, query) =>
-    button.addEventListener("click", async () => {
-      const { title } = room.current();
-      try {
-        await drawing(button, say, async () => {
-          const made = await api.film({ scene: played(), measures: [] }, { lang: spoken(), ...query() });
-          offer(made, `${title || "room"}.${query().kind}`, made.type);
-        });
-      } catch (error) {
-        say(...worded(error));
-      }
-    });
-  film(part("html"), () => ({ kind: "html", ...(job && { job }) }));
-  film(part("film"), () => ({ kind: shortFilm, seconds: SECONDS, ...(job && { job }) }));
+    wireFilm(button, say, () => ({
+      content: { scene: played(), measures: [] },
+      query: { ...query, ...(job && { job }) },
+      name: name(),
+    }));
+  film(part("html"), { kind: "html" });
+  film(part("film"), { kind: shortFilm, seconds: SECONDS });
   copying(part("copy"), part("address"), () => say(t("copied")));
 }
 
@@ -77,14 +67,5 @@ export const build = () => point(job);
 /** Points the links of the verdict at a finished job, or at nothing. */
 export function point(finished) {
   job = finished;
-  for (const [id, address] of [
-    ["report", job && api.reportAddress(job, spoken())],
-    ["table", job && api.tableAddress(job)],
-  ]) {
-    const link = part(id);
-    if (address) link.setAttribute("href", address);
-    else link.removeAttribute("href");
-    link.setAttribute("aria-disabled", String(!address));
-  }
-  part("report-wait").hidden = Boolean(job);
+  linkTo(job);
 }

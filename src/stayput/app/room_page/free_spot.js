@@ -2,7 +2,7 @@
 
 import { atWall, inWall, newThing, placed, withNew } from "./edits.js";
 import { beyondWalls, depthOf, inTheWay, sweep } from "./clashes.js";
-import { FACING, WALLS, onWall, opening, standing, thing, things, wallLength } from "./geometry.js";
+import { FACING, WALLS, isOpening, onWall, opening, others, standing, thing, things, wallLength } from "./geometry.js";
 
 const STEP = 0.1, // between the spots that are tried [m]
   APART = 0.5; // so far from others a spot is as good as one that is farther [m]
@@ -10,9 +10,9 @@ const STEP = 0.1, // between the spots that are tried [m]
 /** The room with a new thing of a kind at a free spot, and which it is. */
 export function added(room, table, kind) {
   const [next, what] = withNew(room, table, newThing(room, table, kind));
-  if (table === "doors" || table === "windows") return [freelyOpening(next, what), what];
+  if (isOpening(what)) return [freelyOpening(next, what), what];
   let first = null;
-  for (const one of table === "furniture" ? piece(next, what) : place(next, what)) {
+  for (const one of table === "furniture" ? piece(next, what) : onFloor(next, what)) {
     if (fits(one, what)) return [one, what];
     first ??= one;
   }
@@ -26,14 +26,14 @@ const steps = (side, size) => {
 };
 
 function* piece(room, what) {
-  const { width, length } = standing(room, what.index);
+  const { length } = standing(room, what.index);
   for (const wall of emptiestFirst(room)) {
     const spots = steps(wallLength(room.plan, wall), length).map((along) => atWall(room, what, wall, along)),
       free = spots.filter((one) => fits(one, what)).map((one) => [one, Math.min(APART, clearance(one, what))]);
     yield* free.sort(([, one], [, other]) => other - one).map(([one]) => one);
   }
   yield atWall(room, what, WALLS[0], 0);
-  yield* onFloor(room, what, width, length);
+  yield* onFloor(room, what);
 }
 
 /** The walls, those first of which pieces take the least share. */
@@ -48,19 +48,15 @@ function emptiestFirst(room) {
 /** How far something is from what is nearest to it: pieces, places, the floor that doors need [m]. */
 function clearance(room, what) {
   const { outline } = thing(room, what),
-    others = things(room, ["furniture", "places", "doors"]).filter((one) => !same(one, what));
-  const taken = others.map((one) => (one.table === "doors" ? before(room, one) : thing(room, one).outline));
+    apart = others(room, ["furniture", "places", "doors"], what),
+    taken = apart.map((one) => (one.table === "doors" ? before(room, one) : thing(room, one).outline));
   return Math.min(...taken.map((one) => -depthOf(outline, one)));
 }
 
-function* place(room, what) {
-  const { width, length } = thing(room, what);
-  yield* onFloor(room, what, width, length);
-}
-
 /** Everywhere on the floor, the walls first. */
-function* onFloor(room, what, width, length) {
-  const { plan } = room;
+function* onFloor(room, what) {
+  const { plan } = room,
+    { width, length } = thing(room, what);
   for (const heading of [0, FACING.near_side_wall]) {
     const [across, deep] = heading ? [length, width] : [width, length];
     const spots = steps(plan.width, across).flatMap((x) => steps(plan.length, deep).map((y) => [x, y]));
@@ -86,16 +82,14 @@ function freelyOpening(room, what) {
 function fits(room, what) {
   const { outline, low = 0, high = null, up = 0, height = 0 } = thing(room, what);
   if (beyondWalls(room.plan, outline) > 1e-6) return false;
-  const others = things(room, ["places", "furniture"]).filter((one) => !same(one, what));
-  if (others.some((one) => depthOf(outline, thing(room, one).outline) > 1e-6)) return false;
+  const standing = others(room, ["places", "furniture"], what);
+  if (standing.some((one) => depthOf(outline, thing(room, one).outline) > 1e-6)) return false;
   const top = high ?? up + height;
   return things(room, ["doors", "windows"]).every((one) => {
     const { sill } = opening(room, one);
     return (sill !== undefined && top <= sill && low >= 0) || depthOf(outline, before(room, one)) <= 1e-6;
   });
 }
-
-const same = (one, other) => one.table === other.table && one.index === other.index;
 
 /** The floor before an opening: as deep as a door is wide, or a step before a window. */
 function before(room, what) {
@@ -109,8 +103,7 @@ function before(room, what) {
 /** Whether no other opening is where an opening is. */
 function besideOthers(room, what) {
   const one = opening(room, what);
-  return things(room, ["doors", "windows"])
-    .filter((other) => !same(other, what))
+  return others(room, ["doors", "windows"], what)
     .map((other) => opening(room, other))
     .every(
       (other) =>

@@ -11,6 +11,15 @@ export const FACING = {
 };
 export const WALLS = Object.keys(FACING);
 
+/** The wall behind something of a heading, if it is right behind it. */
+export const wallBehind = (heading) => WALLS.find((wall) => Math.abs(tidyAngle(FACING[wall] - heading)) < 1e-3);
+
+/** The next wall, counter-clockwise, or one farther on. */
+export function nextWall(wall, steps = 1) {
+  const round = ["near_side_wall", "right_wall", "far_side_wall", "left_wall"];
+  return round[(round.indexOf(wall) + steps) % 4];
+}
+
 /** Whether a wall goes along y. */
 export const upright = (wall) => wall === "left_wall" || wall === "right_wall";
 
@@ -132,6 +141,13 @@ export function thing(room, what) {
 /** All things of a room of some tables. */
 export const things = (room, tables) =>
   tables.flatMap((table) => (room[table] ?? []).map((_, index) => ({ table, index })));
+
+/** The same without one of them. */
+export const others = (room, tables, { table, index }) =>
+  things(room, tables).filter((one) => one.table !== table || one.index !== index);
+
+/** Whether something is a door or a window. */
+export const isOpening = ({ table }) => table === "doors" || table === "windows";
 
 /** The middle of something so that it is within the room as far as it fits. */
 export function within(plan, at, outline) {

@@ -3,7 +3,7 @@
 import { svg } from "../dom.js";
 import { t } from "../words.js";
 import { cm, pulled, pulledEnd, turned, withOrigin, withSides } from "./edits.js";
-import { carrier, inFrame, opening, thing, tidyAngle } from "./geometry.js";
+import { carrier, inFrame, isOpening, opening, thing, tidyAngle } from "./geometry.js";
 import { limitsOf, pieceSizes } from "./kinds.js";
 import { layersOf } from "./plan.js";
 import { selected } from "./room.js";
@@ -31,8 +31,7 @@ export function handles() {
     what = selected();
   if (!room) return [];
   if (!what) return roomHandles();
-  if (what.table === "doors" || what.table === "windows") return endHandles(room, what);
-  return sideHandles(room, what);
+  return isOpening(what) ? endHandles(room, what) : sideHandles(room, what);
 }
 
 /** A handle in each wall; of the left and the near one it moves the origin too. */

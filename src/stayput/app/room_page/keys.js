@@ -2,9 +2,10 @@
 
 import { part } from "../dom.js";
 import { described, where } from "./described.js";
-import { atWall, doubled, emptied as cleared, inWall, nextWall, placed, removed, turned } from "./edits.js";
-import { FACING, WALLS, carrier, fromWall, onWall, opening, thing, tidyAngle, upright } from "./geometry.js";
+import { atWall, doubled, emptied as cleared, inWall, placed, removed, turned } from "./edits.js";
+import { carrier, fromWall, isOpening, nextWall, onWall, opening, thing, upright, wallBehind } from "./geometry.js";
 import { DEFAULTS, nameOf } from "./kinds.js";
+import { ofKey } from "./plan.js";
 import { change, current, redo, select, selected, undo } from "./room.js";
 import { backToWall } from "./snap.js";
 import { t } from "../words.js";
@@ -45,9 +46,7 @@ export function redone() {
 
 function focused(element) {
   const key = element.closest("[data-thing]")?.dataset.thing;
-  if (!key) return null;
-  const [table, index] = key.split("-");
-  return { table, index: Number(index) };
+  return key ? ofKey(key) : null;
 }
 
 function pressed(event) {
@@ -78,28 +77,25 @@ function backToPlan({ key, target }) {
 
 function nudge(what, direction, step) {
   const room = current(),
-    next = nudged(
-      room,
-      what,
-      direction.map((one) => one * step),
-    );
+    by = direction.map((one) => one * step),
+    next = nudged(room, what, by);
   change(next, { mergeKey: `nudge ${what.table} ${what.index}` });
   say(where(next, what).join(t("comma")));
 }
 
 /** A thing moved by so much; along its wall where it stands against one. */
 function nudged(room, what, [dx, dy]) {
-  if (what.table === "doors" || what.table === "windows") {
+  if (isOpening(what)) {
     const { wall, start } = opening(room, what),
       along = upright(wall) ? dy : dx;
     if (along) return inWall(room, what, wall, start + along);
-    return inWall(room, what, acrossTo(wall, [dx, dy]) ? nextWall(nextWall(wall)) : wall, start);
+    return inWall(room, what, acrossTo(wall, [dx, dy]) ? nextWall(wall, 2) : wall, start);
   }
   const { at, heading, width } = thing(room, what),
     to = [at[0] + dx, at[1] + dy];
   if (what.table === "places" || carrier(room, what.index) !== null) return placed(room, what, to, heading);
   const { against, gap = DEFAULTS.furniture.gap } = room.furniture[what.index];
-  const wall = against ?? WALLS.find((one) => Math.abs(tidyAngle(FACING[one] - heading)) < 1e-3);
+  const wall = against ?? wallBehind(heading);
   if (wall) {
     const [along, into] = fromWall(room.plan, wall, to);
     if (into <= width / 2 + gap + 1e-9) return atWall(room, what, wall, along);
@@ -115,12 +111,11 @@ function acrossTo(wall, [dx, dy]) {
 
 /** Turns something by a quarter; an opening goes to the next wall. */
 export function turn(what = selected()) {
-  const room = current();
-  let next;
-  if (what.table === "doors" || what.table === "windows") {
-    const { wall, start } = opening(room, what);
-    next = inWall(room, what, nextWall(wall), start);
-  } else next = backToWall(turned(room, what, thing(room, what).heading + Math.PI / 2), what);
+  const room = current(),
+    { wall, start, heading } = thing(room, what);
+  const next = wall
+    ? inWall(room, what, nextWall(wall), start)
+    : backToWall(turned(room, what, heading + Math.PI / 2), what);
   change(next);
   say(described(next, what));
 }

@@ -72,6 +72,12 @@ export function drawPlan(element, room, options = {}) {
 /** A thing's name within a picture. */
 export const keyOf = ({ table, index }) => `${table}-${index}`;
 
+/** The thing of such a name. */
+export function ofKey(key) {
+  const [table, index] = key.split("-");
+  return { table, index: Number(index) };
+}
+
 function frame(element, sheet, room, readOnly, all) {
   const [wide, high] = sheet.size;
   element.classList.add("plan-room");

@@ -3,6 +3,7 @@
 import { described } from "./described.js";
 import { onWall, thing, upright } from "./geometry.js";
 import { handles } from "./handles.js";
+import { ofKey } from "./plan.js";
 import { change, current, select, selected } from "./room.js";
 import { dragged } from "./snap.js";
 import { focusOn, hold, plan, pointOf, release, say, show, showCurrent, shownRoom } from "./view.js";
@@ -51,8 +52,7 @@ function begin(event) {
     drag.pull = handles().find((one) => one.name === handle).pull;
     drag.what = selected();
   } else {
-    const [table, index] = key.split("-");
-    drag.what = { table, index: Number(index) };
+    drag.what = ofKey(key);
     drag.offset = away(drag.what, from);
   }
   plan().setPointerCapture(event.pointerId);

@@ -90,16 +90,18 @@ export function windowShapes(sheet, { wall, start, width }) {
 
 function hole(sheet, wall, start, width) {
   const deep = -WALL / sheet.scale;
+  return svg("path", { class: "ground", d: strip(sheet, wall, [start, start + width], [0, deep]) });
+}
+
+/** The path around a part of a wall, from one distance along it and into the room to the other. */
+function strip(sheet, wall, [low, high], [near, far]) {
   const corners = [
-    [start, 0],
-    [start + width, 0],
-    [start + width, deep],
-    [start, deep],
+    [low, near],
+    [high, near],
+    [high, far],
+    [low, far],
   ];
-  return svg("path", {
-    class: "ground",
-    d: path(corners.map(([along, into]) => sheet.atWall(wall, along, into))),
-  });
+  return path(corners.map(([along, into]) => sheet.atWall(wall, along, into)));
 }
 
 /** A door: its leaf where it stands open, and the arc of its edge; two panels of a sliding one. */
@@ -130,20 +132,15 @@ const ARC = 24,
 export function feltAt(sheet, one) {
   const far = FELT / sheet.scale,
     middle = -WALL / 2 / sheet.scale,
-    [low, high] = [one.start - far, one.start + one.width + far];
-  const strip = [
-    [low, middle - far],
-    [high, middle - far],
-    [high, middle + far],
-    [low, middle + far],
-  ].map(([along, into]) => sheet.atWall(one.wall, along, into));
-  if (!one.hinge || one.opens === "sliding") return path(strip);
+    ends = [one.start - far, one.start + one.width + far],
+    around = strip(sheet, one.wall, ends, [middle - far, middle + far]);
+  if (!one.hinge || one.opens === "sliding") return around;
   const { at, edge } = swing(sheet, one);
-  return path(strip) + path([at, ...edge]);
+  return around + path([at, ...edge]);
 }
 
 /** Where a door hangs, and the arc of its edge as it opens. */
-function swing(sheet, { wall, start, width, hinge, opens }) {
+export function swing(sheet, { wall, start, width, hinge, opens }) {
   const sign = opens === "outwards" ? -1 : 1;
   const edge = Array.from({ length: ARC + 1 }, (_, i) => (i * Math.PI) / 2 / ARC).map((angle) => {
     const reach = width * Math.cos(angle);

@@ -1,6 +1,8 @@
 // Rooms that are kept on this device, each under a name and in a place of its own, so that two tabs of the page do not
 // write over each other's.
 
+import { isWhole } from "./address.js";
+
 const PREFIX = "stayput-room-";
 
 /** Why a room could not be kept: "full", or "closed" where the browser keeps nothing, as in private windows. */
@@ -25,17 +27,11 @@ export function all() {
     .sort((one, other) => one.name.localeCompare(other.name));
 }
 
-/** Whether something has the form of a room, which another program or version may have written there. */
-const isRoom = (room) =>
-  Number.isFinite(room?.plan?.width) &&
-  Number.isFinite(room.plan.length) &&
-  ["furniture", "places", "doors", "windows"].every((table) => Array.isArray(room[table] ?? []));
-
-/** A room that is kept, or null. */
+/** A room that is kept, or null; another program or version may have written something else there. */
 export function get(id) {
   try {
     const { name, room, revision } = JSON.parse(localStorage.getItem(PREFIX + id));
-    return typeof name === "string" && isRoom(room) ? { id, name, room, revision } : null;
+    return typeof name === "string" && isWhole(room) ? { id, name, room, revision } : null;
   } catch {
     return null;
   }

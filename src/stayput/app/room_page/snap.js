@@ -1,19 +1,8 @@
 // Where something comes to stand that is dragged near a wall, a corner, or in line with something else.
 
 import { atWall, cm, inWall, placed } from "./edits.js";
-import {
-  carrier,
-  extents,
-  fromWall,
-  opening,
-  standing,
-  thing,
-  things,
-  upright,
-  wallLength,
-  WALLS,
-} from "./geometry.js";
-import { FACING, tidyAngle } from "./geometry.js";
+import { WALLS, carrier, extents, fromWall, isOpening, opening, others, standing } from "./geometry.js";
+import { thing, upright, wallBehind, wallLength } from "./geometry.js";
 import { DEFAULTS } from "./kinds.js";
 
 const TO_WALL = 0.15, // how near a piece comes to a wall until it stands against it [m]
@@ -26,7 +15,7 @@ const QUARTER = Math.PI / 2;
  */
 export function dragged(room, what, point, free = false) {
   const to = point.map(cm);
-  if (what.table === "doors" || what.table === "windows") return draggedOpening(room, what, to, free);
+  if (isOpening(what)) return draggedOpening(room, what, to, free);
   const { heading } = thing(room, what);
   if (what.table === "furniture" && carrier(room, what.index) === null && !free) {
     const wall = nearWall(room, what, to);
@@ -41,7 +30,7 @@ function nearWall(room, what, point) {
   const { width, heading } = standing(room, what.index),
     { against, gap = DEFAULTS.furniture.gap } = room.furniture[what.index];
   const reach = (wall) => fromWall(room.plan, wall, point)[1] - width / 2 - gap,
-    faces = (wall) => (wall === against || Math.abs(tidyAngle(FACING[wall] - heading)) < 1e-3 ? TO_WALL : 0);
+    faces = (wall) => (wall === against || wall === wallBehind(heading) ? TO_WALL : 0);
   const near = WALLS.filter((wall) => reach(wall) < TO_WALL);
   return near.sort((one, other) => reach(one) - faces(one) - (reach(other) - faces(other)))[0] ?? null;
 }
@@ -50,7 +39,7 @@ function nearWall(room, what, point) {
 export function backToWall(room, what) {
   if (what.table !== "furniture" || carrier(room, what.index) !== null) return room;
   const { at, heading, width } = standing(room, what.index);
-  const wall = WALLS.find((one) => Math.abs(tidyAngle(FACING[one] - heading)) < 1e-3);
+  const wall = wallBehind(heading);
   if (!wall || fromWall(room.plan, wall, at)[1] - width / 2 >= TO_WALL) return room;
   return atWall(room, what, wall, fromWall(room.plan, wall, at)[0]);
 }
@@ -77,11 +66,8 @@ function inLine(room, what) {
 
 /** Lines across the plan at walls and at the edges of everything else, along x (axis 0) or y (1). */
 function edges(room, what, axis) {
-  const others = things(room, ["furniture", "places"]).filter(
-    (one) => one.table !== what.table || one.index !== what.index,
-  );
   const own = what.table === "furniture" ? room.furniture[what.index].name : null;
-  const ends = others
+  const ends = others(room, ["furniture", "places"], what)
     .filter((one) => own === null || room[one.table][one.index].on !== own)
     .flatMap((one) => {
       const box = extents(thing(room, one).outline);
@@ -105,11 +91,10 @@ function draggedOpening(room, what, point, free) {
   const wall = [...WALLS].sort((a, b) => far(a) - far(b))[0],
     side = wallLength(room.plan, wall),
     start = fromWall(room.plan, wall, point)[0] - one.width / 2;
-  const others = things(room, ["doors", "windows"])
-    .filter((other) => other.table !== what.table || other.index !== what.index)
+  const beside = others(room, ["doors", "windows"], what)
     .map((other) => opening(room, other))
     .filter((other) => other.wall === wall);
-  const lines = [0, side, ...others.flatMap((other) => [other.start, other.start + other.width])],
+  const lines = [0, side, ...beside.flatMap((other) => [other.start, other.start + other.width])],
     ends = [start, start + one.width];
   const found = free ? null : (best(ends, lines) ?? best([start + one.width / 2], [side / 2]));
   const next = inWall(room, what, wall, found ? start + found.by : start);

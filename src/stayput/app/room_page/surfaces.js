@@ -3,7 +3,7 @@
 import { toggle } from "../controls.js";
 import { fill, part } from "../dom.js";
 import { change, current } from "../scene.js";
-import { surfaceFields } from "../surface_fields.js";
+import { surfaceFields } from "../scene_fields.js";
 import { t } from "../words.js";
 
 const OF_CEILING = ["ceiling", "ceilingConstruction"],

@@ -1,11 +1,10 @@
-"""Numbers of the editor of a room: typed, refused, put on pieces, drawn in layers; its words and defaults."""
+"""The editor of a room: its numbers, its layers and defaults, the keyboard alone, and where new things go."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from browsing import DESK, PHONE
 from room_editing import ROOM, editing
 
@@ -115,77 +114,139 @@ def test_measures_that_fit_are_put_on_a_piece(editor: Editor) -> None:
     assert "This needs a wall behind the piece." in inspector.inner_text()
 
 
-def test_a_verdict_is_drawn_in_layers(browser: Browser, server: Running) -> None:
+def test_a_verdict_is_drawn_in_layers(editor: Editor) -> None:
     grid = """(await import("/room/editor.js")).tellResult({ cell_m: 0.5,
         pieces: ["bookcase", "chest"].map((name) => ({ name, probabilities: { overturned: { estimate: 0.4 } },
           fell: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(255, 26)) },
           stood: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(0, 0)) } })),
         places: [{ name: "bed", hit: { estimate: 0.3 } }],
         doors: [{ name: "door", blocked: { estimate: 0 } }] }"""
-    with editing(browser, server) as it:
-        it.ask()
-        assert not it.page.locator("#plan-layers").is_visible()
-        it.page.evaluate(f"async () => {{ {grid}); }}")
-        classes = it.page.eval_on_selector_all(
-            "#plan .cover", "all => all.map((one) => one.getAttribute('class'))"
-        )
-        assert sorted(classes) == sorted(
-            f"cover fell hue{hue} step{step}" for hue in (0, 1) for step in (2, 10)
-        )
-        told = it.page.text_content("#plan .layer-names") or ""
-        assert "hit: 30" in told
-        assert "overturns: 40" in told
-        assert it.page.locator("#plan .hit").count() == 1
-        assert it.page.locator("#plan .blocked").count() == 0
-        it.page.get_by_label("Where pieces fall").uncheck()
-        assert it.page.locator("#plan .cover").count() == 0
-        it.page.get_by_label("Who is hit").uncheck()
-        assert "hit:" not in (it.page.text_content("#plan .layer-names") or "")
-        it.page.evaluate(f"async () => {{ {grid}, {{ old: true }}); }}")
-        assert "old" in (it.page.get_attribute("#plan", "class") or "")
+    editor.ask()
+    assert not editor.page.locator("#plan-layers").is_visible()
+    editor.page.evaluate(f"async () => {{ {grid}); }}")
+    classes = editor.page.eval_on_selector_all(
+        "#plan .cover", "all => all.map((one) => one.getAttribute('class'))"
+    )
+    assert sorted(classes) == sorted(f"cover fell hue{hue} step{step}" for hue in (0, 1) for step in (2, 10))
+    told = editor.page.text_content("#plan .layer-names") or ""
+    assert "hit: 30" in told
+    assert "overturns: 40" in told
+    assert editor.page.locator("#plan .hit").count() == 1
+    assert editor.page.locator("#plan .blocked").count() == 0
+    editor.page.get_by_label("Where pieces fall").uncheck()
+    assert editor.page.locator("#plan .cover").count() == 0
+    editor.page.get_by_label("Who is hit").uncheck()
+    assert "hit:" not in (editor.page.text_content("#plan .layer-names") or "")
+    editor.page.evaluate(f"async () => {{ {grid}, {{ old: true }}); }}")
+    assert "old" in (editor.page.get_attribute("#plan", "class") or "")
 
 
-@pytest.mark.parametrize(
-    ("theme", "language", "size"),
-    [("dark", "ja", PHONE), *long(("light", "en", DESK))],
-    ids=["phone", "desk"],
-)
-def test_axe_finds_nothing_serious_in_the_editor(
-    browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
-) -> None:
-    with editing(browser, server, theme=theme, language=language, size=size) as it:
-        for thing in (None, "furniture-0", "places-0", "doors-0"):
-            if thing:
-                it.page.evaluate(
-                    "async (index) => (await import('/room/room.js')).select({ table: index[0], index: 0 })",
-                    thing.split("-"),
-                )
-            found = Axe().run(it.page, {"include": [["#editor"]]}).response["violations"]
-            assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
-            assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-
-
-def test_defaults_of_the_page_are_those_of_the_scenario(browser: Browser, server: Running) -> None:
+def test_defaults_of_the_page_are_those_of_the_scenario(editor: Editor) -> None:
     tables = {"furniture": StandingTable, "places": PlaceTable, "doors": DoorTable, "windows": WindowTable}
-    with editing(browser, server) as it:
-        found = it.page.evaluate("import('/room/kinds.js').then((one) => one.DEFAULTS)")
+    found = editor.page.evaluate("import('/room/kinds.js').then((one) => one.DEFAULTS)")
     for name, table in tables.items():
         assert found[name] == {key: table.model_fields[key].default for key in found[name]}, name
 
 
-def test_shares_are_rounded_as_the_server_rounds_them(browser: Browser, server: Running) -> None:
+def test_shares_are_rounded_as_the_server_rounds_them(editor: Editor) -> None:
     # what a change leaves is a difference, whose last digits are not those of the share itself
     told = """async (shares) => {
       const { percent } = await import("/words.js");
       return shares.map((share) => [percent(share), percent(share + 0.1 - 0.1), percent(1 - (1 - share))]);
     }"""
     shares = [hit / runs for runs in (20, 40, 60, 200) for hit in range(runs + 1)]
-    with editing(browser, server) as it:
-        for share, said in zip(shares, it.page.evaluate(told, shares), strict=True):
-            assert {one.replace("\u00a0", " ") for one in said} == {f"{percent(share)} %"}, share
+    for share, said in zip(shares, editor.page.evaluate(told, shares), strict=True):
+        assert {one.replace("\u00a0", " ") for one in said} == {f"{percent(share)} %"}, share
 
 
 def test_how_many_runs_a_file_asks_for_is_one_of_the_choices(editor: Editor) -> None:
     chosen = editor.page.locator("#samples option:checked")
     editor.page.wait_for_function("() => document.getElementById('samples').value === '4'")
     assert chosen.text_content() == "4 runs (as the file says)"
+
+
+FOCUSED = """() => {
+  const { labels, textContent } = document.activeElement;
+  return (labels?.[0]?.textContent ?? textContent).trim();
+}"""
+
+
+def tab_to(it: Editor, label: str, key: str = "Tab") -> None:
+    """Go on from what is focused until something of a label is."""
+    seen: list[str] = []
+    for _ in range(60):
+        it.press(key)
+        seen.append(it.page.evaluate(FOCUSED))
+        if seen[-1].startswith(label):
+            return
+    raise AssertionError(seen)
+
+
+def test_a_piece_is_put_turned_resized_moved_and_held(editor: Editor) -> None:
+    editor.take({**ROOM, "furniture": []})
+    editor.page.focus("#plan")
+    tab_to(editor, "Wardrobe", "Shift+Tab")
+    editor.press("Enter")
+    (piece,) = editor.room()["furniture"]
+    editor.press("r")
+    (turned,) = editor.room()["furniture"]
+    assert (piece.get("against"), turned.get("against")) == ("left_wall", None)
+    editor.press("Enter")
+    assert editor.page.evaluate(FOCUSED) == "Name"
+    tab_to(editor, "Stands with its back to")
+    editor.press("ArrowDown", "ArrowDown", "ArrowDown")
+    (moved,) = editor.room()["furniture"]
+    assert moved["against"] not in (None, "left_wall")
+    tab_to(editor, "Height")
+    editor.press("Control+a", "1", "2", "0", "Enter")
+    tab_to(editor, "Anti-slip sheet")
+    editor.press("Space")
+    (held,) = editor.room()["furniture"]
+    assert held["height"] == 1.2
+    assert [one["type"] for one in held["measures"]] == ["anti_slip_sheet"]
+    assert editor.page.evaluate(FOCUSED).startswith("Anti-slip sheet")  # the focus stays where it was
+    editor.press("Escape")
+    assert editor.page.evaluate("document.activeElement.dataset.thing") == "furniture-0"
+    editor.press("Control+z")
+    assert "measures" not in editor.room()["furniture"][0]
+
+
+EMPTY: dict[str, Any] = {**ROOM, "furniture": [], "places": [], "doors": [], "windows": []}
+DOOR = {"wall": "left_wall", "start": 0.1, "width": 0.8}
+
+
+def add(it: Editor, table: str, *kinds: str) -> None:
+    for kind in kinds:
+        it.page.click(f"#palette [data-table={table}][data-kind='{kind}']")
+
+
+def test_pieces_are_spread_over_the_walls(editor: Editor) -> None:
+    window = {"wall": "near_side_wall", "start": 0.0, "width": 4.0, "sill": 0.8}
+    editor.take({**EMPTY, "doors": [DOOR], "windows": [window]})
+    add(editor, "furniture", "bookcase", "chest", "wardrobe", "bookcase", "refrigerator")
+    pieces = editor.room()["furniture"]
+    assert editor.wrong == ""
+    assert {one["against"] for one in pieces[:3]} == {"left_wall", "right_wall", "far_side_wall"}
+    assert all(one["against"] != "near_side_wall" for one in pieces)  # they are higher than its sill
+    assert all(one["along"] > 1.0 for one in pieces if one["against"] == "left_wall")  # not behind the door
+
+
+def test_a_door_is_put_where_it_swings_freely(editor: Editor) -> None:
+    desks = [
+        {"kind": "desk", "name": f"desk {i}", "at": [x, 2.5], "heading": 0.0}
+        for i, x in enumerate((0.4, 1.2, 2.0, 2.8, 3.6), 2)
+    ]
+    editor.take({**ROOM, "furniture": ROOM["furniture"][1:], "places": desks})
+    add(editor, "doors", "door")
+    assert editor.room()["doors"][1]["wall"] == "right_wall"
+    assert editor.wrong == ""
+
+
+def test_a_door_that_opens_against_something_is_said(editor: Editor) -> None:
+    bed = {"kind": "bed", "at": [3.3, 1.2], "heading": 0.0}
+    editor.take({**ROOM, "places": [bed]})
+    assert editor.wrong == "Door does not open fully: Bed is in its way."
+    assert editor.page.locator("#plan .thing.wrong").count() == 2
+    room = editor.room()
+    editor.take({**room, "doors": [{**room["doors"][0], "opens": "outwards"}]})
+    assert editor.wrong == ""
