@@ -15,7 +15,7 @@ from stayput.files import name_part
 from stayput.fragility import INTENSITY_MEASURES
 from stayput.fragility.exports import plain_names
 from stayput.report.verdict import exports
-from stayput.spreadsheets import text_cell
+from stayput.spreadsheets import harmless
 from stayput.verification.options import Option
 
 PGA = INTENSITY_MEASURES["PGA"]
@@ -81,7 +81,7 @@ def test_curves_of_measures_with_any_names_are_written(tmp_path, names):
         "curves.csv", "observed.csv", "fragility.svg", "pelicun.csv", "nrml.xml",
     ]  # fmt: skip
     with files[0].open(encoding="utf-8-sig", newline="") as text:
-        assert {row["option"] for row in csv.DictReader(text)} == {"none", *map(text_cell, names)}
+        assert {row["option"] for row in csv.DictReader(text)} == {"none", *map(harmless, names)}
     ids = [one.get("id") for one in ET.parse(files[4]).iter() if one.tag.endswith("fragilityFunction")]
     assert len(set(ids)) == len(names) + 1
     assert [row.split(",")[0] for row in files[3].read_text().splitlines()[1:]] == ids

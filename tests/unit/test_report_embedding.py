@@ -21,7 +21,7 @@ from stayput.report.history import history
 from stayput.report.page import canvas_files, script_json, script_module
 from stayput.report.verdict.exports import curves_csv, observed_csv
 from stayput.report.verdict.tables import verdict_csv
-from stayput.spreadsheets import text_cell
+from stayput.spreadsheets import csv_text
 
 HOSTILE = ["<!--<script>", "</script><script>alert(1)</script>", "{{data}}", "{{title}}", "a\u2028b&amp;"]
 
@@ -75,8 +75,7 @@ def test_a_player_stands_alone_and_holds_any_name(run: sp.Run | sp.SpaceRun, nam
 def test_cells_that_a_spreadsheet_would_run_are_texts(begins: str) -> None:
     name = f"{begins}cmd|' /C calc'!A0"
     shown = name.replace("\r", " ")
-    assert text_cell(name) == f"'{shown}"
-    assert text_cell(f"a{name}") == f"a{shown}"
+    assert csv_text([name], [[f"a{name}"]], "\n") == f"'{shown}\na{shown}\n"
     verdict = made()
     one = verdict.options[0]
     curve, *_ = one.curves.values()
