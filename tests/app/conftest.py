@@ -25,9 +25,14 @@ HERE = Path(__file__).parent
 
 @pytest.hookimpl(trylast=True)
 def pytest_runtest_teardown(nextitem: pytest.Item | None) -> None:
-    """Close Chromium after the last of these tests."""
-    if nextitem is None or not nextitem.path.is_relative_to(HERE):
+    """Close Chromium before other tests."""
+    if nextitem is not None and not nextitem.path.is_relative_to(HERE):
         CHROMIUM.close()
+
+
+def pytest_sessionfinish() -> None:
+    """Close Chromium after all tests; not after the last one, which may be run again."""
+    CHROMIUM.close()
 
 
 @pytest.fixture(scope="session")

@@ -168,7 +168,7 @@ def test_a_record_of_an_upper_floor_is_not_sent_through_a_building_without_a_wor
         it.simulated(
             lambda: it.page.set_input_files("#file", record(tmp_path, "floor42.csv", sp.near_fault()))
         )
-        assert "recorded on floor 42 of a building" in it.text("#uploaded")
+        assert "of floor 42 of a building" in it.text("#uploaded")
         assert "with no building between" in it.text("#uploaded")
         _, refused = it.simulated(lambda: it.page.get_by_label("The ground", exact=True).check())
         assert "of floor 42, not of the ground; a building stands on the ground" in refused["message"]

@@ -339,13 +339,11 @@ def test_sides_are_pulled_and_a_wall_stays_at_the_back(editor: Editor) -> None:
 
 
 def test_a_piece_is_turned_in_steps_of_15_degrees(editor: Editor) -> None:
-    editor.at(2.0, 1.0)  # which scrolls
     editor.select("furniture-1")
-    angle = math.radians(50)
-    editor.pull(editor.handle("turn"), editor.at(2.0 + 0.8 * math.cos(angle), 1.0 + 0.8 * math.sin(angle)))
-    assert editor.room()["furniture"][1]["heading"] == pytest.approx(math.radians(45))
-    editor.pull(editor.handle("turn"), editor.at(2.0 + 0.8 * math.cos(1.5), 1.0 + 0.8 * math.sin(1.5)))
-    assert editor.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
+    for angle, heading in ((math.radians(50), math.radians(45)), (1.5, math.pi / 2)):
+        end = editor.at(2.0 + 0.8 * math.cos(angle), 1.0 + 0.8 * math.sin(angle))  # which scrolls
+        editor.pull(editor.handle("turn"), end)
+        assert editor.room()["furniture"][1]["heading"] == pytest.approx(heading)
 
 
 def test_the_left_and_the_near_wall_are_pulled_and_what_stands_there_stays(editor: Editor) -> None:

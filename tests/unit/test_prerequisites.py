@@ -11,7 +11,7 @@ import pytest
 
 TESTS = Path(__file__).parents[1]
 PAGE = """
-from browsing import browser, chromium
+from browsing import browser
 
 def test_of_the_page(browser):
     pass

@@ -77,7 +77,7 @@ class AssemblyScenario(FromFile):
     >>> import stayput as sp
     >>> scenario = sp.read_assembly("examples/television.toml")
     >>> print(scenario.title, *zip(scenario.names, map(str, scenario.run().outcomes)))
-    Television on a stand ('stand', 'rocked') ('television', 'fell off')
+    Television on a stand ('stand', 'rocked') ('television', 'rocked')
     """
 
     title: Title = None
