@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+if TYPE_CHECKING:
+    import stayput as sp
 
 VALUES = [0.1, -0.25, 0.5, -0.125, 0.0625, 0.01, -0.02]  # g
 ROWS = [(0.5, -0.001, 1.25), (-3.0, 2.0, 0.0), (1.0, -0.5, -0.75), (0.25, 0.0, 0.5)]  # gal
@@ -153,3 +158,24 @@ def cosmos(
         + f"   {count} {kind} pts, approx  1 secs, units={unit},Format=({fmt})\n"
         + f"{block(values)}{end}"
     )
+
+
+SIZES = (10.0, 30.0, 20.0, 5.0, 2.0, 7.0)  # of the columns behind the time; peaks in gal
+
+
+def table(head: str, columns: int | None = None) -> str:
+    """Return a head and, parted as its last line, rows of a time and sines; one column is a sine alone."""
+    last = head.rpartition("\n")[2]
+    mark = next((mark for mark in "\t;," if mark in last), ",")
+    count = columns or last.count(mark) + 1
+    rows = ([f"{0.02 * i:.2f}", *(f"{k * math.sin(0.12 * i):.3f}" for k in SIZES)] for i in range(60))
+    lines = [mark.join(row[1:2] if count == 1 else row[:count]) for row in rows]
+    return "\n".join([*([head] if head else []), *lines, ""])
+
+
+def peaks(motion: sp.Motion) -> dict[str, float]:
+    return {name: round(float(np.abs(a).max()), 3) for name, a in motion.components.items()}
+
+
+UP_FIRST = {"x": 0.3, "y": 0.2, "z": 0.1}
+UP_LAST = {"x": 0.1, "y": 0.3, "z": 0.2}

@@ -7,6 +7,7 @@ import re
 import pytest
 
 import stayput as sp
+from record_files import UP_LAST, peaks, table
 
 
 @pytest.mark.parametrize(
