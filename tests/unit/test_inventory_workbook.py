@@ -106,3 +106,12 @@ def test_a_damaged_part_is_refused_in_a_sentence(tmp_path, name):
     with pytest.raises(sp.InputError, match=reason) as told:
         read(with_part(written(tmp_path, [["id"], [1]]), part, content))
     assert len(str(told.value)) < 400
+
+
+def test_a_date_in_a_japanese_format_is_one(tmp_path):
+    file = written(tmp_path, [["id", "count"], ["a", 45292]])
+    with zipfile.ZipFile(file) as book:
+        styles = book.read("xl/styles.xml").decode()
+    assert 'numFmtId="0"' in styles
+    with_part(file, "xl/styles.xml", styles.replace('numFmtId="0"', 'numFmtId="31"'))
+    assert "a date" in read(file)[1][1].what[0]

@@ -259,6 +259,10 @@ def _cell(value: Any) -> Cell:
             return _unusable("other")
 
 
+EAST_ASIAN_DATES = frozenset((*range(27, 37), *range(50, 59)))
+"""East Asian dates and times among Excel's formats (ECMA-376, 18.8.30), which openpyxl reads as numbers."""
+
+
 @contextmanager
 def _excel(path: Path) -> Generator[Opened]:
     try:
@@ -301,7 +305,11 @@ def _excel_cell(cell: Any) -> Cell:
         return _unusable("formula")
     if cell.data_type == "e":
         return _unusable("error", error=cell.value[:40])
-    unit = _unit_shown(cell.number_format) if isinstance(cell.value, int | float) else None
+    if not isinstance(cell.value, int | float):
+        return _cell(cell.value)
+    if cell.style_array.numFmtId in EAST_ASIAN_DATES:
+        return _unusable("date")
+    unit = _unit_shown(cell.number_format)
     return _cell(cell.value) if unit is None else _unusable("unit", unit=unit)
 
 
