@@ -59,19 +59,37 @@ def test_an_edge_that_does_not_slip_meets_an_impact_with_its_static_friction(
 
 
 def test_boxes_in_the_plane() -> None:
-    """Free boxes: as many fall, and of those that stand nine in ten agree within 1 %."""
-    errors = []
+    """Free boxes in steps of 1 ms: as many fall, and nine in ten of the others agree, in tilt within 0.1 %."""
+    tilts, slides = [], []
     for body, floor, length, motion in cases(24, 5):
         flat = sp.simulate(body, sp.Room(floor), motion, dimensions=2)
-        run = sp.simulate(sp.Solid.of(body, length), sp.Room(floor), motion, step=2e-4)
+        run = sp.simulate(sp.Solid.of(body, length), sp.Room(floor), motion)
         assert run.overturned[0] == flat.overturned
         assert np.abs(run.slide[0, :, 1]).max() < 1e-3 or flat.overturned
         if not flat.overturned:
-            tilt = abs(run.peak_tilt[0] - flat.peak_tilt) / max(flat.peak_tilt, 1e-2)
-            slide = abs(run.slide[0, -1, 0] - flat.residual_slide) / max(abs(flat.residual_slide), 1e-2)
-            errors.append(max(tilt, slide))
-    assert len(errors) > 12
-    assert np.quantile(errors, 0.9) < 0.01
+            tilts.append(abs(run.peak_tilt[0] - flat.peak_tilt) / max(flat.peak_tilt, 1e-2))
+            slide = abs(run.slide[0, -1, 0] - flat.residual_slide)
+            slides.append(slide / max(abs(flat.residual_slide), 1e-2))
+    assert len(tilts) > 12
+    assert np.quantile(tilts, 0.9) < 1e-3
+    assert np.quantile(slides, 0.9) < 1e-2
+
+
+@pytest.mark.parametrize("settlement", [0.0, 2e-3])
+@pytest.mark.parametrize("step", [1e-3, 2e-3])
+def test_free_rocking_in_long_steps(settlement: float, step: float) -> None:
+    """An impact has a step of its own: peaks after each of eight landings are those of the plane."""
+    body, room = sp.Body(0.4, 1.2, 100.0, length=0.9), sp.Room(sp.Floor(5.0, 5.0, settlement=settlement))
+    t = np.arange(0.0, 4.0, 0.01)
+    pulse = sp.Motion(dt=0.01, x=np.where(t < 0.25, 4.5 * np.sin(np.pi * t / 0.25), 0.0), name="a pulse")
+    peaks = []
+    for tilt in (
+        np.abs(sp.simulate(body, room, pulse, dimensions=2).tilt),
+        sp.simulate(body, room, pulse, dimensions=3, step=step).tilt[0],
+    ):
+        middle = tilt[1:-1]
+        peaks.append(middle[(middle > tilt[:-2]) & (middle >= tilt[2:]) & (middle > 1e-3)][:8])
+    np.testing.assert_allclose(peaks[1], peaks[0], rtol=2e-3)
 
 
 def test_mixed_boxes_that_are_not_chaotic() -> None:
