@@ -59,7 +59,7 @@ def test_an_edge_that_does_not_slip_meets_an_impact_with_its_static_friction(
 
 
 def test_boxes_in_the_plane() -> None:
-    """Free boxes in steps of 1 ms: as many fall, and nine in ten of the others agree, in tilt within 0.1 %."""
+    """Free boxes in steps of 1 ms: as many fall; of the others nine in ten agree, in tilt to 0.1 %."""
     tilts, slides = [], []
     for body, floor, length, motion in cases(24, 5):
         flat = sp.simulate(body, sp.Room(floor), motion, dimensions=2)
