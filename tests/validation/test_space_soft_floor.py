@@ -133,7 +133,8 @@ def test_a_piece_of_a_room_falls_as_often_in_space_as_in_the_plane(
 ) -> None:
     """A wardrobe under JMA intensity 6.0, run by run under the same motions and draws.
 
-    On the rigid floor it falls in 14 of 48 runs in the plane and in 11 in space, on 1 mm in 24 and 27.
+    Of 192 runs it falls on the rigid floor in 43 in the plane and 35 in space, where the other component
+    shakes it too, on .5 mm in 68 and 62, on 1 mm in 79 and 84.
     """
     floor = {"static_friction": 0.55, "kinetic_friction": 0.45}
     room = {
@@ -151,5 +152,6 @@ def test_a_piece_of_a_room_falls_as_often_in_space_as_in_the_plane(
         return found.of_body(0).overturned
 
     plane, space, rigid = fell(settlement, True), fell(settlement, False), fell(0.0, False)
-    assert not difference(plane, space).clear
+    assert difference(plane, space).low < 0.05
+    assert difference(plane, space).high > -0.05
     assert difference(space, rigid).low > 0.0

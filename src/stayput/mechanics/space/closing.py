@@ -29,8 +29,11 @@ from stayput.mechanics.space.vectors import added, dot
 NO_PLANE = -1
 """The plane of a contact between bodies."""
 
-CLOSED = 1e-8
+CLOSED = 1e-7
 """Gap from a plane up to which a contact is closed [m]: one that closes early turns a body back early."""
+
+TOGETHER, AT_ONCE = 1e-6, 1e-6
+"""The same in steps that are shorter than this, of impacts [m, s]: corners that land together hit together."""
 
 CLOSED_BETWEEN = 1e-6
 """The same between bodies [m]."""
@@ -106,7 +109,7 @@ def find_contacts(world, poses, push, scratch, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
     bodies, points, rims, planes, pairs, _, _, _ = world
     contacts, kept, _, corners, _, touching, _, _, _ = scratch
-    count, closed = 0, CLOSED + REACH * h * h
+    count, closed = 0, (TOGETHER if h < AT_ONCE else CLOSED) + REACH * h * h
     for j in range(planes.shape[0]):
         plane = planes[j]
         first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
@@ -144,7 +147,7 @@ def find_contacts(world, poses, push, scratch, ratio, h):
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
-    closed += CLOSED_BETWEEN - CLOSED
+    closed = CLOSED_BETWEEN + REACH * h * h
     first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b

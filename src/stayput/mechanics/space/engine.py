@@ -44,7 +44,7 @@ from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.notes import note_hits, note_pose, note_pressing, note_weight
 from stayput.mechanics.space.pairs import place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.solve import IMPACT, STICKS, apply, slip_rate, solve
+from stayput.mechanics.space.solve import IMPACT, apply, has_slipped, solve
 from stayput.mechanics.space.touching import (
     ENTERS,
     RIM_ENTERS,
@@ -180,7 +180,7 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         c = contacts[k]
         c.stuck = 0
         # one that bears nothing has not slipped either where it does not move: the next step may press it
-        if slip_rate(c, after) <= STICKS * h or (c.pn > 0.0 and turns_back(c, before, after)):
+        if not has_slipped(c, after, h) or (c.pn > 0.0 and turns_back(c, before, after)):
             c.stuck = 1
     for b in range(bodies.shape[0]):
         s = after[b]

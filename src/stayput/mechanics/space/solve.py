@@ -47,8 +47,10 @@ ACCURACY = 1e-7
 ROUNDING = 1e-10
 """The same as a velocity, as a share of the fastest with which contacts close or open."""
 
-STICKS = 1e-4
-"""Acceleration from rest up to which a contact has not slipped [m/s²]."""
+STICKS, STICKS_FOR = 1e-4, 1e-4
+"""Acceleration from rest up to which a contact has not slipped [m/s²], and the least time for which it counts
+[s]: in a shorter step, as that of an impact, rounding alone is more.
+"""
 
 ASTRAY = 3.0
 """By how much more than before a sweep may change after a step of Newton's method that is kept."""
@@ -183,6 +185,12 @@ def slip_rate(c, poses):
     return math.sqrt(us * us + ut * ut)
 
 
+@inline
+def has_slipped(c, poses, h):
+    """Return whether a contact has slipped in a step."""
+    return slip_rate(c, poses) > STICKS * max(h, STICKS_FOR)
+
+
 @inner
 def _in_impact(contacts, count, c):
     """Return whether a body of a contact is hit in this step."""
@@ -203,7 +211,7 @@ def _let_slip(contacts, count, poses, h):
     found = False
     for k in range(count):
         c = contacts[k]
-        if c.mu > c.mu_kinetic and c.pn > 0.0 and slip_rate(c, poses) > STICKS * h:
+        if c.mu > c.mu_kinetic and c.pn > 0.0 and has_slipped(c, poses, h):
             if _in_impact(contacts, count, c):
                 continue
             c.mu = c.mu_kinetic
