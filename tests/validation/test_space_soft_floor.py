@@ -154,4 +154,4 @@ def test_a_piece_of_a_room_falls_as_often_in_space_as_in_the_plane(
     plane, space, rigid = fell(settlement, True), fell(settlement, False), fell(0.0, False)
     assert difference(plane, space).low < 0.05
     assert difference(plane, space).high > -0.05
-    assert difference(space, rigid).low > 0.0
+    assert difference(space, rigid).estimate > 0.1

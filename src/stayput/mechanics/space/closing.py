@@ -33,7 +33,7 @@ CLOSED = 1e-7
 """Gap from a plane up to which a contact is closed [m]: one that closes early turns a body back early."""
 
 TOGETHER, AT_ONCE = 1e-6, 1e-6
-"""The same in steps that are shorter than this, of impacts [m, s]: corners that land together hit together."""
+"""The same in steps shorter than this, those of impacts [m, s]: corners that land together hit together."""
 
 CLOSED_BETWEEN = 1e-6
 """The same between bodies [m]."""
