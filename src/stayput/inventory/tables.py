@@ -304,7 +304,7 @@ def _excel_cell(cell: Any) -> Cell:
     if cell.data_type == "f":
         return _unusable("formula")
     if cell.data_type == "e":
-        return _unusable("error", error=cell.value[:40])
+        return _unusable("error", error=str(cell.value or "")[:40])
     if not isinstance(cell.value, int | float):
         return _cell(cell.value)
     if cell.style_array.numFmtId in EAST_ASIAN_DATES:

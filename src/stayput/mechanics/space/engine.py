@@ -59,8 +59,10 @@ from stayput.mechanics.space.vectors import added, cross
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
 
-SHORTEST = 1e-7
-"""Shortest step to where bodies meet [s]."""
+SHORTEST, SHORTEST_OF_SEVERAL = 1e-7, 1e-6
+"""Shortest step to where corners of a body alone meet planes; and to where rims or bodies do, which meet more
+often: a rim that rolls and rebounds hits without end [s].
+"""
 
 SHORT_STEPS = 8
 """Shortest steps in a row after which they are twice as long: bodies meet that do not come apart."""
@@ -293,7 +295,9 @@ def run_in_space(
     note_all_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     last, count = 0.0, 0
-    short, shortest = 0, SHORTEST
+    alone = poses.shape[1] == 1 and world[2].shape[0] == 0
+    least_step = SHORTEST if alone else SHORTEST_OF_SEVERAL
+    short, shortest = 0, least_step
     noted = level = bears = False
     for k in range(acceleration.shape[0] - 1):
         a0, a1 = acceleration[k], acceleration[k + 1]
@@ -364,9 +368,9 @@ def run_in_space(
                     h = max(shortest, min(meets, 0.9 * h))
                 short = short + 1 if h <= shortest else 0
                 if short == 0:
-                    shortest = SHORTEST
+                    shortest = least_step
                 elif least < -DEEP:
-                    shortest = max(SHORTEST, 0.5 * shortest)
+                    shortest = max(least_step, 0.5 * shortest)
                 elif short % SHORT_STEPS == 0:
                     shortest *= 2.0
                 if least < -IGNORED - bent:
