@@ -221,7 +221,7 @@ def run_world(
         Bodies that begin inside each other, the floor or the ceiling.
     """
     bodies, samples = len(poses), len(acceleration)
-    # rounding grows where bodies meet, so that they run in the order of their places, whatever that given is
+    # impacts enlarge rounding: bodies run in the order of their places, however they are listed
     order = np.lexsort((poses["z"], poses["y"], poses["x"]))
     back = np.argsort(order)
     world, own = (world[0][order], *world[1:]), springs.copy()  # all pairs have one law
