@@ -228,13 +228,13 @@ def run_world(
     own["body"], own["other"] = back[springs["body"]], np.append(back, ROOM)[springs["other"]]
     order_of_springs = np.lexsort((own["other"], own["body"]))
     own, back_of_springs = own[order_of_springs], np.argsort(order_of_springs)
-    both = np.zeros((2, bodies), POSE)
+    both = np.zeros((4, bodies), POSE)
     both[0] = poses[order]
     held = own, np.zeros(len(springs), PULL), np.zeros(len(springs), DEVICE)
     held[2]["failure_time"] = np.nan
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
-    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(4)
+    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(5)
     work[3] = FIRST_WORK + WORK_A_SECOND * bodies * dt * (samples - 1)
     if (stop := _STOP.get()) is not None:
         stop.watch(work)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, RIM, SOLID
+from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, PULL, RIM, SOLID
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
 from stayput.simulation.flat_fields import WALLS_AND_CEILING
@@ -308,8 +308,8 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
     bodies, points, rims, planes, pairs, faces = world[:6]
     keys = len(planes) * (len(points) + RIM_POINTS * len(rims)) + MOST_TOUCHING * len(pairs)
     features = len(planes) * (len(points) + len(rims)) + len(pairs)
-    kept = np.zeros((keys, 4))
-    kept[:, 3] = 1.0
+    kept = np.zeros((3, keys, 4))
+    kept[0, :, 3] = 1.0
     # of two convex faces that cut each other half as many corners are left; by rounding it may be more
     most_corners = 4 * faces["count"].max()
     return (
@@ -334,4 +334,5 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
             np.zeros((len(bodies), 6)),
         ),
         np.full((len(pairs), 2), -1),
+        np.zeros(devices, PULL),
     )

@@ -6,10 +6,11 @@ from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import (
     bend,
     place_of,
+    sag,
 )
 from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
-from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare
+from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
@@ -24,7 +25,7 @@ from stayput.mechanics.space.touching import (
     plane_from,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, dot
+from stayput.mechanics.space.vectors import added
 
 NO_PLANE = -1
 """The plane of a contact between bodies."""
@@ -40,6 +41,8 @@ CLOSED_BETWEEN = 1e-6
 
 REACH = 1.0
 """By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
+
+LONG, MOST_RISE = 1e-3, 1e-4
 
 OPEN = 2.0
 """In place of whether a contact stuck in the step before: it was open."""
@@ -80,11 +83,12 @@ def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
 
 
 @inline
-def _on_plane(c, b, lever, gap, j, plane):
+def _on_plane(c, b, lever, gap, j, plane, bent):
     c.a, c.b, c.plane, c.floor = b, ROOM, j, plane.floor
     c.nx, c.ny, c.nz = plane_normal(plane)
     c.rax, c.ray, c.raz = lever
     c.gap = gap
+    c.bx, c.by, c.bz = bent
 
 
 @inline
@@ -98,31 +102,34 @@ def _rub(c, static, kinetic):
 def _touch_pair(world, poses, scratch, j, closed):
     """Find where a pair of bodies touches; see `touch`. The corners of all bodies have been placed."""
     bodies, _, _, _, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching, _, _, axes = scratch
+    corners, polygons, touching, axes = scratch[3], scratch[4], scratch[5], scratch[8]
     a, b = pairs[j].a, pairs[j].b
     body, other, s, r = bodies[a], bodies[b], poses[a], poses[b]
     return touch(body, s, other, r, closed, axes[j], faces, loops, edges, corners, polygons, touching)
 
 
 @inner
-def find_contacts(world, poses, push, scratch, ratio, h):
+def find_contacts(world, poses, push, scratch, kept, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
     bodies, points, rims, planes, pairs, _, _, _ = world
-    contacts, kept, _, corners, _, touching, _, _, _ = scratch
-    count, closed = 0, (TOGETHER if h < AT_ONCE else CLOSED) + REACH * h * h
+    contacts, corners, touching = scratch[0], scratch[3], scratch[5]
+    count, closed = 0, (TOGETHER if h < AT_ONCE else CLOSED)
     for j in range(planes.shape[0]):
         plane = planes[j]
         first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
         for b in range(bodies.shape[0]):
             body, s, first = bodies[b], poses[b], count
             height, n = plane_from(s, plane)
+            bends = sag(body, s, h)
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
                     gap = gap_of_point(points[i], height, n)
-                    if gap <= closed:
-                        lever = lever_of_point(s, points[i])
-                        _on_plane(contacts[count], b, lever, gap, j, plane)
-                        contacts[count].bent = dot(plane_normal(plane), bend(body, s, lever))
+                    if gap > closed + bends:
+                        continue
+                    lever = lever_of_point(s, points[i])
+                    bent = bend(body, s, lever)
+                    if gap - rise(plane_normal(plane), bent, h) <= closed:
+                        _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                         key = j * points.shape[0] + i
                         count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
                         if plane.floor and points[i].mu_static >= 0.0:  # not NaN
@@ -137,35 +144,42 @@ def find_contacts(world, poses, push, scratch, ratio, h):
                     for number in range(RIM_POINTS):
                         lever, there = lever_on_rim(s, rims[i], plane, number, push, flat)
                         gap = gap_of(s, lever, plane)
-                        if there and gap <= closed:
-                            _on_plane(contacts[count], b, lever, gap, j, plane)
-                            contacts[count].bent = bend_of_rim(body, s, rims[i], plane, number)
+                        if not there or gap > closed + MOST_RISE:
+                            continue
+                        bent = bend_of_rim(body, s, rims[i], plane, number)
+                        if gap - rise(plane_normal(plane), bent, h) <= closed:
+                            _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                             key = first_key + i * RIM_POINTS + number
                             count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
             if count > first:
-                ask_for_bend(contacts, first, count, bodies, poses, h)
+                ask_for_bend(contacts, first, count, h)
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
-    closed = CLOSED_BETWEEN + REACH * h * h
+    closed = CLOSED_BETWEEN
     first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
-        _, found, n = _touch_pair(world, poses, scratch, j, closed)
+        bends = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
+        _, found, n = _touch_pair(world, poses, scratch, j, closed + bends)
+        first = count
         for m in range(found):
             c = contacts[count]
             c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
             c.nx, c.ny, c.nz = n
-            c.gap = touching[m, 3]
             place = touching[m, 0], touching[m, 1], touching[m, 2]
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
             bent = bend(bodies[a], poses[a], (c.rax, c.ray, c.raz))
-            c.bent = dot(n, added(bent, -1.0, bend(bodies[b], poses[b], (c.rbx, c.rby, c.rbz))))
+            bent = added(bent, -1.0, bend(bodies[b], poses[b], (c.rbx, c.rby, c.rbz)))
+            c.bx, c.by, c.bz = bent
+            c.gap = touching[m, 3]
+            if c.gap - rise(n, bent, h) > closed:
+                continue
             key = first_key + j * MOST_TOUCHING + m
             count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
-        if found:
-            ask_for_bend(contacts, count - found, count, bodies, poses, h)
+        if count > first:
+            ask_for_bend(contacts, first, count, h)
     return count
 
 

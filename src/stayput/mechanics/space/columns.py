@@ -90,7 +90,7 @@ the room's axes.
 CONTACT = np.dtype(
     [(name, "i8") for name in ("a", "b", "key", "stuck", "plane", "floor")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
-    + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bent")]
+    + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bx", "by", "bz")]
     + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing", "bounce")]
     + [(name, "f8") for name in ("target", "target_s", "target_t")]
     + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt", "on", "os", "ot")]

@@ -27,6 +27,7 @@ from stayput.mechanics.space.body import (
     sag,
     set_attitude,
     stop,
+    velocity,
 )
 from stayput.mechanics.space.closing import (
     CLOSED,
@@ -37,14 +38,14 @@ from stayput.mechanics.space.closing import (
     keep,
     note_all_gaps,
 )
-from stayput.mechanics.space.contact import mobility, turns_back
-from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
+from stayput.mechanics.space.contact import mobility, turns_back, velocity_at
+from stayput.mechanics.space.devices import give, give_way, hold, note_forces, note_loads, stretch
 from stayput.mechanics.space.impact import bounces, mend
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.notes import note_hits, note_pose, note_pressing, note_weight
 from stayput.mechanics.space.pairs import place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.solve import IMPACT, apply, has_slipped, solve
+from stayput.mechanics.space.solve import IMPACT, apply, has_slipped, slide, solve
 from stayput.mechanics.space.touching import (
     ENTERS,
     RIM_ENTERS,
@@ -54,7 +55,7 @@ from stayput.mechanics.space.touching import (
     may_touch,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross
+from stayput.mechanics.space.vectors import added, cross, dot, norm
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
@@ -77,6 +78,10 @@ MOST_UNCONVERGED, FEW = 0.02, 1000
 """Share of steps whose impulses did not converge from which on a run is given up (its forces are rough), and
 number of them from which on it ends at once.
 """
+
+PAUSE = 4
+TOLERANCE = 5e-3
+MUCH = 10.0
 
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
@@ -102,7 +107,7 @@ def _move_out(body, s, lever, plane):
 def _move_all_out(world, poses, scratch):
     """Move bodies out of each other and of planes that they have entered."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching, _, _, axes = scratch
+    corners, polygons, touching, axes = scratch[3], scratch[4], scratch[5], scratch[8]
     for j in range(pairs.shape[0]):
         place_corners(bodies, poses, points, corners)
         body, other = bodies[pairs[j].a], bodies[pairs[j].b]
@@ -143,7 +148,15 @@ def _speed(body, s):
 
 
 @inner
-def _step(world, held, before, after, push, h, scratch, ratio, work):
+def _any_closes_fast(contacts, count):
+    for k in range(count):
+        if contacts[k].closing < -IMPACT:
+            return True
+    return False
+
+
+@inner
+def _step(world, held, before, after, push, h, scratch, kept, ratio, work):
     """Step from ``before`` to ``after``; return the number of contacts.
 
     ``push`` is the acceleration that acts on all bodies: gravity, and against that of the floor.
@@ -154,7 +167,9 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         copy_pose(before[b], after[b])
         if _moves(after[b]):
             drift(bodies[b], after[b], 0.5 * h)
-    count = find_contacts(world, after, push, scratch, ratio, h)
+    count = find_contacts(world, after, push, scratch, kept, ratio, h)
+    if not _any_closes_fast(contacts, count):
+        slide(contacts, count, after, h)
     stretch(springs, pulls, after)
     for b in range(bodies.shape[0]):
         s = after[b]
@@ -196,6 +211,80 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
 
 
 @inner
+def _same_contacts(kept, other):
+    """Return whether the same contacts are closed, and the same of them stick."""
+    for key in range(kept.shape[0]):
+        if kept[key, 3] != other[key, 3] or (kept[key, 0] > 0.0) != (other[key, 0] > 0.0):
+            return False
+    return True
+
+
+@inner
+def _extrapolate(bodies, poses):
+    """Extrapolate from a step (row 1) and its halves (row 3) to none, into row 1; return their difference.
+
+    A symmetric step leaves an error of its length cubed, so that the halves are off by a third of the
+    difference; what is left is of the fifth order.
+
+    Returns
+    -------
+    float
+        The largest way [m] by which a body's points differ, with what velocities add in a time √(R/g).
+    """
+    found = 0.0
+    for b in range(bodies.shape[0]):
+        body, coarse, fine = bodies[b], poses[1, b], poses[3, b]
+        time = math.sqrt(body.radius / 9.8)
+        d = coarse.x - fine.x, coarse.y - fine.y, coarse.z - fine.z
+        v = coarse.vx - fine.vx, coarse.vy - fine.vy, coarse.vz - fine.vz
+        w = coarse.wx - fine.wx, coarse.wy - fine.wy, coarse.wz - fine.wz
+        q, r = attitude(coarse), attitude(fine)
+        q = q[0] - r[0], q[1] - r[1], q[2] - r[2], q[3] - r[3]
+        turn = 2.0 * math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
+        found = max(found, norm(d) + body.radius * turn + time * (norm(v) + body.radius * norm(w)))
+        third = 1.0 / 3.0
+        coarse.x, coarse.y, coarse.z = added(place_of(fine), -third, d)
+        coarse.vx, coarse.vy, coarse.vz = added(velocity(fine), -third, v)
+        l = coarse.lx - fine.lx, coarse.ly - fine.ly, coarse.lz - fine.lz
+        coarse.lx, coarse.ly, coarse.lz = added((fine.lx, fine.ly, fine.lz), -third, l)
+        q = r[0] - third * q[0], r[1] - third * q[1], r[2] - third * q[2], r[3] - third * q[3]
+        if _moves(fine):
+            set_attitude(body, coarse, q)
+        else:
+            copy_pose(fine, coarse)
+    return found
+
+
+@inner
+def _refine(world, held, poses, a0, a1, t, h, dt, gravity, scratch, ratio, work):
+    """Replace a step (row 1 of poses) by what it and its halves, with row 2 in between, leave at length 0.
+
+    Returns
+    -------
+    float
+        The difference of the step and its halves; −1 where contacts or devices changed.
+    """
+    contacts, kept, spare = scratch[0], scratch[1], scratch[9]
+    springs, pulls, devices = held
+    for half in range(2):
+        f = (t + (0.25 + 0.5 * half) * h) / dt
+        push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
+        if half == 1:
+            for d in range(pulls.shape[0]):
+                spare[d] = pulls[d]
+        count = _step(
+            world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, scratch,
+            kept[2 * half], 0.5 * ratio if half == 0 else 1.0, work,
+        )  # fmt: skip
+        if _any_closes_fast(contacts, count) or give_way(springs, pulls, devices):
+            return -1.0
+        keep(contacts, count, kept[2], scratch[7][3])
+        if not _same_contacts(kept[1], kept[2]):
+            return -1.0
+    return _extrapolate(world[0], poses)
+
+
+@inner
 def _sag(bodies, poses, h):
     """Return how far the path of a body's point bends in a step, at most, seen from another body."""
     found = 0.0
@@ -204,16 +293,46 @@ def _sag(bodies, poses, h):
     return found if bodies.shape[0] == 1 else 2.0 * found
 
 
-@inner
-def _meeting(gaps, later, points, rims, pairs, h):
-    """Return when within a step bodies first meet planes or each other, by straight lines through their gaps.
+@inline
+def _meets(s, lever, plane, gap, later, deepest, first, h):
+    """Return when within a step a point meets a plane that it enters, or ``first`` where that is earlier.
 
-    The gaps are those of points and rims, plane by plane, and at last those of pairs of bodies.
+    By Newton's method from the end of the step, and not before where a straight line meets it.
     """
-    first, between = h, gaps.shape[0] - pairs
-    for k in range(gaps.shape[0]):
-        enters = ENTERS if k % (points + rims) < points else RIM_ENTERS
-        if later[k] < (-enters if k < between else -ENTERS_BODIES):
+    if later >= deepest:
+        return first
+    start = max(gap, 0.0)
+    meets = h * start / (start - later)
+    rate = dot(plane_normal(plane), velocity_at(s, lever))
+    return min(first, max(meets, h - later / rate)) if rate < 0.0 else min(first, meets)
+
+
+@inner
+def _meeting(world, poses, gaps, later, bent, h):
+    """Return when within a step, with ``poses`` at its end, bodies first meet planes or each other.
+
+    The gaps are those of points and rims, plane by plane, and at last those of pairs of bodies. What touches
+    at first may go deeper by ``bent``.
+    """
+    bodies, points, rims, planes, pairs = world[0], world[1], world[2], world[3], world[4]
+    first = h
+    for j in range(planes.shape[0]):
+        plane, before = planes[j], j * (points.shape[0] + rims.shape[0])
+        for b in range(bodies.shape[0]):
+            body, s = bodies[b], poses[b]
+            for i in range(body.first_point, body.first_point + body.points):
+                gap, end = gaps[before + i], later[before + i]
+                deepest = -ENTERS - (bent if gap < bent else 0.0)
+                if end < deepest:
+                    first = _meets(s, lever_of_point(s, points[i]), plane, gap, end, deepest, first, h)
+            for i in range(body.first_rim, body.first_rim + body.rims):
+                gap, end = gaps[before + points.shape[0] + i], later[before + points.shape[0] + i]
+                deepest = -RIM_ENTERS - (bent if gap < bent else 0.0)
+                if end < deepest:
+                    first = _meets(s, lowest_lever(s, rims[i], plane), plane, gap, end, deepest, first, h)
+    between = gaps.shape[0] - pairs.shape[0]
+    for k in range(between, gaps.shape[0]):
+        if later[k] < -ENTERS_BODIES - (bent if gaps[k] < bent else 0.0):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
     return first
@@ -228,6 +347,14 @@ def _impact(contacts, count, kept, h):
         if c.closing < -IMPACT and kept[c.key, 3] == OPEN:
             first = min(first, 0.5 * h - c.gap / c.closing)
     return first
+
+
+@inline
+def note_peaks(bodies, poses, peaks):
+    """Note the largest 1 − cos of the bodies' tilts."""
+    for b in range(bodies.shape[0]):
+        up = in_room(poses[b], (bodies[b].ux, bodies[b].uy, bodies[b].uz))
+        peaks[b] = max(peaks[b], min(1.0 - up[2], 2.0))
 
 
 @inline
@@ -294,6 +421,9 @@ def run_in_space(
     note_pose(histories, 0, now)
     note_all_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
+    least_refined, most = 0.1 * longest, MUCH * longest
+    size, rough = longest, 0
+    event = least_event = longest / 8.0
     last, count = 0.0, 0
     alone = poses.shape[1] == 1 and world[2].shape[0] == 0
     least_step = SHORTEST if alone else SHORTEST_OF_SEVERAL
@@ -321,16 +451,16 @@ def run_in_space(
             h = dt / parts
             if not bears:
                 ratio = h / last if last > 0.0 else 0.0
-                count = _step(world, held, now, trial, _push(a0, gravity), h, scratch, ratio, work)
+                count = _step(world, held, now, trial, _push(a0, gravity), h, scratch, kept[0], ratio, work)
                 bears = _at_rest(trial)
                 if bears:
-                    keep(contacts, count, kept, scratch[7][3])
+                    keep(contacts, count, kept[0], scratch[7][3])
                     last = h
             if bears:
-                count = _step(world, held, now, trial, _push(a1, gravity), h, scratch, h / last, work)
+                count = _step(world, held, now, trial, _push(a1, gravity), h, scratch, kept[0], h / last, work)
                 bears = _at_rest(trial)
             if bears:
-                keep(contacts, count, kept, scratch[7][3])
+                keep(contacts, count, kept[0], scratch[7][3])
                 give(held[0], held[1], held[2], trial, dt * (k + 1))
                 last = h
                 note_pose(histories, k + 1, now)
@@ -338,55 +468,99 @@ def run_in_space(
                 note_forces(held[1], forces[k + 1])
                 continue
         noted = bears = False
-        for part in range(parts):
+        t = 0.0
+        while t < dt:
             if work[2] > work[3] or work[1] > max(FEW, MOST_UNCONVERGED * work[0]):
                 for b in range(bodies.shape[0]):
                     stop(now[b])
                 for later in range(k + 1, histories.shape[1]):
                     note_pose(histories, later, now)
                 return
-            t, end = dt * part / parts, dt * (part + 1) / parts
-            while t < end:
-                h = end - t
-                while True:
-                    f = (t + 0.5 * h) / dt
-                    push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
-                    ratio = h / last if last > 0.0 else 0.0
-                    count = _step(world, held, now, trial, push, h, scratch, ratio, work)
+            h = (dt - t) / math.ceil((dt - t) / size * (1.0 - 1e-12))
+            refined = False
+            while True:
+                f = (t + 0.5 * h) / dt
+                push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
+                ratio = h / last if last > 0.0 else 0.0
+                count = _step(world, held, now, trial, push, h, scratch, kept[0], ratio, work)
+                least, left = note_all_gaps(world, trial, scratch, gaps[1])
+                bent = _sag(bodies, trial, h)
+                meets = _impact(contacts, count, kept[0], h)
+                if left < 0.0:
+                    meets = min(meets, _meeting(world, trial, gaps[0], gaps[1], bent, h))
+                if meets < h and h > shortest:
+                    h = max(shortest, min(meets, h - shortest))
+                    continue
+                if rough > 0 or h < 0.5 * least_event or _any_closes_fast(contacts, count):
+                    if h > longest:
+                        h = longest
+                        continue
+                    break
+                if give_way(held[0], held[1], held[2]):
+                    if h > event:
+                        h = max(event, 0.5 * h)
+                        continue
+                    event = min(2.0 * event, longest)
+                    if event == longest:
+                        rough = PAUSE
+                    break
+                keep(contacts, count, kept[1], scratch[7][3])
+                error = _refine(world, held, poses, a0, a1, t, h, dt, gravity, scratch, ratio, work)
+                if error < 0.0:
+                    if h > event:
+                        h = max(event, 0.5 * h)
+                        continue
+                    event = min(2.0 * event, longest)
+                    if event == longest:
+                        rough = PAUSE
+                    count = _step(world, held, now, trial, push, h, scratch, kept[0], ratio, work)
+                    break
+                if error <= TOLERANCE * h or h <= 2.0 * least_refined:
                     least, left = note_all_gaps(world, trial, scratch, gaps[1])
-                    bent = _sag(bodies, trial, h)
-                    meets = _impact(contacts, count, kept, h)
-                    if left < -bent:
-                        meets = min(
-                            meets,
-                            _meeting(
-                                gaps[0], gaps[1], world[1].shape[0], world[2].shape[0], world[4].shape[0], h
-                            ),
-                        )
-                    if meets == h or h <= shortest:
-                        break
-                    h = max(shortest, min(meets, 0.9 * h))
-                short = short + 1 if h <= shortest else 0
-                if short == 0:
-                    shortest = least_step
-                elif least < -DEEP:
-                    shortest = max(least_step, 0.5 * shortest)
-                elif short % SHORT_STEPS == 0:
-                    shortest *= 2.0
-                if least < -IGNORED - bent:
-                    _move_all_out(world, trial, scratch)
-                    note_all_gaps(world, trial, scratch, gaps[1])
-                note_hits(contacts, count, kept, dt * k + t + h, hits, hit_numbers)
-                keep(contacts, count, kept, scratch[7][3])
-                give(held[0], held[1], held[2], trial, dt * k + t + h)
-                for b in range(bodies.shape[0]):
-                    copy_pose(trial[b], now[b])
-                    up = in_room(now[b], (bodies[b].ux, bodies[b].uy, bodies[b].uz))
-                    peaks[b] = max(peaks[b], min(1.0 - up[2], 2.0))
-                for place in range(gaps.shape[1]):
-                    gaps[0, place] = gaps[1, place]
+                    meets = h
+                    if left < 0.0:
+                        meets = _meeting(world, trial, gaps[0], gaps[1], bent, h)
+                    if meets < h:
+                        h = max(shortest, min(meets, h - shortest))
+                        continue
+                    refined = True
+                    event = max(least_event, 0.5 * event)
+                    size = min(most, h * min(4.0, max(0.5, 0.8 * math.sqrt(TOLERANCE * h / max(error, 1e-15)))))
+                    work[4] += error
+                    bent = 0.0
+                    break
+                h *= 0.25 if error > 16.0 * TOLERANCE * h else 0.5
+            short = short + 1 if h <= shortest else 0
+            if short == 0:
+                shortest = least_step
+            elif least < -DEEP:
+                shortest = max(least_step, 0.5 * shortest)
+            elif short % SHORT_STEPS == 0:
+                shortest *= 2.0
+            if least < -IGNORED - bent:
+                _move_all_out(world, trial, scratch)
+                note_all_gaps(world, trial, scratch, gaps[1])
+            if refined:
+                give(held[0], scratch[9], held[2], poses[2], dt * k + t + 0.5 * h)
+                note_peaks(bodies, poses[2], peaks)
+                for key in range(kept.shape[1]):
+                    for i in range(4):
+                        kept[0, key, i] = kept[2, key, i]
+                last = 0.5 * h
+            else:
+                if h > least_step * 1.5:
+                    rough = max(0, rough - 1)
+                size = min(max(size, 2.0 * h), longest)
+                note_hits(contacts, count, kept[0], dt * k + t + h, hits, hit_numbers)
+                keep(contacts, count, kept[0], scratch[7][3])
                 last = h
-                t = end if t + h >= end - 1e-12 else t + h
+            give(held[0], held[1], held[2], trial, dt * k + t + h)
+            for b in range(bodies.shape[0]):
+                copy_pose(trial[b], now[b])
+            note_peaks(bodies, now, peaks)
+            for place in range(gaps.shape[1]):
+                gaps[0, place] = gaps[1, place]
+            t = dt if t + h >= dt - 1e-12 else t + h
         note_pose(histories, k + 1, now)
         note_pressing(histories, k + 1, contacts, count, last)
         note_forces(held[1], forces[k + 1])

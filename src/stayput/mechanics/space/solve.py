@@ -23,7 +23,7 @@ import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.augmented_lagrangian import find_impulses
-from stayput.mechanics.space.body import angular_response, bend
+from stayput.mechanics.space.body import angular_response
 from stayput.mechanics.space.contact import (
     beyond_target,
     first_tangent,
@@ -67,7 +67,10 @@ GAINS = 0.9
 LONGEST_PAUSE = 8
 """Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
 
-CLOSES = 1e-3
+SLIDES = 10.0
+"""Speed, over the length of a step, from which on a contact slips all along it [m/s²]."""
+
+CLOSES = 1e-2
 """Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step."""
 
 TINY = 1e-12
@@ -117,36 +120,52 @@ def prepare(c, bodies, poses, restitution):
     c.mu = c.mu_static if c.stuck else c.mu_kinetic
 
 
+@inline
+def rise(n, bent, h):
+    """Return by how much a point that free flight bends away from a plane is off it in the middle of a step."""
+    return 0.125 * h * h * max(0.0, dot(n, bent))
+
+
 @inner
-def ask_for_bend(contacts, first, count, bodies, poses, h):
+def ask_for_bend(contacts, first, count, h):
     """Let the contacts from ``first`` on ask for what free flight bends; they are of the same two bodies.
 
     From the impulses of a step to those of the next the path of a point bends: so that it ends where it
     begins, it has to leave with half the bend. All contacts of two bodies, or of a body and a plane, ask for
     the same, that of the middle of their forces: no rigid motion could give each its own.
     """
-    weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-    gap, upwards = math.inf, 0.0
+    weight, bent = 0.0, (0.0, 0.0, 0.0)
+    gap = math.inf
     for k in range(first, count):
         c = contacts[k]
-        gap = min(gap, c.gap)
+        bends = c.bx, c.by, c.bz
+        gap = min(gap, c.gap - rise(normal_of(c), bends, h))
         share = c.pn * c.wnn + TINY
         weight += share
-        upwards += share * c.bent
-        arm, other = added(arm, share, lever_a(c)), added(other, share, lever_b(c))
-    c = contacts[first]
-    arm = arm[0] / weight, arm[1] / weight, arm[2] / weight
-    bent = bend(bodies[c.a], poses[c.a], arm)
-    if c.b != ROOM:
-        other = other[0] / weight, other[1] / weight, other[2] / weight
-        bent = added(bent, -1.0, bend(bodies[c.b], poses[c.b], other))
+        bent = added(bent, share, bends)
+    half = scaled(-0.5 * h / weight, bent)
     closes = max(0.0, gap) / max(h, CLOSES)
     for k in range(first, count):
         c = contacts[k]
-        c.target_s = -0.5 * h * dot(first_tangent(c), bent)
-        c.target_t = -0.5 * h * dot(second_tangent(c), bent)
+        c.target_s, c.target_t = dot(first_tangent(c), half), dot(second_tangent(c), half)
         if c.target == 0.0:
-            c.target = min(0.0, -0.5 * h * upwards / weight - closes)
+            bends = c.bx, c.by, c.bz
+            c.target = min(max(0.0, -c.closing), -0.5 * h * dot(normal_of(c), bends) - closes)
+
+
+@inner
+def slide(contacts, count, poses, h):
+    """Let friction act against the mean of the velocities before and after where contacts slip all along.
+
+    So a step is of second order there. What might come to rest within it takes the velocity after it.
+    """
+    for k in range(count):
+        c = contacts[k]
+        if not c.stuck:
+            u = slip(c, poses)
+            s, t = dot(first_tangent(c), u), dot(second_tangent(c), u)
+            if s * s + t * t > (SLIDES * h) ** 2:
+                c.target_s, c.target_t = -s, -t
 
 
 @inner

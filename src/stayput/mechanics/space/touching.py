@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.space.body import bend, in_body, in_room, place_of, rotation
-from stayput.mechanics.space.vectors import added, cross, dot, norm
+from stayput.mechanics.space.body import angular_response, bend, in_body, in_room, place_of, rotation
+from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
 
 ROOM = -1
 """The other body of a contact with a plane of the room."""
@@ -85,21 +85,26 @@ def lever_on_rim(s, rim, plane, number, towards, flat):
 
 @inner
 def bend_of_rim(body, s, rim, plane, number):
-    """Return the acceleration in free flight, without gravity, of the gap of a rim, point ``number`` of it.
+    """Return the acceleration in free flight, without gravity, of what touches at point ``number`` of a rim.
 
-    The gap of a tilted rim is that of its centre less R √(1 − c²) with c = n·a, the axis a; it does not
-    change as the rim rolls.
+    That of the body's point there, which as the rim rolls is another one: u = v + ω × r changes by
+    ω' × r + ω × r', with r' of the lowest point r = c + R d/|d|, d = (n·a) a − n, where the axis is a and the
+    centre c. Its normal part is that of the gap.
     """
-    n = plane_normal(plane)
-    bent = dot(n, bend(body, s, in_room(s, (rim.x, rim.y, rim.z))))
-    if number == 0:
-        axis, spin = in_room(s, (rim.ax, rim.ay, rim.az)), rotation(s)
-        c = dot(n, axis)
-        rate, change = dot(n, cross(spin, axis)), dot(n, bend(body, s, axis))
-        sine = math.sqrt(max(0.0, 1.0 - c * c))
-        if sine > FLAT:
-            bent += rim.radius * (c * change + rate * rate / (sine * sine)) / sine
-    return bent
+    n, axis, spin = plane_normal(plane), in_room(s, (rim.ax, rim.ay, rim.az)), rotation(s)
+    centre = in_room(s, (rim.x, rim.y, rim.z))
+    slope = dot(n, axis)
+    down = added(scaled(slope, axis), -1.0, n)
+    size = norm(down)
+    if number > 0 or size <= FLAT:
+        return bend(body, s, centre)
+    turn = cross(spin, axis)
+    change = added(scaled(dot(n, turn), axis), slope, turn)
+    down = scaled(1.0 / size, down)
+    moves = added(change, -dot(down, change), down)
+    moves = added(cross(spin, centre), rim.radius / size, moves)
+    slows = angular_response(s, cross(spin, (s.lx, s.ly, s.lz)))
+    return added(cross(spin, moves), -1.0, cross(slows, added(centre, rim.radius, down)))
 
 
 @inline
