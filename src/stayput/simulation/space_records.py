@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from stayput.mechanics.devices.columns import DEVICE
 from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, PULL, RIM, SOLID
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
@@ -335,4 +336,5 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
         ),
         np.full((len(pairs), 2), -1),
         np.zeros(devices, PULL),
+        np.zeros(devices, DEVICE),
     )

@@ -146,7 +146,7 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                         gap = gap_of(s, lever, plane)
                         if not there or gap > closed + MOST_RISE:
                             continue
-                        bent = bend_of_rim(body, s, rims[i], plane, number)
+                        bent = bend_of_rim(body, s, rims[i], plane, number, h)
                         if gap - rise(plane_normal(plane), bent, h) <= closed:
                             _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                             key = first_key + i * RIM_POINTS + number

@@ -322,29 +322,9 @@ def note_forces(pulls, row):
 
 
 @inner
-def give_way(springs, pulls, devices):
-    """Return whether the forces of a step make any device yield, slip, break or let go."""
-    for k in range(springs.shape[0]):
-        spring, pull = springs[k], pulls[k]
-        if pull.lost:
-            continue
-        F, shear = pull.force, pull.shear
-        if spring.interaction:
-            of_pull, of_shear = max(F, 0.0) / spring.limit_plus[NORMAL], shear / spring.limit_plus[TANGENT]
-            if of_pull * of_pull + of_shear * of_shear >= 1.0:
-                return True
-        elif F >= spring.limit_plus[NORMAL] or (
-            spring.kind != AXIAL and spring.stiffness[TANGENT] > 0.0 and shear >= _most_shear(spring, F)
-        ):
-            return True
-        if F <= -spring.limit_minus[NORMAL] or (spring.drops_out and (F < 0.0) != (pull.pushes == 1)):
-            return True
-    return False
-
-
-@inner
 def give(springs, pulls, devices, poses, time):
-    """Note the forces of a step, make plastic what yielded, and let go what broke."""
+    """Note the forces of a step, make plastic what yielded, and let go what broke; return whether any did."""
+    lost = False
     for k in range(springs.shape[0]):
         spring, pull, device = springs[k], pulls[k], devices[k]
         if pull.lost:
@@ -370,3 +350,5 @@ def give(springs, pulls, devices, poses, time):
             _yield_along_normal(spring, pull, device, time)
         if device.failure == HOLDS and spring.kind != AXIAL:
             _yield_along_plane(spring, pull, device, time, poses)
+        lost = lost or device.failure != HOLDS
+    return lost

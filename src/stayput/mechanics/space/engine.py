@@ -33,13 +33,12 @@ from stayput.mechanics.space.closing import (
     CLOSED,
     ENTERS_BODIES,
     OPEN,
-    REACH,
     find_contacts,
     keep,
     note_all_gaps,
 )
 from stayput.mechanics.space.contact import mobility, turns_back, velocity_at
-from stayput.mechanics.space.devices import give, give_way, hold, note_forces, note_loads, stretch
+from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
 from stayput.mechanics.space.impact import bounces, mend
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.notes import note_hits, note_pose, note_pressing, note_weight
@@ -82,6 +81,8 @@ number of them from which on it ends at once.
 PAUSE = 4
 TOLERANCE = 5e-3
 MUCH = 10.0
+SLOW = 0.05
+ROLLS = 10.0
 
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
@@ -148,6 +149,17 @@ def _speed(body, s):
 
 
 @inner
+def _impact(contacts, count, kept, h):
+    """Return when within a step the first contact hits that was open before, by its gap in mid-step."""
+    first = h
+    for k in range(count):
+        c = contacts[k]
+        if c.closing < -IMPACT and kept[c.key, 3] == OPEN:
+            first = min(first, 0.5 * h - c.gap / c.closing)
+    return first
+
+
+@inner
 def _any_closes_fast(contacts, count):
     for k in range(count):
         if contacts[k].closing < -IMPACT:
@@ -156,7 +168,7 @@ def _any_closes_fast(contacts, count):
 
 
 @inner
-def _step(world, held, before, after, push, h, scratch, kept, ratio, work):
+def _step(world, held, before, after, push, h, shortest, scratch, kept, ratio, work):
     """Step from ``before`` to ``after``; return the number of contacts.
 
     ``push`` is the acceleration that acts on all bodies: gravity, and against that of the floor.
@@ -168,6 +180,9 @@ def _step(world, held, before, after, push, h, scratch, kept, ratio, work):
         if _moves(after[b]):
             drift(bodies[b], after[b], 0.5 * h)
     count = find_contacts(world, after, push, scratch, kept, ratio, h)
+    meets = _impact(contacts, count, kept, h)
+    if meets < h and h > shortest:
+        return count, meets
     if not _any_closes_fast(contacts, count):
         slide(contacts, count, after, h)
     stretch(springs, pulls, after)
@@ -207,14 +222,32 @@ def _step(world, held, before, after, push, h, scratch, kept, ratio, work):
             stop(s)
         else:
             drift(bodies[b], s, 0.5 * h)
-    return count
+    return count, meets
 
 
 @inner
 def _same_contacts(kept, other):
     """Return whether the same contacts are closed, and the same of them stick."""
     for key in range(kept.shape[0]):
-        if kept[key, 3] != other[key, 3] or (kept[key, 0] > 0.0) != (other[key, 0] > 0.0):
+        if kept[key, 3] != other[key, 3]:
+            return False
+    return True
+
+
+@inner
+def _rub_alike(kept, other):
+    """Return whether the same of the contacts stick that are closed in both."""
+    for key in range(kept.shape[0]):
+        if kept[key, 3] + other[key, 3] == 1.0:
+            return False
+    return True
+
+
+@inner
+def _bear_alike(kept, other):
+    """Return whether the same contacts bear something."""
+    for key in range(kept.shape[0]):
+        if (kept[key, 0] > 0.0) != (other[key, 0] > 0.0):
             return False
     return True
 
@@ -234,14 +267,14 @@ def _extrapolate(bodies, poses):
     found = 0.0
     for b in range(bodies.shape[0]):
         body, coarse, fine = bodies[b], poses[1, b], poses[3, b]
-        time = math.sqrt(body.radius / 9.8)
         d = coarse.x - fine.x, coarse.y - fine.y, coarse.z - fine.z
         v = coarse.vx - fine.vx, coarse.vy - fine.vy, coarse.vz - fine.vz
         w = coarse.wx - fine.wx, coarse.wy - fine.wy, coarse.wz - fine.wz
         q, r = attitude(coarse), attitude(fine)
         q = q[0] - r[0], q[1] - r[1], q[2] - r[2], q[3] - r[3]
         turn = 2.0 * math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-        found = max(found, norm(d) + body.radius * turn + time * (norm(v) + body.radius * norm(w)))
+        error = norm(d) + body.radius * turn + SLOW * (norm(v) + body.radius * norm(w))
+        found = max(found, error * (ROLLS if body.rims > 0 else 1.0))
         third = 1.0 / 3.0
         coarse.x, coarse.y, coarse.z = added(place_of(fine), -third, d)
         coarse.vx, coarse.vy, coarse.vz = added(velocity(fine), -third, v)
@@ -256,7 +289,7 @@ def _extrapolate(bodies, poses):
 
 
 @inner
-def _refine(world, held, poses, a0, a1, t, h, dt, gravity, scratch, ratio, work):
+def _refine(world, held, poses, a0, a1, t, h, dt, start, gravity, scratch, ratio, work):
     """Replace a step (row 1 of poses) by what it and its halves, with row 2 in between, leave at length 0.
 
     Returns
@@ -264,22 +297,20 @@ def _refine(world, held, poses, a0, a1, t, h, dt, gravity, scratch, ratio, work)
     float
         The difference of the step and its halves; −1 where contacts or devices changed.
     """
-    contacts, kept, spare = scratch[0], scratch[1], scratch[9]
+    contacts, kept = scratch[0], scratch[1]
     springs, pulls, devices = held
     for half in range(2):
         f = (t + (0.25 + 0.5 * half) * h) / dt
         push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
-        if half == 1:
-            for d in range(pulls.shape[0]):
-                spare[d] = pulls[d]
-        count = _step(
-            world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, scratch,
+        count, meets = _step(
+            world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, 0.0, scratch,
             kept[2 * half], 0.5 * ratio if half == 0 else 1.0, work,
         )  # fmt: skip
-        if _any_closes_fast(contacts, count) or give_way(springs, pulls, devices):
+        if meets < 0.5 * h:
             return -1.0
         keep(contacts, count, kept[2], scratch[7][3])
-        if not _same_contacts(kept[1], kept[2]):
+        lost = give(springs, pulls, devices, poses[2 + half], start + t + (0.5 + 0.5 * half) * h)
+        if lost or not (_same_contacts(kept[1], kept[2]) and _bear_alike(kept[1], kept[2])):
             return -1.0
     return _extrapolate(world[0], poses)
 
@@ -335,17 +366,6 @@ def _meeting(world, poses, gaps, later, bent, h):
         if later[k] < -ENTERS_BODIES - (bent if gaps[k] < bent else 0.0):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
-    return first
-
-
-@inner
-def _impact(contacts, count, kept, h):
-    """Return when within a step the first contact hits that was open before, by its gap in mid-step."""
-    first = h
-    for k in range(count):
-        c = contacts[k]
-        if c.closing < -IMPACT and kept[c.key, 3] == OPEN:
-            first = min(first, 0.5 * h - c.gap / c.closing)
     return first
 
 
@@ -423,7 +443,7 @@ def run_in_space(
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     least_refined, most = 0.1 * longest, MUCH * longest
     size, rough = longest, 0
-    event = least_event = longest / 8.0
+    event = least_event = longest / 16.0
     last, count = 0.0, 0
     alone = poses.shape[1] == 1 and world[2].shape[0] == 0
     least_step = SHORTEST if alone else SHORTEST_OF_SEVERAL
@@ -434,7 +454,7 @@ def run_in_space(
         # what preloaded devices bear at rest is known after a step
         if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
             if not noted:
-                note_stances(world, now, CLOSED + REACH * longest * longest, scratch[6])
+                note_stances(world, now, CLOSED, scratch[6])
                 level = note_loads(held[0], held[1], last, scratch[6][4])
                 noted = True
             if (
@@ -451,13 +471,17 @@ def run_in_space(
             h = dt / parts
             if not bears:
                 ratio = h / last if last > 0.0 else 0.0
-                count = _step(world, held, now, trial, _push(a0, gravity), h, scratch, kept[0], ratio, work)
+                count, meets = _step(
+                    world, held, now, trial, _push(a0, gravity), h, h, scratch, kept[0], ratio, work
+                )
                 bears = _at_rest(trial)
                 if bears:
                     keep(contacts, count, kept[0], scratch[7][3])
                     last = h
             if bears:
-                count = _step(world, held, now, trial, _push(a1, gravity), h, scratch, kept[0], h / last, work)
+                count, meets = _step(
+                    world, held, now, trial, _push(a1, gravity), h, h, scratch, kept[0], h / last, work
+                )
                 bears = _at_rest(trial)
             if bears:
                 keep(contacts, count, kept[0], scratch[7][3])
@@ -482,30 +506,58 @@ def run_in_space(
                 f = (t + 0.5 * h) / dt
                 push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
                 ratio = h / last if last > 0.0 else 0.0
-                count = _step(world, held, now, trial, push, h, scratch, kept[0], ratio, work)
+                count, meets = _step(
+                    world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work
+                )
+                if meets < h and h > shortest:
+                    h = max(shortest, min(meets, h - shortest))
+                    continue
                 least, left = note_all_gaps(world, trial, scratch, gaps[1])
                 bent = _sag(bodies, trial, h)
-                meets = _impact(contacts, count, kept[0], h)
                 if left < 0.0:
                     meets = min(meets, _meeting(world, trial, gaps[0], gaps[1], bent, h))
                 if meets < h and h > shortest:
                     h = max(shortest, min(meets, h - shortest))
                     continue
-                if rough > 0 or h < 0.5 * least_event or _any_closes_fast(contacts, count):
+                if (
+                    rough > 0
+                    or h < max(0.5 * least_event, 2.0 * shortest)
+                    or _any_closes_fast(contacts, count)
+                ):
                     if h > longest:
                         h = longest
                         continue
                     break
-                if give_way(held[0], held[1], held[2]):
-                    if h > event:
-                        h = max(event, 0.5 * h)
-                        continue
-                    event = min(2.0 * event, longest)
-                    if event == longest:
-                        rough = PAUSE
-                    break
                 keep(contacts, count, kept[1], scratch[7][3])
-                error = _refine(world, held, poses, a0, a1, t, h, dt, gravity, scratch, ratio, work)
+                error = -1.0
+                if _rub_alike(kept[0], kept[1]):
+                    for d in range(held[1].shape[0]):
+                        scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
+                    error = _refine(
+                        world, held, poses, a0, a1, t, h, dt, dt * k, gravity, scratch, ratio, work
+                    )
+                    if error < 0.0:
+                        for d in range(held[1].shape[0]):
+                            held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
+                refined = 0.0 <= error <= TOLERANCE * h or (error >= 0.0 and h <= 2.0 * least_refined)
+                if refined:
+                    least, left = note_all_gaps(world, trial, scratch, gaps[1])
+                    meets = _meeting(world, trial, gaps[0], gaps[1], bent, h) if left < 0.0 else h
+                    refined = meets == h
+                if refined:
+                    event = max(least_event, 0.5 * event)
+                    size = min(
+                        most, h * min(4.0, max(0.5, 0.8 * math.sqrt(TOLERANCE * h / max(error, 1e-15))))
+                    )
+                    work[4] += error
+                    bent = 0.0
+                    break
+                if error >= 0.0:
+                    for d in range(held[1].shape[0]):
+                        held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
+                if meets < h:
+                    h = max(shortest, min(meets, h - shortest))
+                    continue
                 if error < 0.0:
                     if h > event:
                         h = max(event, 0.5 * h)
@@ -513,21 +565,9 @@ def run_in_space(
                     event = min(2.0 * event, longest)
                     if event == longest:
                         rough = PAUSE
-                    count = _step(world, held, now, trial, push, h, scratch, kept[0], ratio, work)
-                    break
-                if error <= TOLERANCE * h or h <= 2.0 * least_refined:
-                    least, left = note_all_gaps(world, trial, scratch, gaps[1])
-                    meets = h
-                    if left < 0.0:
-                        meets = _meeting(world, trial, gaps[0], gaps[1], bent, h)
-                    if meets < h:
-                        h = max(shortest, min(meets, h - shortest))
-                        continue
-                    refined = True
-                    event = max(least_event, 0.5 * event)
-                    size = min(most, h * min(4.0, max(0.5, 0.8 * math.sqrt(TOLERANCE * h / max(error, 1e-15)))))
-                    work[4] += error
-                    bent = 0.0
+                    count, meets = _step(
+                        world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work
+                    )
                     break
                 h *= 0.25 if error > 16.0 * TOLERANCE * h else 0.5
             short = short + 1 if h <= shortest else 0
@@ -541,7 +581,6 @@ def run_in_space(
                 _move_all_out(world, trial, scratch)
                 note_all_gaps(world, trial, scratch, gaps[1])
             if refined:
-                give(held[0], scratch[9], held[2], poses[2], dt * k + t + 0.5 * h)
                 note_peaks(bodies, poses[2], peaks)
                 for key in range(kept.shape[1]):
                     for i in range(4):
@@ -554,7 +593,7 @@ def run_in_space(
                 note_hits(contacts, count, kept[0], dt * k + t + h, hits, hit_numbers)
                 keep(contacts, count, kept[0], scratch[7][3])
                 last = h
-            give(held[0], held[1], held[2], trial, dt * k + t + h)
+                give(held[0], held[1], held[2], trial, dt * k + t + h)
             for b in range(bodies.shape[0]):
                 copy_pose(trial[b], now[b])
             note_peaks(bodies, now, peaks)

@@ -41,10 +41,10 @@ from stayput.mechanics.space.vectors import added, cross, dot, scaled, tangents
 IMPACT = 1e-3
 """Closing velocity from which on a contact bounces [m/s]."""
 
-ACCURACY = 1e-7
+ACCURACY = 1e-6
 """Change of any contact's acceleration in a sweep at which the impulses are accepted [m/s²]."""
 
-ROUNDING = 1e-10
+ROUNDING = 1e-8
 """The same as a velocity, as a share of the fastest with which contacts close or open."""
 
 STICKS, STICKS_FOR = 1e-4, 1e-4
@@ -76,7 +76,7 @@ CLOSES = 1e-2
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
 
-MOST_SWEEPS, MOST_OF_ONE = 24, 150
+MOST_SWEEPS, MOST_OF_ONE = 24, 40
 """Sweeps after which the augmented Lagrangian takes over; of a single body, for which a sweep costs less."""
 
 MOST_SLIPS = 4

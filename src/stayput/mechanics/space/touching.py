@@ -20,6 +20,9 @@ RIM_ENTERS = 2e-7
 FLAT = 1e-9
 """Sine of the angle up to which no point of a rim is the lowest: rounding."""
 
+FAR = 0.5
+"""Angle on a rim by which its lowest point may move in a step that follows it [rad]."""
+
 NEARLY_FLAT = 1e-6
 """How far one side of a rim that lies flat may be off a plane [m]: a load beside its middle tips it."""
 
@@ -84,7 +87,7 @@ def lever_on_rim(s, rim, plane, number, towards, flat):
 
 
 @inner
-def bend_of_rim(body, s, rim, plane, number):
+def bend_of_rim(body, s, rim, plane, number, h):
     """Return the acceleration in free flight, without gravity, of what touches at point ``number`` of a rim.
 
     That of the body's point there, which as the rim rolls is another one: u = v + ω × r changes by
@@ -102,6 +105,8 @@ def bend_of_rim(body, s, rim, plane, number):
     change = added(scaled(dot(n, turn), axis), slope, turn)
     down = scaled(1.0 / size, down)
     moves = added(change, -dot(down, change), down)
+    if norm(moves) * h > FAR * size:
+        return bend(body, s, centre)
     moves = added(cross(spin, centre), rim.radius / size, moves)
     slows = angular_response(s, cross(spin, (s.lx, s.ly, s.lz)))
     return added(cross(spin, moves), -1.0, cross(slows, added(centre, rim.radius, down)))
