@@ -194,7 +194,8 @@ def results_of(
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
         result["end"] = time[end]
-        result["peak_tilt"] = fate.tilt[: end + 1].max() if falls else trace.peak_tilt[body]
+        seen = falls or standing[body].round_side is not None  # the engine's tilt counts what it has rolled
+        result["peak_tilt"] = fate.tilt[: end + 1].max() if seen else trace.peak_tilt[body]
         result["peak_slide"] = fate.way[: end + 1].max()
         result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
         result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
