@@ -23,6 +23,7 @@ from stayput.simulation.placing import springs_of
 from stayput.simulation.space_engine import STEP, SpaceTrace, run_world
 from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_records import (
+    NORMALS,
     FloorLaws,
     frames_of,
     matrices,
@@ -153,7 +154,9 @@ def trace_case(
         A case without a length, or one that begins in a wall or the ceiling.
     """
     piece = piece_of(case)
-    solid, planes = piece.solid, planes_of([piece], case)
+    room = case.copy()  # a piece as high as the room that leans as drawn reaches no farther
+    room["ceiling_distance"] = max(float(case["ceiling_distance"]), -piece.along(NORMALS["ceiling"])[0])
+    solid, planes = piece.solid, planes_of([piece], room)
     world = world_of([solid], [_laws_of_piece(case)], planes, (0.0, 0.0))
     springs = springs_of(elements, piece.turn, piece.place, solid.principal[1])
     pose = pose_of(solid, *_pose(case))

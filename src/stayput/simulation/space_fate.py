@@ -102,8 +102,9 @@ def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64])
     """Return how far the base has slid in plan [m], shape (samples, 2).
 
     It is the way of the foot that is lowest, less that which it moved as the body turned about the vertical
-    through the middle of its base; what lies on its round side stands on the two ends of that line; for a body in the plane the slide of its fulcrum. The feet of a body that
-    begins tilted count from where they would come down.
+    through the middle of its base; for a body in the plane the slide of its fulcrum. What lies on its round
+    side has feet at both ends of the line of contact. The feet of a body that begins tilted count from where
+    they would come down.
 
     Parameters
     ----------

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, overload
 import numpy as np
 
 from stayput.saved import InNetcdf
-from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_fate import fates_of, slides, tilts, unrolled, upright_yaws
 from stayput.simulation.space_records import matrices
 
@@ -28,6 +27,7 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.motion import Motion
     from stayput.report.page import Player
+    from stayput.simulation.outcome import Outcome
     from stayput.simulation.space_engine import Gaps
     from stayput.simulation.space_fate import Fate
     from stayput.simulation.standing import Standing

@@ -119,7 +119,7 @@ class Standing:
 
     @property
     def round_side(self) -> RoundSide | None:
-        """The side on which a cylinder or a truncated cone lies at first; None of what does not lie on one."""
+        """The side on which a cylinder or a truncated cone lies at first; None of what does not lie so."""
         rims, up = self.solid.rims, self.turn[2]
         if len(rims) != 2:
             return None
@@ -135,7 +135,7 @@ class Standing:
 
     @property
     def rest(self) -> NDArray[np.float64]:
-        """The same as it would rest, shape (3, 3): with feet of unequal heights it leans, on its side it lies."""
+        """The same at rest, shape (3, 3): on its base, leaning on unequal feet, or on its round side."""
         if self.round_side is not None:
             return self.turn
         up = self.solid.up_at_rest
