@@ -116,7 +116,6 @@ def test_a_sheet_is_under_its_own_piece_alone() -> None:
 @pytest.mark.parametrize(
     ("piece", "room", "said"),
     [
-        (sp.Piece(BODY, (0.0, 0.0, 0.9), 0.0, of("gel_mats")), ROOM, "belong on the floor"),
         (sp.Piece(BODY, measures=of("against_wall")), ROOM, "cannot be given to one piece"),
         (sp.Piece(BODY, heading=0.3, measures=of("l_bracket")), ROOM, "wall"),
         (sp.Piece(BODY, measures=of("tension_pole")), sp.Room(), "need a ceiling"),

@@ -51,7 +51,6 @@ DRESSER: dict[str, Any] = {
     "shaking": {"sine": {"amplitude": 5.5, "frequency": 0.8, "duration": 3.0}},
     "uncertainty": {"samples": 2},
 }
-BELT = [{"type": "belt"}]
 DRAW = draws_of_several("abc", 1, 1, seed=2)[0][0]
 
 
@@ -123,7 +122,6 @@ def test_measures_of_a_piece_are_in_place_as_stated() -> None:
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        ({"furniture": [VASE | {"measures": BELT}]}, "must be a preset"),
         ({"options": [option("x", "y", "belt")]}, "no piece"),
         ({"options": [option("x", "vase", "belt")]}, "preset"),
         ({"uncertainty": {"installation": 0.5}}, "must be 'well'"),

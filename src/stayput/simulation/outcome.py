@@ -32,7 +32,7 @@ class Outcome(StrEnum):
     FELL_OFF
         It came off the body that it stood on, for the floor or something lower; of several bodies alone.
     ROLLED
-        It lay on its round side and moved by rolling more than by slipping; in space alone.
+        It lay on its round side and moved more by rolling than by slip; in space alone.
 
     Examples
     --------

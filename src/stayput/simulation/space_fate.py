@@ -219,7 +219,7 @@ def fates_of(
         turns = unrolled(one, turned)
         tilt, slide = tilts(one.rest, turns)[pose], slides(one, places, turns)
         ways = np.linalg.norm(slide, axis=1)
-        way = ways[pose]
+        way, most = ways[pose], int(ways.argmax())
         if given_up or not np.isfinite(place[b]).all():
             found.append(Fate(Outcome.FAILED, None, None, tilt, way))
             continue
@@ -236,14 +236,14 @@ def fates_of(
             outcome = Outcome.OVERTURNED
         elif tilt[-1] > ROCKED and held:
             outcome = Outcome.LEANING
-        elif tilt.max() > ROCKED or np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
+        elif tilt.max() > ROCKED:
             outcome = Outcome.ROCKED
-        elif way.max() <= SLID:
-            outcome = Outcome.RESTED
+        elif max(SLID, 2.0 * np.linalg.norm((slide - rolled(one, turned))[most])) < ways[most]:
+            outcome = Outcome.ROLLED
+        elif np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
+            outcome = Outcome.ROCKED
         else:
-            by_rolling = rolled(one, turned)
-            slip, roll = (np.linalg.norm(part[ways.argmax()]) for part in (slide - by_rolling, by_rolling))
-            outcome = Outcome.ROLLED if roll > slip else Outcome.SLID
+            outcome = Outcome.SLID if ways[most] > SLID else Outcome.RESTED
         found.append(Fate(outcome, overturned, fell_off, tilt, way))
     return found
 
