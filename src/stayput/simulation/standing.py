@@ -305,12 +305,15 @@ class Joint:
         for name in ("strength", "shear"):
             value = getattr(self, name)
             if not (isinstance(value, float) and value == math.inf):
-                within(f"simulation.joint_{name}", value, 1e-3, 1e9, "N", name)
+                within(f"simulation.joint_{name}", value, *STRENGTH_RANGE, "N", name)
         within("simulation.joint_slack", self.slack, 0.0, 10.0, "m", "slack")
         within("simulation.joint_damping", self.damping, 0.0, 2.0, "", "damping")
         if self.slack > 0.0 and self.to is None:
             raise InputError("simulation.slack_without_to", "slack", value=self.slack)
 
+
+STRENGTH_RANGE = (1e-3, 1e9)
+"""Smallest and largest strength of a joint but inf [N]."""
 
 MOST_BODIES = 100
 """Most bodies of an assembly."""
