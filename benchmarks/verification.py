@@ -165,7 +165,7 @@ def grid(scenario: Scenario) -> Grid:
     """Run all options of a scenario at all levels."""
     (options, _), shaking = compared_options(scenario), scenario.shaking
     ground = shaking.ground(scenario.folder)
-    hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))
+    hazard = Hazard.of(scenario, ground=ground)
     draw = draws(len(ground), SAMPLES, scenario.uncertainty.seed)
     body, room = scenario.furniture.body(), scenario.room.room()
     rows = [rows_of(body, room, option.measures, draw, scenario.gravity) for option in options]

@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.measures import MEASURES, Measure
-from stayput.simulation.placing import hold_piece, planes_around, room_seen
+from stayput.measures import MEASURES, Measure, hold
+from stayput.measures.measure import element_rows
+from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.placing import hold_piece, placed, planes_around, room_seen
+from stayput.simulation.space_case import piece_of
 
 BODY = sp.Body(0.4, 1.8, 100.0, length=0.9)
 ROOM = sp.Room(sp.Floor(0.5, 0.4), left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
@@ -113,7 +116,6 @@ def test_a_sheet_is_under_its_own_piece_alone() -> None:
 @pytest.mark.parametrize(
     ("piece", "room", "said"),
     [
-        (sp.Piece(BODY, (0.0, 0.0, 0.9), 0.0, of("gel_mats")), ROOM, "belong on the floor"),
         (sp.Piece(BODY, measures=of("against_wall")), ROOM, "cannot be given to one piece"),
         (sp.Piece(BODY, heading=0.3, measures=of("l_bracket")), ROOM, "wall"),
         (sp.Piece(BODY, measures=of("tension_pole")), sp.Room(), "need a ceiling"),
@@ -142,3 +144,14 @@ def test_members_without_measures_keep_their_bits() -> None:
     again = sp.simulate(solid, ROOM, SHAKEN.scaled(0.3))
     assert np.array_equal(run.place, again.place)
     assert run.held == (None,)
+
+
+@pytest.mark.parametrize("insets", [(0.1, 0.0), (0.0, 0.1), (0.05, 0.05)])
+def test_insets_move_neither_a_piece_nor_an_end_of_its_belt(insets: tuple[float, float]) -> None:
+    """The middle of its outline is at its place; a belt begins as long as it is, from wall to piece."""
+    body = sp.Body(0.4, 1.8, 100.0, length=0.9, base_insets=insets)
+    (one,) = placed([sp.Piece(body, measures=of("belt"))], ROOM)
+    assert one.standing.along((1.0, 0.0, 0.0)) == pytest.approx((-0.2, 0.2))
+    x, _, z = piece_of(case_columns(body, ROOM, sp.State(), 9.8)[0]).place
+    row = element_rows(hold(body, ROOM, of("belt")))[0]
+    assert math.hypot(row["x"] - x - row["u"], row["z"] - z - row["v"]) == pytest.approx(row["length"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -110,6 +111,8 @@ def test_what_is_wrong_is_refused_with_the_value(tables: dict[str, Any], told: s
         sp.verify_room(changed(**tables), changes=False, progress=False)
     assert told in str(refusal.value)
     assert refusal.value.told("ja") != str(refusal.value)
+    with pytest.raises(sp.InputError, match=re.escape(str(refusal.value))):
+        changed(**tables).run()
 
 
 def test_against_is_refused_without_a_plan():

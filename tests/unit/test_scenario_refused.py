@@ -47,6 +47,13 @@ def printed(file: Path, *flags: str, command: str = "simulate") -> str:
     return found.stderr
 
 
+def both_print(file: Path) -> str:
+    """Return what a simulation and a verification refuse, with the same sentence."""
+    first, second = printed(file), printed(file, command="verify")
+    assert first == second
+    return first
+
+
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
@@ -90,12 +97,11 @@ def printed(file: Path, *flags: str, command: str = "simulate") -> str:
     ],
 )
 def test_a_file_of_several_pieces(tmp_path: Path, changed: dict[str, Any], said: str) -> None:
-    assert printed(written(tmp_path, PIECES | changed)).startswith(f"room.toml: {said}")
+    assert both_print(written(tmp_path, PIECES | changed)).startswith(f"room.toml: {said}")
 
 
-def test_a_verification_names_the_pieces_too(tmp_path: Path) -> None:
+def test_a_sweep_names_the_pieces_too(tmp_path: Path) -> None:
     file = written(tmp_path, PIECES | piece(2, at=[0.1, 0.0]) | joint())
-    assert printed(file, command="verify").startswith("room.toml: 'chest' and 'vase' begin")
     with pytest.raises(sp.InputError, match="'chest' and 'vase' begin") as caught:
         sp.read_assembly(file).sweep({"gravity": [9.8]}, progress=False)
     assert "「" not in caught.value.told("ja")
@@ -110,11 +116,17 @@ def test_a_verification_names_the_pieces_too(tmp_path: Path) -> None:
         ({"shaking": {"record": "none.csv", "unit": "furlong"}}, "In [shaking]: The unit of acceleration"),
         ({"shaking": {"suite": "none"}}, "In [shaking]: The suite"),
         ({"room": {"ceiling": {"height": 0.5}}}, "The body stands"),
-        ({"room": {"ceiling": {"height": 0.5}}, "dimensions": 3}, "The body begins"),
+        ({"room": {"ceiling": {"height": 0.5}}, "dimensions": 3}, "The body stands"),
+        ({"shaking": {"suite": {"count": 2}, "member": 3}}, "In [shaking]: shaking.member is 3"),
+        (
+            {"shaking": {"intensity": 5.0, "sine": {"amplitude": 0.0, "frequency": 1.0, "duration": 1.0}}},
+            "In [shaking]: The motion is a still floor",
+        ),
+        ({"measures": [{"name": "none", "combine": [{"type": "belt"}]}]}, "measures[0].name is 'none'"),
     ],
 )
 def test_a_file_of_one_piece(tmp_path: Path, changed: dict[str, Any], said: str) -> None:
-    assert printed(written(tmp_path, ONE | changed)).startswith(f"room.toml: {said}")
+    assert both_print(written(tmp_path, ONE | changed)).startswith(f"room.toml: {said}")
 
 
 def test_what_a_flag_gets_wrong_is_not_the_files(tmp_path: Path) -> None:

@@ -236,3 +236,30 @@ def test_joints_of_the_same_two_bodies_have_names_of_their_own() -> None:
         "middle – low, 2",
         "high – middle",
     ]
+
+
+DRUM, ROLLS, SLIDES, RESTS = sp.Solid.cylinder(0.25, 1.2, 50.0), "rolled", "slid", "rested"
+G = 9.80665
+
+
+@pytest.mark.parametrize(
+    ("pushed", "shaken", "friction", "outcome", "way"),
+    [
+        # slips until it rolls at 2/3 of its speed: 5 v²/(18 μ g), then 2 v/3 (t - v/(3 μ g))
+        ((0.0, 0.5), "", 0.5, ROLLS, 5.0 * 0.25 / (9.0 * G) + (3.0 - 0.5 / (1.5 * G)) / 3.0),
+        ((0.5, 0.0), "", 0.05, SLIDES, 0.25 / (0.1 * G)),  # along its axis: v²/(2 μ g)
+        ((0.0, 0.0), "y", 0.5, ROLLS, 2.0 / 3.0 * 3.0 / (2.0 * math.pi)),  # 2/3 of the floor's way
+        ((0.0, 0.0), "x", 0.5, RESTS, 0.0),
+    ],
+)
+def test_a_drum_on_its_side_rolls_across_its_axis_and_slides_along_it(
+    pushed: tuple[float, float], shaken: str, friction: float, outcome: str, way: float
+) -> None:
+    """By Coulomb's law: the force of friction at its rim turns an even cylinder, of m R²/2."""
+    t = np.arange(0.0, 3.005, 0.01)
+    motion = sp.Motion(dt=0.01, **{"x": 0.0 * t} | ({shaken: np.sin(2.0 * np.pi * t)} if shaken else {}))
+    drum = sp.Standing(DRUM, (0.0, 0.0, 0.125), tilt=(0.0, math.pi / 2, 0.0), velocity=(*pushed, 0.0))
+    run = sp.simulate(drum, sp.Room(sp.Floor(friction, friction)), motion)
+    assert run.outcome == outcome
+    assert run.peak_slide[0] == pytest.approx(way, rel=1e-3, abs=1e-9)
+    assert run.peak_tilt[0] < 1e-6

@@ -20,11 +20,11 @@ from stayput.rooms.contact import (
     ENTERS_BY,
     RoomContact,
     contact_with_place,
-    inside_each_other,
     meet,
 )
 from stayput.rooms.events import CELL, PASSAGE, Ways
 from stayput.rooms.tracks import Track, at_rest, outline_of, track_in_plane
+from stayput.simulation.convex import inside_each_other
 from stayput.simulation.standing import Standing
 
 

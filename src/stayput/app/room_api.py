@@ -23,7 +23,8 @@ from stayput.rooms.planning import action_plan
 from stayput.rooms.runs import groups_of
 from stayput.rooms.steps import Home
 from stayput.rooms.verdict import RoomVerdict
-from stayput.rooms.verify import refuse_what_stands_wrong, verify_room
+from stayput.rooms.verify import verify_room
+from stayput.scenario.room import refuse_what_stands_wrong
 
 if TYPE_CHECKING:
     from collections.abc import Callable

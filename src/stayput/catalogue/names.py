@@ -153,6 +153,7 @@ OUTCOMES: dict[str, tuple[str, str]] = {
     "overturned": ("overturned", "転倒"),
     "failed": ("could not be followed", "計算できず"),
     "fell off": ("fell off", "落下"),
+    "rolled": ("rolled", "転がった"),
 }
 """What became of a body."""
 

@@ -151,7 +151,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "allowed_plasterboard": ("The walls are plasterboard without studs", "壁が石こうボードだけ"),
     "allowed_dropped_ceiling": ("The ceiling is a dropped one", "天井が吊り天井"),
     # The picture in space
-    "slidBy": ("slides up to {slide}", "最大{slide}滑る"),
+    "slidBy": ("moves up to {slide}", "最大{slide}移動"),
     "inThisHit": (
         "In this one somebody is hit (by: {pieces}); that is so in {share}.",
         "この揺れでは人に当たります（{pieces}）。人に当たる割合は{share}です。",

@@ -141,7 +141,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must not be that of {other}.",
         "{name}が{value}になっていますが、{other}と同じ名前です。別の名前にしてください。",
     ),
-    "option_of_nothing": ("the option without joints and measures", "接合・対策なしの案"),
+    "option_of_nothing": ("the option with nothing in place", "何も付けない案"),
     # The file itself
     "file": ("The scenario file is {file}; {reason}.", "シナリオファイル{file}：{reason}。"),
     "file_too_long": ("it may have {most} bytes at most", "ファイルは{most}バイトまでです"),

@@ -16,6 +16,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {name} did not overturn; it tilted by {tilt} and slid by {slide}.",
         "{name}は転倒しませんでした（傾き：{tilt}、移動量：{slide}）。",
     ),
+    "rolled": ("The {name} rolled by {slide}.", "{name}は{slide}転がりました。"),
     "overturned": (
         "The {name} overturned {time:.1f} s into the motion.",
         "{name}は揺れ始めから{time:.1f}秒後に転倒しました。",

@@ -46,10 +46,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The levels are not increasing; each must be higher than the one before it.",
         "震度の段階が小さい順に並んでいません。前の段階より大きい値を順に指定してください。",
     ),
-    "two_of_one_name": (
-        "Two measures are named {name}; each must have a name of its own.",
-        "{name}という名前の対策が2つあります。それぞれに異なる名前を付けてください。",
-    ),
     # the verdict in a sentence
     "falls": ("in {share} of the cases", "{share}の場合に転倒します"),
     "never_falls": ("in none of the cases", "計算した場合のいずれでも転倒しません"),

@@ -213,7 +213,8 @@ def at_rest(body: Body, point: tuple[float, float]) -> tuple[float, float]:
         Right of the middle of its base and up, in the body's axes [m].
     """
     x, z = standing_corners(body, State())[0]
-    right, up = point[0] + body.width / 2, point[1] - body.base_heights[0]
+    right = point[0] + body.width / 2 - body.base_insets[0]
+    up = point[1] - body.base_heights[0]
     sin, cos = math.sin(body.resting_tilt), math.cos(body.resting_tilt)
     return x + right * cos + up * sin, z + up * cos - right * sin
 

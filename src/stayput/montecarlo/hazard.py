@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
 from stayput.mechanics.runner import Shaking, shaking
 from stayput.model.parameters import STANDARD_GRAVITY
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
+    from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.tables import BuildingTable
 
 
@@ -252,6 +254,18 @@ class Hazard:
     dimensions: int = 2
     further: tuple[IntensityMeasure, ...] = ()
 
+    @classmethod
+    def of(
+        cls,
+        scenario: Scenario | AssemblyScenario,
+        further: tuple[IntensityMeasure, ...] = (),
+        ground: Suite | None = None,
+    ) -> Hazard:
+        """Return that of a scenario, or with other motions of the ground in the place of its own."""
+        shaking, motions = scenario.shaking, scenario.ground() if ground is None else ground
+        place = shaking.building, shaking.storey or 1
+        return cls(motions, *place, bool(shaking.vertical), scenario.dimensions, further)
+
     @cached_property
     def _scaled(self) -> Ground:
         return Ground(self.ground, self.vertical, dimensions=self.dimensions)
@@ -298,6 +312,16 @@ class Hazard:
     ) -> FloorMotions:
         """Return the motions at so many times the shaking that a scenario states; see `Ground.stated`."""
         return self._with(times * self._scaled.stated(strength, scale, seed), threads)
+
+    def stated_by(
+        self, scenario: Scenario | AssemblyScenario, threads: int | None = None, times: float = 1.0
+    ) -> FloorMotions:
+        """Return the same as a scenario states it, refused with its file's name."""
+        shaking, seed = scenario.shaking, scenario.uncertainty.seed
+        with scenario.naming_file("shaking"):
+            if shaking.scale == 0.0:
+                raise InputError("motion.still_floor", "shaking.scale")
+            return self.stated(shaking.strength, shaking.scale, seed, threads, times)
 
     def _with(self, factors: NDArray[np.float64], threads: int | None) -> FloorMotions:
         if self.building is not None and self.building.yields:

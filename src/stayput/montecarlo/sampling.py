@@ -17,7 +17,7 @@ from stayput.measures import Measure, element_rows, hold
 from stayput.measures.wall import REACH
 from stayput.mechanics.runner import no_elements
 from stayput.model.body import MOST_INSET, Body
-from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND, Floor, Room, friction_factor
+from stayput.model.room import FRICTION_RANGE, MOST_SETTLEMENT, WALLS_AROUND, Floor, Room, friction_factor
 from stayput.model.state import State
 from stayput.simulation.flat_fields import NumberOrColumn, case_rows, fields_of, flat_fields
 from stayput.uncertainty import QUANTITIES, Uncertainty
@@ -222,7 +222,11 @@ def _drawn_gap(gap: float, factor: NumberOrColumn) -> NumberOrColumn:
 def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
     coefficients = {f.name: getattr(floor, f.name) for f in fields(floor) if f.name.endswith("friction")}
     factor = friction_factor(floor, draw.friction)
-    changed = {name: factor * value for name, value in coefficients.items() if value is not None}
+    changed = {
+        name: min(float(factor * value), FRICTION_RANGE[1])
+        for name, value in coefficients.items()
+        if value is not None
+    }
     return replace(
         floor,
         **changed,

@@ -21,7 +21,7 @@ from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_place
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.space import AssemblyTrace, run_of_assembly, trace_assembly
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
-from stayput.simulation.standing import Assembly, Piece, Standing
+from stayput.simulation.standing import STRENGTH_RANGE, Assembly, Piece, Standing
 from stayput.uncertainty import USUAL, Uncertainty, Uniform
 
 if TYPE_CHECKING:
@@ -122,8 +122,13 @@ def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
     """Return an assembly as drawn; its products were bought for the pieces as stated."""
     members = [_drawn_member(one, own) for one, own in zip(assembly.members, draw.pieces, strict=True)]
     static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in assembly.friction)
+    low, high = STRENGTH_RANGE
+
+    def strength(stated: float) -> float:
+        return stated if math.isinf(stated) else min(max(draw.joints * stated, low), high)
+
     joints = [
-        replace(joint, strength=draw.joints * joint.strength, shear=draw.joints * joint.shear)
+        replace(joint, strength=strength(joint.strength), shear=strength(joint.shear))
         for joint in assembly.joints
     ]
     return Assembly(members, (static, kinetic), joints)

@@ -17,10 +17,10 @@ from stayput.errors import InputError
 from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
-from stayput.rooms.contact import inside_each_other
 from stayput.rooms.runs import RoomPart, group_of, part_with, with_measures
 from stayput.rooms.tracks import Track, outline_of
 from stayput.scenario.pieces import BEHIND
+from stayput.simulation.convex import inside_each_other
 from stayput.simulation.placing import bare, placed
 from stayput.simulation.space_engine import DEEPEST
 from stayput.simulation.standing import Assembly, Piece, Standing

@@ -1,9 +1,4 @@
-"""Where bodies come together: with the place of a person, and with each other.
-
-Two convex bodies are apart where an axis separates them: the normal of a face of one, or the cross product of
-an edge of each (Gottschalk, Lin and Manocha 1996). The largest gap along such an axis is never more than the
-distance, and below 0 exactly where they overlap; its rate just before they touch is how fast they close.
-"""
+"""Where bodies come together: with the place of a person, and with each other."""
 
 from __future__ import annotations
 
@@ -13,21 +8,19 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.model.floor_plan import PersonPlace, rectangle
-from stayput.rooms.tracks import Track, at_rest
+from stayput.model.floor_plan import rectangle
+from stayput.simulation.convex import Convex, box_of, separation
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import NDArray
 
-    from stayput.simulation.standing import Standing
+    from stayput.model.floor_plan import PersonPlace
+    from stayput.rooms.tracks import Track
 
 SPACING = 0.1
 """Distance between the points of a place at which the speed of a piece is looked at [m]."""
-
-SLIGHT = 1e-6
-"""Length of a cross product of two unit vectors up to which they are parallel."""
 
 ENTERS_BY = 0.05
 """How far a piece must come into the place of a person to hit who is there [m]: a convention.
@@ -58,57 +51,15 @@ class RoomContact(NamedTuple):
     energy: float
 
 
-class _Convex(NamedTuple):
-    """A convex body at k samples: corners (k, n, 3), directions of faces (k, f, 3) and of edges (k, e, 3)."""
-
-    corners: NDArray[np.float64]
-    normals: NDArray[np.float64]
-    edges: NDArray[np.float64]
-
-
-def separation(one: _Convex, other: _Convex) -> NDArray[np.float64]:
-    """Return the largest gap along any axis that may separate two bodies [m], shape (k,)."""
-    crossed = np.cross(one.edges[:, :, np.newaxis], other.edges[:, np.newaxis])
-    crossed = crossed.reshape(len(crossed), -1, 3)
-    size = np.linalg.norm(crossed, axis=2)
-    slight = size <= SLIGHT
-    crossed = crossed / np.where(slight, 1.0, size)[..., np.newaxis]
-    axes = np.concatenate([one.normals, other.normals, crossed], axis=1)
-    first, second = (body.corners @ np.swapaxes(axes, 1, 2) for body in (one, other))
-    gaps = np.maximum(
-        first.min(axis=1) - second.max(axis=1),
-        second.min(axis=1) - first.max(axis=1),
-    )
-    faces = one.normals.shape[1] + other.normals.shape[1]
-    gaps[:, faces:][slight] = -np.inf  # parallel edges span no axis
-    return gaps.max(axis=1)
-
-
-def _body_at(track: Track, chosen: NDArray[np.intp]) -> _Convex:
+def _body_at(track: Track, chosen: NDArray[np.intp]) -> Convex:
     back = np.swapaxes(track.turn[chosen], 1, 2)
-    return _Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
+    return Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
 
 
 def _bounds(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the least and the most of corners (k, n, 3), shape (k, 3): one by one, as n is small."""
     one_by_one = np.moveaxis(corners, 1, 0)
     return reduce(np.minimum, one_by_one), reduce(np.maximum, one_by_one)
-
-
-def _box_of(place: PersonPlace, count: int) -> _Convex:
-    plan = rectangle(place.at, place.width, place.length, place.heading)
-    corners = np.concatenate([np.column_stack((plan, np.full(4, z))) for z in (place.low, place.high)])
-    sides = np.diff(plan[:3], axis=0) / np.linalg.norm(np.diff(plan[:3], axis=0), axis=1)[:, np.newaxis]
-    axes = np.concatenate([np.column_stack((sides, np.zeros(2))), [[0.0, 0.0, 1.0]]])
-    corners, axes = (np.broadcast_to(values, (count, *values.shape)) for values in (corners, axes))
-    return _Convex(corners, axes, axes)
-
-
-def inside_each_other(one: Standing, other: Standing | PersonPlace) -> float:
-    """Return how deep a piece stands in another, or where a person is, at first [m]; 0 where it does not."""
-    first = np.zeros(1, np.intp)
-    box = _box_of(other, 1) if isinstance(other, PersonPlace) else _body_at(at_rest(other), first)
-    return max(0.0, -float(separation(_body_at(at_rest(one), first), box)[0]))
 
 
 def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
@@ -128,7 +79,7 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     least, most = (*own.min(axis=0), place.low), (*own.max(axis=0), place.high)
     near = np.all((low <= most) & (high >= least), axis=1)
     touching = _touching(
-        track.sample, near, track.dt, lambda k: separation(_body_at(track, k), _box_of(place, len(k)))
+        track.sample, near, track.dt, lambda k: separation(_body_at(track, k), box_of(place, len(k)))
     )
     if touching is None or touching.deepest < ENTERS_BY:
         return None

@@ -9,7 +9,7 @@ from stayput.errors import InputError, instance_of
 from stayput.rooms.changes import Change
 from stayput.rooms.effects import Answer, Move, OtherTracks
 from stayput.rooms.runs import Question, groups_of, moved_to, placed_elsewhere, with_member
-from stayput.rooms.verify import refuse_what_stands_wrong
+from stayput.scenario.room import refuse_what_stands_wrong
 from stayput.simulation.placing import bare
 from stayput.simulation.standing import Piece, Standing
 

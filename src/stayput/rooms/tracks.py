@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.spatial import ConvexHull
 
+from stayput.simulation.convex import ConvexShape
 from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
@@ -19,63 +20,12 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.solid import Solid
     from stayput.simulation.space_engine import SpaceTrace
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Standing
 
 STIRS = 0.01
 """Way of a body's corner up to which it stays where it stood [m]."""
-
-PARALLEL = 1e-9
-"""Largest difference of the parts of two unit vectors that count as parallel."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ConvexShape:
-    """A convex body for questions of where it is.
-
-    Parameters
-    ----------
-    corners : ndarray, shape (n, 3)
-        From its centre of gravity, along the axes of its frame [m].
-    normals, edges : ndarray, shape (f, 3) and (e, 3)
-        Directions of its faces and of its edges, no two of them parallel.
-    mass : float
-        Mass [kg].
-    inertia : ndarray, shape (3, 3)
-        About the centre of gravity [kg m²].
-    """
-
-    corners: NDArray[np.float64]
-    normals: NDArray[np.float64]
-    edges: NDArray[np.float64]
-    mass: float
-    inertia: NDArray[np.float64]
-
-    @classmethod
-    def of(cls, solid: Solid) -> ConvexShape:
-        """Return that of a solid."""
-        edges = np.concatenate(
-            [solid.vertices[np.roll(face, -1)] - solid.vertices[face] for face in solid.faces]
-        )
-        edges = edges / np.linalg.norm(edges, axis=1)[:, np.newaxis]
-        return cls(
-            solid.vertices - solid.centre_of_gravity,
-            _different(solid.normals),
-            _different(edges),
-            solid.mass,
-            solid.inertia,
-        )
-
-
-def _different(directions: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return unit vectors without those that are parallel to one before."""
-    found: list[NDArray[np.float64]] = []
-    for one in directions:
-        if not any(1.0 - abs(float(one @ other)) <= PARALLEL for other in found):
-            found.append(one)
-    return np.array(found)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

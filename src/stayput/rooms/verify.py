@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of, within
+from stayput.errors import instance_of, within
 from stayput.fragility import probability
 from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
 from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
 from stayput.progress import tally
-from stayput.rooms.contact import inside_each_other
 from stayput.rooms.effects import Answer, RoomState, anybody, changes_of, hits_by, in_order, risk_of
 from stayput.rooms.events import EndOfRuns, shares_covered
 from stayput.rooms.runs import Question, groups_of, part_with
@@ -28,17 +27,13 @@ from stayput.rooms.verdict import (
     RoomVerdict,
     TypicalRun,
 )
-from stayput.scenario.room import RoomScenario
-from stayput.simulation.placing import bare
-from stayput.simulation.space_engine import DEEPEST
+from stayput.scenario.room import RoomScenario, refuse_what_stands_wrong
+from stayput.simulation.placing import bare, placed
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from numpy.typing import NDArray
-
-    from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.simulation.standing import Assembly, Standing
 
 
 def verify_room(
@@ -124,6 +119,8 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     room = instance_of("scenario", scenario, RoomScenario)
     plan, whole = room.floor_plan(), room.assembly(room.stated)
     refuse_what_stands_wrong(room, plan, whole)
+    with room.naming_pieces():
+        placed(whole.members, room.surroundings())  # refuses what cannot be put in place
     floors = floors_of(room, threads)
     settings = Settings.of(room, len(floors.motions), SLIDE_LIMIT)  # which changes no run
     drawn = draws_of_several(
@@ -141,9 +138,7 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
 
 def floors_of(room: RoomScenario, threads: int | None, times: float = 1.0) -> FloorMotions:
     """Return the motions under the furniture of a room, with those of the ground times a factor."""
-    ground, shaking = room.ground(), room.shaking
-    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
-    return hazard.stated(shaking.strength, shaking.scale, room.uncertainty.seed, threads, times)
+    return Hazard.of(room).stated_by(room, threads, times)
 
 
 def states(question: Question) -> Iterator[RoomState]:
@@ -155,34 +150,6 @@ def states(question: Question) -> Iterator[RoomState]:
         more = Answer.of(ends, parts, question.with_samples(*block).run(parts))
         as_it_is = more if as_it_is is None else as_it_is.joined(more)
         yield RoomState(parts, as_it_is, ends)
-
-
-def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
-    """Raise `InputError` where a piece stands in a wall, the ceiling, another piece, or where a person is."""
-    names, standing_all = scenario.names, [bare(member) for member in whole.members]
-    sides = np.array([plan.width, plan.length])
-    for number, standing in enumerate(standing_all):
-        corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)
-        low, high = corners.min(axis=0), corners.max(axis=0)
-        name = f"furniture[{number}].at"
-        called = repr(names[number])
-        if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
-            values: dict[str, Any] = {"width": plan.width, "length": plan.length}
-            for axis, one in enumerate("xy"):
-                values |= {f"low_{one}": float(low[axis]), f"high_{one}": float(high[axis])}
-            raise InputError("rooms.in_a_wall", name, name=called, **values)
-        ceiling = scenario.room.ceiling
-        if ceiling is not None and high[2] > ceiling.height + 1e-6:
-            values = {"high": float(high[2]), "height": ceiling.height}
-            raise InputError("rooms.in_the_ceiling", f"furniture[{number}]", name=called, **values)
-        others: list[tuple[Standing | PersonPlace, str]] = [
-            (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
-        ]
-        others += [(place, repr(place.name)) for place in plan.places]
-        for other, what in others:
-            depth = inside_each_other(standing, other)
-            if depth > DEEPEST:
-                raise InputError("rooms.in_another", name, name=called, other=what, depth=depth)
 
 
 def _verdicts(question: Question, slide_limit: float, *, changes: bool) -> Iterator[RoomVerdict]:

@@ -16,7 +16,7 @@ from stayput.model.solid import Solid
 from stayput.scenario.fields import Table, Text, between, checked, named, one_of
 from stayput.scenario.measures import Samples, SingleChoice, UncertaintyTable, refuse_wrong_type
 from stayput.scenario.tables import Heading, Kind, usual_of
-from stayput.simulation.standing import Joint
+from stayput.simulation.standing import STRENGTH_RANGE, Joint
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -158,10 +158,10 @@ class JointTable(Table):
     at: PointOfRoom = Field(description="The point, in the room as the pieces stand.")
     to: PointOfRoom | None = Field(default=None, description="For a belt: its end on the other piece.")
     stiffness: Annotated[float, between(1.0, 1e9, "N/m")] = Field(default=1e6, description="Stiffness.")
-    strength: Annotated[float, between(1e-3, 1e9, "N")] | None = Field(
+    strength: Annotated[float, between(*STRENGTH_RANGE, "N")] | None = Field(
         default=None, description="Pull that it bears; without it any."
     )
-    shear: Annotated[float, between(1e-3, 1e9, "N")] | None = Field(
+    shear: Annotated[float, between(*STRENGTH_RANGE, "N")] | None = Field(
         default=None, description="Force across that it bears; without it any."
     )
     slack: Annotated[float, between(0.0, 10.0, "m")] = Field(default=0.0, description="Slack of a belt.")

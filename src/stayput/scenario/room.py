@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 from pydantic import Field, model_validator
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.floor_plan import (
     FACING,
@@ -31,7 +32,9 @@ from stayput.scenario.tables import (
     Heading,  # noqa: TC001 - pydantic reads the annotations
     WallConstruction,  # noqa: TC001 - pydantic reads the annotations
 )
+from stayput.simulation.convex import inside_each_other
 from stayput.simulation.placing import bare
+from stayput.simulation.space_engine import DEEPEST
 from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
@@ -42,6 +45,7 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.scenario.pieces import StandingTable
     from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.standing import Assembly
 
 WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
 PointInPlan = Annotated[
@@ -186,7 +190,10 @@ class RoomScenario(AssemblyScenario):
 
     def run(self) -> SpaceRun:
         """Simulate the pieces as the file states them, in a room with its places, doors and windows."""
-        return replace(super().run(), plan=self.floor_plan())
+        plan = self.floor_plan()
+        with self.naming_file():
+            refuse_what_stands_wrong(self, plan, self.assembly())
+        return replace(super().run(), plan=plan)
 
     def surroundings(self) -> Room:
         """Make the room around all pieces; the gaps of its walls are from the outermost of them."""
@@ -213,6 +220,37 @@ class RoomScenario(AssemblyScenario):
         gaps = self.floor_plan().distances(low, high)
         walls = {name: Wall(max(0.0, gap), construction=self.room.walls) for name, gap in gaps.items()}
         return Room(self.floor, ceiling=ceiling, **walls)
+
+
+def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
+    """Raise `InputError` where a piece stands in floor, wall, ceiling, another, or where a person is."""
+    names, standing_all = scenario.names, [bare(member) for member in whole.members]
+    sides = np.array([plan.width, plan.length])
+    for number, standing in enumerate(standing_all):
+        corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        name = f"furniture[{number}].at"
+        called = repr(names[number])
+        if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
+            values: dict[str, Any] = {"width": plan.width, "length": plan.length}
+            for axis, one in enumerate("xy"):
+                values |= {f"low_{one}": float(low[axis]), f"high_{one}": float(high[axis])}
+            raise InputError("rooms.in_a_wall", name, name=called, **values)
+        if low[2] < -DEEPEST:
+            values = {"body": called, "depth": -float(low[2]), "surface": phrase("simulation.floor")}
+            raise InputError("simulation.begins_inside", name, **values)
+        ceiling = scenario.room.ceiling
+        if ceiling is not None and high[2] > ceiling.height + 1e-6:
+            values = {"high": float(high[2]), "height": ceiling.height}
+            raise InputError("rooms.in_the_ceiling", f"furniture[{number}]", name=called, **values)
+        others: list[tuple[Standing | PersonPlace, str]] = [
+            (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
+        ]
+        others += [(place, repr(place.name)) for place in plan.places]
+        for other, what in others:
+            depth = inside_each_other(standing, other)
+            if depth > DEEPEST:
+                raise InputError("rooms.in_another", name, name=called, other=what, depth=depth)
 
 
 def read_room(path: str | PathLike[str]) -> RoomScenario:

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, PrivateAttr, field_validator, model_validator
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
 from stayput.errors import InputError
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.scenario.fields import between, refuse_same_names
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
 from stayput.scenario.origin import FromFile, Gravity, Title
+from stayput.scenario.pieces import NOTHING
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import (
     ContentsTable,
@@ -98,7 +99,7 @@ class Scenario(FromFile):
     def _possible(self) -> Self:
         if self.contents is not None:
             emptied(self.furniture.body(), self.contents)
-        refuse_same_names("measures", [one.name for one in self.measures])
+        _refuse_same_names(self.measures)
         return self
 
     @classmethod
@@ -148,7 +149,7 @@ class Scenario(FromFile):
             changed["uncertainty"] = self.uncertainty.with_quantities(quantities)
         copy = self.model_copy(update=changed)
         if measures is not None:
-            refuse_same_names("measures", [one.name for one in measures])
+            _refuse_same_names(measures)
             copy._own_measures = tuple(measures)
         return copy
 
@@ -214,6 +215,11 @@ class Scenario(FromFile):
             return motion
         both = motion if motion.y is not None else replace(motion, y=0.0 * motion.x)
         return both.rotated(heading)
+
+
+def _refuse_same_names(measures: Sequence[NamedMeasures]) -> None:
+    taken = {NOTHING: phrase("scenario.option_of_nothing")}
+    refuse_same_names("measures", [one.name for one in measures], taken)
 
 
 def read_scenario(path: str | Path) -> Scenario:

@@ -263,7 +263,7 @@ class ShakingTable(Table):
         InputError
             A record cannot be read, or the suite has no such member.
         """
-        ground = self._scaled(self._member(folder) if self.of_a_suite else self._single(folder))
+        ground = self._scaled(self._given(folder)[(self.member or 1) - 1])
         return self._with_vertical(self._on_floor(ground))
 
     def motions(self, folder: Path) -> Suite:
@@ -344,15 +344,13 @@ class ShakingTable(Table):
 
     def _suite(self, folder: Path) -> Suite:
         if self._in_python is not None:
-            return self._in_python
-        if isinstance(self.suite, str):
-            return read_suite(folder / self.suite, self.component, self.unit, **self._reading)
-        return synthetic_suite(**(self.suite or SuiteTable()).model_dump())
-
-    def _member(self, folder: Path) -> Motion:
-        number, suite = self.member or 1, self._suite(folder)
-        within("shaking.member", number, 1, len(suite), "", "shaking.member")
-        return suite[number - 1]
+            suite = self._in_python
+        elif isinstance(self.suite, str):
+            suite = read_suite(folder / self.suite, self.component, self.unit, **self._reading)
+        else:
+            suite = synthetic_suite(**(self.suite or SuiteTable()).model_dump())
+        within("shaking.member", self.member or 1, 1, len(suite), "", "shaking.member")
+        return suite
 
     @property
     def _reading(self) -> ReadingOptions:

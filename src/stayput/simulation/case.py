@@ -210,6 +210,7 @@ def simulate(
     given = Case(
         body, room, motion, contact, start, gravity, list_of("measures", measures, Measure), dimensions
     )
+    refuse_bad_start(body, room, start)
     if given.in_space:
         from stayput.simulation.space import checked_step, run_held
 
@@ -219,7 +220,6 @@ def simulate(
         return run_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
     if most_events is not None:
         most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
-    refuse_bad_start(body, room, start)
     held = hold(body, room, given.measures)
     refuse_bad_start(held.body, held.room, start)
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)

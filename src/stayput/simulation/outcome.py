@@ -31,6 +31,8 @@ class Outcome(StrEnum):
         The run was given up, which never counts as standing.
     FELL_OFF
         It came off the body that it stood on, for the floor or something lower; of several bodies alone.
+    ROLLED
+        It lay on its round side and moved more by rolling than by slip; in space alone.
 
     Examples
     --------
@@ -51,6 +53,7 @@ class Outcome(StrEnum):
     OVERTURNED = "overturned"
     FAILED = "failed"
     FELL_OFF = "fell off"
+    ROLLED = "rolled"
 
 
 class Mode(StrEnum):

@@ -228,8 +228,12 @@ def standing_of(piece: Piece, held: Held) -> Standing:
 
 
 def _base_of(piece: Piece, held: Held) -> NDArray[np.float64]:
-    """Return where the middle of a piece's base is: what makes it lean leaves its back edge where it is."""
-    moved = _back_edge(piece.body) - _back_edge(held.body)
+    """Return where the middle of a piece's base is: what makes it lean leaves its back edge where it is.
+
+    The middle of the outline is at the piece's place; unequal insets put that of the base aside.
+    """
+    back, front = piece.body.base_insets
+    moved = 0.5 * (back - front) + _back_edge(piece.body) - _back_edge(held.body)
     return np.asarray(piece.at) + moved * np.array([math.cos(piece.heading), math.sin(piece.heading), 0.0])
 
 

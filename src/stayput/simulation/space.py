@@ -202,7 +202,7 @@ def _run(
         )
         for hit in trace.hits
     )
-    return SpaceRun(
+    run = SpaceRun(
         standing,
         room,
         motion,
@@ -224,6 +224,9 @@ def _run(
         held,
         trace.given_up,
     )
+    if lying := [b for b, one in enumerate(standing) if one.round_side is not None]:
+        run.peak_tilt[lying] = run.tilt[lying].max(axis=1)  # the engine's counts what they have rolled
+    return run
 
 
 def _laws_under(body: Placed, room: Room, factor: float) -> FloorLaws:

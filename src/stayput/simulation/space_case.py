@@ -23,6 +23,7 @@ from stayput.simulation.placing import springs_of
 from stayput.simulation.space_engine import STEP, SpaceTrace, run_world
 from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_records import (
+    NORMALS,
     FloorLaws,
     frames_of,
     matrices,
@@ -153,7 +154,9 @@ def trace_case(
         A case without a length, or one that begins in a wall or the ceiling.
     """
     piece = piece_of(case)
-    solid, planes = piece.solid, planes_of([piece], case)
+    room = case.copy()  # a piece as high as the room that leans as drawn reaches no farther
+    room["ceiling_distance"] = max(float(case["ceiling_distance"]), -piece.along(NORMALS["ceiling"])[0])
+    solid, planes = piece.solid, planes_of([piece], room)
     world = world_of([solid], [_laws_of_piece(case)], planes, (0.0, 0.0))
     springs = springs_of(elements, piece.turn, piece.place, solid.principal[1])
     pose = pose_of(solid, *_pose(case))
@@ -194,7 +197,8 @@ def results_of(
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
         result["end"] = time[end]
-        result["peak_tilt"] = fate.tilt[: end + 1].max() if falls else trace.peak_tilt[body]
+        seen = falls or standing[body].round_side is not None  # the engine's tilt counts what it has rolled
+        result["peak_tilt"] = fate.tilt[: end + 1].max() if seen else trace.peak_tilt[body]
         result["peak_slide"] = fate.way[: end + 1].max()
         result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
         result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from stayput.model.solid import Solid
     from stayput.simulation.space_engine import Gaps
-    from stayput.simulation.standing import Standing
+    from stayput.simulation.standing import RoundSide, Standing
 
 
 UPRIGHT = math.pi / 3.0
@@ -66,12 +66,45 @@ def upright_yaws(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArra
     return yaws(rest, turn)[last]
 
 
+def unrolled(one: Standing, turn: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return rotations without what a body that lies on its round side has rolled: its first side is down."""
+    side = one.round_side
+    if side is None:
+        return turn
+    phi = _rolled_by(side, turn)[..., np.newaxis, np.newaxis]
+    x, y, z = side.axis
+    across = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return turn @ (np.eye(3) + np.sin(phi) * across + (1.0 - np.cos(phi)) * (across @ across))
+
+
+def _rolled_by(side: RoundSide, turn: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return how far round a body its line of contact has moved [rad], shape (samples,)."""
+    across = np.cross(side.axis, side.up)
+    return np.unwrap(np.arctan2(_along(turn, 2, across), _along(turn, 2, side.up)))
+
+
+def rolled(one: Standing, turn: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return how far a body that lies on its round side has rolled in plan [m], shape (samples, 2).
+
+    It is the way of a body of the mean radius R that does not slip: R dφ, φ what has passed over the line of
+    contact, across the axis as that lies at the time. One that slips or spins has other ways.
+    """
+    side = one.round_side
+    if side is None:
+        return np.zeros((len(turn), 2))
+    ahead = np.stack([-_along(turn, 1, side.axis), _along(turn, 0, side.axis)], axis=1)
+    ahead /= np.linalg.norm(ahead, axis=1)[:, np.newaxis]
+    steps = side.radius * np.diff(_rolled_by(side, turn), prepend=0.0)
+    return np.cumsum(steps[:, np.newaxis] * ahead, axis=0)
+
+
 def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return how far the base has slid in plan [m], shape (samples, 2).
 
     It is the way of the foot that is lowest, less that which it moved as the body turned about the vertical
-    through the middle of its base; for a body in the plane the slide of its fulcrum. The feet of a body that
-    begins tilted count from where they would come down.
+    through the middle of its base; for a body in the plane the slide of its fulcrum. What lies on its round
+    side has feet at both ends of the line of contact. The feet of a body that begins tilted count from where
+    they would come down.
 
     Parameters
     ----------
@@ -82,7 +115,8 @@ def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64])
     turn : ndarray, shape (samples, 3, 3)
         The rotation of its frame into the room's.
     """
-    feet = one.solid.base - one.solid.centre_of_gravity
+    side = one.round_side
+    feet = (one.solid.base if side is None else side.line) - one.solid.centre_of_gravity
     lowest = np.stack([_along(turn, 2, foot) for foot in feet]).argmin(axis=0)
     lows = feet[lowest].T
     first = one.place + feet @ one.turn.T
@@ -181,9 +215,11 @@ def fates_of(
     found: list[Fate] = []
     for b, one in enumerate(standing):
         moved, pose = _moves(place[b], turn[b])
-        places, turns = _chosen(place[b], moved), _chosen(turn[b], moved)
-        tilt = tilts(one.rest, turns)[pose]
-        way = np.linalg.norm(slides(one, places, turns), axis=1)[pose]
+        places, turned = _chosen(place[b], moved), _chosen(turn[b], moved)
+        turns = unrolled(one, turned)
+        tilt, slide = tilts(one.rest, turns)[pose], slides(one, places, turns)
+        ways = np.linalg.norm(slide, axis=1)
+        way, most = ways[pose], int(ways.argmax())
         if given_up or not np.isfinite(place[b]).all():
             found.append(Fate(Outcome.FAILED, None, None, tilt, way))
             continue
@@ -200,10 +236,14 @@ def fates_of(
             outcome = Outcome.OVERTURNED
         elif tilt[-1] > ROCKED and held:
             outcome = Outcome.LEANING
-        elif tilt.max() > ROCKED or np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
+        elif tilt.max() > ROCKED:
+            outcome = Outcome.ROCKED
+        elif max(SLID, 2.0 * np.linalg.norm((slide - rolled(one, turned))[most])) < ways[most]:
+            outcome = Outcome.ROLLED
+        elif np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
             outcome = Outcome.ROCKED
         else:
-            outcome = Outcome.SLID if way.max() > SLID else Outcome.RESTED
+            outcome = Outcome.SLID if ways[most] > SLID else Outcome.RESTED
         found.append(Fate(outcome, overturned, fell_off, tilt, way))
     return found
 
@@ -230,8 +270,11 @@ def _chosen(poses: NDArray[np.float64], moved: NDArray[np.intp]) -> NDArray[np.f
 def lies_on_floor(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return whether a body is tilted by 90°, or touches the floor with more than its base, shape (samples,).
 
-    More than its base is what is above the lowest tenth of its height, and above its feet.
+    More than its base is what is above the lowest tenth of its height, and above its feet. What lies on its
+    round side at first has overturned where it stands on an end: where it is tilted by more than 45°.
     """
+    if one.round_side is not None:
+        return tilts(one.rest, turn) > LIES
     z = one.solid.vertices[:, 2]
     base = max(z.min() + BASE * np.ptp(z), one.solid.base[:, 2].max())
     low = heights(one.solid, place, turn, above=float(base))

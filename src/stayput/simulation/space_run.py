@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, overload
 import numpy as np
 
 from stayput.saved import InNetcdf
-from stayput.simulation.outcome import Outcome
-from stayput.simulation.space_fate import fates_of, slides, tilts, upright_yaws
+from stayput.simulation.space_fate import fates_of, slides, tilts, unrolled, upright_yaws
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
@@ -28,6 +27,7 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.motion import Motion
     from stayput.report.page import Player
+    from stayput.simulation.outcome import Outcome
     from stayput.simulation.space_engine import Gaps
     from stayput.simulation.space_fate import Fate
     from stayput.simulation.standing import Standing
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 SpaceDrawing = Literal["tilt", "yaw", "plan", "acceleration"]
 """What `SpaceRun.plot` draws."""
 
-SEVERITY = (*list(Outcome)[: list(Outcome).index(Outcome.FAILED)], Outcome.FELL_OFF, Outcome.FAILED)
+SEVERITY = ("rested", "slid", "rolled", "rocked", "leaning", "overturned", "fell off", "failed")
 """Outcomes, the worst last."""
 
 
@@ -183,9 +183,17 @@ class SpaceRun(InNetcdf):
         return matrices(self.attitude)
 
     @property
+    def _unrolled(self) -> list[NDArray[np.float64]]:
+        return [unrolled(one, turn) for one, turn in zip(self.standing, self.turn, strict=True)]
+
+    @property
     def tilt(self) -> NDArray[np.float64]:
-        """Angles between what points up at rest and the vertical, shape (bodies, samples) [rad]."""
-        return np.stack([tilts(one.rest, turn) for one, turn in zip(self.standing, self.turn, strict=True)])
+        """Angles between what points up at rest and the vertical, shape (bodies, samples) [rad].
+
+        Of a body that lies on its round side, without what it has rolled.
+        """
+        each = zip(self.standing, self._unrolled, strict=True)
+        return np.stack([tilts(one.rest, turn) for one, turn in each])
 
     @property
     def yaw(self) -> NDArray[np.float64]:
@@ -193,13 +201,13 @@ class SpaceRun(InNetcdf):
 
         Of a body that is tilted by more than 60°, as those that lie and roll, the last before.
         """
-        each = zip(self.standing, self.turn, strict=True)
+        each = zip(self.standing, self._unrolled, strict=True)
         return np.stack([upright_yaws(one.rest, turn) for one, turn in each])
 
     @property
     def slide(self) -> NDArray[np.float64]:
-        """How far the bases have slid in plan, shape (bodies, samples, 2) [m]."""
-        each = zip(self.standing, self.place, self.turn, strict=True)
+        """How far the bases have slid or rolled in plan, shape (bodies, samples, 2) [m]."""
+        each = zip(self.standing, self.place, self._unrolled, strict=True)
         return np.stack([slides(one, place, turn) for one, place, turn in each])
 
     @property

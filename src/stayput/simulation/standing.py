@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -35,6 +35,29 @@ def _vector(name: str, given: object, most: float, unit: str) -> tuple[float, ..
     called = phrase(f"simulation.{name}")
     values = numbers(called, given, name, count=3)
     return tuple(within(called, value, -most, most, unit, name) for value in values)
+
+
+LEVEL = 1e-4
+"""How much higher one end of what lies on its round side may be than the other [m]."""
+
+
+class RoundSide(NamedTuple):
+    """The side on which a round body lies at first, in the body's frame.
+
+    Parameters
+    ----------
+    axis, up : ndarray, shape (3,)
+        Its axis, and what points up across that.
+    line : ndarray, shape (2, 3)
+        The ends of the line on which it lies [m].
+    radius : float
+        The mean of both ends [m].
+    """
+
+    axis: NDArray[np.float64]
+    up: NDArray[np.float64]
+    line: NDArray[np.float64]
+    radius: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,8 +118,26 @@ class Standing:
         return self._facing @ rotation_by(np.asarray(self.tilt))
 
     @property
+    def round_side(self) -> RoundSide | None:
+        """The side on which a cylinder or a truncated cone lies at first; None of what does not lie so."""
+        rims, up = self.solid.rims, self.turn[2]
+        if len(rims) != 2:
+            return None
+        axis = rims[1, 3:6]
+        across = up - (axis @ up) * axis
+        if not across.any():  # it stands upright
+            return None
+        across /= np.linalg.norm(across)
+        line = rims[:, :3] - rims[:, 6:] * across
+        low = min((line @ up).min(), (self.solid.base @ up).min())
+        lies = bool((line @ up <= low + LEVEL).all())
+        return RoundSide(axis, across, line, float(rims[:, 6].mean())) if lies else None
+
+    @property
     def rest(self) -> NDArray[np.float64]:
-        """The same as it would rest on its base, shape (3, 3): with feet of unequal heights it leans."""
+        """The same at rest, shape (3, 3): on its base, leaning on unequal feet, or on its round side."""
+        if self.round_side is not None:
+            return self.turn
         up = self.solid.up_at_rest
         return self._facing if up is None else self._facing @ _to_vertical(up)
 
@@ -264,12 +305,15 @@ class Joint:
         for name in ("strength", "shear"):
             value = getattr(self, name)
             if not (isinstance(value, float) and value == math.inf):
-                within(f"simulation.joint_{name}", value, 1e-3, 1e9, "N", name)
+                within(f"simulation.joint_{name}", value, *STRENGTH_RANGE, "N", name)
         within("simulation.joint_slack", self.slack, 0.0, 10.0, "m", "slack")
         within("simulation.joint_damping", self.damping, 0.0, 2.0, "", "damping")
         if self.slack > 0.0 and self.to is None:
             raise InputError("simulation.slack_without_to", "slack", value=self.slack)
 
+
+STRENGTH_RANGE = (1e-3, 1e9)
+"""Smallest and largest strength of a joint but inf [N]."""
 
 MOST_BODIES = 100
 """Most bodies of an assembly."""

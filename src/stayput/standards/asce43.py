@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 DAMPING = 0.10
 """Damping ratio of the vector spectral acceleration."""
 
+FRICTION_RANGE = (0.001, 10.0)
+"""Smallest and largest μ of which the method is asked."""
+
 VERTICAL_SHARE = 0.4
 """Part of the peak vertical acceleration that lightens the body as it slides."""
 
@@ -91,7 +94,7 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
     0.17
     """
     Motion.given(motion)
-    mu = within("friction", friction, 0.001, 10.0, field="friction")
+    mu = within("friction", friction, *FRICTION_RANGE, field="friction")
     GRAVITY.check(gravity)
     vertical = 0.0 if motion.z is None else float(np.abs(motion.z).max())
     most = gravity / VERTICAL_SHARE

@@ -87,17 +87,16 @@ def compare(
         raise not_allowed("fragility.level", repr(levels), "common.list", "levels")
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
-    (options, impossible), shaking = compared_options(scenario), scenario.shaking
-    ground, dimensions = scenario.ground(), scenario.dimensions
-    place = shaking.building, shaking.storey or 1
-    hazard = Hazard(ground, *place, bool(shaking.vertical), dimensions, tuple(further))
+    options, impossible = compared_options(scenario)
+    hazard, dimensions = Hazard.of(scenario, tuple(further)), scenario.dimensions
+    ground = hazard.ground
     settings = Settings.of(scenario, len(ground), limit)
     faulty = _badly_installed(options, scenario)
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
     with tally(total, "progress.verifying", progress, on_progress) as count:
-        floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
+        floors = hazard.stated_by(scenario, threads)
         batches: list[list[Rows]] = []
 
         def run(_: list[int], samples: int, start: int) -> list[Runs]:
@@ -340,10 +339,10 @@ def verify_several(
         Options of which none can be put in place, or a record that cannot be read.
     """
     began = time.perf_counter()
-    room, gravity, shaking = scenario.surroundings(), scenario.gravity, scenario.shaking
+    room, gravity = scenario.surroundings(), scenario.gravity
     options, rejected = options_of_several(scenario)
-    ground = scenario.ground()
-    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
+    hazard = Hazard.of(scenario)
+    ground = hazard.ground
     settings = Settings.of(scenario, len(ground), slide_limit)
     assemblies = [scenario.assembly(option) for option in options]
     warn_of_settlement(assemblies[0], room)
@@ -356,7 +355,7 @@ def verify_several(
         as_stated=settings.as_stated,
     )
     with tally(total, "progress.verifying", progress, on_progress) as count:
-        floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
+        floors = hazard.stated_by(scenario, threads)
 
         def run(_: list[int], samples: int, start: int) -> list[RunsOfSeveral]:
             drawn = draw(samples, start=start)

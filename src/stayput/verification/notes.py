@@ -26,7 +26,7 @@ from stayput.model.parameters import STANDARD_GRAVITY, parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
 from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_loads, position_of
-from stayput.standards.asce43 import VERTICAL_SHARE
+from stayput.standards.asce43 import FRICTION_RANGE, VERTICAL_SHARE
 from stayput.verification.options import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR, joined
@@ -82,11 +82,12 @@ class SlidingShare:
     @classmethod
     def of(cls, floors: FloorMotions, friction: float, gravity: float, threads: int | None) -> Self:
         """Return it for the motions of a level and the static friction of the floor."""
+        mu = float(np.clip(friction, *FRICTION_RANGE))
 
         def estimated(place: int) -> float:
             motion = floors.motions[place].scaled(float(floors.scales[place]))
             lifted = motion.z is not None and float(np.abs(motion.z).max()) >= gravity / VERTICAL_SHARE
-            return math.nan if lifted else asce43_sliding(motion, friction, gravity).distance
+            return math.nan if lifted else asce43_sliding(motion, mu, gravity).distance
 
         with Pool(threads) as pool:
             calls = (partial(estimated, place) for place in range(len(floors.motions)))

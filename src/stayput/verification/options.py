@@ -141,21 +141,16 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     Raises
     ------
     InputError
-        A piece that stands in a wall or in the ceiling, measures of which none can be applied there, or two
-        of one name.
+        A piece that stands in a wall or in the ceiling, or measures of which none can be applied there.
     """
     named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
-    names = ["none", *(option.name for option in named)]
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError("verification.two_of_one_name", "measures", name=repr(name))
     body, room = scenario.furniture.body(), scenario.room.room()
     refuse_bad_start(body, room, scenario.initial.state())
     compared = named if named or scenario.without_measures else usual()
     possible, impossible = _possible(compared, lambda option: hold(body, room, option.measures))
     if named and not possible:
         raise impossible[0].error
-    return (Option("none"), *possible), impossible
+    return (Option(NOTHING), *possible), impossible
 
 
 ON_TOP = ("l_bracket", "belt", "tension_pole")
@@ -191,7 +186,7 @@ def options_of_several(
     Raises
     ------
     InputError
-        Options of which none can be put in place.
+        What the file states, or options of which none can be put in place.
     """
     nothing = AssemblyOption(NOTHING, False, ((),) * len(scenario.names))
     named = scenario.options
@@ -203,6 +198,8 @@ def options_of_several(
         except InputError as error:  # such as mats under a piece on another
             raise scenario.by_names(error) from None
 
+    with scenario.naming_file():
+        put_in_place(scenario.stated)
     possible, rejected = _possible(named or _usual(scenario), put_in_place)
     if named and not possible:
         with scenario.naming_file():

@@ -192,4 +192,5 @@ def _of_one(run: SpaceRun, name: str) -> Phrase:
         return phrase("runs.rested", name=name)
     tilt = phrase("space.least_angle") if angle < 0.1 else phrase("space.up_to_angle", angle=angle)
     slide = phrase("runs.slid_least") if way < 1e-3 else phrase("runs.slid_up_to", length=length(way))
-    return phrase("space.upright", name=name, tilt=tilt, slide=slide)
+    key = "rolled" if run.outcome is Outcome.ROLLED else "upright"
+    return phrase(f"space.{key}", name=name, tilt=tilt, slide=slide)

@@ -166,8 +166,7 @@ def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motio
     """
     shaken = verdict.scenario.shaking
     one_motion = Suite((ground[member.motion],))
-    dimensions = verdict.scenario.dimensions
-    hazard = Hazard(one_motion, shaken.building, shaken.storey or 1, bool(shaken.vertical), dimensions)
+    hazard = Hazard.of(verdict.scenario, ground=one_motion)
     strength = shaken.strength
     own = None if strength is None else strength.drawn(len(ground), verdict.seed)[member.motion]
     floors = hazard.stated(own, shaken.scale, verdict.seed)
@@ -316,12 +315,10 @@ def _pairs(
 def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> SpaceRun:
     """Run a member of an option again, with its histories."""
     scenario = verdict.scenario
-    shaking, settings = scenario.shaking, scenario.uncertainty
-    ground = scenario.ground()
-    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
-    floors = hazard.stated(shaking.strength, shaking.scale, verdict.seed)
+    hazard, stated = Hazard.of(scenario), scenario.uncertainty.as_stated
+    floors = hazard.stated_by(scenario)
     drawn = draws_of_several(
-        scenario.names, len(ground), verdict.samples, verdict.seed, as_stated=settings.as_stated
+        scenario.names, len(hazard.ground), verdict.samples, verdict.seed, as_stated=stated
     )
     return run_again(
         scenario.assembly(result.option),
