@@ -140,7 +140,7 @@ def test_insets_and_heights_of_a_planar_body_become_feet():
         (pytest.approx(0.15), -0.5, -0.004),
         (pytest.approx(0.15), 0.5, -0.004),
     ]
-    assert np.array_equal(solid.base, solid.feet)
+    assert np.array_equal(solid.base_points, solid.feet)
     lower = solid.vertices[solid.vertices[:, 2] < 0.5]
     assert sorted({(x, z) for x, _, z in lower.tolist()}) == [(-0.2, 0.0), (0.2, -0.004)]
     up = solid.up_at_rest
@@ -279,7 +279,7 @@ def test_four_feet_of_which_one_is_short_stand_on_three():
 
 def test_a_hull_on_its_tip_does_not_stand():
     tip = Solid([(0, 0, 0), (1, 0, 1), (-1, 0, 1), (0, 1, 1), (0, -1, 1)], 1.0)
-    assert len(tip.base) == 1
+    assert len(tip.base_points) == 1
     assert not tip.stands
 
 

@@ -27,12 +27,14 @@ from stayput.mechanics.space.body import angular_response, bend
 from stayput.mechanics.space.contact import (
     beyond_target,
     first_tangent,
+    friction_lever_a,
+    friction_lever_b,
     lever_a,
     lever_b,
     normal_of,
+    opening,
     push,
     second_tangent,
-    slip,
 )
 from stayput.mechanics.space.newton import improve, note_impulses, set_rows, take_back
 from stayput.mechanics.space.touching import ROOM
@@ -87,9 +89,9 @@ ROUGH_CLOSING, ROUGH_SPEED, ROUGH_LEAST = 2e-4, 1e-4, 1e-7
 
 
 @inline
-def _inverse_masses(body, s, lever, n, u, v):
-    """Return the velocities of a body's point by unit impulses: nn, nu, nv, uu, uv, vv."""
-    a, b, c = cross(lever, n), cross(lever, u), cross(lever, v)
+def _inverse_masses(body, s, lever, friction_lever, n, u, v):
+    """Return the velocities of a body at a contact by unit impulses: nn, nu, nv, uu, uv, vv."""
+    a, b, c = cross(lever, n), cross(friction_lever, u), cross(friction_lever, v)
     ra, rb, rc = angular_response(s, a), angular_response(s, b), angular_response(s, c)
     k = body.rm * body.rm
     return k + dot(a, ra), dot(a, rb), dot(a, rc), k + dot(b, rb), dot(b, rc), k + dot(c, rc)
@@ -102,19 +104,58 @@ def prepare(c, bodies, poses, restitution):
     s, t = tangents(n)
     c.sx, c.sy, c.sz = s
     c.tx, c.ty, c.tz = t
-    w = _inverse_masses(bodies[c.a], poses[c.a], lever_a(c), n, s, t)
+    w = _inverse_masses(bodies[c.a], poses[c.a], lever_a(c), friction_lever_a(c), n, s, t)
     c.wnn, c.wns, c.wnt, c.wss, c.wst, c.wtt = w
     if c.b != ROOM:
-        w = _inverse_masses(bodies[c.b], poses[c.b], lever_b(c), n, s, t)
+        w = _inverse_masses(bodies[c.b], poses[c.b], lever_b(c), friction_lever_b(c), n, s, t)
         c.wnn, c.wns, c.wnt = c.wnn + w[0], c.wns + w[1], c.wnt + w[2]
         c.wss, c.wst, c.wtt = c.wss + w[3], c.wst + w[4], c.wtt + w[5]
     half, off = 0.5 * (c.wss - c.wtt), c.wst
     c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
-    c.closing = dot(n, slip(c, poses))
+    c.closing = opening(c, poses)
     c.bounce = restitution if c.closing < -IMPACT else 0.0
     c.target = -c.bounce * c.closing
     c.target_s = c.target_t = 0.0
     c.mu = c.mu_static if c.stuck else c.mu_kinetic
+
+
+@inline
+def _pressing(c, bodies):
+    """Return how much a contact counts among others: by its force in the step before, or all alike."""
+    return c.pn + TINY * bodies[c.a].mass
+
+
+@inner
+def _middle(contacts, first, count, bodies):
+    """Return the middle of the forces of the contacts from ``first`` on, from both G."""
+    weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    for k in range(first, count):
+        c = contacts[k]
+        share = _pressing(c, bodies)
+        weight += share
+        arm, other = added(arm, share, lever_a(c)), added(other, share, lever_b(c))
+    return scaled(1.0 / weight, arm), scaled(1.0 / weight, other)
+
+
+@inner
+def spread_friction(contacts, first, count, bodies):
+    """Set where the friction of the contacts from ``first`` on acts; they are of the same two bodies.
+
+    On the floor, or of one body on another, it acts at c + κ (r − c), with c the middle of the forces and κ
+    of the body that stands on the other: so it resists turning as even pressure on the base does
+    (`stayput.model.even_base`). On an edge κ is 1/2, that of a line.
+    """
+    c = contacts[first]
+    kappa = 1.0
+    if c.floor or c.b != ROOM:
+        kappa = bodies[c.b if c.b != ROOM and c.nz < 0.0 else c.a].kappa
+    if count - first == 2:
+        kappa = 0.5 if kappa < 1.0 else 1.0
+    arm, other = _middle(contacts, first, count, bodies)
+    for k in range(first, count):
+        c = contacts[k]
+        c.fax, c.fay, c.faz = added(scaled(1.0 - kappa, arm), kappa, lever_a(c))
+        c.fbx, c.fby, c.fbz = added(scaled(1.0 - kappa, other), kappa, lever_b(c))
 
 
 @inner
@@ -125,20 +166,17 @@ def ask_for_bend(contacts, first, count, bodies, poses, h):
     begins, it has to leave with half the bend. All contacts of two bodies, or of a body and a plane, ask for
     the same, that of the middle of their forces: no rigid motion could give each its own.
     """
-    weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-    gap, upwards = math.inf, 0.0
+    gap, weight, upwards = math.inf, 0.0, 0.0
     for k in range(first, count):
         c = contacts[k]
         gap = min(gap, c.gap)
-        share = c.pn * c.wnn + TINY
+        share = _pressing(c, bodies)
         weight += share
         upwards += share * c.bent
-        arm, other = added(arm, share, lever_a(c)), added(other, share, lever_b(c))
     c = contacts[first]
-    arm = arm[0] / weight, arm[1] / weight, arm[2] / weight
+    arm, other = _middle(contacts, first, count, bodies)
     bent = bend(bodies[c.a], poses[c.a], arm)
     if c.b != ROOM:
-        other = other[0] / weight, other[1] / weight, other[2] / weight
         bent = added(bent, -1.0, bend(bodies[c.b], poses[c.b], other))
     closes = max(0.0, gap) / max(h, CLOSES)
     for k in range(first, count):
@@ -172,9 +210,7 @@ def update(c, bodies, poses):
     if dn == 0.0 and ds == 0.0 and dt == 0.0:
         return 0.0
     c.pn, c.ps, c.pt = pn, ps, pt
-    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-    p = added(added((dn * n[0], dn * n[1], dn * n[2]), ds, s), dt, t)
-    push(c, bodies, poses, p)
+    push(c, bodies, poses, dn, ds, dt)
     return max(abs(dn) * c.wnn, max(abs(ds), abs(dt)) * c.stiff)
 
 
@@ -222,8 +258,7 @@ def _let_slip(contacts, count, poses, h):
 @inline
 def apply_one(c, bodies, poses, factor):
     """Apply the impulse of a contact times a factor."""
-    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-    push(c, bodies, poses, scaled(factor, added(added(scaled(c.pn, n), c.ps, s), c.pt, t)))
+    push(c, bodies, poses, factor * c.pn, factor * c.ps, factor * c.pt)
 
 
 @inner
