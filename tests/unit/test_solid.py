@@ -206,7 +206,7 @@ def test_a_solid_is_a_value():
     assert cone != Solid.cone(0.5, 0.2, 0.8, 7.0)
     assert cone != "cone"
     assert replace(cone, mass=8.0).mass == 8.0
-    assert replace(cone, feet=None) == Solid.cone(0.5, 0.2, 0.8, 7.0)
+    assert replace(cone, feet=None, base="flat") == Solid.cone(0.5, 0.2, 0.8, 7.0)
     for array in (*again.principal, *again.faces):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 0.0

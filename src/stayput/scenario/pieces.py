@@ -150,7 +150,7 @@ class StandingTable(Table):
         shape = self._shape
         if self.mesh is not None:
             return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", **shape)
-        kind = next(kind for kind, sizes in _SHAPES.items() if sizes == self._sizes.keys())
+        kind = next(kind for kind, sizes in _SHAPES.items() if sizes == shape.keys() - {"mass", "base"})
         return getattr(Solid, kind)(**shape)
 
 
