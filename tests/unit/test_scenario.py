@@ -134,8 +134,6 @@ def test_a_preset_and_its_overrides():
     case = Scenario.parse({"furniture": {"preset": "chest", **own}}).case()
     sizes = chest.width, chest.height, 50.0
     assert case.body == sp.Body(*sizes, (0.0, -0.1), length=chest.length, base="feet")
-        chest.width, chest.height, 50.0, (0.0, -0.1), length=chest.length, base="feet"
-    )
     assert case.room == sp.Room(sp.Floor.of("wood flooring"))
     assert case.motion == sp.near_fault()
     assert (case.contact, case.initial, case.gravity) == ("coulomb", sp.State(), 9.80665)
