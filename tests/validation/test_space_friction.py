@@ -26,7 +26,7 @@ def test_circular_shaking(amplitude: float, friction: float, height: float) -> N
     shaking = sp.Motion(
         dt=dt, x=amplitude * np.cos(omega * t), y=amplitude * np.sin(omega * t), name="circle"
     )
-    block = sp.Solid.box(0.9, 0.9, height, 30.0)
+    block = sp.Solid.box(0.9, 0.9, height, 30.0, base="feet")
     last = slice(-round(1.0 / dt) - 1, None)
     speed = math.sqrt(amplitude**2 - (friction * G) ** 2) / omega
     start = -amplitude / complex(friction * G, omega * speed) * speed
@@ -158,7 +158,7 @@ def test_four_points_stand_for_a_rim(share: float) -> None:
     inertia = 8.0 * 0.3**2 * np.diag([0.6 * share, 0.6 * share, share])
     own = {"inertia": inertia, "centre_of_gravity": (0.0, 0.0, 0.0)}
     ways = []
-    for solid in (disc(24, share), sp.Solid.cylinder(0.6, 0.05, 8.0, **own)):
+    for solid in (disc(24, share), sp.Solid.cylinder(0.6, 0.05, 8.0, base="edges", **own)):
         thrown = sp.Standing(solid, velocity=(1.0, 0.0, 0.0), rotation_rate=(0.0, 0.0, 3.0))
         run = sp.simulate(thrown, sp.Room(sp.Floor(0.2, 0.2)), still(1.5), step=2e-4)
         assert np.abs(run.velocity[0, -1]).max() == 0.0

@@ -38,7 +38,7 @@ from stayput.mechanics.space.contact import (
 )
 from stayput.mechanics.space.newton import improve, note_impulses, set_rows, take_back
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, scaled, tangents
+from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled, tangents
 
 IMPACT = 1e-3
 """Closing velocity from which on a contact bounces [m/s]."""
@@ -72,6 +72,9 @@ LONGEST_PAUSE = 8
 CLOSES = 1e-3
 """Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step."""
 
+ASIDE = 0.05
+"""How far their middle may be from that of the step before, as a share of a contact's distance from it."""
+
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
 
@@ -104,6 +107,17 @@ def prepare(c, bodies, poses, restitution):
     s, t = tangents(n)
     c.sx, c.sy, c.sz = s
     c.tx, c.ty, c.tz = t
+    _set_inverse_masses(c, bodies, poses)
+    c.closing = opening(c, poses)
+    c.bounce = restitution if c.closing < -IMPACT else 0.0
+    c.target = -c.bounce * c.closing
+    c.target_s = c.target_t = 0.0
+    c.mu = c.mu_static if c.stuck else c.mu_kinetic
+
+
+@inline
+def _set_inverse_masses(c, bodies, poses):
+    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
     w = _inverse_masses(bodies[c.a], poses[c.a], lever_a(c), friction_lever_a(c), n, s, t)
     c.wnn, c.wns, c.wnt, c.wss, c.wst, c.wtt = w
     if c.b != ROOM:
@@ -112,11 +126,6 @@ def prepare(c, bodies, poses, restitution):
         c.wss, c.wst, c.wtt = c.wss + w[3], c.wst + w[4], c.wtt + w[5]
     half, off = 0.5 * (c.wss - c.wtt), c.wst
     c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
-    c.closing = opening(c, poses)
-    c.bounce = restitution if c.closing < -IMPACT else 0.0
-    c.target = -c.bounce * c.closing
-    c.target_s = c.target_t = 0.0
-    c.mu = c.mu_static if c.stuck else c.mu_kinetic
 
 
 @inline
@@ -137,6 +146,15 @@ def _middle(contacts, first, count, bodies):
     return scaled(1.0 / weight, arm), scaled(1.0 / weight, other)
 
 
+@inline
+def _kappa(c, count, bodies):
+    """Return κ of as many contacts of the same two bodies."""
+    if not (c.floor or c.b != ROOM):
+        return 1.0
+    kappa = bodies[c.b if c.b != ROOM and c.nz < 0.0 else c.a].kappa
+    return min(kappa, 0.5) if count == 2 and kappa < 1.0 else kappa
+
+
 @inner
 def spread_friction(contacts, first, count, bodies):
     """Set where the friction of the contacts from ``first`` on acts; they are of the same two bodies.
@@ -145,17 +163,46 @@ def spread_friction(contacts, first, count, bodies):
     of the body that stands on the other: so it resists turning as even pressure on the base does
     (`stayput.model.even_base`). On an edge κ is 1/2, that of a line.
     """
-    c = contacts[first]
-    kappa = 1.0
-    if c.floor or c.b != ROOM:
-        kappa = bodies[c.b if c.b != ROOM and c.nz < 0.0 else c.a].kappa
-    if count - first == 2:
-        kappa = 0.5 if kappa < 1.0 else 1.0
+    kappa = _kappa(contacts[first], count - first, bodies)
     arm, other = _middle(contacts, first, count, bodies)
     for k in range(first, count):
         c = contacts[k]
         c.fax, c.fay, c.faz = added(scaled(1.0 - kappa, arm), kappa, lever_a(c))
         c.fbx, c.fby, c.fbz = added(scaled(1.0 - kappa, other), kappa, lever_b(c))
+
+
+@inner
+def _spread_anew(contacts, count, bodies, poses):
+    """Let friction act about the middle of the forces that were found, where it is far from that before.
+
+    Returns
+    -------
+    bool
+        Whether it was anywhere, so that the impulses have to be found again.
+    """
+    moved, first = False, 0
+    while first < count:
+        c, end, force = contacts[first], first, 0.0
+        while end < count and (contacts[end].a, contacts[end].b, contacts[end].plane) == (c.a, c.b, c.plane):
+            force += contacts[end].pn
+            end += 1
+        kappa = _kappa(c, end - first, bodies)
+        if kappa < 1.0 and end - first > 1 and force > 0.0:
+            arm, _ = _middle(contacts, first, end, bodies)
+            out = added(lever_a(c), -1.0, arm)
+            if norm(added(added(arm, kappa, out), -1.0, friction_lever_a(c))) > ASIDE * norm(out):
+                if not moved:
+                    apply(contacts, count, bodies, poses, -1.0)
+                moved = True
+                spread_friction(contacts, first, end, bodies)
+                for k in range(first, end):
+                    d = contacts[k]
+                    _set_inverse_masses(d, bodies, poses)
+                    d.mu = d.mu_static if d.stuck else d.mu_kinetic
+        first = end
+    if moved:
+        apply(contacts, count, bodies, poses, 1.0)
+    return moved
 
 
 @inner
@@ -305,6 +352,14 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
     bool
         Whether they converged.
     """
+    converged = _solve(contacts, count, held, bodies, poses, system, h, work)
+    if _spread_anew(contacts, count, bodies, poses):
+        converged = _solve(contacts, count, held, bodies, poses, system, h, work)
+    return converged
+
+
+@inner
+def _solve(contacts, count, held, bodies, poses, system, h, work):
     last, due, pause, tries, stalls = math.inf, 0, 1, 0, 0
     accuracy, hits = ACCURACY * h, False
     for k in range(count):
