@@ -1,4 +1,4 @@
-"""Bases that bear all over, along their outline, or on feet: how friction stops what slides and turns on them.
+"""Bases that bear all over, along their outline, or on feet: how friction stops what slides and turns.
 
 The floor's coefficient is μ = 0.3 throughout, and bodies are so low that pressure stays even.
 """
@@ -12,8 +12,11 @@ import numpy as np
 import pytest
 from in_space import G, still
 from scipy.integrate import quad, solve_ivp
+from scipy.optimize import linprog
+from scipy.spatial import ConvexHull
 
 import stayput as sp
+from stayput.measures import TensionPole
 from stayput.model.even_base import friction_ratio
 
 if TYPE_CHECKING:
@@ -66,31 +69,18 @@ def test_a_disc_and_a_rim_that_turn() -> None:
 def test_a_polygon_beside_many_of_its_points() -> None:
     """An irregular base: mean distances over its area and its outline, by sampling."""
     outline = np.array([(0.0, 0.0), (0.5, -0.1), (0.8, 0.3), (0.4, 0.7), (0.0, 0.5)])
-    grid = np.stack(np.meshgrid(np.linspace(-0.1, 0.9, 801), np.linspace(-0.2, 0.8, 801)), axis=-1).reshape(
-        -1, 2
-    )
-    ahead = np.roll(outline, -1, axis=0)
-    sides = [
-        (b - a)[0] * (grid - a)[:, 1] - (b - a)[1] * (grid - a)[:, 0]
-        for a, b in zip(outline, ahead, strict=True)
-    ]
-    inside = grid[np.min(sides, axis=0) > 0.0]
-    counts = (np.linalg.norm(ahead - outline, axis=1) * 2000).astype(int)
-    line = np.concatenate(
-        [
-            a + (b - a) * (np.arange(n)[:, None] + 0.5) / n
-            for a, b, n in zip(outline, ahead, counts, strict=True)
-        ]
-    )
-    for base, points in (("flat", inside), ("edges", line)):
-        solid = sp.Solid.prism(outline, 0.01, 10.0, base=base)
-        corners = solid.base_points[:, :2] + (outline.min(axis=0) + outline.max(axis=0)) / 2.0
-        arms = corners - points.mean(axis=0)
-        loads = np.linalg.lstsq(np.vstack((np.ones(len(arms)), arms.T)), [1.0, 0.0, 0.0], rcond=None)[0]
-        expected = np.linalg.norm(points - points.mean(axis=0), axis=1).mean() / (
-            loads @ np.linalg.norm(arms, axis=1)
-        )
-        assert friction_ratio(solid) == pytest.approx(expected, rel=2e-3)
+    hull, ahead = ConvexHull(outline), np.roll(outline, -1, axis=0)
+    grid = np.stack(np.meshgrid(*2 * [np.linspace(-0.1, 0.8, 901)]), axis=-1).reshape(-1, 2)
+    inside = grid[(grid @ hull.equations[:, :2].T < -hull.equations[:, 2]).all(axis=1)]
+    line = outline + ((np.arange(2000) + 0.5) / 2000)[:, np.newaxis, np.newaxis] * (ahead - outline)
+    weights = np.tile(np.linalg.norm(ahead - outline, axis=1), 2000)
+    for base, points, shares in (("flat", inside, None), ("edges", line.reshape(-1, 2), weights)):
+        middle = np.average(points, axis=0, weights=shares)
+        arms = outline - middle
+        loads = np.linalg.lstsq(np.vstack((np.ones(5), arms.T)), [1.0, 0.0, 0.0], rcond=None)[0]
+        mean = np.average(np.linalg.norm(points - middle, axis=1), weights=shares)
+        expected = pytest.approx(mean / (loads @ np.linalg.norm(arms, axis=1)), rel=2e-3)
+        assert friction_ratio(sp.Solid.prism(outline, 0.01, 10.0, base=base)) == expected
 
 
 def patches(width: float, length: float, count: int = 40) -> NDArray[np.float64]:
@@ -141,15 +131,32 @@ def test_even_pressure_that_slides_and_turns(
     assert 0.995 < turn / turn_of_all < 1.10
 
 
-def test_a_flat_disc_stops_nearly_as_published() -> None:
-    """v/(R ω) → 0.653: Farkas, Bartels, Unger and Wolf (2003), Phys. Rev. Lett. 90, 248302.
+def bears(a: float, kappa: float) -> bool:
+    """Whether forces at four corners bear, by linear programming, what the test below pushes with [m/s²].
 
-    Its friction on eight points at 2/3 R ends at 2/3, as a hoop of that radius with the disc's moment.
+    The cone is one of 64 sides. Friction acts at c + κ (r − c); its moment about the vertical through G is 0.
     """
-    thrown = sp.Standing(
-        sp.Solid.cylinder(0.6, 0.002, 8.0), velocity=(0.6, 0.0, 0.0), rotation_rate=(0.0, 0.0, 5.0)
-    )
-    run = sp.simulate(thrown, ROOM, still(1.0, 1e-3), step=1e-4)
-    speed, spin = np.linalg.norm(run.velocity[0, :, :2], axis=1), np.abs(run.rotation_rate[0, :, 2])
-    last = np.flatnonzero(spin)[-4]
-    assert speed[last] / (0.3 * spin[last]) == pytest.approx(0.653, rel=0.03)
+    weight, push = 20.0 * G + 600.0, 20.0 * a
+    corners = np.array([(x, y) for x in (-0.2, 0.2) for y in (-0.45, 0.45)])
+    c = np.array([-0.15 * 600.0, -0.2 * push]) / weight
+    angles = np.tile(2.0 * np.pi * np.arange(64) / 64, 4)
+    arms, way = np.repeat(c + kappa * (corners - c), 64, axis=0), np.array([np.cos(angles), np.sin(angles)])
+    normal = np.vstack((np.ones(4), corners.T, np.zeros((3, 4))))
+    along = np.vstack((np.zeros((3, 256)), way, arms[:, 0] * way[1] - arms[:, 1] * way[0]))
+    cone = np.hstack((-MU * np.eye(4), np.kron(np.eye(4), np.ones(64))))
+    wanted = [weight, *(weight * c), 0.0, push, 0.0]
+    return linprog(np.zeros(260), cone, np.zeros(4), np.hstack((normal, along)), wanted).status == 0
+
+
+@pytest.mark.parametrize(("base", "most"), [("feet", 11.57), ("edges", 11.29), ("flat", 10.79)])
+def test_poles_at_the_back_and_a_push_across(base: str, most: float) -> None:
+    """They bring the middle of the forces off G: friction bears a moment, too, and not all of μ N."""
+    body = sp.Body(0.4, 0.4, 20.0, length=0.9, base=base)
+    kappa = friction_ratio(sp.Solid.of(body))
+    assert bears(0.999 * most, kappa)
+    assert not bears(1.001 * most, kappa)
+    room, poles = sp.Room(ROOM.floor, ceiling=sp.Ceiling(1.2)), [TensionPole(preload=300.0)]
+    for a, stays in ((0.8 * most, True), (1.001 * most, False)):
+        rising = a * np.minimum(1.0, 0.01 * np.arange(121))
+        run = sp.simulate(body, room, sp.Motion(dt=0.01, x=0.0 * rising, y=rising), poles, dimensions=3)
+        assert (np.abs(run.velocity).max() == 0.0) == stays

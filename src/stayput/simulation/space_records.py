@@ -327,6 +327,7 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
             np.zeros((len(bodies), 3)),
             np.zeros(len(bodies)),
             np.zeros((len(bodies), 6)),
+            np.zeros((len(bodies), 4)),
         ),
         (
             np.zeros((keys + devices, 2, 6, 6)),
