@@ -72,8 +72,8 @@ LONGEST_PAUSE = 8
 CLOSES = 1e-3
 """Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step."""
 
-ASIDE = 0.05
-"""How far their middle may be from that of the step before, as a share of a contact's distance from it."""
+ASIDE = 1e-4
+"""How far what slips may rub from where it should, as a share of a contact's distance from the middle."""
 
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
@@ -173,7 +173,9 @@ def spread_friction(contacts, first, count, bodies):
 
 @inner
 def _spread_anew(contacts, count, bodies, poses):
-    """Let friction act about the middle of the forces that were found, where it is far from that before.
+    """Let friction act about the middle of the forces that were found, where anything slips.
+
+    What sticks moves alike wherever it rubs.
 
     Returns
     -------
@@ -182,12 +184,14 @@ def _spread_anew(contacts, count, bodies, poses):
     """
     moved, first = False, 0
     while first < count:
-        c, end, force = contacts[first], first, 0.0
+        c, end, slips = contacts[first], first, False
         while end < count and (contacts[end].a, contacts[end].b, contacts[end].plane) == (c.a, c.b, c.plane):
-            force += contacts[end].pn
+            d = contacts[end]
+            size = math.sqrt(d.ps * d.ps + d.pt * d.pt)
+            slips = slips or (d.pn > 0.0 and size > d.mu * d.pn * (1.0 - 1e-9))
             end += 1
         kappa = _kappa(c, end - first, bodies)
-        if kappa < 1.0 and end - first > 1 and force > 0.0:
+        if kappa < 1.0 and end - first > 1 and slips:
             arm, _ = _middle(contacts, first, end, bodies)
             out = added(lever_a(c), -1.0, arm)
             if norm(added(added(arm, kappa, out), -1.0, friction_lever_a(c))) > ASIDE * norm(out):
