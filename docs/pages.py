@@ -57,13 +57,17 @@ def surfaces() -> str:
 
 def furniture() -> str:
     """Return the table of furniture presets."""
-    known = parameters(Preset)
+    known = [about for about in parameters(Preset) if not about.choices]
     rows = [
-        [name, *(f"{value:g}" if (value := getattr(preset, about.name)) else "" for about in known)]
+        [
+            name,
+            *(f"{value:g}" if (value := getattr(preset, about.name)) else "" for about in known),
+            f"{preset.base} ({preset.base_confidence})",
+        ]
         for name, preset in FURNITURE.items()
     ]
-    heads = ["preset", *(f"{about.label[0]} [{about.unit}]" for about in known)]
-    return validation_run.markdown(heads, rows, "lrrrrr")
+    heads = ["preset", *(f"{about.label[0]} [{about.unit}]" for about in known), "base (confidence)"]
+    return validation_run.markdown(heads, rows, "lrrrrrl")
 
 
 def _number(value: float) -> str:

@@ -14,7 +14,7 @@ from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import hold_piece, placed, planes_around, room_seen
 from stayput.simulation.space_case import piece_of
 
-BODY = sp.Body(0.4, 1.8, 100.0, length=0.9)
+BODY = sp.Body(0.4, 1.8, 100.0, length=0.9, base="feet")
 ROOM = sp.Room(sp.Floor(0.5, 0.4), left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
 SHAKEN = sp.near_fault()
 

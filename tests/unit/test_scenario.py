@@ -130,9 +130,10 @@ def test_what_contradicts_itself_is_refused(data, message):
 
 
 def test_a_preset_and_its_overrides():
-    case = Scenario.parse({"furniture": {"preset": "chest", "mass": 50, "cg_offset": [0.0, -0.1]}}).case()
-    chest = FURNITURE["chest"]
-    assert case.body == sp.Body(chest.width, chest.height, 50.0, (0.0, -0.1), length=chest.length)
+    chest, own = FURNITURE["chest"], {"mass": 50, "cg_offset": [0.0, -0.1], "base": "feet"}
+    case = Scenario.parse({"furniture": {"preset": "chest", **own}}).case()
+    sizes = chest.width, chest.height, 50.0
+    assert case.body == sp.Body(*sizes, (0.0, -0.1), length=chest.length, base="feet")
     assert case.room == sp.Room(sp.Floor.of("wood flooring"))
     assert case.motion == sp.near_fault()
     assert (case.contact, case.initial, case.gravity) == ("coulomb", sp.State(), 9.80665)
@@ -143,7 +144,7 @@ def test_shelves_make_the_bookcase_of_their_loads():
         {"furniture": {"preset": "bookcase", "shelves": [30, 20, 10], "base_heights": [0, 0]}}
     )
     loaded = sp.Body.bookcase(0.30, 1.80, 35.0, [30.0, 20.0, 10.0])
-    assert scenario.case().body == dataclasses.replace(loaded, length=0.80)
+    assert scenario.case().body == dataclasses.replace(loaded, length=0.80, base="edges")
 
 
 def test_the_length_across_the_shaking_is_the_preset_s_or_one_s_own():

@@ -140,7 +140,7 @@ def test_insets_and_heights_of_a_planar_body_become_feet():
         (pytest.approx(0.15), -0.5, -0.004),
         (pytest.approx(0.15), 0.5, -0.004),
     ]
-    assert np.array_equal(solid.base, solid.feet)
+    assert np.array_equal(solid.base_points, solid.feet)
     lower = solid.vertices[solid.vertices[:, 2] < 0.5]
     assert sorted({(x, z) for x, _, z in lower.tolist()}) == [(-0.2, 0.0), (0.2, -0.004)]
     up = solid.up_at_rest
@@ -206,7 +206,7 @@ def test_a_solid_is_a_value():
     assert cone != Solid.cone(0.5, 0.2, 0.8, 7.0)
     assert cone != "cone"
     assert replace(cone, mass=8.0).mass == 8.0
-    assert replace(cone, feet=None) == Solid.cone(0.5, 0.2, 0.8, 7.0)
+    assert replace(cone, feet=None, base="flat") == Solid.cone(0.5, 0.2, 0.8, 7.0)
     for array in (*again.principal, *again.faces):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 0.0
@@ -279,7 +279,7 @@ def test_four_feet_of_which_one_is_short_stand_on_three():
 
 def test_a_hull_on_its_tip_does_not_stand():
     tip = Solid([(0, 0, 0), (1, 0, 1), (-1, 0, 1), (0, 1, 1), (0, -1, 1)], 1.0)
-    assert len(tip.base) == 1
+    assert len(tip.base_points) == 1
     assert not tip.stands
 
 

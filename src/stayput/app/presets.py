@@ -70,7 +70,10 @@ SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
 
 NUMBERS = {
-    **{f"furniture.{name}": parameter_of(Body, name) for name in ("width", "height", "length", "mass")},
+    **{
+        f"furniture.{name}": parameter_of(Body, name)
+        for name in ("width", "height", "length", "mass", "base")
+    },
     "furniture.shelves": parameter_of(Part, "mass"),
     **{f"room.left_wall.{name}": parameter_of(Wall, name) for name in ("gap", "construction")},
     **{f"room.ceiling.{name}": parameter_of(Ceiling, name) for name in ("height", "construction")},

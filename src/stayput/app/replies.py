@@ -86,6 +86,7 @@ class FurnitureReply(NamedReply):
     carcass_mass_kg: float | None
     shelves: int | None
     drawers: int = Field(description="Drawers that can be open at once.")
+    base: str = Field(description="What bears on the floor; see `furniture.base` of the numbers.")
     centre_of_gravity_m: TwoNumbers
 
 

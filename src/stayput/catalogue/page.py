@@ -63,6 +63,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Angle in plan from the earthquake's first horizontal component to its second, counterclockwise.",
         "上から見て、地震動の第1水平成分から第2水平成分へ向かう（反時計回りの）角度です。",
     ),
+    "base": ("What it stands on", "床に接する部分"),
     "contentsInSpace": (
         "What comes out is computed in the plane alone; it is left out for now.",
         "飛び出しは平面でだけ計算できます。今は計算に含めていません。",
@@ -226,6 +227,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "comma": (", ", "、"),
     "choice_down": ("down", "下向き"),
     "choice_up": ("up", "上向き"),
+    "choice_flat": ("its whole base", "底面全体"),
+    "choice_edges": ("the edges: a plinth, side boards", "縁（台輪・側板）"),
+    "choice_feet": ("feet or casters", "脚・キャスター"),
     "choice_room": ("what the room's is", "部屋の壁のとおり"),
     "choice_stud": ("a stud", "下地（間柱）"),
     "choice_plasterboard": ("plasterboard alone", "石こうボードのみ"),

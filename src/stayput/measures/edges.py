@@ -146,7 +146,7 @@ class GelMats(UnderTheBase):
                 ("front", (half - front, right), self.count - self.count // 2),
             )
         )
-        return Held(body, room, elements, (self,))
+        return Held(replace(body, base="feet"), room, elements, (self,))
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,6 +48,9 @@ class OtherFriction(UnderTheBase):
     on_soft_floor: ClassVar[str] = ""
     """The id of a caution for a soft floor."""
 
+    base: ClassVar[str | None] = None
+    """What bears on the floor then, as of a `Body`; None for what does now."""
+
     static_friction: float
     kinetic_friction: float
 
@@ -73,7 +76,8 @@ class OtherFriction(UnderTheBase):
         edges = {field.name: None for field in fields(room.floor) if "edge_" in field.name}
         own = {"static_friction": self.static_friction, "kinetic_friction": self.kinetic_friction}
         floor = replace(room.floor, **edges, **own, surface=self.surface)
-        return Held(body, replace(room, floor=floor), (), (self,))
+        standing = body if self.base is None else replace(body, base=self.base)
+        return Held(standing, replace(room, floor=floor), (), (self,))
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +126,7 @@ class FeltGlides(OtherFriction):
     """
 
     kind: ClassVar[str] = "felt_glides"
+    base: ClassVar[str | None] = "feet"
     label: ClassVar[tuple[str, str]] = ("Felt glides", "フェルトパッド")
     about: ClassVar[tuple[str, str]] = (
         (
@@ -151,6 +156,7 @@ class SlidingGlides(OtherFriction):
     """
 
     kind: ClassVar[str] = "sliding_glides"
+    base: ClassVar[str | None] = "feet"
     label: ClassVar[tuple[str, str]] = ("Sliding glides (PTFE)", "すべりパッド（フッ素樹脂）")
     about: ClassVar[tuple[str, str]] = (
         (
@@ -184,6 +190,7 @@ class FreeCasters(OtherFriction):
     """
 
     kind: ClassVar[str] = "free_casters"
+    base: ClassVar[str | None] = "feet"
     label: ClassVar[tuple[str, str]] = ("Casters, free", "キャスター（ロックなし）")
     about: ClassVar[tuple[str, str]] = (
         (
@@ -219,6 +226,7 @@ class LockedCasters(OtherFriction):
     """
 
     kind: ClassVar[str] = "locked_casters"
+    base: ClassVar[str | None] = "feet"
     label: ClassVar[tuple[str, str]] = ("Casters, locked", "キャスター（ロックあり）")
     about: ClassVar[tuple[str, str]] = (
         (

@@ -33,8 +33,9 @@ CASE = np.dtype(
         *floats("ceiling_distance", "ceiling_restitution", "ceiling_friction"),
         *floats("tilt", "tilt_rate", "slide", "slide_rate"),  # initial state [rad, rad/s, m, m/s]
         # read in space alone: across the section [m], NaN where the body has none; half of what the feet span
-        # of it; moments about the horizontal in the section and the vertical, over m [m²]; walls to −y and +y
-        *floats("length", "half_base", "roll_inertia", "yaw_inertia", "landing_place"),
+        # of it; moments about the horizontal in the section and the vertical, over m [m²]; what bears, by its
+        # place in `BASES`; walls to −y and +y
+        *floats("length", "half_base", "roll_inertia", "yaw_inertia", "landing_place", "base"),
         *floats("near_side_distance", "near_side_restitution", "near_side_friction"),
         *floats("far_side_distance", "far_side_restitution", "far_side_friction"),
     ],

@@ -15,6 +15,7 @@ from stayput.model.parameters import (
     parameter_of,
     quantity,
 )
+from stayput.uncertainty import Confidence
 from stayput.wording import Brief
 
 if TYPE_CHECKING:
@@ -28,6 +29,9 @@ SIZE_RANGE = (1e-3, 100.0)
 
 MASS_RANGE = (1e-3, 1e6)
 """Smallest and largest mass that is accepted [kg]."""
+
+BASES = ("flat", "edges", "feet")
+"""What of a base bears on the floor: all of it, its outline, or its corners."""
 
 MOST_INSET = 0.45
 """Largest inset of a base corner, as a part of the width."""
@@ -98,11 +102,15 @@ class Body(Brief):
     length : float, optional
         Length across the shaking [m] (a bookcase's *width*). Nothing in the plane depends on it;
         `stayput.Solid.of` makes a body in space with it.
+    base : str
+        What bears on the floor, with which friction resists turning in plan: "flat", the whole base; "edges",
+        its outline (a plinth, side boards); "feet", its corners (feet, casters). Nothing in the plane depends
+        on it.
 
     Raises
     ------
     InputError
-        A size, mass, inertia or offset that is not finite or not possible.
+        A size, mass, inertia or offset that is not finite or not possible, or no such base.
 
     Examples
     --------
@@ -152,6 +160,16 @@ class Body(Brief):
         *_SIZE,
         ("Body length", "家具の幅（length）"),
         "Length of the piece across the shaking; nothing in the plane depends on it.",
+    )
+    base: str = parameter(
+        BASES[0],
+        "",
+        0.0,
+        0.0,
+        ("Base", "底面"),
+        "What bears on the floor: the whole base, its edges (plinth, side boards), or feet at its corners. "
+        "In space friction resists turning in plan by it.",
+        choices=BASES,
     )
 
     def __post_init__(self) -> None:
@@ -397,6 +415,10 @@ class Preset:
         Mass as it usually stands, with its load [kg].
     carcass_mass : float, optional
         Mass when it is empty [kg], for pieces whose loads may be given shelf by shelf.
+    base : str
+        What bears on the floor, as of a `Body`.
+    base_confidence : Confidence
+        How well founded that is.
     """
 
     width: float = field(metadata=quantity("m", *SIZE_RANGE, ("width (depth)", "奥行き")))
@@ -404,18 +426,22 @@ class Preset:
     length: float = field(metadata=quantity("m", *SIZE_RANGE, ("length (across)", "幅")))
     mass: float = field(metadata=quantity("kg", *MASS_RANGE, ("mass", "質量")))
     carcass_mass: float | None = parameter(None, "kg", *MASS_RANGE, ("empty carcass", "空の本体の質量"))
+    base: str = parameter(BASES[0], "", 0.0, 0.0, ("base", "底面"), choices=BASES)
+    base_confidence: Confidence = Confidence.MEDIUM
 
 
 FURNITURE: dict[str, Preset] = {
-    "bookcase": Preset(0.30, 1.80, 0.80, 200.0, carcass_mass=35.0),
-    "empty bookcase": Preset(0.30, 1.80, 0.80, 35.0, carcass_mass=35.0),
-    "wardrobe": Preset(0.60, 1.90, 1.00, 115.0),
-    "cupboard": Preset(0.40, 1.80, 0.885, 100.0),
-    "chest": Preset(0.42, 1.365, 0.885, 81.0),
-    "refrigerator": Preset(0.68, 1.82, 0.65, 105.0),
-    "television": Preset(0.27, 0.76, 1.23, 18.0),
-    "vending machine": Preset(0.83, 1.83, 1.10, 350.0),
-    "server rack": Preset(1.00, 2.00, 0.70, 500.0),
-    "upright piano": Preset(0.62, 1.25, 1.50, 230.0),
+    "bookcase": Preset(0.30, 1.80, 0.80, 200.0, 35.0, "edges"),
+    "empty bookcase": Preset(0.30, 1.80, 0.80, 35.0, 35.0, "edges"),
+    "wardrobe": Preset(0.60, 1.90, 1.00, 115.0, None, "edges"),
+    "cupboard": Preset(0.40, 1.80, 0.885, 100.0, None, "edges"),
+    "chest": Preset(0.42, 1.365, 0.885, 81.0, None, "edges"),
+    "refrigerator": Preset(0.68, 1.82, 0.65, 105.0, None, "feet"),
+    "television": Preset(0.27, 0.76, 1.23, 18.0, None, "feet", Confidence.LOW),
+    "vending machine": Preset(0.83, 1.83, 1.10, 350.0, None, "feet"),
+    "server rack": Preset(1.00, 2.00, 0.70, 500.0, None, "feet"),
+    "upright piano": Preset(0.62, 1.25, 1.50, 230.0, None, "feet"),
 }
-"""Pieces of furniture by name: typical Japanese sizes; masses in the middle of the usual range."""
+"""Pieces of furniture by name: typical Japanese sizes; masses in the middle of the usual range; bases as such
+pieces commonly have: plinths and side boards, adjustable feet or casters. A television may stand on a plate.
+"""

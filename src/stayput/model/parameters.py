@@ -188,6 +188,12 @@ def parameter_of(of: Any, name: str) -> Parameter:
     return next(about for about in parameters(of) if about.name == name)
 
 
+def not_one_of(about: Parameter, value: object, place: str = "") -> InputError:
+    """Return the refusal of a word that is none of a field's choices; see `check_fields`."""
+    name, known = place + about.name, ", ".join(about.choices)
+    return InputError("common.not_one_of", name, name=about.label, value=repr(value), hint="", known=known)
+
+
 def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> None:
     """Refuse a dataclass's value with a number out of its range, or a word that is none of its choices.
 
@@ -209,14 +215,7 @@ def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> N
         number = getattr(value, about.name)
         if about.choices:
             if number not in about.choices:
-                raise InputError(
-                    "common.not_one_of",
-                    place + about.name,
-                    name=about.label,
-                    value=repr(number),
-                    hint="",
-                    known=", ".join(about.choices),
-                )
+                raise not_one_of(about, number, place)
             continue
         if about.name not in but and not (number is None and about.default is None):
             about.check(number, field=place + about.name)

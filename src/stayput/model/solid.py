@@ -30,6 +30,7 @@ from stayput.model.room import Floor
 from stayput.model.soft_base import narrower_base, rigid_half_base
 from stayput.model.solid_fields import (
     Copied,
+    checked_base,
     checked_centre,
     checked_feet,
     checked_inertia,
@@ -64,6 +65,7 @@ class OwnFields(TypedDict, total=False):
     centre_of_gravity: ArrayLike | None
     inertia: ArrayLike | None
     feet: ArrayLike | None
+    base: str | None
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)
@@ -89,6 +91,9 @@ class Solid:
     rims : array_like, shape (r, 7), optional
         Circular edges: centre [m], unit axis out of the body, radius [m]. The corners on them stand for the
         circles, which they are inscribed in; a plane meets the circle itself.
+    base : str, optional
+        What bears on the floor, as of a `Body`: "flat", "edges" or "feet"; default "feet" of a body with
+        ``feet``, otherwise "flat".
 
     Attributes
     ----------
@@ -107,6 +112,8 @@ class Solid:
         Feet [m].
     rims : ndarray, shape (r, 7)
         Circular edges.
+    base : str
+        What bears on the floor.
     normals : ndarray, shape (n, 3)
         Outward unit normals of the faces.
     principal : tuple of ndarray
@@ -145,6 +152,7 @@ class Solid:
     inertia: NDArray[np.float64] = cast("Any", Copied())
     feet: NDArray[np.float64] | None = cast("Any", Copied())
     rims: NDArray[np.float64] = cast("Any", Copied())
+    base: str
     normals = cast("NDArray[np.float64]", Copied())  # which follow from the fields, and are none
     up_at_rest = cast("NDArray[np.float64] | None", Copied())
     principal: tuple[NDArray[np.float64], NDArray[np.float64]] = field(init=False)
@@ -158,6 +166,7 @@ class Solid:
         inertia: ArrayLike | None = None,
         feet: ArrayLike | None = None,
         rims: ArrayLike = (),
+        base: str | None = None,
     ) -> None:
         points = numbers("vertices", vertices, (None, 3))
         check_size(points, "vertices")
@@ -177,6 +186,7 @@ class Solid:
             "inertia": checked_inertia(hull, mass, usual, usual if inertia is None else inertia),
             "feet": None if feet is None else checked_feet(hull, feet),
             "rims": checked_rims(rims),
+            "base": checked_base(("flat" if feet is None else "feet") if base is None else base),
         }
         fields["normals"] = read_only(hull.planes[:, :3])
         moments, axes = principal_axes(fields["inertia"])
@@ -207,23 +217,26 @@ class Solid:
         return {one.name: getattr(self, one.name) for one in fields(self) if one.init}
 
     @property
-    def base(self) -> NDArray[np.float64]:
+    def base_points(self) -> NDArray[np.float64]:
         """The points that touch a level floor: the feet, or the lowest corners [m], shape (k, 3)."""
         if self.feet is not None:
             return self.feet
         heights = self.vertices[:, 2]
         return self.vertices[heights <= heights.min() + TOLERANCE * size_of(self.vertices)]
 
+    @property
+    def standing_rim(self) -> NDArray[np.float64] | None:
+        """The circular edge that touches a level floor all around, if there is one."""
+        lowest = float(self.vertices[:, 2].min()) + TOLERANCE * size_of(self.vertices)
+        level = (self.rims[:, 2] <= lowest) & (np.abs(self.rims[:, 5]) > 1.0 - 1e-9)
+        return self.rims[np.argmax(level)] if self.feet is None and level.any() else None
+
     def _up_at_rest(self) -> NDArray[np.float64] | None:
         tolerance = TOLERANCE * size_of(self.vertices)
-        if self.feet is None:
-            lowest = float(self.vertices[:, 2].min())
-            for x, y, z, _, _, axis, radius in self.rims:
-                if z <= lowest + tolerance and abs(axis) > 1.0 - 1e-9:
-                    g_x, g_y, _ = self.centre_of_gravity
-                    stands = math.hypot(g_x - x, g_y - y) < radius
-                    return read_only(np.array([0.0, 0.0, 1.0])) if stands else None
-        up = up_at_rest(self.base, self.centre_of_gravity, tolerance)
+        if (rim := self.standing_rim) is not None:
+            stands = math.dist(self.centre_of_gravity[:2], rim[:2]) < rim[6]
+            return read_only(np.array([0.0, 0.0, 1.0])) if stands else None
+        up = up_at_rest(self.base_points, self.centre_of_gravity, tolerance)
         return None if up is None else read_only(up)
 
     @property
@@ -242,7 +255,7 @@ class Solid:
         mass : float
             Mass [kg].
         **own
-            `centre_of_gravity`, `inertia` and `feet` as for `Solid`.
+            `centre_of_gravity`, `inertia`, `feet` and `base` as for `Solid`.
         """
         sides = np.array([side("width", width), side("length", length), side("height", height)])
         corners = np.array([(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])
@@ -261,7 +274,7 @@ class Solid:
         mass : float
             Mass [kg].
         **own
-            `centre_of_gravity`, `inertia` and `feet` as for `Solid`.
+            `centre_of_gravity`, `inertia`, `feet` and `base` as for `Solid`.
         """
         across = side("diameter", diameter)
         return cls.cone(across, across, height, mass, **own)
@@ -282,7 +295,7 @@ class Solid:
         mass : float
             Mass [kg].
         **own
-            `centre_of_gravity`, `inertia` and `feet` as for `Solid`.
+            `centre_of_gravity`, `inertia`, `feet` and `base` as for `Solid`.
         """
         R, r, h = side("bottom", bottom) / 2, side("top", top) / 2, side("height", height)
         z_g, second_moments = uniform_cone(R, r, h)
@@ -306,7 +319,7 @@ class Solid:
         mass : float
             Mass [kg].
         **own
-            `centre_of_gravity`, `inertia` and `feet` as for `Solid`.
+            `centre_of_gravity`, `inertia`, `feet` and `base` as for `Solid`.
         """
         corners = numbers("outline", outline, (None, 2))
         corners = corners - (corners.min(axis=0) + corners.max(axis=0)) / 2
@@ -361,6 +374,7 @@ class Solid:
             centre_of_gravity=(x_g, 0.0, z_g),
             inertia=body.mass * np.diag(moments),
             feet=feet if z_back != z_front or in_back or in_front or settlement else None,
+            base=body.base,
         )
 
     @classmethod
@@ -392,7 +406,7 @@ class Solid:
             Axis of the file that points up, "x", "y" or "z"; y and x of the body follow cyclically: with
             "y" the file's z is the body's x, the front.
         **own
-            `centre_of_gravity`, `inertia` and `feet` as for `Solid`, in its frame.
+            `centre_of_gravity`, `inertia`, `feet` and `base` as for `Solid`, in its frame.
 
         Raises
         ------

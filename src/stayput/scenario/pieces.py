@@ -10,7 +10,8 @@ from pydantic import Field, field_validator, model_validator
 
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
+from stayput.model.body import BASES, MASS_RANGE, SIZE_RANGE, Body
+from stayput.model.parameters import parameter_of
 from stayput.model.room import WALLS_AROUND
 from stayput.model.solid import Solid
 from stayput.scenario.fields import Table, Text, between, checked, named, one_of
@@ -71,6 +72,9 @@ class StandingTable(Table):
     mesh: Text | None = Field(default=None, description="A mesh's file (STL, OBJ), relative to this one.")
     unit: Text | None = Field(default=None, description="Unit of the mesh's numbers: mm, cm, m, in or ft.")
     mass: Annotated[float, between(*MASS_RANGE, "kg")] | None = Field(default=None, description="Mass.")
+    base: Annotated[str, one_of(BASES), named(BASES)] | None = Field(
+        default=None, description=parameter_of(Body, "base").meaning
+    )
     at: PlaceInPlan = Field(
         default=[0.0, 0.0],
         description="Where the middle of its base is, along x and y of the room, or of the piece that it "
@@ -132,8 +136,8 @@ class StandingTable(Table):
 
     @property
     def _shape(self) -> dict[str, Any]:
-        mass = {} if self.mass is None else {"mass": self.mass}
-        return usual_of(self.preset) | self._sizes | mass
+        own = {name: value for name in ("mass", "base") if (value := getattr(self, name)) is not None}
+        return usual_of(self.preset) | self._sizes | own
 
     def solid(self, folder: Path) -> Solid:
         """Make the body.
@@ -146,7 +150,7 @@ class StandingTable(Table):
         shape = self._shape
         if self.mesh is not None:
             return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", **shape)
-        kind = next(kind for kind, sizes in _SHAPES.items() if sizes | {"mass"} == shape.keys())
+        kind = next(kind for kind, sizes in _SHAPES.items() if sizes == shape.keys() - {"mass", "base"})
         return getattr(Solid, kind)(**shape)
 
 

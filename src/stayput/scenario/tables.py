@@ -42,13 +42,16 @@ Heading = Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")]
 
 
 def usual_of(preset: str | None, *, loaded: bool = True) -> dict[str, Any]:
-    """Return the sizes and the mass of a preset, loaded or as an empty carcass; nothing of none."""
+    """Return sizes, mass and base of a preset, loaded or as an empty carcass; nothing of none."""
     usual: dict[str, Any] = {} if preset is None else asdict(FURNITURE[preset])
     carcass = usual.pop("carcass_mass", None)
+    usual.pop("base_confidence", None)
     return usual if loaded else usual | {"mass": carcass}
 
 
-@fields_of(Body, optional=("width", "height", "mass"), mass="Mass; with shelves, that of the empty carcass.")
+@fields_of(
+    Body, optional=("width", "height", "mass", "base"), mass="Mass; with shelves, that of the empty carcass."
+)
 class FurnitureTable(ValueTable):
     """What stands: a preset, any field of which may be overridden, or a body of one's own."""
 

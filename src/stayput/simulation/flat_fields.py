@@ -170,6 +170,7 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
     length = numbers["body.length"]
     rows["length"], rows["half_base"] = length, rigid_half_base(length / 2, z_g, settlement)
     rows["roll_inertia"], _, rows["yaw_inertia"] = moments_of_furniture(b, length, h, rows["inertia"])
+    rows["base"] = numbers["body.base"]
     rows["gravity"], rows["scale"] = numbers["gravity"], numbers["motion.scale"]
     return rows
 

@@ -16,6 +16,7 @@ from stayput.errors import InputError
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, NONE
 from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
+from stayput.model.body import BASES
 from stayput.model.soft_base import landing_factor
 from stayput.model.solid import Solid
 from stayput.simulation.outcome import OUTCOMES, Outcome
@@ -70,7 +71,8 @@ def solid_of(case: np.void, mass: float = 1.0) -> Solid:
     names = ("length", "half_base", "roll_inertia", "inertia", "yaw_inertia")
     # 0 added: −0 is the same key as 0, and should be the same number
     u, v = (tuple((case[name] + 0.0).tolist()) for name in ("u", "v"))
-    return _solid_of(u, v, *(float(case[name]) + 0.0 for name in names), mass)
+    sizes = (float(case[name]) + 0.0 for name in names)
+    return _solid_of(u, v, *sizes, mass, BASES[int(case["base"])])
 
 
 # A verification shakes the same pieces with each measure.
@@ -84,6 +86,7 @@ def _solid_of(
     inertia: float,
     yaw_inertia: float,
     mass: float,
+    base: str,
 ) -> Solid:
     (a, b, c, d), (v_a, v_b, top, _) = u, v
     half, middle, low = 0.5 * length, 0.5 * (c + d), min(v_a, v_b)
@@ -95,6 +98,7 @@ def _solid_of(
         centre_of_gravity=(-middle, 0.0, -low),
         inertia=mass * np.diag([roll_inertia, inertia, yaw_inertia]),
         feet=[(x, y, z) for x, z in feet for y in (-half_base, half_base)],
+        base=base,
     )
 
 

@@ -116,7 +116,7 @@ def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64])
         The rotation of its frame into the room's.
     """
     side = one.round_side
-    feet = (one.solid.base if side is None else side.line) - one.solid.centre_of_gravity
+    feet = (one.solid.base_points if side is None else side.line) - one.solid.centre_of_gravity
     lowest = np.stack([_along(turn, 2, foot) for foot in feet]).argmin(axis=0)
     lows = feet[lowest].T
     first = one.place + feet @ one.turn.T
@@ -144,7 +144,7 @@ def heights(
     above : float
         Only what is above this height in the body's frame counts [m].
     """
-    corners = np.concatenate([solid.vertices, solid.base])
+    corners = np.concatenate([solid.vertices, solid.base_points])
     corners = corners[corners[:, 2] > above] - solid.centre_of_gravity
     lows = [_along(turn, 2, corner) for corner in corners]
     for x, y, z, *axis, radius in solid.rims[solid.rims[:, 2] > above]:
@@ -276,7 +276,7 @@ def lies_on_floor(one: Standing, place: NDArray[np.float64], turn: NDArray[np.fl
     if one.round_side is not None:
         return tilts(one.rest, turn) > LIES
     z = one.solid.vertices[:, 2]
-    base = max(z.min() + BASE * np.ptp(z), one.solid.base[:, 2].max())
+    base = max(z.min() + BASE * np.ptp(z), one.solid.base_points[:, 2].max())
     low = heights(one.solid, place, turn, above=float(base))
     return (tilts(one.rest, turn) >= math.pi / 2) | (low <= ON_THE_FLOOR)
 

@@ -11,6 +11,7 @@ from stayput.mechanics.devices.columns import DEVICE
 from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, PULL, RIM, SOLID
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
+from stayput.model.even_base import friction_ratio
 from stayput.simulation.flat_fields import WALLS_AND_CEILING
 
 if TYPE_CHECKING:
@@ -211,6 +212,7 @@ def _add(
         ]
     body["restitution"], body["landing_place"] = floor.restitution, floor.landing_place
     body["edge_static"], body["edge_kinetic"] = floor.edge_friction
+    body["kappa"] = friction_ratio(solid)
     up = solid.up_at_rest
     body["ux"], body["uy"], body["uz"] = axes[2] if up is None else up @ axes
     body["points"] = len(points) - first
@@ -326,6 +328,7 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
             np.zeros((len(bodies), 3)),
             np.zeros(len(bodies)),
             np.zeros((len(bodies), 6)),
+            np.zeros((len(bodies), 4)),
         ),
         (
             np.zeros((keys + devices, 2, 6, 6)),

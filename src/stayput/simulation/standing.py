@@ -129,7 +129,7 @@ class Standing:
             return None
         across /= np.linalg.norm(across)
         line = rims[:, :3] - rims[:, 6:] * across
-        low = min((line @ up).min(), (self.solid.base @ up).min())
+        low = min((line @ up).min(), (self.solid.base_points @ up).min())
         lies = bool((line @ up <= low + LEVEL).all())
         return RoundSide(axis, across, line, float(rims[:, 6].mean())) if lies else None
 

@@ -22,7 +22,7 @@ const NUMBERS = [
   "pull",
 ];
 const WHOLE = ["storeys", "storey", "member", "drawers"];
-const WORDS = ["wallConstruction", "ceilingConstruction"];
+const WORDS = ["wallConstruction", "ceilingConstruction", "base"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
 const SAID = ["component", "unit", "dt", "remove_mean"];
 const FLAGS = ["inSpace", "wall", "scaled", "onFloor", "installed"];
@@ -109,7 +109,9 @@ export function fromHash(hash, presets, start) {
   if (!pairs.has("piece")) return { scene, record: null, file: null };
   for (const name of NAMES)
     if (lists[name].some((one) => one.id === pairs.get(name))) scene[name] = pairs.get(name);
-  if (!pairs.has("length")) scene.length = presets.furniture.find((one) => one.id === scene.piece).length_m;
+  const preset = presets.furniture.find((one) => one.id === scene.piece);
+  if (!pairs.has("length")) scene.length = preset.length_m;
+  if (!pairs.has("base")) scene.base = preset.base;
   for (const name of NUMBERS) {
     const value = Number(pairs.get(name) ?? NaN);
     if (Number.isFinite(value)) scene[name] = WHOLE.includes(name) ? Math.round(within(value, name)) : within(value, name);

@@ -4,7 +4,7 @@ import { oneOf } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { details, pathOf } from "./canvas/furniture.js";
 import { balance, change, current, fromPreset } from "./scene.js";
-import { choiceField, named, numberField } from "./scene_fields.js";
+import { choiceField, named, numberField, wordField } from "./scene_fields.js";
 import { both, length, number, t } from "./words.js";
 
 let fields = {},
@@ -47,7 +47,7 @@ export function build(presets) {
 const size = (presets, key) =>
   numberField(presets, key, { step: 0.01, hint: key === "width" ? t("widthHint") : null });
 
-/** Whether the piece is shaken in the plane of its depth or in space, and where it faces then. */
+/** Whether the piece is shaken in the plane of its depth or in space, and where it faces and on what it stands then. */
 function engine(presets) {
   fields.engine = oneOf({
     label: t("engine"),
@@ -56,7 +56,8 @@ function engine(presets) {
     changed: (id) => change({ inSpace: id === "space" }),
   });
   fields.heading = numberField(presets, "heading", { unit: "°", step: 1, hint: t("headingHint") });
-  return [fields.engine.element, fields.heading.element];
+  fields.base = wordField(presets, "base");
+  return [fields.engine.element, fields.heading.element, fields.base.element];
 }
 
 function centre(presets) {
@@ -157,9 +158,9 @@ export function update() {
   const scene = current();
   for (const [id, button] of Object.entries(cards))
     button.setAttribute("aria-pressed", String(id === scene.piece));
-  for (const key of ["width", "height", "length", "mass", "centre", "heading"]) fields[key]?.set(scene[key]);
+  for (const key of ["width", "height", "length", "mass", "centre", "heading", "base"]) fields[key]?.set(scene[key]);
   fields.engine.set(scene.inSpace ? "space" : "plane");
-  fields.heading.element.hidden = !scene.inSpace;
+  fields.heading.element.hidden = fields.base.element.hidden = !scene.inSpace;
   fields.contents.set(scene.contents);
   fields.contents.close(scene.inSpace ? t("contentsInSpace") : null);
   fields.doors.set(scene.doors);

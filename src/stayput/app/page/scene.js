@@ -8,6 +8,7 @@ export const plain = {
   height: 1.8,
   inSpace: false,
   heading: 0,
+  base: "edges",
   mass: 35,
   shelves: [33, 33, 33, 33, 33],
   centre: 0.5,
@@ -64,6 +65,7 @@ const NAMES = {
   height: "furniture.height",
   length: "furniture.length",
   mass: "furniture.mass",
+  base: "furniture.base",
   load: "furniture.shelves",
   gap: "room.left_wall.gap",
   wallConstruction: "room.left_wall.construction",
@@ -120,10 +122,10 @@ export function change(part) {
 /** Calls a function with the keys that changed, after every change. */
 export const watch = (listener) => listeners.add(listener);
 
-/** What a preset stands with: its size and drawers, and shelves loaded evenly where it has any. */
+/** What a preset stands with: its size, base and drawers, and shelves loaded evenly where it has any. */
 export function fromPreset(preset) {
-  const { id: piece, width_m: width, height_m: height, length_m: length, drawers } = preset;
-  const size = { piece, width, height, length, centre: 0.5, drawers };
+  const { id: piece, width_m: width, height_m: height, length_m: length, drawers, base } = preset;
+  const size = { piece, width, height, length, centre: 0.5, drawers, base };
   if (!preset.shelves || !preset.carcass_mass_kg) return { ...size, mass: preset.mass_kg, shelves: null };
   const each = Math.round((preset.mass_kg - preset.carcass_mass_kg) / preset.shelves);
   return { ...size, mass: preset.carcass_mass_kg, shelves: Array(preset.shelves).fill(each) };
@@ -162,7 +164,7 @@ export const throughBuilding = (s) => s.storeys > 0 && !(s.record && s.onFloor);
 /** The scene as the server's simulations read it. */
 export function forServer(s) {
   const furniture = { preset: s.piece, width: s.width, height: s.height, length: s.length, mass: s.mass };
-  if (s.inSpace) furniture.heading = (s.heading * Math.PI) / 180;
+  if (s.inSpace) Object.assign(furniture, { heading: (s.heading * Math.PI) / 180, base: s.base });
   if (s.shelves) furniture.shelves = s.shelves;
   else if (s.centre !== 0.5) furniture.cg_offset = [0, (s.centre - 0.5) * s.height];
   const room = { floor: s.floor };

@@ -21,8 +21,8 @@ export const choiceField = (key, options, changed = (id) => change({ [key]: id }
 /** What the server names as options of a choice. */
 export const named = (list) => list.map(({ id, label }) => ({ id, label: both(label) }));
 
-/** A choice of what a surface is made of, from those that the server has. */
-const construction = (presets, key) =>
+/** A choice of one of the words that the server has for something. */
+export const wordField = (presets, key) =>
   choiceField(
     key,
     wordsOf(presets, key).map((id) => ({ id, label: choiceLabel(id) })),
@@ -34,7 +34,7 @@ export const surfaceFields = (presets) => ({
     "floor",
     presets.surfaces.map((one) => ({ id: one.id, label: `${both(one.label)} (μ ${number(one.static_friction, 2)})` })),
   ),
-  wallConstruction: construction(presets, "wallConstruction"),
+  wallConstruction: wordField(presets, "wallConstruction"),
   ceiling: numberField(presets, "ceiling", { step: 0.05 }),
-  ceilingConstruction: construction(presets, "ceilingConstruction"),
+  ceilingConstruction: wordField(presets, "ceilingConstruction"),
 });

@@ -2,14 +2,14 @@
 
 import { choice, oneOf, toggle } from "../controls.js";
 import { el, fill } from "../dom.js";
-import { spoken, t } from "../words.js";
+import { choiceLabel, spoken, t } from "../words.js";
 import { where } from "./described.js";
 import { atWall, given, inWall, placed, renamed, sized, turned, withSides } from "./edits.js";
 import { amount, naming } from "./fields.js";
 import { WALLS, carrier, fromWall, opening, thing, wallLength } from "./geometry.js";
 import { measuresOf } from "./inspector_measures.js";
 import { double } from "./keys.js";
-import { DEFAULTS, HINGES, OPENS, fillings, kindName, limitsOf, nameOf, pieceSizes } from "./kinds.js";
+import { DEFAULTS, HINGES, OPENS, baseOf, choicesOf, fillings, kindName, limitsOf, nameOf, pieceSizes } from "./kinds.js";
 import { change, current, selected } from "./room.js";
 
 const METRES = { unit: "m", decimals: 2 },
@@ -186,6 +186,11 @@ function pieceRows(what) {
     const masses = fillings(room.furniture[what.index]);
     return Object.keys(masses).find((id) => masses[id] === thing(room, what).mass) ?? null;
   };
+  const base = choice({
+    label: t("base"),
+    options: choicesOf("furniture.base").map((id) => ({ id, label: choiceLabel(id) })),
+    changed: (id) => change(given(current(), what, { base: id })),
+  });
   const size = (key, label) => own(what, key, label, CENTIMETRES)(box);
   return [
     row(wall, (room) => room.furniture[what.index].against ?? "", alone),
@@ -198,6 +203,7 @@ function pieceRows(what) {
     own(what, "mass", "mass", { unit: "kg", decimals: 1 }, (room, value) =>
       given(room, what, { mass: value }),
     )(box),
+    row(base, (room) => baseOf(room.furniture[what.index])),
     row(filling, filled, (room) => fillings(room.furniture[what.index]) !== null),
     measuresOf(what),
   ];

@@ -39,6 +39,12 @@ export const measureKinds = () =>
 /** The smallest and the largest value of a number, by the name that the server gives it. */
 export const limitsOf = (name) => [numbers[name].low, numbers[name].high];
 
+/** The words of which the server takes one, by the name that it gives the choice. */
+export const choicesOf = (name) => numbers[name].choices;
+
+/** What of a piece bears on the floor. */
+export const baseOf = (piece) => piece.base ?? pieceKind(piece.preset)?.base ?? numbers["furniture.base"].default;
+
 /** Depth, length, height [m] and mass [kg] of a piece; whether it is round, and may be resized and held. */
 export function pieceSizes(piece) {
   const kind = pieceKind(piece.preset);

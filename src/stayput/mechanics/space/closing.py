@@ -10,7 +10,7 @@ from stayput.mechanics.space.body import (
 )
 from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
-from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise
+from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise, spread_friction
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
@@ -69,17 +69,26 @@ def keep(contacts, count, kept, marks):
 
 
 @inline
-def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
+def _close(contacts, count, key, kept, ratio, surface):
     """Add a contact whose bodies, normal and levers are set; its impulses begin with those kept."""
     c = contacts[count]
     c.key = key
     c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
     c.stuck = 1 if kept[key, 3] == 1.0 else 0
-    prepare(c, bodies, poses, surface.restitution)
-    if kept[key, 3] == OPEN and hits_square(c, poses):
-        c.stuck, c.mu = 1, c.mu_static
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
     return count + 1
+
+
+@inner
+def _prepare(contacts, first, count, kept, surface, bodies, poses, h):
+    """Prepare the contacts from ``first`` on, which are of the same two bodies."""
+    spread_friction(contacts, first, count, bodies)
+    for k in range(first, count):
+        c = contacts[k]
+        prepare(c, bodies, poses, surface.restitution)
+        if kept[c.key, 3] == OPEN and hits_square(c, poses):
+            c.stuck, c.mu = 1, c.mu_static
+    ask_for_bend(contacts, first, count, bodies, h)
 
 
 @inline
@@ -95,7 +104,6 @@ def _on_plane(c, b, lever, gap, j, plane, bent):
 def _rub(c, static, kinetic):
     """Set the friction of a contact."""
     c.mu_static, c.mu_kinetic = static, kinetic
-    c.mu = static if c.stuck else kinetic
 
 
 @inline
@@ -131,7 +139,7 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                     if gap - rise(plane_normal(plane), bent, h) <= closed:
                         _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                         key = j * points.shape[0] + i
-                        count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+                        count = _close(contacts, count, key, kept, ratio, plane)
                         if plane.floor and points[i].mu_static >= 0.0:  # not NaN
                             _rub(contacts[count - 1], points[i].mu_static, points[i].mu_kinetic)
             if plane.floor and count - first <= 2:  # on a corner or an edge
@@ -150,9 +158,9 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                         if gap - rise(plane_normal(plane), bent, h) <= closed:
                             _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                             key = first_key + i * RIM_POINTS + number
-                            count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+                            count = _close(contacts, count, key, kept, ratio, plane)
             if count > first:
-                ask_for_bend(contacts, first, count, h)
+                _prepare(contacts, first, count, kept, plane, bodies, poses, h)
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
@@ -177,9 +185,9 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
             if c.gap - rise(n, bent, h) > closed:
                 continue
             key = first_key + j * MOST_TOUCHING + m
-            count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
+            count = _close(contacts, count, key, kept, ratio, pairs[j])
         if count > first:
-            ask_for_bend(contacts, first, count, h)
+            _prepare(contacts, first, count, kept, pairs[j], bodies, poses, h)
     return count
 
 

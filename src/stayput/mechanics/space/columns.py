@@ -29,13 +29,14 @@ SOLID = np.dtype(
     + [(name, "i8") for name in ("first_point", "points", "hull", "first_rim", "rims")]
     + [(name, "i8") for name in ("first_face", "faces", "first_edge", "edges")]
     + [(name, "f8") for name in ("radius", "restitution", "landing_place", "edge_static", "edge_kinetic")]
+    + [("kappa", "f8")]
     + [(name, "f8") for name in ("ux", "uy", "uz")],
     align=True,
 )
 """A body: mass, principal moments of inertia, and the roots of one over each; its points, of which the first
 are the corners of its convex hull, rims, faces and edges; the radius about G of a ball around it; of the
-floor under it restitution and place of a landing, and friction on one corner or edge; and what points
-up at rest.
+floor under it restitution and place of a landing, and friction on one corner or edge; where friction acts
+(`stayput.model.even_base`); and what points up at rest.
 """
 
 POINT = np.dtype(
@@ -91,6 +92,7 @@ CONTACT = np.dtype(
     [(name, "i8") for name in ("a", "b", "key", "stuck", "plane", "floor")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
     + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bx", "by", "bz")]
+    + [(name, "f8") for name in ("fax", "fay", "faz", "fbx", "fby", "fbz")]
     + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing", "bounce")]
     + [(name, "f8") for name in ("target", "target_s", "target_t")]
     + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt", "on", "os", "ot")]
@@ -101,10 +103,10 @@ CONTACT = np.dtype(
 )
 """A closed contact: bodies a and b (−1: the room), the plane of the room (−1: none) and whether it is the
 floor, the normal towards a and two tangents, the levers about both G, its gap and the acceleration by which
-free flight opens it, coefficients of friction, the normal velocity before, its restitution
-(0: it does not bounce) and the velocity wanted, impulses, their
-changes by a step of Newton's method, those before it, and the inverse mass that they see; of the augmented
-Lagrangian the multipliers, velocities, their changes along the direction and by the gradient, the shift of
+free flight opens it, the levers of friction about both G, coefficients of friction, the normal velocity
+before, its restitution (0: it does not bounce) and the velocity wanted, impulses, their changes by a step of
+Newton's method, those before it, and the inverse mass that they see; of the augmented Lagrangian the
+multipliers, velocities, their changes along the direction and by the gradient, the shift of
 the normal velocity and its change, and the penalty.
 """
 

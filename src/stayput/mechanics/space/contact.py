@@ -5,7 +5,7 @@ from __future__ import annotations
 from stayput.compiling import inline
 from stayput.mechanics.space.body import angular_response, rotation, velocity
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot
+from stayput.mechanics.space.vectors import added, cross, dot, scaled
 
 
 @inline
@@ -39,36 +39,53 @@ def lever_b(c):
 
 
 @inline
+def friction_lever_a(c):
+    """Return where the friction of the contact acts, from G of body a."""
+    return c.fax, c.fay, c.faz
+
+
+@inline
+def friction_lever_b(c):
+    """Return where the friction of the contact acts, from G of body b."""
+    return c.fbx, c.fby, c.fbz
+
+
+@inline
 def velocity_at(s, lever):
     """Return the velocity of a body's point, given from G."""
     return added(velocity(s), 1.0, cross(rotation(s), lever))
 
 
 @inline
-def slip(c, poses):
-    """Return the relative velocity of body a at a contact, in the room's axes."""
+def opening(c, poses):
+    """Return how fast a contact opens."""
     u = velocity_at(poses[c.a], lever_a(c))
     if c.b != ROOM:
         u = added(u, -1.0, velocity_at(poses[c.b], lever_b(c)))
-    return u
+    return dot(normal_of(c), u)
+
+
+@inline
+def slip(c, poses):
+    """Return the velocity of body a, relative to b, along the tangents where friction acts."""
+    u = velocity_at(poses[c.a], friction_lever_a(c))
+    if c.b != ROOM:
+        u = added(u, -1.0, velocity_at(poses[c.b], friction_lever_b(c)))
+    return dot(first_tangent(c), u), dot(second_tangent(c), u)
 
 
 @inline
 def turns_back(c, before, after):
     """Return whether a contact slips against the way in which it slipped before: it has stood between."""
-    u, v, n = slip(c, before), slip(c, after), normal_of(c)
-    return dot(u, v) - dot(n, u) * dot(n, v) < 0.0
+    u, v = slip(c, before), slip(c, after)
+    return u[0] * v[0] + u[1] * v[1] < 0.0
 
 
 @inline
 def beyond_target(c, poses):
     """Return the relative velocity less that wanted, along the normal and the tangents."""
-    u = slip(c, poses)
-    return (
-        dot(normal_of(c), u) - c.target,
-        dot(first_tangent(c), u) - c.target_s,
-        dot(second_tangent(c), u) - c.target_t,
-    )
+    us, ut = slip(c, poses)
+    return opening(c, poses) - c.target, us - c.target_s, ut - c.target_t
 
 
 @inline
@@ -81,11 +98,15 @@ def mobility(body, s, lever, n):
 @inline
 def give_impulse(body, s, lever, factor, p):
     """Apply an impulse times a factor at a body's point, given from G."""
+    _give(body, s, factor, p, cross(lever, p))
+
+
+@inline
+def _give(body, s, factor, p, moment):
     share = factor * body.rm * body.rm
     s.vx += share * p[0]
     s.vy += share * p[1]
     s.vz += share * p[2]
-    moment = cross(lever, p)
     moment = factor * moment[0], factor * moment[1], factor * moment[2]
     s.lx += moment[0]
     s.ly += moment[1]
@@ -97,8 +118,12 @@ def give_impulse(body, s, lever, factor, p):
 
 
 @inline
-def push(c, bodies, poses, p):
-    """Apply an impulse at a contact, to body a and against body b."""
-    give_impulse(bodies[c.a], poses[c.a], lever_a(c), 1.0, p)
+def push(c, bodies, poses, pn, ps, pt):
+    """Apply an impulse along the axes of a contact, to body a and against body b."""
+    normal, friction = scaled(pn, normal_of(c)), added(scaled(ps, first_tangent(c)), pt, second_tangent(c))
+    p = added(normal, 1.0, friction)
+    moment = added(cross(lever_a(c), normal), 1.0, cross(friction_lever_a(c), friction))
+    _give(bodies[c.a], poses[c.a], 1.0, p, moment)
     if c.b != ROOM:
-        give_impulse(bodies[c.b], poses[c.b], lever_b(c), -1.0, p)
+        moment = added(cross(lever_b(c), normal), 1.0, cross(friction_lever_b(c), friction))
+        _give(bodies[c.b], poses[c.b], -1.0, p, moment)

@@ -39,10 +39,6 @@ SAME = 1e-8
 """Change of a force up to which it is the same [N/kg]."""
 
 
-LEVEL = 1e-9
-"""Moment about the vertical up to which devices have none, over their vertical force [m]."""
-
-
 @inline
 def normal_of_pull(pull):
     """Return the normal of a device in a step."""
@@ -283,13 +279,7 @@ def _yield_along_plane(spring, pull, device, time, poses):
 
 @inner
 def note_loads(springs, pulls, h, loads):
-    """Set the force and the moment of the devices on each body in the last step, of length h.
-
-    Returns
-    -------
-    bool
-        Whether they leave the bodies without a moment about the vertical.
-    """
+    """Set the force and the moment of the devices on each body in the last step, of length h."""
     for b in range(loads.shape[0]):
         for axis in range(6):
             loads[b, axis] = 0.0
@@ -301,10 +291,6 @@ def note_loads(springs, pulls, h, loads):
         _add_load(loads[spring.body], p, cross(lever_of_pull(pull), p), 1.0)
         if spring.other != ROOM:
             _add_load(loads[spring.other], p, cross(arm_of_pull(pull), p), -1.0)
-    level = True
-    for b in range(loads.shape[0]):
-        level = level and abs(loads[b, 5]) <= LEVEL * abs(loads[b, 2])
-    return level
 
 
 @inline

@@ -420,7 +420,8 @@ def run_in_space(
         Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places
         of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5]; what
         bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least friction
-        float64[n], forces and moments of devices float64[n, 6]; Newton's method: Jacobians, and D times
+        float64[n], forces and moments of devices float64[n, 6], middles and distances float64[n, 4]; Newton's
+        method: Jacobians, and D times
         these, float64[c + d, 2, 6, 6], matrix float64[n, n, 6, 6], vector float64[n, 6], first bodies of rows
         int64[n]; the axes that separated pairs last int64[m, 2], −1 at first.
     output : tuple
@@ -448,19 +449,17 @@ def run_in_space(
     alone = poses.shape[1] == 1 and world[2].shape[0] == 0
     least_step = SHORTEST if alone else SHORTEST_OF_SEVERAL
     short, shortest = 0, least_step
-    noted = level = bears = False
+    noted = bears = False
     for k in range(acceleration.shape[0] - 1):
         a0, a1 = acceleration[k], acceleration[k + 1]
         # what preloaded devices bear at rest is known after a step
         if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
             if not noted:
                 note_stances(world, now, CLOSED, scratch[6])
-                level = note_loads(held[0], held[1], last, scratch[6][4])
+                note_loads(held[0], held[1], last, scratch[6][4])
                 noted = True
-            if (
-                level
-                and stays_at_rest(bodies, now, floor, _push(a0, gravity), scratch[6])
-                and stays_at_rest(bodies, now, floor, _push(a1, gravity), scratch[6])
+            if stays_at_rest(bodies, now, floor, _push(a0, gravity), scratch[6]) and stays_at_rest(
+                bodies, now, floor, _push(a1, gravity), scratch[6]
             ):
                 note_pose(histories, k + 1, now)
                 note_weight(histories, k + 1, bodies, _push(a1, gravity), scratch[6][4])

@@ -6,12 +6,13 @@ are those of a plastic impact, times 1 + the least restitution of the contacts t
 
 from __future__ import annotations
 
+import math
+
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import kinetic_energy
-from stayput.mechanics.space.contact import normal_of, slip
+from stayput.mechanics.space.contact import slip
 from stayput.mechanics.space.solve import IMPACT, apply, apply_one, solve
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, norm
 
 MADE = 1e-9
 """Share of the kinetic energy that rounding may make."""
@@ -40,9 +41,8 @@ def bounces(contacts, count):
 @inline
 def hits_square(c, poses):
     """Return whether a contact closes in an impact and does not slip before it."""
-    u, n = slip(c, poses), normal_of(c)
-    across = added(u, -c.closing, n)
-    return c.closing < -IMPACT and norm(across) <= SQUARE * -c.closing
+    us, ut = slip(c, poses)
+    return c.closing < -IMPACT and math.sqrt(us * us + ut * ut) <= SQUARE * -c.closing
 
 
 @inner

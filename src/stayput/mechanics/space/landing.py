@@ -11,7 +11,7 @@ import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import kinetic_energy, rotation, velocity
-from stayput.mechanics.space.contact import lever_a, normal_of, slip
+from stayput.mechanics.space.contact import lever_a, opening
 from stayput.mechanics.space.solve import IMPACT
 from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
 
@@ -31,7 +31,7 @@ def _edges(contacts, count, b, poses):
         if c.closing < -IMPACT and c.pn > 0.0:
             landed = added(landed, c.pn, lever_a(c))
             weight += c.pn
-        elif c.closing >= -IMPACT and dot(normal_of(c), slip(c, poses)) > RISES:
+        elif c.closing >= -IMPACT and opening(c, poses) > RISES:
             left = added(left, 1.0, lever_a(c))
             many += 1
     if weight == 0.0 or many == 0:

@@ -23,6 +23,8 @@ from stayput.mechanics.space.body import in_body
 from stayput.mechanics.space.contact import (
     beyond_target,
     first_tangent,
+    friction_lever_a,
+    friction_lever_b,
     lever_a,
     lever_b,
     normal_of,
@@ -56,11 +58,11 @@ def _set_row(rows, k, side, axis, body, s, lever, along, sign):
 
 
 @inner
-def _set_rows_of(rows, k, side, c, body, s, lever, sign):
+def _set_rows_of(rows, k, side, c, body, s, lever, friction_lever, sign):
     """Set the velocity at a contact along its three axes as a function of a body's scaled velocities."""
     _set_row(rows, k, side, 0, body, s, lever, normal_of(c), sign)
-    _set_row(rows, k, side, 1, body, s, lever, first_tangent(c), sign)
-    _set_row(rows, k, side, 2, body, s, lever, second_tangent(c), sign)
+    _set_row(rows, k, side, 1, body, s, friction_lever, first_tangent(c), sign)
+    _set_row(rows, k, side, 2, body, s, friction_lever, second_tangent(c), sign)
 
 
 @inner
@@ -86,9 +88,9 @@ def set_rows(contacts, count, held, bodies, poses, system):
         starts[b] = b
     for k in range(count):
         c = contacts[k]
-        _set_rows_of(rows, k, 0, c, bodies[c.a], poses[c.a], lever_a(c), 1.0)
+        _set_rows_of(rows, k, 0, c, bodies[c.a], poses[c.a], lever_a(c), friction_lever_a(c), 1.0)
         if c.b != ROOM:
-            _set_rows_of(rows, k, 1, c, bodies[c.b], poses[c.b], lever_b(c), -1.0)
+            _set_rows_of(rows, k, 1, c, bodies[c.b], poses[c.b], lever_b(c), friction_lever_b(c), -1.0)
             _begin_with(starts, c.a, c.b)
     springs, pulls, _ = held
     for d in range(springs.shape[0]):
@@ -343,10 +345,8 @@ def take_back(contacts, count, held, bodies, poses):
 
 @inline
 def _set_impulse(c, bodies, poses, pn, ps, pt):
-    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-    dn, ds, dt = pn - c.pn, ps - c.ps, pt - c.pt
+    push(c, bodies, poses, pn - c.pn, ps - c.ps, pt - c.pt)
     c.pn, c.ps, c.pt = pn, ps, pt
-    push(c, bodies, poses, added(added((dn * n[0], dn * n[1], dn * n[2]), ds, s), dt, t))
 
 
 @inline

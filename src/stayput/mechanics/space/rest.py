@@ -5,6 +5,15 @@ G, and devices, whose forces stay as they are) meets the floor. They hold it whe
 the body stands on and the force is inside the cone of friction: forces at its feet that share the weight so,
 each along it, then do so. Bodies that also touch walls or each other bear it without them. What a body bears
 is convex in the push, so that one which bears the pushes at two samples bears all between.
+
+Devices may leave a moment M about the vertical through that point c. Friction at c + κ (r − c) of contacts r
+(`stayput.model.even_base`) bears it by forces across r − c and in proportion to it: their sum is 0 as that of
+w (r − c) is, with the shares w of the weight N. The largest is μ w N, so that they bear
+
+    M = μ N κ Σ w |r − c|² / max |r − c|,        Σ w |r − c|² = Σ w |r − p|² − |c − p|²,
+
+at least μ N ϱ with ϱ = κ (min |r − p|² − |c − p|²)/(max |r − p| + |c − p|) for any p, here the middle of the
+contacts. Together with a force H the body stays, forces being added, where H/(μ N) + M/(μ N ϱ) ≤ 1.
 """
 
 from __future__ import annotations
@@ -61,13 +70,40 @@ def _sides(body, s, points, floor, closed, sides):
 
 
 @inner
+def _spread(body, s, points, floor, closed, spread):
+    """Set the middle of a body's points on the floor, their least squared and largest distance from it."""
+    x = y = 0.0
+    count, least, most = 0, math.inf, 0.0
+    for i in range(body.points):
+        lever, lies = _lies(body, s, points, floor, i, closed)
+        if lies:
+            x, y, count = x + lever[0], y + lever[1], count + 1
+    if count > 0:
+        x, y = x / count, y / count
+    for i in range(body.points):
+        lever, lies = _lies(body, s, points, floor, i, closed)
+        if lies:
+            far = (lever[0] - x) ** 2 + (lever[1] - y) ** 2
+            least, most = min(least, far), max(most, math.sqrt(far))
+    spread[0], spread[1], spread[2], spread[3] = x, y, least, most
+
+
+@inline
+def _least_arm(kappa, spread, x, y):
+    """Return ϱ with the force through a point of the floor from G."""
+    aside = math.hypot(x - spread[0], y - spread[1])
+    return kappa * max(0.0, spread[2] - aside * aside) / (spread[3] + aside)
+
+
+@inner
 def note_stances(world, poses, closed, stances):
     """Note what each body stands on: sides of the polygon of its points and circles that lie on the floor.
 
-    Also noted is the least friction of its points.
+    Also noted is the least friction of its points, the middle of what it stands on, and from there the least
+    distance of that squared and the largest.
     """
     bodies, points, rims, planes = world[0], world[1], world[2], world[3]
-    sides, counts, discs, frictions, _ = stances
+    sides, counts, discs, frictions, _, spreads = stances
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
         counts[b] = _sides(body, s, points, planes[0], closed, sides)
@@ -75,6 +111,7 @@ def note_stances(world, poses, closed, stances):
         for i in range(body.first_point, body.first_point + body.points):
             if points[i].mu_static < frictions[b]:  # False for NaN
                 frictions[b] = points[i].mu_static
+        _spread(body, s, points, planes[0], closed, spreads[b])
         discs[b, 2] = 0.0
         for i in range(body.first_rim, body.first_rim + body.rims):
             if rims[i].floor:
@@ -84,12 +121,14 @@ def note_stances(world, poses, closed, stances):
                     other, _ = lever_on_rim(s, rims[i], planes[0], 2, (1.0, 0.0, 0.0), flat)
                     discs[b, 0], discs[b, 1] = 0.5 * (lever[0] + other[0]), 0.5 * (lever[1] + other[1])
                     discs[b, 2] = rims[i].radius
+                    spreads[b, 0], spreads[b, 1] = discs[b, 0], discs[b, 1]
+                    spreads[b, 2], spreads[b, 3] = rims[i].radius * rims[i].radius, rims[i].radius
 
 
 @inner
 def stays_at_rest(bodies, poses, floor, push, stances):
     """Return whether the floor alone holds all bodies at rest; False where they stand on each other."""
-    sides, counts, discs, frictions, loads = stances
+    sides, counts, discs, frictions, loads, spreads = stances
     for b in range(bodies.shape[0]):
         mass, load = bodies[b].mass, loads[b]
         force = mass * push[0] + load[0], mass * push[1] + load[1]
@@ -107,4 +146,8 @@ def stays_at_rest(bodies, poses, floor, push, stances):
             for i in range(bodies[b].first_point, bodies[b].first_point + counts[b]):
                 if sides[i, 0] * x + sides[i, 1] * y > weight * sides[i, 2]:
                     return False
+        moment = load[5] - (load[4] * force[1] + load[3] * force[0]) / weight
+        left = frictions[b] * weight - math.hypot(force[0], force[1])
+        if abs(moment) > left * _least_arm(bodies[b].kappa, spreads[b], x / weight, y / weight):
+            return False
     return True

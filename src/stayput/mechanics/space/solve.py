@@ -27,16 +27,19 @@ from stayput.mechanics.space.body import angular_response
 from stayput.mechanics.space.contact import (
     beyond_target,
     first_tangent,
+    friction_lever_a,
+    friction_lever_b,
     lever_a,
     lever_b,
     normal_of,
+    opening,
     push,
     second_tangent,
     slip,
 )
 from stayput.mechanics.space.newton import improve, note_impulses, set_rows, take_back
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, scaled, tangents
+from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled, tangents
 
 IMPACT = 1e-3
 """Closing velocity from which on a contact bounces [m/s]."""
@@ -73,6 +76,9 @@ SLIDES = 10.0
 CLOSES = 1e-2
 """Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step."""
 
+ASIDE = 1e-4
+"""How far what slips may rub from where it should, as a share of a contact's distance from the middle."""
+
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
 
@@ -90,9 +96,9 @@ ROUGH_CLOSING, ROUGH_SPEED, ROUGH_LEAST = 2e-4, 1e-4, 1e-7
 
 
 @inline
-def _inverse_masses(body, s, lever, n, u, v):
-    """Return the velocities of a body's point by unit impulses: nn, nu, nv, uu, uv, vv."""
-    a, b, c = cross(lever, n), cross(lever, u), cross(lever, v)
+def _inverse_masses(body, s, lever, friction_lever, n, u, v):
+    """Return the velocities of a body at a contact by unit impulses: nn, nu, nv, uu, uv, vv."""
+    a, b, c = cross(lever, n), cross(friction_lever, u), cross(friction_lever, v)
     ra, rb, rc = angular_response(s, a), angular_response(s, b), angular_response(s, c)
     k = body.rm * body.rm
     return k + dot(a, ra), dot(a, rb), dot(a, rc), k + dot(b, rb), dot(b, rc), k + dot(c, rc)
@@ -105,15 +111,8 @@ def prepare(c, bodies, poses, restitution):
     s, t = tangents(n)
     c.sx, c.sy, c.sz = s
     c.tx, c.ty, c.tz = t
-    w = _inverse_masses(bodies[c.a], poses[c.a], lever_a(c), n, s, t)
-    c.wnn, c.wns, c.wnt, c.wss, c.wst, c.wtt = w
-    if c.b != ROOM:
-        w = _inverse_masses(bodies[c.b], poses[c.b], lever_b(c), n, s, t)
-        c.wnn, c.wns, c.wnt = c.wnn + w[0], c.wns + w[1], c.wnt + w[2]
-        c.wss, c.wst, c.wtt = c.wss + w[3], c.wst + w[4], c.wtt + w[5]
-    half, off = 0.5 * (c.wss - c.wtt), c.wst
-    c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
-    c.closing = dot(n, slip(c, poses))
+    _set_inverse_masses(c, bodies, poses)
+    c.closing = opening(c, poses)
     c.bounce = restitution if c.closing < -IMPACT else 0.0
     c.target = -c.bounce * c.closing
     c.target_s = c.target_t = 0.0
@@ -121,13 +120,107 @@ def prepare(c, bodies, poses, restitution):
 
 
 @inline
+def _set_inverse_masses(c, bodies, poses):
+    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
+    w = _inverse_masses(bodies[c.a], poses[c.a], lever_a(c), friction_lever_a(c), n, s, t)
+    c.wnn, c.wns, c.wnt, c.wss, c.wst, c.wtt = w
+    if c.b != ROOM:
+        w = _inverse_masses(bodies[c.b], poses[c.b], lever_b(c), friction_lever_b(c), n, s, t)
+        c.wnn, c.wns, c.wnt = c.wnn + w[0], c.wns + w[1], c.wnt + w[2]
+        c.wss, c.wst, c.wtt = c.wss + w[3], c.wst + w[4], c.wtt + w[5]
+    half, off = 0.5 * (c.wss - c.wtt), c.wst
+    c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
+
+
+@inline
+def _pressing(c, bodies):
+    """Return how much a contact counts among others: by its force in the step before, or all alike."""
+    return c.pn + TINY * bodies[c.a].mass
+
+
+@inner
+def _middle(contacts, first, count, bodies):
+    """Return the middle of the forces of the contacts from ``first`` on, from both G."""
+    weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    for k in range(first, count):
+        c = contacts[k]
+        share = _pressing(c, bodies)
+        weight += share
+        arm, other = added(arm, share, lever_a(c)), added(other, share, lever_b(c))
+    return scaled(1.0 / weight, arm), scaled(1.0 / weight, other)
+
+
+@inline
+def _kappa(c, count, bodies):
+    """Return κ of as many contacts of the same two bodies."""
+    if not (c.floor or c.b != ROOM):
+        return 1.0
+    kappa = bodies[c.b if c.b != ROOM and c.nz < 0.0 else c.a].kappa
+    return min(kappa, 0.5) if count == 2 and kappa < 1.0 else kappa
+
+
+@inner
+def spread_friction(contacts, first, count, bodies):
+    """Set where the friction of the contacts from ``first`` on acts; they are of the same two bodies.
+
+    On the floor, or of one body on another, it acts at c + κ (r − c), with c the middle of the forces and κ
+    of the body that stands on the other: so it resists turning as even pressure on the base does
+    (`stayput.model.even_base`). On an edge κ is 1/2, that of a line.
+    """
+    kappa = _kappa(contacts[first], count - first, bodies)
+    arm, other = _middle(contacts, first, count, bodies)
+    for k in range(first, count):
+        c = contacts[k]
+        c.fax, c.fay, c.faz = added(scaled(1.0 - kappa, arm), kappa, lever_a(c))
+        c.fbx, c.fby, c.fbz = added(scaled(1.0 - kappa, other), kappa, lever_b(c))
+
+
+@inner
+def _spread_anew(contacts, count, bodies, poses):
+    """Let friction act about the middle of the forces that were found, where anything slips.
+
+    What sticks moves alike wherever it rubs.
+
+    Returns
+    -------
+    bool
+        Whether it was anywhere, so that the impulses have to be found again.
+    """
+    moved, first = False, 0
+    while first < count:
+        c, end, slips = contacts[first], first, False
+        while end < count and (contacts[end].a, contacts[end].b, contacts[end].plane) == (c.a, c.b, c.plane):
+            d = contacts[end]
+            size = math.sqrt(d.ps * d.ps + d.pt * d.pt)
+            slips = slips or (d.pn > 0.0 and size > d.mu * d.pn * (1.0 - 1e-9))
+            end += 1
+        kappa = _kappa(c, end - first, bodies)
+        if kappa < 1.0 and end - first > 1 and slips:
+            arm, _ = _middle(contacts, first, end, bodies)
+            out = added(lever_a(c), -1.0, arm)
+            if norm(added(added(arm, kappa, out), -1.0, friction_lever_a(c))) > ASIDE * norm(out):
+                if not moved:
+                    apply(contacts, count, bodies, poses, -1.0)
+                moved = True
+                spread_friction(contacts, first, end, bodies)
+                for k in range(first, end):
+                    d = contacts[k]
+                    _set_inverse_masses(d, bodies, poses)
+                    d.mu = d.mu_static if d.stuck else d.mu_kinetic
+        first = end
+    if moved:
+        apply(contacts, count, bodies, poses, 1.0)
+    return moved
+
+
+@inline
 def rise(n, bent, h):
-    """Return by how much a point that free flight bends away from a plane is off it in the middle of a step."""
+    """Return how far off a plane a point is in the middle of a step that free flight bends away from it."""
     return 0.125 * h * h * max(0.0, dot(n, bent))
 
 
 @inner
-def ask_for_bend(contacts, first, count, h):
+def ask_for_bend(contacts, first, count, bodies, h):
     """Let the contacts from ``first`` on ask for what free flight bends; they are of the same two bodies.
 
     From the impulses of a step to those of the next the path of a point bends: so that it ends where it
@@ -140,7 +233,7 @@ def ask_for_bend(contacts, first, count, h):
         c = contacts[k]
         bends = c.bx, c.by, c.bz
         gap = min(gap, c.gap - rise(normal_of(c), bends, h))
-        share = c.pn * c.wnn + TINY
+        share = _pressing(c, bodies)
         weight += share
         bent = added(bent, share, bends)
     half = scaled(-0.5 * h / weight, bent)
@@ -162,8 +255,7 @@ def slide(contacts, count, poses, h):
     for k in range(count):
         c = contacts[k]
         if not c.stuck:
-            u = slip(c, poses)
-            s, t = dot(first_tangent(c), u), dot(second_tangent(c), u)
+            s, t = slip(c, poses)
             if s * s + t * t > (SLIDES * h) ** 2:
                 c.target_s, c.target_t = -s, -t
 
@@ -191,9 +283,7 @@ def update(c, bodies, poses):
     if dn == 0.0 and ds == 0.0 and dt == 0.0:
         return 0.0
     c.pn, c.ps, c.pt = pn, ps, pt
-    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-    p = added(added((dn * n[0], dn * n[1], dn * n[2]), ds, s), dt, t)
-    push(c, bodies, poses, p)
+    push(c, bodies, poses, dn, ds, dt)
     return max(abs(dn) * c.wnn, max(abs(ds), abs(dt)) * c.stiff)
 
 
@@ -241,8 +331,7 @@ def _let_slip(contacts, count, poses, h):
 @inline
 def apply_one(c, bodies, poses, factor):
     """Apply the impulse of a contact times a factor."""
-    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-    push(c, bodies, poses, scaled(factor, added(added(scaled(c.pn, n), c.ps, s), c.pt, t)))
+    push(c, bodies, poses, factor * c.pn, factor * c.ps, factor * c.pt)
 
 
 @inner
@@ -289,6 +378,14 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
     bool
         Whether they converged.
     """
+    converged = _solve(contacts, count, held, bodies, poses, system, h, work)
+    if _spread_anew(contacts, count, bodies, poses):
+        converged = _solve(contacts, count, held, bodies, poses, system, h, work)
+    return converged
+
+
+@inner
+def _solve(contacts, count, held, bodies, poses, system, h, work):
     last, due, pause, tries, stalls = math.inf, 0, 1, 0, 0
     accuracy, hits = ACCURACY * h, False
     for k in range(count):
