@@ -61,6 +61,8 @@ def test_the_defaults_fit_every_piece_of_furniture(kind, name):
     body = sp.Body(preset.width, preset.height, preset.mass)
     held = hold(body, ROOM, [MEASURES[kind]()])
     assert (held.body, held.room, held.elements) != (body, ROOM, ())
+    under_corners = ("gel_mats", "felt_glides", "sliding_glides", "free_casters", "locked_casters")
+    assert held.body.base == ("feet" if kind in under_corners else "flat")
     run = sp.simulate(body, ROOM, sp.pulse("ricker", 3.0, frequency=1.0, quiet=1.0), held.measures)
     assert len(run.devices) == len(held.elements)
     assert run.outcome is not sp.Outcome.FAILED

@@ -421,9 +421,9 @@ def run_in_space(
         of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5]; what
         bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least friction
         float64[n], forces and moments of devices float64[n, 6], middles and distances float64[n, 4]; Newton's
-        method: Jacobians, and D times
-        these, float64[c + d, 2, 6, 6], matrix float64[n, n, 6, 6], vector float64[n, 6], first bodies of rows
-        int64[n]; the axes that separated pairs last int64[m, 2], −1 at first.
+        method: Jacobians, and D times these, float64[c + d, 2, 6, 6], matrix float64[n, n, 6, 6], vector
+        float64[n, 6], first bodies of rows int64[n]; the axes that separated pairs last int64[m, 2], −1 at
+        first.
     output : tuple
         Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
