@@ -545,9 +545,8 @@ def run_in_space(
                     refined = meets == h
                 if refined:
                     event = max(least_event, 0.5 * event)
-                    size = min(
-                        most, h * min(4.0, max(0.5, 0.8 * math.sqrt(TOLERANCE * h / max(error, 1e-15))))
-                    )
+                    grows = 0.8 * math.sqrt(TOLERANCE * h / max(error, 1e-15))
+                    size = min(most, max(2.0 * least_refined, h * min(4.0, max(0.5, grows))))
                     work[4] += error
                     bent = 0.0
                     break

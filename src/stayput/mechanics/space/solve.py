@@ -76,7 +76,7 @@ SLIDES = 10.0
 CLOSES = 1e-2
 """Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step."""
 
-ASIDE = 1e-4
+ASIDE = 1e-9
 """How far what slips may rub from where it should, as a share of a contact's distance from the middle."""
 
 TINY = 1e-12
@@ -378,8 +378,18 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
     bool
         Whether they converged.
     """
+    hits = False
+    for k in range(count):
+        hits = hits or contacts[k].closing < -IMPACT
+    set_rows(contacts, count, held, bodies, poses, system)
+    if not hits:
+        improve(contacts, count, held, bodies, poses, system, h)
+        if _spread_anew(contacts, count, bodies, poses):
+            set_rows(contacts, count, held, bodies, poses, system)
+            improve(contacts, count, held, bodies, poses, system, h)
     converged = _solve(contacts, count, held, bodies, poses, system, h, work)
-    if _spread_anew(contacts, count, bodies, poses):
+    if hits and _spread_anew(contacts, count, bodies, poses):
+        set_rows(contacts, count, held, bodies, poses, system)
         converged = _solve(contacts, count, held, bodies, poses, system, h, work)
     return converged
 
@@ -387,14 +397,10 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
 @inner
 def _solve(contacts, count, held, bodies, poses, system, h, work):
     last, due, pause, tries, stalls = math.inf, 0, 1, 0, 0
-    accuracy, hits = ACCURACY * h, False
+    accuracy = ACCURACY * h
     for k in range(count):
         accuracy = max(accuracy, ROUNDING * abs(contacts[k].closing))
-        hits = hits or contacts[k].closing < -IMPACT
         contacts[k].ln, contacts[k].ls, contacts[k].lt = contacts[k].pn, contacts[k].ps, contacts[k].pt
-    set_rows(contacts, count, held, bodies, poses, system)
-    if not hits:
-        improve(contacts, count, held, bodies, poses, system, h)
     for sweep in range(MOST_OF_ONE if bodies.shape[0] == 1 else MOST_SWEEPS):
         work[2] += 1.0 + count
         change = 0.0
