@@ -349,7 +349,7 @@ def hundred_boxes(rng: Rng) -> Thrown:
 
 
 class Family(NamedTuple):
-    """Cases alike: how many, what draws one, and a limit of processor time of each [s]."""
+    """Cases alike: how many, what draws one, and the processor time after which it is ended [s]."""
 
     cases: int
     draw: Callable[[Rng], Thrown]

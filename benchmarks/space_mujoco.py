@@ -14,6 +14,7 @@ import argparse
 import math
 import time
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import mujoco
@@ -21,9 +22,10 @@ import numpy as np
 from mujoco import rollout
 
 import stayput as sp
+from tables import tell
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -219,28 +221,20 @@ ENGINES: dict[str, tuple[Callable[[Scene, float], Histories], Sequence[float]]] 
 """What runs a scene in an engine, and its steps, the finest last."""
 
 
-def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Print a table in Markdown; all but the first column are numbers."""
-    for cells in (heads, [":--", *["--:"] * (len(heads) - 1)], *rows):
-        print(f"| {' | '.join(cells)} |")
-    print(flush=True)
-
-
 def compared(
     scenes: Sequence[Scene],
     asked: Callable[[Scene, Histories], Array],
     unit: float,
-    heads: Sequence[str],
     told: Callable[[Array], Sequence[str]],
-) -> None:
-    """Print what both engines say at each step, its error, and the time of a run.
+) -> list[list[str]]:
+    """Return rows of a table: what both engines say at each step, how far it is off, and the time of a run.
 
-    ``asked`` is what a run says, ``told`` how all of them are told; the error is the median and the largest
-    off those of the engine's own finest steps, times ``unit``. At last comes how much longer MuJoCo takes for
-    the median error that we have.
+    ``asked`` is what a run says, ``told`` how all of them are told. Off are the median and the most from the
+    engine's own finest steps, times ``unit``. At last comes how many times as long MuJoCo takes for the
+    median that we are off, its times and errors taken as straight lines between logarithms.
     """
     rows: list[list[str]] = []
-    curves: dict[str, tuple[Array, Array]] = {}
+    curves: list[tuple[Array, Array]] = []
     for name, (run, steps) in ENGINES.items():
         runs = [[run(scene, step) for scene in scenes] for step in steps]
         said = np.array(
@@ -248,78 +242,84 @@ def compared(
         )
         seconds = np.array([sum(one.seconds for one in all_of) / len(scenes) for all_of in runs])
         off = np.abs(said - said[-1]) * unit
-        errors = np.array(
-            [np.median(one[np.isfinite(one)]) if np.isfinite(one).any() else math.nan for one in off]
-        )
-        curves[name] = errors[:-1], seconds[:-1]
-        for place, step in enumerate(steps):
-            last = place == len(steps) - 1
-            error = ["", ""] if last else [f"{errors[place]:.2g}", f"{np.nanmax(off[place]):.2g}"]
-            rows.append([name, f"{1e3 * step:g}", *told(said[place]), *error, f"{1e3 * seconds[place]:.3g}"])
-    table(["", "step [ms]", *heads, "median error", "largest", "ms a run"], rows)
-    (ours, our_time), (theirs, their_time) = curves["stayput"], curves["MuJoCo"]
+        errors = np.nan_to_num(np.nanmedian(off, axis=1), nan=math.inf)
+        curves.append((errors[:-1], seconds[:-1]))
+        for step, says, error, own, spent in zip(steps, said, errors, off, seconds, strict=True):
+            least = [f"{error:.2g}", f"{np.nanmax(own):.2g}"] if step > steps[-1] else ["", ""]
+            rows.append([name, f"{1e3 * step:g}", *told(says), *least, f"{1e3 * spent:.3g}", ""])
+    (ours, our_time), (theirs, their_time) = curves
     rising = np.argsort(theirs)
-    for error, spent in zip(ours, our_time, strict=True):
+    for row, error, spent in zip(rows, ours, our_time, strict=False):
         if 0.0 < error <= theirs.max():
             needed = np.exp(np.interp(np.log(error), np.log(theirs[rising]), np.log(their_time[rising])))
-            more = "more than " if error < theirs.min() else ""
-            print(f"for a median error of {error:.2g} MuJoCo takes {more}{needed / spent:.0f} times as long")
-    print(flush=True)
+            row[-1] = f"{'> ' if error < theirs.min() else ''}{needed / spent:.0f}"
+    return rows
 
 
-def boxes() -> None:
-    """Compare boxes that rock alone, by their peak tilts."""
+def heads(*said: str, off: str) -> list[str]:
+    """Return the headings of the rows that `compared` returns."""
+    return [
+        "engine",
+        "step [ms]",
+        *said,
+        f"median off [{off}]",
+        f"most off [{off}]",
+        "ms a run",
+        "MuJoCo's time",
+    ]
+
+
+def boxes(folder: Path | None) -> None:
+    """Compare 20 boxes that rock alone under two pulses, by their peak tilts."""
     rng = np.random.default_rng(1)
     sides = rng.uniform((0.3, 0.3, 1.2), (0.6, 1.2, 2.0), (20, 3)).tolist()
     scenes: list[Scene] = []
     for (width, length, height), factor in zip(sides, rng.uniform(1.05, 1.4, 20), strict=True):
         size = factor * GRAVITY * min(width, length / 0.6) / height
         scenes.append(Scene([(width, length, height, 100.0)], (0.9, 0.9), two_components(size)))
-    print(f"{len(scenes)} boxes that rock alone; errors of the peak tilt in % of it\n")
 
     def peak(_: Scene, found: Histories) -> Array:
         return np.log(found.tilts.max(axis=1))
 
-    compared(scenes, peak, 100.0, ["median peak [rad]"], lambda said: [f"{np.exp(np.median(said)):.4f}"])
+    rows = compared(scenes, peak, 100.0, lambda said: [f"{np.exp(np.median(said)):.4f}"])
+    tell("mujoco_boxes", heads("median peak tilt [rad]", off="%"), rows, folder)
 
 
-def row() -> None:
-    """Compare eight shelves that fall one after the other, by when they pass 45°."""
-    print("eight shelves, the first tipped; when each passes 45° [s], errors in ms\n")
+def row(folder: Path | None) -> None:
+    """Compare eight shelves of which the first is tipped, by when they pass 45°."""
     scene = Scene([(0.32, 0.9, 2.1, 120.0)] * 8, (0.4, 0.3), still(3.5, 0.01), 0.75, 0.75)
-
-    def told(said: Array) -> list[str]:
-        return [f"{np.isfinite(said).sum()}", ", ".join(f"{one:.2f}" for one in said)]
 
     def falls(scene: Scene, found: Histories) -> Array:
         return passed(found, scene.motion.dt, 0.25 * math.pi)
 
-    compared([scene], falls, 1e3, ["fell", "at"], told)
+    def told(said: Array) -> list[str]:
+        return [f"{np.isfinite(said).sum()}", " ".join(f"{one:.2f}" for one in said)]
+
+    tell("mujoco_row", heads("fall", "at [s]", off="ms"), compared([scene], falls, 1e3, told), folder)
 
 
-def dominoes() -> None:
-    """Compare the speed of the wave in rows of dominoes, and what hits leave of the kinetic energy."""
+def dominoes(folder: Path | None) -> None:
+    """Compare the speed of the wave in rows of ten dominoes, and what hits of shelves leave of the energy."""
     width, length, height = 0.0075, 0.024, 0.048
     gaps = (0.008, 0.016, 0.024, 0.032)
-    print(f"20 dominoes of {width} × {length} × {height} m; speed of the wave [m/s], errors in %\n")
     scenes = [
-        Scene([(width, length, height, 0.01)] * 20, (0.4, 0.2), still(1.5, 0.002), width + gap, 5.0)
+        Scene([(width, length, height, 0.01)] * 10, (0.4, 0.2), still(0.8, 0.002), width + gap, 6.0)
         for gap in gaps
     ]
 
     def speed(scene: Scene, found: Histories) -> Array:
         times = passed(found, scene.motion.dt, 0.1)
-        return np.log([6.0 * scene.apart / (times[16] - times[10])])
+        return np.log([3.0 * scene.apart / (times[7] - times[4])])
 
-    heads = [f"{1e3 * gap:g} mm apart" for gap in gaps]
-    compared(scenes, speed, 100.0, heads, lambda said: [f"{one:.3f}" for one in np.exp(said)])
+    rows = compared(scenes, speed, 100.0, lambda said: [f"{one:.3f}" for one in np.exp(said)])
+    tell("mujoco_dominoes", heads(*(f"{1e3 * gap:g} mm [m/s]" for gap in gaps), off="%"), rows, folder)
     shelves = Scene([(0.32, 0.9, 2.1, 120.0)] * 5, (0.4, 0.3), still(2.2, 0.001), 0.75, 0.75)
     kept = [
         [name, f"{1e3 * step:g}", *(f"{100.0 * one:.0f} %" for one in shares(run(shelves, step)))]
         for name, (run, steps) in ENGINES.items()
         for step in steps
     ]
-    table(["", "step [ms]", *(f"hit {number}" for number in range(1, 5))], kept)
+    tell("mujoco_hits", ["engine", "step [ms]", *(f"hit {number}" for number in range(1, 5))], kept, folder)
 
 
 def shares(found: Histories, around: int = 4) -> list[float]:
@@ -332,24 +332,31 @@ def shares(found: Histories, around: int = 4) -> list[float]:
     return kept
 
 
-def towers() -> None:
+def towers(folder: Path | None) -> None:
     """Compare towers of five and ten boxes under the near-fault motion, by the peak tilts of their boxes."""
     motion = sp.near_fault()
     shaking = sp.Motion(dt=motion.dt, x=motion.x, y=motion.y).trimmed(5.0, 11.0)
+
+    def peaks(_: Scene, found: Histories) -> Array:
+        return found.tilts.max(axis=1)
+
+    def told(said: Array) -> list[str]:
+        return [f"{said[0]:.3f}", f"{said.max():.3f}", f"{(said > 0.25 * math.pi).sum()}"]
+
+    rows: list[list[str]] = []
     for count, scale in ((5, 0.7), (10, 0.7), (5, 1.0), (10, 1.0)):
-        print(f"{count} boxes under {scale:g} of the near-fault motion; peak tilts [rad], errors in rad\n")
         scene = Scene([(0.5, 0.5, 0.3, 20.0)] * count, (0.5, 0.4), shaking.scaled(scale))
+        rows += [[f"{count} boxes, {scale:g}", *one] for one in compared([scene], peaks, 1.0, told)]
+    tell(
+        "mujoco_towers",
+        ["tower, scale", *heads("lowest [rad]", "most [rad]", "fall", off="rad")],
+        rows,
+        folder,
+    )
 
-        def peaks(_: Scene, found: Histories) -> Array:
-            return found.tilts.max(axis=1)
 
-        def told(said: Array) -> list[str]:
-            return [f"{said[0]:.3f}", f"{said[-1]:.3f}", f"{(said > 0.25 * math.pi).sum()}"]
-
-        compared([scene], peaks, 1.0, ["lowest", "uppermost", "beyond 45°"], told)
-
-
-def rest() -> None:
+def rest(_: Path | None) -> None:
+    """Print how fast a box at rest creeps."""
     for step in (1e-3, 2e-4, 5e-5):
         print(f"MuJoCo at rest creeps by {1e6 * creep(step):.2f} µm/s at steps of {step:g} s; stayput by 0")
 
@@ -362,9 +369,11 @@ def main() -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
+    parser.add_argument("--tables", type=Path, metavar="FOLDER", help="write the tables as CSV")
     run_in_stayput(Scene([(0.4, 0.6, 0.3, 80.0)] * 2, (0.4, 0.3), still(0.1, 0.01)), 1e-3)  # compiled
-    for part in parser.parse_args().parts or PARTS:
-        PARTS[part]()
+    chosen = parser.parse_args()
+    for part in chosen.parts or PARTS:
+        PARTS[part](chosen.tables)
 
 
 if __name__ == "__main__":

@@ -1,15 +1,15 @@
 """Random bodies, rows and stacks in space: what must never happen, as tables in Markdown.
 
-``python benchmarks/space_random.py [FAMILY ...]`` runs 100,000 single bodies and 1,000 rows, towers, piles,
-or a ``--share`` of them. The first table counts runs that are given up (in brackets: with masses up to a
-ratio of 100, where none must be), that are not finite, and that take longer than the family's limit of
-processor time, at three times which they are ended; and steps whose impulses did not converge. The second has
-by what laws were broken, at any sample: the energy made on a still floor, as a share of the total (kinetic
-energy and that of G above the floor, at first); the energy lost where nothing slips, hits or yields, as a
-share of the largest kinetic energy; what the momenta of all bodies together are off where no force or only a
+``python benchmarks/space_random.py [FAMILY ...]`` runs 100,000 single bodies and 1,000 rows, towers and
+piles, or a ``--share`` of them. The first table counts runs that are given up (in brackets: with masses up
+to a ratio of 100, where none must be), that are not finite, and that are ended since they take longer than
+the family's limit of processor time; and steps whose impulses did not converge. The second has by what laws
+were broken, at any sample: the energy made on a still floor, as a share of the total (kinetic energy and
+that of G above the floor, at first); the energy lost where nothing slips, hits or yields, as a share of the
+largest kinetic energy; what the momenta of all bodies together are off where no force or only a
 frictionless floor acts, as a share of the largest of a body; and depths, of which 99.9 % of the cases have
-less, and the deepest. Then come the worst cases, by their numbers: ``--case`` runs one. Case n of a family
-with a seed is always the same.
+less, and the deepest. Then come the worst cases, by their numbers: ``--case`` runs one. With a seed case n
+of a family is the same.
 """
 
 from __future__ import annotations
@@ -17,18 +17,21 @@ from __future__ import annotations
 import argparse
 import math
 import multiprocessing
+import signal
 import time
+import warnings
 from dataclasses import dataclass
 from multiprocessing.connection import wait
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 import stayput as sp
 from space_cases import FAMILIES, FLIES, GRAVITY, RATIO, SLIDES, Thrown
+from tables import tell
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
     from multiprocessing.connection import Connection
     from multiprocessing.context import ForkProcess
 
@@ -174,6 +177,10 @@ def run_one(case: Thrown, step: float = STEP) -> Found:
     )
 
 
+Task = tuple[str, int]
+Results = dict[Task, Found | None]
+
+
 def case_number(family: str, seed: int, number: int) -> Thrown:
     """Return a case of a family."""
     own = list(FAMILIES).index(family)
@@ -182,18 +189,22 @@ def case_number(family: str, seed: int, number: int) -> Thrown:
 
 @dataclass
 class Worker:
-    """A process that runs one case after the other: which, and when it is ended."""
+    """A process that runs one case after the other, and which it runs."""
 
     pipe: Connection
     process: ForkProcess
-    task: tuple[str, int] | None = None
-    end: float = math.inf
+    task: Task | None = None
 
 
 def work(pipe: Connection, seed: int, step: float) -> None:
-    """Run cases as they are asked for; send what was found, or None for a refused start."""
+    """Run cases as they are asked for; send what was found, or None for a refused start.
+
+    The process ends itself at the limit of a case, in compiled code too: it has no handler of the signal.
+    """
+    warnings.simplefilter("ignore", sp.InputWarning)  # strong vertical shaking
     while True:
         family, number = pipe.recv()
+        signal.setitimer(signal.ITIMER_VIRTUAL, FAMILIES[family].limit)
         try:
             pipe.send(run_one(case_number(family, seed, number), step))
         except sp.InputError:
@@ -205,45 +216,31 @@ def started(seed: int, step: float) -> Worker:
     here, there = context.Pipe()
     process = context.Process(target=work, args=(there, seed, step), daemon=True)
     process.start()
+    there.close()
     return Worker(here, process)
-
-
-Task = tuple[str, int]
-Results = dict[Task, Found | None]
 
 
 def run_all(tasks: list[Task], processes: int, seed: int, step: float) -> tuple[Results, set[Task]]:
     """Run cases in processes; return what was found, and those that were ended."""
     found: Results = {}
-    hung: set[Task] = set()
+    ended: set[Task] = set()
     left, workers = tasks[::-1], [started(seed, step) for _ in range(processes)]
     while left or any(worker.task for worker in workers):
         for worker in workers:
             if worker.task is None and left:
                 worker.task = left.pop()
-                worker.end = time.monotonic() + 3.0 * FAMILIES[worker.task[0]].limit
                 worker.pipe.send(worker.task)
-        ready = wait([worker.pipe for worker in workers if worker.task], 0.5)
+        ready = wait([worker.pipe for worker in workers if worker.task])
         for place, worker in enumerate(workers):
-            if worker.task is None:
-                continue
-            if worker.pipe in ready:
-                found[worker.task], worker.task = worker.pipe.recv(), None
-            elif time.monotonic() > worker.end:
-                hung.add(worker.task)
-                worker.process.kill()
-                worker.process.join()
-                workers[place] = started(seed, step)
+            if worker.task is not None and worker.pipe in ready:
+                try:
+                    found[worker.task], worker.task = worker.pipe.recv(), None
+                except EOFError:
+                    ended.add(worker.task)
+                    workers[place] = started(seed, step)
     for worker in workers:
         worker.process.kill()
-    return found, hung
-
-
-def table(heads: list[str], rows: Iterable[list[str]]) -> None:
-    """Print a table in Markdown; all but the first column are numbers."""
-    for cells in (heads, [":--", *["--:"] * (len(heads) - 1)], *rows):
-        print(f"| {' | '.join(cells)} |")
-    print()
+    return found, ended
 
 
 def largest(values: Array, unit: float = 1.0) -> str:
@@ -252,30 +249,29 @@ def largest(values: Array, unit: float = 1.0) -> str:
     return f"{unit * known.max():.2g}" if len(known) else ""
 
 
-def told(tasks: list[Task], found: Results, hung: set[Task]) -> None:
+def told(tasks: list[Task], found: Results, ended: set[Task], folder: Path | None) -> None:
     """Print the tables, and the numbers of the worst cases."""
     runs: list[list[str]] = []
     laws: list[list[str]] = []
     worst: list[str] = []
     for name in dict.fromkeys(name for name, _ in tasks):
         own = {number: one for (family, number), one in found.items() if family == name and one is not None}
-        ended = [number for family, number in hung if family == name]
+        late = sorted(number for family, number in ended if family == name)
         if not own:
-            runs.append([name, f"{len(ended)}", "", "", f"{len(ended)}", *[""] * 4])
+            runs.append([name, f"{len(late)}", "", "", f"{len(late)}", *[""] * 4])
             continue
         numbers = np.array(list(own))
         all_of = {field: np.array([getattr(one, field) for one in own.values()]) for field in Found._fields}
         seconds, steps, given_up = (all_of[field] for field in ("seconds", "steps", "given_up"))
-        slow = seconds > FAMILIES[name].limit
         early = given_up & (all_of["ratio"] <= RATIO)
         unlike = ~all_of["finite"]
         runs.append(
             [
                 name,
-                f"{len(own) + len(ended):,}",
+                f"{len(own) + len(late):,}",
                 f"{given_up.sum()} ({early.sum()})",
                 f"{unlike.sum()}",
-                f"{slow.sum() + len(ended)} > {FAMILIES[name].limit:g} s",
+                f"{len(late)} > {FAMILIES[name].limit:g} s",
                 f"{1e3 * np.median(seconds):.3g}",
                 f"{seconds.max():.3g}",
                 f"{(steps / all_of['duration']).max():,.0f}",
@@ -296,31 +292,35 @@ def told(tasks: list[Task], found: Results, hung: set[Task]) -> None:
                 ),
             ]
         )
-        worst += [f"{name} {number}: ended" for number in ended]
-        for what, those in (("given up", given_up), ("not finite", unlike), ("slow", slow)):
+        worst += [f"{name} {number}: ended" for number in late]
+        for what, those in (("given up", given_up), ("not finite", unlike)):
             worst += [f"{name} {number}: {what}" for number in numbers[those][:10]]
         for field in ("made", "lost", "momentum", "depth", "between", "seconds"):
             values = np.nan_to_num(all_of[field])
             n = int(np.argmax(values))
             if values[n] > 0.0:
                 worst.append(f"{name} {numbers[n]}: {field} {values[n]:.3g}")
-    table(
+    tell(
+        "space_runs",
         [
             "family",
             "cases",
             "given up",
             "not finite",
-            "slow",
+            "ended",
             "median [ms]",
             "slowest [s]",
             "most steps a second",
             "unconverged [10⁻⁶]",
         ],
         runs,
+        folder,
     )
-    table(
+    tell(
+        "space_laws",
         ["family", f"made > {MADE:g}", "made", "lost", "momentum", "into the floor [µm]", "into bodies [µm]"],
         laws,
+        folder,
     )
     print("\n".join(worst))
 
@@ -337,6 +337,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--step", type=float, default=STEP)
     parser.add_argument("--case", type=int)
+    parser.add_argument("--tables", type=Path, metavar="FOLDER", help="write the tables as CSV")
     chosen = parser.parse_args()
     names: list[str] = chosen.families or list(FAMILIES)
     run_one(case_number("stacks of 2-3", 0, 0))  # compiled before the clock starts
@@ -347,8 +348,8 @@ def main() -> None:
     numbers = {name: math.ceil(chosen.share * FAMILIES[name].cases) for name in names}
     tasks = [(name, number) for name in reversed(names) for number in range(numbers[name])]
     began = time.monotonic()
-    found, hung = run_all(tasks, chosen.processes, chosen.seed, chosen.step)
-    told(tasks[::-1], found, hung)
+    found, ended = run_all(tasks, chosen.processes, chosen.seed, chosen.step)
+    told(tasks[::-1], found, ended, chosen.tables)
     refused = sum(one is None for one in found.values())
     minutes = (time.monotonic() - began) / 60.0
     print(f"{refused} refused as begun; {minutes:.1f} min, {chosen.processes} processes")
