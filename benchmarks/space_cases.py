@@ -52,7 +52,7 @@ def drawn(rng: Rng, kind: str, mass: float, size: float = 1.5, aspect: float = 1
     """Draw a box, a cylinder or a hull of points; its height is stretched by ``aspect``."""
     if kind == "box":
         width, length, height = rng.uniform(0.07 * size, size, 3)
-        return sp.Solid.box(width, length, min(aspect * height, 50.0), mass)
+        return sp.Solid.box(width, length, aspect * height, mass)
     if kind == "cylinder":
         radius, half = rng.uniform(0.07, 0.5, 2) * size
         return sp.Solid.cylinder(radius, 2.0 * aspect * half, mass)
@@ -118,8 +118,8 @@ def single(kind: str, slender: bool = False) -> Callable[[Rng], Thrown]:
 
     def draw(rng: Rng) -> Thrown:
         shape = kind or str(rng.choice(["box", "cylinder", "hull"]))
-        aspect = float(10.0 ** (rng.choice([-1.0, 1.0]) * rng.uniform(0.5, 1.5))) if slender else 1.0
-        solid = drawn(rng, shape, any_mass(rng), aspect=aspect)
+        aspect = float(10.0 ** (rng.choice([-1.0, 1.0]) * rng.uniform(0.3, 1.1))) if slender else 1.0
+        solid = drawn(rng, shape, any_mass(rng), 0.5 if slender else 1.5, aspect)
         moves = rng.random() < 0.7
         body = flung(rng, solid, tilt=rng.random() < 0.5) if moves else sp.Standing(solid)
         body = raised(body, rng.choice([0.0, 1e-3, 0.05]))
@@ -156,18 +156,19 @@ def on_ice(rng: Rng) -> Thrown:
 
 
 def on_an_edge(rng: Rng) -> Thrown:
-    """Draw a box that rocks on an edge or a corner and does not land."""
-    solid = drawn(rng, "box", any_mass(rng))
-    width, length, height = np.ptp(solid.vertices, axis=0)
-    way = rng.choice([0.0, rng.uniform(0.2, 1.3)])
-    angle = rng.uniform(0.3, 0.9) * math.atan(min(width, length) / height)
-    axis = np.array([math.sin(way), math.cos(way), 0.0])
-    body = raised(sp.Standing(solid, tilt=tuple(angle * axis)), 0.0)
-    low = body.place - solid.vertices[0]
+    """Draw a box that rocks on an edge or a corner, and does not land within the time."""
+    width, length, height = rng.uniform((0.5, 0.5, 0.5), (1.5, 1.5, 2.0))
+    solid = sp.Solid.box(width, length, height, any_mass(rng))
+    over, reach = np.array([0.0, 1.0, 0.0]), width
+    if rng.random() < 0.5:
+        reach = math.hypot(width, length)
+        over = np.array([length, width, 0.0]) / reach
+    tilt = rng.uniform(0.5, 0.9) * math.atan(reach / height) * over
+    body = raised(sp.Standing(solid, tilt=tuple(tilt)), 0.0)
     corners = body.at + solid.vertices @ body.turn.T
-    low = corners[np.argmin(corners[:, 2] - 1e-9 * corners[:, 0])]
-    spin = rng.uniform(0.0, 0.5) * axis
-    body = replace(body, velocity=tuple(np.cross(spin, body.place - low)), rotation_rate=tuple(spin))
+    spin = rng.uniform(0.0, 0.5) * over
+    lever = body.place - corners[np.argmin(corners[:, 2])]
+    body = replace(body, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
     return Thrown((body,), sp.Room(sp.Floor(5.0, 5.0)), still(DURATION), (0.0, 0.0), ROCKS)
 
 

@@ -22,7 +22,7 @@ import numpy as np
 from mujoco import rollout
 
 import stayput as sp
-from tables import tell
+from tables import tell, three
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -226,16 +226,19 @@ def compared(
     asked: Callable[[Scene, Histories], Array],
     unit: float,
     told: Callable[[Array], Sequence[str]],
+    finer: Sequence[float] = (),
 ) -> list[list[str]]:
     """Return rows of a table: what both engines say at each step, how far it is off, and the time of a run.
 
     ``asked`` is what a run says, ``told`` how all of them are told. Off are the median and the most from the
-    engine's own finest steps, times ``unit``. At last comes how many times as long MuJoCo takes for the
-    median that we are off, its times and errors taken as straight lines between logarithms.
+    engine's own finest steps, times ``unit``; ``finer`` are further ones of MuJoCo. At last comes how many
+    times as long MuJoCo takes for the median that we are off, its times and errors taken as straight lines
+    between logarithms.
     """
     rows: list[list[str]] = []
     curves: list[tuple[Array, Array]] = []
-    for name, (run, steps) in ENGINES.items():
+    for name, (run, own_steps) in ENGINES.items():
+        steps = [*own_steps, *(finer if name == "MuJoCo" else ())]
         runs = [[run(scene, step) for scene in scenes] for step in steps]
         said = np.array(
             [np.concatenate([asked(*of) for of in zip(scenes, one, strict=True)]) for one in runs]
@@ -246,13 +249,13 @@ def compared(
         curves.append((errors[:-1], seconds[:-1]))
         for step, says, error, own, spent in zip(steps, said, errors, off, seconds, strict=True):
             least = [f"{error:.2g}", f"{np.nanmax(own):.2g}"] if step > steps[-1] else ["", ""]
-            rows.append([name, f"{1e3 * step:g}", *told(says), *least, f"{1e3 * spent:.3g}", ""])
+            rows.append([name, f"{1e3 * step:g}", *told(says), *least, three(1e3 * spent), ""])
     (ours, our_time), (theirs, their_time) = curves
     rising = np.argsort(theirs)
     for row, error, spent in zip(rows, ours, our_time, strict=False):
         if 0.0 < error <= theirs.max():
             needed = np.exp(np.interp(np.log(error), np.log(theirs[rising]), np.log(their_time[rising])))
-            row[-1] = f"{'> ' if error < theirs.min() else ''}{needed / spent:.0f}"
+            row[-1] = f"{'> ' if error < theirs.min() else ''}{three(needed / spent)}"
     return rows
 
 
@@ -281,7 +284,7 @@ def boxes(folder: Path | None) -> None:
     def peak(_: Scene, found: Histories) -> Array:
         return np.log(found.tilts.max(axis=1))
 
-    rows = compared(scenes, peak, 100.0, lambda said: [f"{np.exp(np.median(said)):.4f}"])
+    rows = compared(scenes, peak, 100.0, lambda said: [f"{np.exp(np.median(said)):.4f}"], (2e-5, 1e-5))
     tell("mujoco_boxes", heads("median peak tilt [rad]", off="%"), rows, folder)
 
 
@@ -299,7 +302,7 @@ def row(folder: Path | None) -> None:
 
 
 def dominoes(folder: Path | None) -> None:
-    """Compare the speed of the wave in rows of ten dominoes, and what hits of shelves leave of the energy."""
+    """Compare the speed of the wave in rows of ten dominoes, and what hits leave of the energy."""
     width, length, height = 0.0075, 0.024, 0.048
     gaps = (0.008, 0.016, 0.024, 0.032)
     scenes = [
@@ -313,16 +316,27 @@ def dominoes(folder: Path | None) -> None:
 
     rows = compared(scenes, speed, 100.0, lambda said: [f"{one:.3f}" for one in np.exp(said)])
     tell("mujoco_dominoes", heads(*(f"{1e3 * gap:g} mm [m/s]" for gap in gaps), off="%"), rows, folder)
-    shelves = Scene([(0.32, 0.9, 2.1, 120.0)] * 5, (0.4, 0.3), still(2.2, 0.001), 0.75, 0.75)
+    rows_of = {
+        "dominoes": Scene(
+            [(width, length, height, 0.01)] * 5, (0.4, 0.2), still(0.4, 1e-3), width + 0.008, 6.0
+        ),
+        "shelves": Scene([(0.32, 0.9, 2.1, 120.0)] * 5, (0.4, 0.3), still(2.2, 1e-3), 0.75, 0.75),
+    }
     kept = [
-        [name, f"{1e3 * step:g}", *(f"{100.0 * one:.0f} %" for one in shares(run(shelves, step)))]
+        [kind, name, f"{1e3 * step:g}", *(f"{100.0 * one:.0f} %" for one in shares(run(scene, step)))]
+        for kind, scene in rows_of.items()
         for name, (run, steps) in ENGINES.items()
         for step in steps
     ]
-    tell("mujoco_hits", ["engine", "step [ms]", *(f"hit {number}" for number in range(1, 5))], kept, folder)
+    tell(
+        "mujoco_hits",
+        ["row of", "engine", "step [ms]", *(f"hit {number}" for number in range(1, 5))],
+        kept,
+        folder,
+    )
 
 
-def shares(found: Histories, around: int = 4) -> list[float]:
+def shares(found: Histories, around: int = 2) -> list[float]:
     """Return what the first hit of each body in a row leaves of the kinetic energy of all."""
     total = found.energies.sum(axis=0)
     kept: list[float] = []

@@ -29,7 +29,7 @@ import numpy as np
 
 import stayput as sp
 from space_cases import FAMILIES, FLIES, GRAVITY, RATIO, SLIDES, Thrown
-from tables import tell
+from tables import tell, three
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
@@ -108,7 +108,8 @@ def momentum_off(run: sp.SpaceRun, keeps: str) -> float:
     moment = moment - moment[0] - np.cross(first * time + 0.5 * (mass @ run.velocity[:, 0]) * time**2, g)
     parts = slice(0, 3) if keeps == FLIES else slice(0, 2)
     turns = parts if keeps == FLIES else slice(2, 3)
-    return float(max(np.abs(linear[:, parts]).max() / sizes[0], np.abs(moment[:, turns]).max() / sizes[1]))
+    off = np.abs(linear[:, parts]).max(), np.abs(moment[:, turns]).max()
+    return max(off[0] / sizes[0], off[1] / sizes[1]) if min(sizes) > 0.0 else math.nan
 
 
 def _reach(run: sp.SpaceRun) -> Array:
@@ -148,9 +149,9 @@ def depth_between(run: sp.SpaceRun) -> float:
 
 def run_one(case: Thrown, step: float = STEP) -> Found:
     """Run a case and look at what came out."""
-    began = time.process_time()
+    began = time.thread_time()
     run = sp.simulate(sp.Assembly(case.bodies, case.friction), case.room, case.motion, step=step)
-    seconds = time.process_time() - began
+    seconds = time.thread_time() - began
     arrays = run.place, run.attitude, run.velocity, run.rotation_rate
     made = lost = momentum = math.nan
     masses = [one.solid.mass for one in case.bodies]
@@ -272,10 +273,10 @@ def told(tasks: list[Task], found: Results, ended: set[Task], folder: Path | Non
                 f"{given_up.sum()} ({early.sum()})",
                 f"{unlike.sum()}",
                 f"{len(late)} > {FAMILIES[name].limit:g} s",
-                f"{1e3 * np.median(seconds):.3g}",
+                three(1e3 * float(np.median(seconds))),
                 f"{seconds.max():.3g}",
                 f"{(steps / all_of['duration']).max():,.0f}",
-                f"{1e6 * all_of['unconverged'].sum() / max(1, steps.sum()):.3g}",
+                three(1e6 * all_of["unconverged"].sum() / max(1, steps.sum())),
             ]
         )
         made = all_of["made"]
