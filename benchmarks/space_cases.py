@@ -236,7 +236,7 @@ def tower(most: int, least_ratio: float, ratio: float) -> Callable[[Rng], Thrown
 
     def draw(rng: Rng) -> Thrown:
         count = int(rng.integers(2, most + 1))
-        masses = 10.0 ** rng.uniform(0.0, math.log10(ratio), count)
+        masses = 10.0 ** (rng.uniform(0.0, 2.0, count) - (2.0 if least_ratio > 1.0 else 0.0))
         if least_ratio > 1.0:
             heavy, light = rng.choice(count, 2, replace=False)
             masses[heavy] = masses[light] * 10.0 ** rng.uniform(*np.log10((least_ratio, ratio)))
