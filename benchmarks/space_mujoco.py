@@ -22,7 +22,7 @@ import numpy as np
 from mujoco import rollout
 
 import stayput as sp
-from tables import tell, three
+from csv_tables import tell, three
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

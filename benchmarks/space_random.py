@@ -28,8 +28,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 import stayput as sp
+from csv_tables import tell, three
 from space_cases import FAMILIES, FLIES, GRAVITY, RATIO, SLIDES, Thrown
-from tables import tell, three
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 import stayput as sp
 from benchmark_modules import benchmark
 
-_, drawn, cases = (benchmark(name) for name in ("tables", "space_cases", "space_random"))
+_, drawn, cases = (benchmark(name) for name in ("csv_tables", "space_cases", "space_random"))
 
 
 def thrown(seed: int, **kind: Any) -> Any:
