@@ -109,10 +109,10 @@ def _move_all_out(world, poses, scratch):
     """Move bodies out of each other and of planes that they have entered."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
     corners, polygons, touching, axes = scratch[3], scratch[4], scratch[5], scratch[8]
+    place_corners(bodies, poses, points, corners)
     for j in range(pairs.shape[0]):
-        place_corners(bodies, poses, points, corners)
-        body, other = bodies[pairs[j].a], bodies[pairs[j].b]
-        s, r = poses[pairs[j].a], poses[pairs[j].b]
+        a, b = pairs[j].a, pairs[j].b
+        body, other, s, r = bodies[a], bodies[b], poses[a], poses[b]
         _, found, n = touch(body, s, other, r, 0.0, axes[j], faces, loops, edges, corners, polygons, touching)
         for m in range(found):
             if touching[m, 3] < 0.0:
@@ -122,6 +122,9 @@ def _move_all_out(world, poses, scratch):
                 size = -touching[m, 3] / both / found  # each of them moves all of a face
                 _nudge_along(body, s, lever, n, size)
                 _nudge_along(other, r, arm, n, -size)
+        if found:
+            place_corners(bodies[a : a + 1], poses[a : a + 1], points, corners)
+            place_corners(bodies[b : b + 1], poses[b : b + 1], points, corners)
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
         for j in range(planes.shape[0]):

@@ -172,11 +172,21 @@ def _factorize(matrix, b):
                 matrix[b, b, i, j] -= factor * matrix[b, b, k, j]
 
 
+@inline
+def _is_zero(matrix, a, b):
+    """Return whether all of a block is 0, as that of bodies that nothing joins."""
+    for i in range(6):
+        for j in range(6):
+            if matrix[a, b, i, j] != 0.0:
+                return False
+    return True
+
+
 @inner
 def _eliminate(matrix, vector, starts, b):
     """Take a body's rows from those of the bodies after it whose rows begin with it or before."""
     for o in range(b + 1, starts.shape[0]):
-        if starts[o] <= b:
+        if starts[o] <= b and not _is_zero(matrix, o, b):
             for k in range(6):
                 for i in range(k + 1, 6):
                     for j in range(6):
@@ -189,9 +199,9 @@ def _eliminate(matrix, vector, starts, b):
                     for j in range(k + 1, 6):
                         matrix[o, b, i, j] -= factor * matrix[b, b, k, j]
     for o in range(b + 1, starts.shape[0]):
-        if starts[o] <= b:
+        if starts[o] <= b and not _is_zero(matrix, o, b):
             for p in range(b + 1, starts.shape[0]):
-                if starts[p] <= b:
+                if starts[p] <= b and not _is_zero(matrix, b, p):
                     for i in range(6):
                         for k in range(6):
                             for j in range(6):
