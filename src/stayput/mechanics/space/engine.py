@@ -81,8 +81,8 @@ number of them from which on it ends at once.
 PAUSE = 4
 TOLERANCE = 5e-3
 MUCH = 10.0
-SLOW = 0.05
-ROLLS = 10.0
+SLOW = 0.01
+ROLLS = 50.0
 
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
@@ -445,9 +445,9 @@ def run_in_space(
     note_pose(histories, 0, now)
     note_all_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
-    least_refined, most = 0.1 * longest, MUCH * longest
+    least_refined, most = 0.25 * longest, MUCH * longest
     size, rough = longest, 0
-    event = least_event = longest / 16.0
+    event = least_event = longest / 4.0
     last, count = 0.0, 0
     alone = poses.shape[1] == 1 and world[2].shape[0] == 0
     least_step = SHORTEST if alone else SHORTEST_OF_SEVERAL
