@@ -135,7 +135,12 @@ def piece_of(case: np.void, mass: float = 1.0) -> Standing:
 
 
 def trace_case(
-    case: np.void, elements: NDArray[np.void], motion: SpaceShaking, step: float = STEP, mass: float = 1.0
+    case: np.void,
+    elements: NDArray[np.void],
+    motion: SpaceShaking,
+    step: float = STEP,
+    mass: float = 1.0,
+    lies: float = math.inf,
 ) -> tuple[Standing, NDArray[np.void], SpaceTrace]:
     """Run a case in space, per unit mass; return the piece as it rests, its room (PLANE), and the run.
 
@@ -151,6 +156,8 @@ def trace_case(
         Longest step [s].
     mass : float
         Mass of the solid that is returned [kg]; it changes nothing else.
+    lies : float
+        How long the piece lies before the run ends [s].
 
     Raises
     ------
@@ -165,7 +172,7 @@ def trace_case(
     springs = springs_of(elements, piece.turn, piece.place, solid.principal[1])
     pose = pose_of(solid, *_pose(case))
     shaken = float(case["scale"]) * motion.acceleration
-    trace = run_world(world, pose[np.newaxis], springs, shaken, motion.dt, step, float(case["gravity"]))
+    trace = run_world(world, pose[np.newaxis], springs, shaken, motion.dt, step, float(case["gravity"]), lies)
     return piece if mass == 1.0 else piece_of(case, mass), planes, trace
 
 
@@ -210,6 +217,10 @@ def results_of(
     return results
 
 
+ENDS = 0.5
+"""How long a piece lies in a run of which only results are asked for [s]: nothing of them comes after."""
+
+
 def run_rows_in_space(
     cases: NDArray[np.void], elements: NDArray[np.void], motion: SpaceShaking
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
@@ -218,7 +229,7 @@ def run_rows_in_space(
     devices["failure_time"] = np.nan
     time = motion.times
     for n, (case, rows) in enumerate(zip(cases, elements, strict=True)):
-        piece, _, trace = trace_case(case, rows, motion)
+        piece, _, trace = trace_case(case, rows, motion, lies=ENDS)
         results[n] = results_of([piece], trace, time)[0]
         devices[n, rows["kind"] != NONE] = trace.devices
     return results, devices

@@ -197,6 +197,7 @@ def run_world(
     dt: float,
     step: float,
     gravity: float,
+    lies: float = math.inf,
 ) -> SpaceTrace:
     """Run bodies in a room.
 
@@ -214,6 +215,8 @@ def run_world(
         Time between samples, and longest step [s].
     gravity : float
         g [m/s²].
+    lies : float
+        How long all bodies lie before the run ends [s]: they stay where they are then.
 
     Raises
     ------
@@ -239,7 +242,7 @@ def run_world(
     if (stop := _STOP.get()) is not None:
         stop.watch(work)
     output = histories, forces, hits, numbers, peaks, work
-    times = np.array([dt, longest_step(own, world[0], step), gravity])
+    times = np.array([dt, longest_step(own, world[0], step), gravity, lies])
     scratch = scratch_of(world, len(springs))
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
     first = gaps_of(world, scratch[2][0], back)

@@ -340,4 +340,5 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
         np.full((len(pairs), 2), -1),
         np.zeros(devices, PULL),
         np.zeros(devices, DEVICE),
+        np.zeros(5),
     )

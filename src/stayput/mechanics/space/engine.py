@@ -1,11 +1,11 @@
-"""The engine in space: steps between samples of the floor's motion, shortened where bodies meet.
+"""The engine in space: refined steps between samples of the floor's motion, shortened where bodies meet.
 
-A step of length h is symmetric (Strang): bodies drift freely for h/2, get gravity, the floor's acceleration
-and the impulses of all contacts that are closed there, and drift for h/2 again. Between impacts it is of
-second order; free flight keeps energy and momentum. A step in which a body would enter or hit another is
-shortened to where they meet, and the impact has a step of its own, the shortest: in a longer one it would be
-solved with velocities that lack what half of that step brings. What a body has entered (`ENTERS`) is moved
-out without a change of velocity.
+Between events steps are refined (`stayput.mechanics.space.stepping`): of fourth order, as long as their error
+allows, at most `LONGER` times as long as the longest plain step. Where contacts begin or end to slip or to
+bear within one it is halved, down to a quarter of that, and then taken as it is. A step in which a body would
+enter or hit another is shortened to where they meet, and the impact has a step of its own, the shortest: in a
+longer one it would be solved with velocities that lack what half of that step brings. What a body has entered
+(`ENTERS`) is moved out without a change of velocity.
 
 Axes move with the floor: its acceleration acts on bodies against its direction.
 """
@@ -20,31 +20,20 @@ from stayput.mechanics.space.body import (
     angular_response,
     attitude,
     copy_pose,
-    drift,
     in_room,
     nudge,
     place_of,
     sag,
     set_attitude,
     stop,
-    velocity,
 )
-from stayput.mechanics.space.closing import (
-    CLOSED,
-    ENTERS_BODIES,
-    OPEN,
-    find_contacts,
-    keep,
-    note_all_gaps,
-)
-from stayput.mechanics.space.contact import mobility, turns_back, velocity_at
-from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
-from stayput.mechanics.space.impact import bounces, mend
-from stayput.mechanics.space.landing import land
-from stayput.mechanics.space.notes import note_hits, note_pose, note_pressing, note_weight
+from stayput.mechanics.space.closing import CLOSED, ENTERS_BODIES, keep, note_all_gaps
+from stayput.mechanics.space.contact import mobility, velocity_at
+from stayput.mechanics.space.devices import give, note_forces, note_loads
+from stayput.mechanics.space.notes import note_hits, note_peaks, note_pose, note_pressing, note_weight
 from stayput.mechanics.space.pairs import place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.solve import IMPACT, apply, has_slipped, slide, solve
+from stayput.mechanics.space.stepping import any_closes_fast, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
     RIM_ENTERS,
@@ -54,7 +43,7 @@ from stayput.mechanics.space.touching import (
     may_touch,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross, dot, norm
+from stayput.mechanics.space.vectors import added, cross, dot
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
@@ -70,22 +59,30 @@ SHORT_STEPS = 8
 DEEP = 1e-5
 """Depth from which on they are made shorter again [m]."""
 
-MOST_ROUNDS = 8
-"""Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
+LONGER, LEAST = 10.0, 0.25
+"""Longest refined step, and the shortest that is halved no more, over the longest plain step."""
+
+TOLERANCE = 5e-3
+"""Difference of a step and its halves, over its length, up to which it is not shortened [m/s]."""
+
+GROWS = 4.0
+"""How many times as long as the last a refined step may be."""
+
+PAUSE = 4
+"""Plain steps after an event where one follows on another, as in a tower that rattles."""
 
 MOST_UNCONVERGED, FEW = 0.02, 1000
 """Share of steps whose impulses did not converge from which on a run is given up (its forces are rough), and
 number of them from which on it ends at once.
 """
 
-PAUSE = 4
-TOLERANCE = 5e-3
-MUCH = 10.0
-SLOW = 0.01
-ROLLS = 50.0
+LYING = 1.0 - math.cos(math.radians(89.0))
+"""1 − cos of the tilt from which on a body lies."""
 
-RESTS = 4e-5
-"""Acceleration from rest up to which a body rests on, exactly [m/s²]."""
+LENGTH, EVENT, ROUGH, SHORT, LIMIT = range(5)
+"""What a step passes on to the next: its length; that down to which one with an event is halved; plain steps
+to come; shortest steps in a row, and their length.
+"""
 
 
 @inner
@@ -135,187 +132,6 @@ def _move_all_out(world, poses, scratch):
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
                     _move_out(body, s, lowest_lever(s, rims[i], plane), plane)
-
-
-@inline
-def _moves(s):
-    return s.vx != 0.0 or s.vy != 0.0 or s.vz != 0.0 or s.lx != 0.0 or s.ly != 0.0 or s.lz != 0.0
-
-
-@inline
-def _speed(body, s):
-    """Return a bound of the speed of a body: of G, and of a turn about it at its radius of gyration."""
-    gyration = math.sqrt((body.i1 + body.i2 + body.i3) / (2.0 * body.mass))
-    return math.sqrt(s.vx * s.vx + s.vy * s.vy + s.vz * s.vz) + gyration * math.sqrt(
-        s.wx * s.wx + s.wy * s.wy + s.wz * s.wz
-    )
-
-
-@inner
-def _impact(contacts, count, kept, h):
-    """Return when within a step the first contact hits that was open before, by its gap in mid-step."""
-    first = h
-    for k in range(count):
-        c = contacts[k]
-        if c.closing < -IMPACT and kept[c.key, 3] == OPEN:
-            first = min(first, 0.5 * h - c.gap / c.closing)
-    return first
-
-
-@inner
-def _any_closes_fast(contacts, count):
-    for k in range(count):
-        if contacts[k].closing < -IMPACT:
-            return True
-    return False
-
-
-@inner
-def _step(world, held, before, after, push, h, shortest, scratch, kept, ratio, work):
-    """Step from ``before`` to ``after``; return the number of contacts.
-
-    ``push`` is the acceleration that acts on all bodies: gravity, and against that of the floor.
-    """
-    bodies, contacts, system = world[0], scratch[0], scratch[7]
-    springs, pulls, _ = held
-    for b in range(bodies.shape[0]):
-        copy_pose(before[b], after[b])
-        if _moves(after[b]):
-            drift(bodies[b], after[b], 0.5 * h)
-    count = find_contacts(world, after, push, scratch, kept, ratio, h)
-    meets = _impact(contacts, count, kept, h)
-    if meets < h and h > shortest:
-        return count, meets
-    if not _any_closes_fast(contacts, count):
-        slide(contacts, count, after, h)
-    stretch(springs, pulls, after)
-    for b in range(bodies.shape[0]):
-        s = after[b]
-        s.vx += h * push[0]
-        s.vy += h * push[1]
-        s.vz += h * push[2]
-    work[0] += 1.0
-    apply(contacts, count, bodies, after, 1.0)
-    hold(springs, pulls, bodies, after, h)
-    alone = count == 0 and springs.shape[0] == 0
-    converged = alone or solve(contacts, count, held, bodies, after, system, h, work)
-    settled = alone
-    for _ in range(MOST_ROUNDS):
-        settled = not hold(springs, pulls, bodies, after, h)
-        if settled:
-            break
-        converged = solve(contacts, count, held, bodies, after, system, h, work)
-    if bounces(contacts, count):
-        none = springs[:0], pulls[:0], held[2][:0]
-        converged = mend(contacts, count, none, bodies, after, system, h, work) and converged
-    if not (converged and settled):
-        work[1] += 1.0
-    land(contacts, count, bodies, before, after)
-    for k in range(count):
-        c = contacts[k]
-        c.stuck = 0
-        # one that bears nothing has not slipped either where it does not move: the next step may press it
-        if not has_slipped(c, after, h) or (c.pn > 0.0 and turns_back(c, before, after)):
-            c.stuck = 1
-    for b in range(bodies.shape[0]):
-        s = after[b]
-        if _speed(bodies[b], s) <= RESTS * h:
-            if not _moves(before[b]):
-                copy_pose(before[b], s)
-            stop(s)
-        else:
-            drift(bodies[b], s, 0.5 * h)
-    return count, meets
-
-
-@inner
-def _same_contacts(kept, other):
-    """Return whether the same contacts are closed, and the same of them stick."""
-    for key in range(kept.shape[0]):
-        if kept[key, 3] != other[key, 3]:
-            return False
-    return True
-
-
-@inner
-def _rub_alike(kept, other):
-    """Return whether the same of the contacts stick that are closed in both."""
-    for key in range(kept.shape[0]):
-        if kept[key, 3] + other[key, 3] == 1.0:
-            return False
-    return True
-
-
-@inner
-def _bear_alike(kept, other):
-    """Return whether the same contacts bear something."""
-    for key in range(kept.shape[0]):
-        if (kept[key, 0] > 0.0) != (other[key, 0] > 0.0):
-            return False
-    return True
-
-
-@inner
-def _extrapolate(bodies, poses):
-    """Extrapolate from a step (row 1) and its halves (row 3) to none, into row 1; return their difference.
-
-    A symmetric step leaves an error of its length cubed, so that the halves are off by a third of the
-    difference; what is left is of the fifth order.
-
-    Returns
-    -------
-    float
-        The largest way [m] by which a body's points differ, with what velocities add in a time √(R/g).
-    """
-    found = 0.0
-    for b in range(bodies.shape[0]):
-        body, coarse, fine = bodies[b], poses[1, b], poses[3, b]
-        d = coarse.x - fine.x, coarse.y - fine.y, coarse.z - fine.z
-        v = coarse.vx - fine.vx, coarse.vy - fine.vy, coarse.vz - fine.vz
-        w = coarse.wx - fine.wx, coarse.wy - fine.wy, coarse.wz - fine.wz
-        q, r = attitude(coarse), attitude(fine)
-        q = q[0] - r[0], q[1] - r[1], q[2] - r[2], q[3] - r[3]
-        turn = 2.0 * math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-        error = norm(d) + body.radius * turn + SLOW * (norm(v) + body.radius * norm(w))
-        found = max(found, error * (ROLLS if body.rims > 0 else 1.0))
-        third = 1.0 / 3.0
-        coarse.x, coarse.y, coarse.z = added(place_of(fine), -third, d)
-        coarse.vx, coarse.vy, coarse.vz = added(velocity(fine), -third, v)
-        l = coarse.lx - fine.lx, coarse.ly - fine.ly, coarse.lz - fine.lz
-        coarse.lx, coarse.ly, coarse.lz = added((fine.lx, fine.ly, fine.lz), -third, l)
-        q = r[0] - third * q[0], r[1] - third * q[1], r[2] - third * q[2], r[3] - third * q[3]
-        if _moves(fine):
-            set_attitude(body, coarse, q)
-        else:
-            copy_pose(fine, coarse)
-    return found
-
-
-@inner
-def _refine(world, held, poses, a0, a1, t, h, dt, start, gravity, scratch, ratio, work):
-    """Replace a step (row 1 of poses) by what it and its halves, with row 2 in between, leave at length 0.
-
-    Returns
-    -------
-    float
-        The difference of the step and its halves; −1 where contacts or devices changed.
-    """
-    contacts, kept = scratch[0], scratch[1]
-    springs, pulls, devices = held
-    for half in range(2):
-        f = (t + (0.25 + 0.5 * half) * h) / dt
-        push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
-        count, meets = _step(
-            world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, 0.0, scratch,
-            kept[2 * half], 0.5 * ratio if half == 0 else 1.0, work,
-        )  # fmt: skip
-        if meets < 0.5 * h:
-            return -1.0
-        keep(contacts, count, kept[2], scratch[7][3])
-        lost = give(springs, pulls, devices, poses[2 + half], start + t + (0.5 + 0.5 * half) * h)
-        if lost or not (_same_contacts(kept[1], kept[2]) and _bear_alike(kept[1], kept[2])):
-            return -1.0
-    return _extrapolate(world[0], poses)
 
 
 @inner
@@ -373,25 +189,121 @@ def _meeting(world, poses, gaps, later, bent, h):
 
 
 @inline
-def note_peaks(bodies, poses, peaks):
-    """Note the largest 1 − cos of the bodies' tilts."""
-    for b in range(bodies.shape[0]):
-        up = in_room(poses[b], (bodies[b].ux, bodies[b].uy, bodies[b].uz))
-        peaks[b] = max(peaks[b], min(1.0 - up[2], 2.0))
-
-
-@inline
 def _at_rest(poses):
     for b in range(poses.shape[0]):
-        if _moves(poses[b]):
+        if moves(poses[b]):
             return False
     return True
 
 
 @inline
-def _push(a, gravity):
-    """Return the acceleration that acts on bodies where the floor has the acceleration a."""
-    return -a[0], -a[1], -a[2] - gravity
+def _restore(held, scratch):
+    for d in range(held[1].shape[0]):
+        held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
+
+
+@inner
+def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace, work):
+    """Take one step from row 0 of the poses to row 1, at the time t after a sample.
+
+    Returns
+    -------
+    tuple
+        Its length, the number of contacts, the least gap at its end, how far a path bends in it, and whether
+        it has been refined.
+    """
+    dt, longest, gravity = numbers[0], numbers[1], numbers[2]
+    contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
+    now, trial = poses[0], poses[1]
+    shortest = pace[LIMIT]
+    h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
+    while True:
+        push, ratio = push_at(a0, a1, (t + 0.5 * h) / dt, gravity), h / last if last > 0.0 else 0.0
+        count, meets = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
+        least, bent = math.inf, 0.0
+        if meets == h or h <= shortest:
+            least, left = note_all_gaps(world, trial, scratch, gaps[1])
+            bent = _sag(world[0], trial, h)
+            if left < 0.0:
+                meets = min(meets, _meeting(world, trial, gaps[0], gaps[1], bent, h))
+        if meets < h and h > shortest:
+            h = max(shortest, min(meets, h - shortest))
+            continue
+        if (
+            pace[ROUGH] > 0.0
+            or h < max(0.5 * LEAST * longest, 2.0 * shortest)
+            or any_closes_fast(contacts, count)
+        ):
+            if h > longest:
+                h = longest
+                continue
+            return h, count, least, bent, False
+        keep(contacts, count, kept[1], scratch[7][3])
+        for d in range(held[1].shape[0]):
+            scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
+        error = refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio, work)
+        if error >= 0.0 and (error <= TOLERANCE * h or h <= 2.0 * LEAST * longest):
+            least, left = note_all_gaps(world, trial, scratch, gaps[1])
+            meets = _meeting(world, trial, gaps[0], gaps[1], bent, h) if left < 0.0 else h
+            if meets == h:
+                work[4] += error / 3.0
+                pace[EVENT] = max(LEAST * longest, 0.5 * pace[EVENT])
+                grows = 0.8 * math.sqrt(TOLERANCE * h / max(error, 1e-15))
+                pace[LENGTH] = max(2.0 * LEAST * longest, h * min(GROWS, max(0.5, grows)))
+                pace[LENGTH] = min(LONGER * longest, pace[LENGTH])
+                return h, count, least, 0.0, True
+        _restore(held, scratch)
+        if meets < h:
+            h = max(shortest, min(meets, h - shortest))
+        elif error >= 0.0:
+            h *= 0.25 if error > 16.0 * TOLERANCE * h else 0.5
+        elif h > pace[EVENT]:
+            h = max(pace[EVENT], 0.5 * h)
+        else:
+            pace[EVENT] = min(2.0 * pace[EVENT], longest)
+            if pace[EVENT] == longest:
+                pace[ROUGH] = PAUSE
+            count, meets = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
+            return h, count, least, bent, False
+
+
+@inner
+def _rests(world, held, poses, a0, a1, numbers, start, last, scratch, bears, work):
+    """Return whether bodies at rest stay so between two samples, with the number of contacts and the step.
+
+    What walls and other bodies help to bear is convex in the push: steps at both samples tell.
+    """
+    dt, longest, gravity = numbers[0], numbers[1], numbers[2]
+    contacts, kept, marks = scratch[0], scratch[1], scratch[7][3]
+    h = dt / math.ceil(dt / longest * (1.0 - 1e-12))
+    count = 0
+    for end in range(1 if bears else 0, 2):
+        push, ratio = push_at(a0, a1, float(end), gravity), h / last if last > 0.0 else 0.0
+        count, _ = step(world, held, poses[0], poses[1], push, h, h, scratch, kept[0], ratio, work)
+        if not _at_rest(poses[1]):
+            return False, count, last
+        keep(contacts, count, kept[0], marks)
+        last = h
+    give(held[0], held[1], held[2], poses[1], start + dt)
+    return True, count, last
+
+
+@inner
+def _stay(bodies, poses, histories, first):
+    """Leave bodies where they are from a sample on."""
+    for b in range(bodies.shape[0]):
+        stop(poses[b])
+    for later in range(first, histories.shape[1]):
+        note_pose(histories, later, poses)
+
+
+@inline
+def _all_lie(bodies, poses):
+    for b in range(bodies.shape[0]):
+        up = in_room(poses[b], (bodies[b].ux, bodies[b].uy, bodies[b].uz))
+        if 1.0 - up[2] < LYING:
+            return False
+    return True
 
 
 @entry
@@ -413,26 +325,28 @@ def run_in_space(
         of the faces int64[l], edges int64[e, 2].
     held : tuple
         What holds them: SPRING[d], PULL[d], DEVICE[d]; the last is the result, in newtons.
-    poses : POSE[2, n]
-        The initial poses in the first row, and the last at the end; the other is working memory.
+    poses : POSE[4, n]
+        The initial poses in the first row, and the last at the end; the others are working memory.
     acceleration : float64[samples, 3]
         Of the floor [m/s²], linear between samples.
-    numbers : float64[3]
-        Time between samples [s], longest step [s], gravity [m/s²].
+    numbers : float64[4]
+        Time between samples [s], longest plain step [s], gravity [m/s²], and how long all bodies lie before
+        the run ends [s].
     scratch : tuple
-        Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places
-        of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5]; what
-        bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least friction
-        float64[n], forces and moments of devices float64[n, 6], middles and distances float64[n, 4]; Newton's
-        method: Jacobians, and D times these, float64[c + d, 2, 6, 6], matrix float64[n, n, 6, 6], vector
-        float64[n, 6], first bodies of rows int64[n]; the axes that separated pairs last int64[m, 2], −1 at
-        first.
+        Working memory: CONTACT[c], impulses that are kept float64[3, keys, 4], gaps float64[2, features],
+        places of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5];
+        what bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least
+        friction float64[n], forces and moments of devices float64[n, 6], middles and distances float64[n, 4];
+        Newton's method: Jacobians, and D times these, float64[c + d, 2, 6, 6], matrix float64[n, n, 6, 6],
+        vector float64[n, 6], first bodies of rows int64[n], velocities gained float64[n, 6]; the axes that
+        separated pairs last int64[m, 2], −1 at first; PULL[d] and DEVICE[d] before a step; float64[5].
     output : tuple
         Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
         kind int64[n + 1, 3], in the last row of all hits; the largest 1 − cos of the bodies' tilts at any
         step float64[n]; steps, steps whose impulses did not converge, work in updates of a contact (some
-        0.1 µs each), and the most of it, float64[4]: added to. Beyond it, and where too many steps do not
+        0.1 µs each), the most of it, and the sum of the errors of refined steps [m], float64[5]: added to.
+        Beyond the most work, and where too many steps do not
         converge, bodies stay where they are.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
@@ -444,51 +358,34 @@ def run_in_space(
         set_attitude(bodies[b], now[b], attitude(now[b]))
     note_pose(histories, 0, now)
     note_all_gaps(world, now, scratch, gaps[0])
-    parts = math.ceil(dt / longest * (1.0 - 1e-12))
-    least_refined, most = 0.25 * longest, MUCH * longest
-    size, rough = longest, 0
-    event = least_event = longest / 4.0
-    last, count = 0.0, 0
+    last, lies, count = 0.0, 0.0, 0
     alone = poses.shape[1] == 1 and world[2].shape[0] == 0
     least_step = SHORTEST if alone else SHORTEST_OF_SEVERAL
-    short, shortest = 0, least_step
+    pace = scratch[11]
+    pace[LENGTH], pace[EVENT], pace[ROUGH] = longest, LEAST * longest, 0.0
+    pace[SHORT], pace[LIMIT] = 0.0, least_step
     noted = bears = False
     for k in range(acceleration.shape[0] - 1):
-        a0, a1 = acceleration[k], acceleration[k + 1]
+        a0, a1, start = acceleration[k], acceleration[k + 1], dt * k
         # what preloaded devices bear at rest is known after a step
         if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
             if not noted:
                 note_stances(world, now, CLOSED, scratch[6])
                 note_loads(held[0], held[1], last, scratch[6][4])
                 noted = True
-            if stays_at_rest(bodies, now, floor, _push(a0, gravity), scratch[6]) and stays_at_rest(
-                bodies, now, floor, _push(a1, gravity), scratch[6]
+            push = push_at(a0, a1, 1.0, gravity)
+            if stays_at_rest(bodies, now, floor, push_at(a0, a1, 0.0, gravity), scratch[6]) and stays_at_rest(
+                bodies, now, floor, push, scratch[6]
             ):
                 note_pose(histories, k + 1, now)
-                note_weight(histories, k + 1, bodies, _push(a1, gravity), scratch[6][4])
+                note_weight(histories, k + 1, bodies, push, scratch[6][4])
                 note_forces(held[1], forces[k + 1])
                 bears = False
                 continue
-            # what walls and other bodies help to bear is convex in the push too: steps at both samples tell
-            h = dt / parts
-            if not bears:
-                ratio = h / last if last > 0.0 else 0.0
-                count, meets = _step(
-                    world, held, now, trial, _push(a0, gravity), h, h, scratch, kept[0], ratio, work
-                )
-                bears = _at_rest(trial)
-                if bears:
-                    keep(contacts, count, kept[0], scratch[7][3])
-                    last = h
+            bears, count, last = _rests(
+                world, held, poses, a0, a1, numbers, start, last, scratch, bears, work
+            )
             if bears:
-                count, meets = _step(
-                    world, held, now, trial, _push(a1, gravity), h, h, scratch, kept[0], h / last, work
-                )
-                bears = _at_rest(trial)
-            if bears:
-                keep(contacts, count, kept[0], scratch[7][3])
-                give(held[0], held[1], held[2], trial, dt * (k + 1))
-                last = h
                 note_pose(histories, k + 1, now)
                 note_pressing(histories, k + 1, contacts, count, last)
                 note_forces(held[1], forces[k + 1])
@@ -497,104 +394,35 @@ def run_in_space(
         t = 0.0
         while t < dt:
             if work[2] > work[3] or work[1] > max(FEW, MOST_UNCONVERGED * work[0]):
-                for b in range(bodies.shape[0]):
-                    stop(now[b])
-                for later in range(k + 1, histories.shape[1]):
-                    note_pose(histories, later, now)
+                _stay(bodies, now, histories, k + 1)
                 return
-            h = (dt - t) / math.ceil((dt - t) / size * (1.0 - 1e-12))
-            refined = False
-            while True:
-                f = (t + 0.5 * h) / dt
-                push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
-                ratio = h / last if last > 0.0 else 0.0
-                count, meets = _step(
-                    world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work
-                )
-                if meets < h and h > shortest:
-                    h = max(shortest, min(meets, h - shortest))
-                    continue
-                least, left = note_all_gaps(world, trial, scratch, gaps[1])
-                bent = _sag(bodies, trial, h)
-                if left < 0.0:
-                    meets = min(meets, _meeting(world, trial, gaps[0], gaps[1], bent, h))
-                if meets < h and h > shortest:
-                    h = max(shortest, min(meets, h - shortest))
-                    continue
-                if (
-                    rough > 0
-                    or h < max(0.5 * least_event, 2.0 * shortest)
-                    or _any_closes_fast(contacts, count)
-                ):
-                    if h > longest:
-                        h = longest
-                        continue
-                    break
-                keep(contacts, count, kept[1], scratch[7][3])
-                error = -1.0
-                if _rub_alike(kept[0], kept[1]):
-                    for d in range(held[1].shape[0]):
-                        scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
-                    error = _refine(
-                        world, held, poses, a0, a1, t, h, dt, dt * k, gravity, scratch, ratio, work
-                    )
-                    if error < 0.0:
-                        for d in range(held[1].shape[0]):
-                            held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
-                refined = 0.0 <= error <= TOLERANCE * h or (error >= 0.0 and h <= 2.0 * least_refined)
-                if refined:
-                    least, left = note_all_gaps(world, trial, scratch, gaps[1])
-                    meets = _meeting(world, trial, gaps[0], gaps[1], bent, h) if left < 0.0 else h
-                    refined = meets == h
-                if refined:
-                    event = max(least_event, 0.5 * event)
-                    grows = 0.8 * math.sqrt(TOLERANCE * h / max(error, 1e-15))
-                    size = min(most, max(2.0 * least_refined, h * min(4.0, max(0.5, grows))))
-                    work[4] += error
-                    bent = 0.0
-                    break
-                if error >= 0.0:
-                    for d in range(held[1].shape[0]):
-                        held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
-                if meets < h:
-                    h = max(shortest, min(meets, h - shortest))
-                    continue
-                if error < 0.0:
-                    if h > event:
-                        h = max(event, 0.5 * h)
-                        continue
-                    event = min(2.0 * event, longest)
-                    if event == longest:
-                        rough = PAUSE
-                    count, meets = _step(
-                        world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work
-                    )
-                    break
-                h *= 0.25 if error > 16.0 * TOLERANCE * h else 0.5
-            short = short + 1 if h <= shortest else 0
-            if short == 0:
-                shortest = least_step
+            h, count, least, bent, refined = _advance(
+                world, held, poses, a0, a1, numbers, t, start, last, scratch, pace, work
+            )
+            pace[SHORT] = pace[SHORT] + 1.0 if h <= pace[LIMIT] else 0.0
+            if pace[SHORT] == 0.0:
+                pace[LIMIT] = least_step
             elif least < -DEEP:
-                shortest = max(least_step, 0.5 * shortest)
-            elif short % SHORT_STEPS == 0:
-                shortest *= 2.0
+                pace[LIMIT] = max(least_step, 0.5 * pace[LIMIT])
+            elif pace[SHORT] % SHORT_STEPS == 0.0:
+                pace[LIMIT] *= 2.0
             if least < -IGNORED - bent:
                 _move_all_out(world, trial, scratch)
                 note_all_gaps(world, trial, scratch, gaps[1])
             if refined:
                 note_peaks(bodies, poses[2], peaks)
                 for key in range(kept.shape[1]):
-                    for i in range(4):
+                    for i in range(kept.shape[2]):
                         kept[0, key, i] = kept[2, key, i]
                 last = 0.5 * h
             else:
-                if h > least_step * 1.5:
-                    rough = max(0, rough - 1)
-                size = min(max(size, 2.0 * h), longest)
-                note_hits(contacts, count, kept[0], dt * k + t + h, hits, hit_numbers)
+                if pace[SHORT] == 0.0:
+                    pace[ROUGH] = max(0.0, pace[ROUGH] - 1.0)
+                pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest)
+                note_hits(contacts, count, kept[0], start + t + h, hits, hit_numbers)
                 keep(contacts, count, kept[0], scratch[7][3])
+                give(held[0], held[1], held[2], trial, start + t + h)
                 last = h
-                give(held[0], held[1], held[2], trial, dt * k + t + h)
             for b in range(bodies.shape[0]):
                 copy_pose(trial[b], now[b])
             note_peaks(bodies, now, peaks)
@@ -604,3 +432,7 @@ def run_in_space(
         note_pose(histories, k + 1, now)
         note_pressing(histories, k + 1, contacts, count, last)
         note_forces(held[1], forces[k + 1])
+        lies = lies + dt if _all_lie(bodies, now) else 0.0
+        if lies > numbers[3]:
+            _stay(bodies, now, histories, k + 2)
+            return

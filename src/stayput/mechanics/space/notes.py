@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from stayput.compiling import inline, inner
+from stayput.mechanics.space.body import in_room
 from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
 from stayput.mechanics.space.contact import first_tangent, normal_of, second_tangent
 from stayput.mechanics.space.touching import ROOM
@@ -65,3 +66,11 @@ def note_pose(histories, sample, poses):
         row[3], row[4], row[5], row[6] = s.qw, s.qx, s.qy, s.qz
         row[7], row[8], row[9] = s.vx, s.vy, s.vz
         row[10], row[11], row[12] = s.wx, s.wy, s.wz
+
+
+@inline
+def note_peaks(bodies, poses, peaks):
+    """Note the largest 1 − cos of the bodies' tilts."""
+    for b in range(bodies.shape[0]):
+        up = in_room(poses[b], (bodies[b].ux, bodies[b].uy, bodies[b].uz))
+        peaks[b] = max(peaks[b], min(1.0 - up[2], 2.0))

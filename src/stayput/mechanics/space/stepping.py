@@ -1,0 +1,223 @@
+"""A step of the engine in space, and two halves of it from which it is extrapolated.
+
+A step of length h is symmetric (Strang): bodies drift freely for h/2, get gravity, the floor's acceleration
+and the impulses of all contacts that are closed there, and drift for h/2 again. While contacts and devices
+do not change its error is c h³ and that of its halves c h³/4, so that 4/3 of the halves less 1/3 of the whole
+is of the fifth order (Richardson); their difference tells whether it may be as long as it is.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiling import inline, inner
+from stayput.mechanics.space.body import attitude, copy_pose, drift, place_of, set_attitude, stop, velocity
+from stayput.mechanics.space.closing import OPEN, find_contacts, keep
+from stayput.mechanics.space.contact import turns_back
+from stayput.mechanics.space.devices import give, hold, stretch
+from stayput.mechanics.space.impact import bounces, mend
+from stayput.mechanics.space.landing import land
+from stayput.mechanics.space.solve import IMPACT, apply, has_slipped, slide, solve
+from stayput.mechanics.space.vectors import added, norm
+
+MOST_ROUNDS = 8
+"""Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
+
+RESTS = 4e-5
+"""Acceleration from rest up to which a body rests on, exactly [m/s²]."""
+
+LASTS = 0.01
+"""Time for which a difference of velocities is taken to last, beside one of places [s]."""
+
+ROLLS = 50.0
+"""How many times more a difference of a body with a rim counts: where it rolls nearly flat it turns fast."""
+
+
+@inline
+def push_at(a0, a1, part, gravity):
+    """Return the acceleration that acts on bodies at a part of the way between samples of the floor's."""
+    a = added(a0, part, added(a1, -1.0, a0))
+    return -a[0], -a[1], -a[2] - gravity
+
+
+@inline
+def moves(s):
+    """Return whether a body moves."""
+    return s.vx != 0.0 or s.vy != 0.0 or s.vz != 0.0 or s.lx != 0.0 or s.ly != 0.0 or s.lz != 0.0
+
+
+@inline
+def _speed(body, s):
+    """Return a bound of the speed of a body: of G, and of a turn about it at its radius of gyration."""
+    gyration = math.sqrt((body.i1 + body.i2 + body.i3) / (2.0 * body.mass))
+    return math.sqrt(s.vx * s.vx + s.vy * s.vy + s.vz * s.vz) + gyration * math.sqrt(
+        s.wx * s.wx + s.wy * s.wy + s.wz * s.wz
+    )
+
+
+@inner
+def _impact(contacts, count, kept, h):
+    """Return when within a step the first contact hits that was open before, by its gap in mid-step."""
+    first = h
+    for k in range(count):
+        c = contacts[k]
+        if c.closing < -IMPACT and kept[c.key, 3] == OPEN:
+            first = min(first, 0.5 * h - c.gap / c.closing)
+    return first
+
+
+@inner
+def any_closes_fast(contacts, count):
+    """Return whether any contact closes so fast that it is an impact."""
+    for k in range(count):
+        if contacts[k].closing < -IMPACT:
+            return True
+    return False
+
+
+@inner
+def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, work):
+    """Step from ``before`` to ``after``.
+
+    ``push`` is the acceleration that acts on all bodies: gravity, and against that of the floor. Impulses
+    begin with those ``kept`` times ``ratio``.
+
+    Returns
+    -------
+    tuple
+        The number of contacts, and when in the step the first hits that was open before. Where that is before
+        its end, and it is not the ``shortest``, nothing is solved.
+    """
+    bodies, contacts, system = world[0], scratch[0], scratch[7]
+    springs, pulls, _ = held
+    for b in range(bodies.shape[0]):
+        copy_pose(before[b], after[b])
+        if moves(after[b]):
+            drift(bodies[b], after[b], 0.5 * h)
+    count = find_contacts(world, after, push, scratch, kept, ratio, h)
+    meets = _impact(contacts, count, kept, h)
+    if meets < h and h > shortest:
+        return count, meets
+    if not any_closes_fast(contacts, count):
+        slide(contacts, count, after, h)
+    stretch(springs, pulls, after)
+    for b in range(bodies.shape[0]):
+        s = after[b]
+        s.vx += h * push[0]
+        s.vy += h * push[1]
+        s.vz += h * push[2]
+    work[0] += 1.0
+    apply(contacts, count, bodies, after, 1.0)
+    hold(springs, pulls, bodies, after, h)
+    alone = count == 0 and springs.shape[0] == 0
+    converged = alone or solve(contacts, count, held, bodies, after, system, h, work)
+    settled = alone
+    for _ in range(MOST_ROUNDS):
+        settled = not hold(springs, pulls, bodies, after, h)
+        if settled:
+            break
+        converged = solve(contacts, count, held, bodies, after, system, h, work)
+    if bounces(contacts, count):
+        none = springs[:0], pulls[:0], held[2][:0]
+        converged = mend(contacts, count, none, bodies, after, system, h, work) and converged
+    if not (converged and settled):
+        work[1] += 1.0
+    land(contacts, count, bodies, before, after)
+    for k in range(count):
+        c = contacts[k]
+        c.stuck = 0
+        # one that bears nothing has not slipped either where it does not move: the next step may press it
+        if not has_slipped(c, after, h) or (c.pn > 0.0 and turns_back(c, before, after)):
+            c.stuck = 1
+    for b in range(bodies.shape[0]):
+        s = after[b]
+        if _speed(bodies[b], s) <= RESTS * h:
+            if not moves(before[b]):
+                copy_pose(before[b], s)
+            stop(s)
+        else:
+            drift(bodies[b], s, 0.5 * h)
+    return count, meets
+
+
+@inner
+def _rub_alike(kept, other):
+    """Return whether the same of the contacts stick that are closed in both."""
+    for key in range(kept.shape[0]):
+        if kept[key, 3] + other[key, 3] == 1.0:
+            return False
+    return True
+
+
+@inner
+def _bear_alike(kept, other):
+    """Return whether the same contacts are closed, bear something, and stick."""
+    for key in range(kept.shape[0]):
+        if kept[key, 3] != other[key, 3] or (kept[key, 0] > 0.0) != (other[key, 0] > 0.0):
+            return False
+    return True
+
+
+@inner
+def _extrapolate(bodies, poses):
+    """Extrapolate from a step (row 1) and its halves (row 3), into row 1; return by how much they differ.
+
+    Returns
+    -------
+    float
+        The largest difference of a body's points [m], with what that of velocities adds.
+    """
+    found = 0.0
+    for b in range(bodies.shape[0]):
+        body, whole, halves = bodies[b], poses[1, b], poses[3, b]
+        d = added(place_of(whole), -1.0, place_of(halves))
+        v = added(velocity(whole), -1.0, velocity(halves))
+        w = whole.wx - halves.wx, whole.wy - halves.wy, whole.wz - halves.wz
+        q, r = attitude(whole), attitude(halves)
+        q = q[0] - r[0], q[1] - r[1], q[2] - r[2], q[3] - r[3]
+        turn = 2.0 * math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
+        error = norm(d) + body.radius * turn + LASTS * (norm(v) + body.radius * norm(w))
+        found = max(found, error * (ROLLS if body.rims > 0 else 1.0))
+        if not moves(halves):
+            copy_pose(halves, whole)
+            continue
+        third = -1.0 / 3.0
+        whole.x, whole.y, whole.z = added(place_of(halves), third, d)
+        whole.vx, whole.vy, whole.vz = added(velocity(halves), third, v)
+        momentum = halves.lx, halves.ly, halves.lz
+        more = added((whole.lx, whole.ly, whole.lz), -1.0, momentum)
+        whole.lx, whole.ly, whole.lz = added(momentum, third, more)
+        q = r[0] + third * q[0], r[1] + third * q[1], r[2] + third * q[2], r[3] + third * q[3]
+        set_attitude(body, whole, q)
+    return found
+
+
+@inner
+def refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio, work):
+    """Extrapolate a step from row 0 of the poses to row 1, by two halves, to row 2 and to row 3.
+
+    Its contacts are in row 1 of those kept, and those of its end will be in row 2. Devices give way as they
+    do in the halves.
+
+    Returns
+    -------
+    float
+        The difference of the step and its halves [m]; −1 where contacts changed or a device was lost.
+    """
+    contacts, kept = scratch[0], scratch[1]
+    springs, pulls, devices = held
+    if not _rub_alike(kept[0], kept[1]):
+        return -1.0
+    for half in range(2):
+        push = push_at(a0, a1, (t + (0.25 + 0.5 * half) * h) / dt, gravity)
+        before, factor = kept[2 * half], 0.5 * ratio if half == 0 else 1.0
+        count, meets = step(
+            world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, 0.0, scratch, before, factor, work
+        )
+        if meets < 0.5 * h:
+            return -1.0
+        keep(contacts, count, kept[2], scratch[7][3])
+        lost = give(springs, pulls, devices, poses[2 + half], start + t + 0.5 * (1 + half) * h)
+        if lost or not _bear_alike(kept[1], kept[2]):
+            return -1.0
+    return _extrapolate(world[0], poses)
