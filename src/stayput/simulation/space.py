@@ -221,6 +221,7 @@ def _run(
         trace.springs,
         trace.steps,
         trace.unconverged,
+        trace.error,
         held,
         trace.given_up,
     )

@@ -102,7 +102,7 @@ STEP = 1e-3
 MOST_HITS = 10_000
 """Most hits that are listed."""
 
-FIRST_WORK, WORK_A_SECOND = 1e8, 3e6
+FIRST_WORK, WORK_A_SECOND = 1e8, 1e7
 """Work after which a run is given up, and more for each body and second: updates of a contact (0.1 µs)."""
 
 
@@ -167,6 +167,8 @@ class SpaceTrace(NamedTuple):
         At first and at the end.
     steps, unconverged : int
         Steps, and those whose contact forces did not converge.
+    error : float
+        Sum of the estimated errors of refined steps [m].
     given_up : bool
         Whether it took too much work, where bodies stay where they were then, or too many steps did not
         converge.
@@ -186,6 +188,7 @@ class SpaceTrace(NamedTuple):
     gaps: tuple[Gaps, Gaps]
     steps: int
     unconverged: int
+    error: float
     given_up: bool
 
 
@@ -264,6 +267,7 @@ def run_world(
         (first, gaps_of(world, scratch[2][0], back)),
         int(work[0]),
         int(work[1]),
+        float(work[4]),
         bool(work[2] > work[3] or work[1] > MOST_UNCONVERGED * work[0]),
     )
 

@@ -126,6 +126,9 @@ class SpaceRun(InNetcdf):
         Steps of the engine.
     unconverged : int
         Steps whose contact forces did not converge; a few where contacts jam.
+    estimated_error : float
+        Of places, by the steps between impacts: the sum of what each differs from two of half its length,
+        over three [m]. Events, and what shaking makes of an error, come on top (see the documentation).
     held : tuple of Held or None
         The measures in place on each body; None of one that is no piece of furniture.
     given_up : bool
@@ -160,6 +163,7 @@ class SpaceRun(InNetcdf):
     springs: NDArray[np.void]
     steps: int
     unconverged: int
+    estimated_error: float = 0.0
     held: tuple[Held | None, ...] = ()
     given_up: bool = False
     plan: FloorPlan | None = None

@@ -62,8 +62,10 @@ DEEP = 1e-5
 LONGER, LEAST = 10.0, 0.25
 """Longest refined step, and the shortest that is halved no more, over the longest plain step."""
 
-TOLERANCE = 5e-3
-"""Difference of a step and its halves, over its length, up to which it is not shortened [m/s]."""
+TOLERANCE, RIM_TOLERANCE = 5e-3, 1e-4
+"""Difference of a step and its halves, over its length, up to which it is not shortened [m/s]; the same where
+a body has a rim, which turns fast where it rolls nearly flat.
+"""
 
 GROWS = 4.0
 """How many times as long as the last a refined step may be."""
@@ -215,7 +217,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
     now, trial = poses[0], poses[1]
-    shortest = pace[LIMIT]
+    shortest, within = pace[LIMIT], RIM_TOLERANCE if world[2].shape[0] > 0 else TOLERANCE
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
     while True:
         push, ratio = push_at(a0, a1, (t + 0.5 * h) / dt, gravity), h / last if last > 0.0 else 0.0
@@ -242,13 +244,13 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
         for d in range(held[1].shape[0]):
             scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
         error = refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio, work)
-        if error >= 0.0 and (error <= TOLERANCE * h or h <= 2.0 * LEAST * longest):
+        if error >= 0.0 and (error <= within * h or h <= 2.0 * LEAST * longest):
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
             meets = _meeting(world, trial, gaps[0], gaps[1], bent, h) if left < 0.0 else h
             if meets == h:
                 work[4] += error / 3.0
                 pace[EVENT] = max(LEAST * longest, 0.5 * pace[EVENT])
-                grows = 0.8 * math.sqrt(TOLERANCE * h / max(error, 1e-15))
+                grows = 0.8 * math.sqrt(within * h / max(error, 1e-15))
                 pace[LENGTH] = max(2.0 * LEAST * longest, h * min(GROWS, max(0.5, grows)))
                 pace[LENGTH] = min(LONGER * longest, pace[LENGTH])
                 return h, count, least, 0.0, True
@@ -256,7 +258,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
         if meets < h:
             h = max(shortest, min(meets, h - shortest))
         elif error >= 0.0:
-            h *= 0.25 if error > 16.0 * TOLERANCE * h else 0.5
+            h *= 0.25 if error > 16.0 * within * h else 0.5
         elif h > pace[EVENT]:
             h = max(pace[EVENT], 0.5 * h)
         else:

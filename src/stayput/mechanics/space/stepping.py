@@ -29,9 +29,6 @@ RESTS = 4e-5
 LASTS = 0.01
 """Time for which a difference of velocities is taken to last, beside one of places [s]."""
 
-ROLLS = 50.0
-"""How many times more a difference of a body with a rim counts: where it rolls nearly flat it turns fast."""
-
 
 @inline
 def push_at(a0, a1, part, gravity):
@@ -176,8 +173,7 @@ def _extrapolate(bodies, poses):
         q, r = attitude(whole), attitude(halves)
         q = q[0] - r[0], q[1] - r[1], q[2] - r[2], q[3] - r[3]
         turn = 2.0 * math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-        error = norm(d) + body.radius * turn + LASTS * (norm(v) + body.radius * norm(w))
-        found = max(found, error * (ROLLS if body.rims > 0 else 1.0))
+        found = max(found, norm(d) + body.radius * turn + LASTS * (norm(v) + body.radius * norm(w)))
         if not moves(halves):
             copy_pose(halves, whole)
             continue

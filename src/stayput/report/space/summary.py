@@ -117,6 +117,7 @@ def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str
         "hits": [_hit(hit, called) for hit in run.hits],
         "steps": run.steps,
         "unconverged_steps": run.unconverged,
+        "estimated_error_m": run.estimated_error,
     }
 
 
