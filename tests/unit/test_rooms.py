@@ -231,7 +231,7 @@ def test_a_room_turned_by_180_degrees_with_its_shaking_has_the_same_verdict():
         direction=0.5 + math.pi,
         furniture=[
             piece(against="right_wall", along=2.7 - 1.9)[0],
-            {**BEDROOM["furniture"][1], "at": [3.6 - 3.2, 2.7 - 0.3]},
+            {**BEDROOM["furniture"][1], "at": [3.6 - 3.2, 2.7 - 0.3], "heading": math.pi},
         ],
         places=[{"kind": "bed", "at": [3.6 - 1.4, 2.7 - 1.9], "heading": math.pi / 2}],
         doors=[{"wall": "left_wall", "start": 2.7 - 1.2 - 0.8, "width": 0.8}],

@@ -384,11 +384,8 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
     set_rows(contacts, count, held, bodies, poses, system)
     if not hits:
         improve(contacts, count, held, bodies, poses, system, h)
-        if _spread_anew(contacts, count, bodies, poses):
-            set_rows(contacts, count, held, bodies, poses, system)
-            improve(contacts, count, held, bodies, poses, system, h)
     converged = _solve(contacts, count, held, bodies, poses, system, h, work)
-    if hits and _spread_anew(contacts, count, bodies, poses):
+    if _spread_anew(contacts, count, bodies, poses):
         set_rows(contacts, count, held, bodies, poses, system)
         converged = _solve(contacts, count, held, bodies, poses, system, h, work)
     return converged
