@@ -106,6 +106,10 @@ FIRST_WORK, WORK_A_SECOND = 1e8, 1e7
 """Work after which a run is given up, and more for each body and second: updates of a contact (0.1 µs)."""
 
 
+TOLD = 20
+"""Number of steps that did not converge up to which a run is not given up: as a few in a moment."""
+
+
 _STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)
 
 
@@ -268,7 +272,7 @@ def run_world(
         int(work[0]),
         int(work[1]),
         float(work[4]),
-        bool(work[2] > work[3] or work[1] > MOST_UNCONVERGED * work[0]),
+        bool(work[2] > work[3] or work[1] > max(TOLD, MOST_UNCONVERGED * work[0])),
     )
 
 

@@ -33,7 +33,7 @@ from stayput.mechanics.space.devices import give, note_forces, note_loads
 from stayput.mechanics.space.notes import note_hits, note_peaks, note_pose, note_pressing, note_weight
 from stayput.mechanics.space.pairs import place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.stepping import any_closes_fast, moves, push_at, refine, step
+from stayput.mechanics.space.stepping import RUBS, any_closes_fast, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
     RIM_ENTERS,
@@ -61,6 +61,9 @@ DEEP = 1e-5
 
 LONGER, LEAST = 10.0, 0.25
 """Longest refined step, and the shortest that is halved no more, over the longest plain step."""
+
+FINER = 0.25
+"""The latter where contacts begin or end to slip, over the latter otherwise: friction jumps there."""
 
 TOLERANCE, RIM_TOLERANCE = 5e-3, 1e-4
 """Difference of a step and its halves, over its length, up to which it is not shortened [m/s]; the same where
@@ -259,8 +262,8 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             h = max(shortest, min(meets, h - shortest))
         elif error >= 0.0:
             h *= 0.25 if error > 16.0 * within * h else 0.5
-        elif h > pace[EVENT]:
-            h = max(pace[EVENT], 0.5 * h)
+        elif h > pace[EVENT] * (FINER if error == RUBS else 1.0):
+            h = max(pace[EVENT] * (FINER if error == RUBS else 1.0), 0.5 * h)
         else:
             pace[EVENT] = min(2.0 * pace[EVENT], longest)
             if pace[EVENT] == longest:

@@ -26,6 +26,9 @@ MOST_ROUNDS = 8
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
 
+CHANGED, RUBS = -1.0, -2.0
+"""In place of the difference of a step and its halves: what happens within it."""
+
 LASTS = 0.01
 """Time for which a difference of velocities is taken to last, beside one of places [s]."""
 
@@ -148,9 +151,9 @@ def _rub_alike(kept, other):
 
 @inner
 def _bear_alike(kept, other):
-    """Return whether the same contacts are closed, bear something, and stick."""
+    """Return whether the same contacts are closed and bear something."""
     for key in range(kept.shape[0]):
-        if kept[key, 3] != other[key, 3] or (kept[key, 0] > 0.0) != (other[key, 0] > 0.0):
+        if (kept[key, 3] == OPEN) != (other[key, 3] == OPEN) or (kept[key, 0] > 0.0) != (other[key, 0] > 0.0):
             return False
     return True
 
@@ -198,12 +201,13 @@ def refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio,
     Returns
     -------
     float
-        The difference of the step and its halves [m]; −1 where contacts changed or a device was lost.
+        The difference of the step and its halves [m]; `CHANGED` where contacts do or a device is lost, `RUBS`
+        where some begin or end to slip.
     """
     contacts, kept = scratch[0], scratch[1]
     springs, pulls, devices = held
     if not _rub_alike(kept[0], kept[1]):
-        return -1.0
+        return RUBS
     for half in range(2):
         push = push_at(a0, a1, (t + (0.25 + 0.5 * half) * h) / dt, gravity)
         before, factor = kept[2 * half], 0.5 * ratio if half == 0 else 1.0
@@ -211,9 +215,11 @@ def refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio,
             world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, 0.0, scratch, before, factor, work
         )
         if meets < 0.5 * h:
-            return -1.0
+            return CHANGED
         keep(contacts, count, kept[2], scratch[7][3])
         lost = give(springs, pulls, devices, poses[2 + half], start + t + 0.5 * (1 + half) * h)
+        if not _rub_alike(kept[1], kept[2]):
+            return RUBS
         if lost or not _bear_alike(kept[1], kept[2]):
-            return -1.0
+            return CHANGED
     return _extrapolate(world[0], poses)
