@@ -65,6 +65,23 @@ def test_steady_precession(cylinder: sp.Solid, tilt: float, precession: float) -
         assert drift < 1e-4 * tilt
 
 
+@pytest.mark.parametrize(("tilt", "rate"), [(0.2, 3.0), (0.3, 10.0)])
+def test_a_wobble_keeps_its_energy(tilt: float, rate: float) -> None:
+    """A cylinder of 0.4 × 0.5 m that rolls on its rim: 99.9 % is left after a second in steps of 1 ms."""
+    cylinder = sp.Solid.cylinder(0.4, 0.5, 20.0)
+    start = Rim.of(cylinder).standing(cylinder, tilt, np.array([0.0, 0.0, rate]))
+    can, run = start.solid, sp.simulate(start, STICKING, still(1.0))
+    energies = [
+        0.5 * can.mass * v @ v + 0.5 * w @ (turn @ can.inertia @ turn.T) @ w + can.mass * G * place[2]
+        for v, w, turn, place in zip(
+            run.velocity[0], run.rotation_rate[0], run.turn[0], run.place[0], strict=True
+        )
+    ]
+    left = np.array(energies) - can.mass * G * 0.25
+    assert np.diff(left).max() < 1e-5 * left[0]
+    assert left[-1] > 0.998 * left[0]
+
+
 @pytest.mark.parametrize(("beta", "rho"), [(math.radians(5.0), 0.1), (0.3, 0.25), (0.7, 0.5)])
 def test_a_disc_rolls_in_a_circle(beta: float, rho: float) -> None:
     """Le Saux, Leine & Glocker (2005), 5.11 and 5.12: γ̇² = 4 (g/r) sin β/((6 − 5ρ sin β) ρ cos β), α̇ = −ρ γ̇.

@@ -59,8 +59,8 @@ SHORT_STEPS = 8
 DEEP = 1e-5
 """Depth from which on they are made shorter again [m]."""
 
-LONGER, LEAST = 10.0, 0.25
-"""Longest refined step, and the shortest that is halved no more, over the longest plain step."""
+LONGER, LEAST, RIM_LEAST = 10.0, 0.25, 0.02
+"""Longest refined step, and the shortest that is halved no more, also with rims, over the longest plain step."""
 
 FINER = 0.25
 """The latter where contacts begin or end to slip, over the latter otherwise: friction jumps there."""
@@ -220,7 +220,9 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
     now, trial = poses[0], poses[1]
-    shortest, within = pace[LIMIT], RIM_TOLERANCE if world[2].shape[0] > 0 else TOLERANCE
+    shortest, within, least_h = pace[LIMIT], TOLERANCE, LEAST * longest
+    if world[2].shape[0] > 0:
+        within, least_h = RIM_TOLERANCE, RIM_LEAST * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
     while True:
         push, ratio = push_at(a0, a1, (t + 0.5 * h) / dt, gravity), h / last if last > 0.0 else 0.0
@@ -234,11 +236,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
         if meets < h and h > shortest:
             h = max(shortest, min(meets, h - shortest))
             continue
-        if (
-            pace[ROUGH] > 0.0
-            or h < max(0.5 * LEAST * longest, 2.0 * shortest)
-            or any_closes_fast(contacts, count)
-        ):
+        if pace[ROUGH] > 0.0 or h < max(0.5 * least_h, 2.0 * shortest) or any_closes_fast(contacts, count):
             if h > longest:
                 h = longest
                 continue
@@ -247,14 +245,14 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
         for d in range(held[1].shape[0]):
             scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
         error = refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio, work)
-        if error >= 0.0 and (error <= within * h or h <= 2.0 * LEAST * longest):
+        if error >= 0.0 and (error <= within * h or h <= 2.0 * least_h):
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
             meets = _meeting(world, trial, gaps[0], gaps[1], bent, h) if left < 0.0 else h
             if meets == h:
                 work[4] += error / 3.0
-                pace[EVENT] = max(LEAST * longest, 0.5 * pace[EVENT])
+                pace[EVENT] = max(least_h, 0.5 * pace[EVENT])
                 grows = 0.8 * math.sqrt(within * h / max(error, 1e-15))
-                pace[LENGTH] = max(2.0 * LEAST * longest, h * min(GROWS, max(0.5, grows)))
+                pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, grows)))
                 pace[LENGTH] = min(LONGER * longest, pace[LENGTH])
                 return h, count, least, 0.0, True
         _restore(held, scratch)
