@@ -60,7 +60,9 @@ DEEP = 1e-5
 """Depth from which on they are made shorter again [m]."""
 
 LONGER, LEAST, RIM_LEAST = 10.0, 0.25, 0.02
-"""Longest refined step, and the shortest that is halved no more, also with rims, over the longest plain step."""
+"""Longest refined step, and the shortest that is halved no more, without and with rims, over the longest plain
+step.
+"""
 
 FINER = 0.25
 """The latter where contacts begin or end to slip, over the latter otherwise: friction jumps there."""
