@@ -60,8 +60,8 @@ DEEP = 1e-5
 """Depth from which on they are made shorter again [m]."""
 
 LONGER, LEAST, RIM_LEAST = 10.0, 0.25, 0.02
-"""Longest refined step, and the shortest that is halved no more, without and with rims, over the longest plain
-step.
+"""Over the longest plain step: the longest refined one, and the shortest that is halved no more, without and
+with rims.
 """
 
 FINER = 0.25
