@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
+from stayput.report.space.summary import became as told
 from stayput.report.summary import place_called
 from stayput.simulation.space_engine import Stop
 from stayput.simulation.space_fate import fates_of, lies_on_floor
@@ -208,6 +209,7 @@ def test_a_stack_whose_impulses_do_not_converge_is_given_up():
     assert run.unconverged > 0.02 * run.steps
     assert run.given_up
     assert set(run.outcomes) == {sp.Outcome.FAILED}
+    assert "could not be followed" in told(run, ["low", "high"])[0]
     assert np.isfinite(run.place).all()
     assert not np.isfinite(run.overturn_time).any()
 

@@ -63,7 +63,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Angle in plan from the earthquake's first horizontal component to its second, counterclockwise.",
         "上から見て、地震動の第1水平成分から第2水平成分へ向かう（反時計回りの）角度です。",
     ),
-    "base": ("What it stands on", "床に接する部分"),
+    "base": ("What bears on the floor", "床に接する部分"),
     "contentsInSpace": (
         "What comes out is computed in the plane alone; it is left out for now.",
         "飛び出しは平面でだけ計算できます。今は計算に含めていません。",

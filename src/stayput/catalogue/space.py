@@ -21,6 +21,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {name} overturned {time:.1f} s into the motion.",
         "{name}は揺れ始めから{time:.1f}秒後に転倒しました。",
     ),
+    "failed": (
+        "The run could not be followed to its end, so it says nothing about what stands.",
+        "最後まで計算できませんでした。倒れるかどうかは分かりません。",
+    ),
     "none_fell": (
         "None of the {count} bodies overturned or fell off.",
         "{count}個の物体はいずれも転倒・落下しませんでした。",

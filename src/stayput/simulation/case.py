@@ -182,7 +182,7 @@ def simulate(
         Most events that are listed, at least 2; by default all are, of which a run can have 10⁶. In the
         plane alone.
     step : float, optional
-        Longest step of the engine in space [s], 1e-6 to 0.01; default
+        Longest step of the engine in space that is not extrapolated [s], 1e-6 to 0.01; default
         `stayput.simulation.space_engine.STEP`.
 
     Returns

@@ -153,7 +153,7 @@ def trace_case(
     motion : SpaceShaking
         Of the floor, before the factor of the case.
     step : float
-        Longest step [s].
+        Longest step that is not extrapolated [s].
     mass : float
         Mass of the solid that is returned [kg]; it changes nothing else.
     lies : float

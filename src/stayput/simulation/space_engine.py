@@ -97,7 +97,7 @@ SMOOTH = 0.3
 """Largest angle by which a device's own vibration turns in a step [rad]: it is stepped to a per cent then."""
 
 STEP = 1e-3
-"""Longest step [s]."""
+"""Longest step that is not extrapolated [s]."""
 
 MOST_HITS = 10_000
 """Most hits that are listed."""
@@ -219,7 +219,7 @@ def run_world(
     acceleration : ndarray, shape (samples, 3)
         Of the floor [m/s²].
     dt, step : float
-        Time between samples, and longest step [s].
+        Time between samples, and longest step that is not extrapolated [s].
     gravity : float
         g [m/s²].
     lies : float
@@ -249,7 +249,7 @@ def run_world(
     if (stop := _STOP.get()) is not None:
         stop.watch(work)
     output = histories, forces, hits, numbers, peaks, work
-    times = np.array([dt, longest_step(own, world[0], step), gravity, lies])
+    times = np.array([dt, longest_step(own, world[0], min(step, dt)), gravity, lies])
     scratch = scratch_of(world, len(springs))
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
     first = gaps_of(world, scratch[2][0], back)

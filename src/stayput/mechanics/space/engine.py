@@ -78,7 +78,7 @@ GROWS = 4.0
 PAUSE = 4
 """Plain steps after an event where one follows on another, as in a tower that rattles."""
 
-MOST_UNCONVERGED, FEW = 0.02, 1000
+MOST_UNCONVERGED, FEW = 0.05, 1000
 """Share of steps whose impulses did not converge from which on a run is given up (its forces are rough), and
 number of them from which on it ends at once.
 """

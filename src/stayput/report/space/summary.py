@@ -91,9 +91,9 @@ def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str
             {
                 "name": name,
                 "outcome": outcomes[b].value,
-                "overturned": math.isfinite(times[b]),
+                "overturned": None if run.given_up else math.isfinite(times[b]),
                 "overturn_time_s": number(float(times[b])),
-                "fell_off": math.isfinite(falls[b]),
+                "fell_off": None if run.given_up else math.isfinite(falls[b]),
                 "fall_time_s": number(float(falls[b])),
                 "peak_tilt_rad": number(float(run.peak_tilt[b])),
                 "peak_slide_m": number(float(run.peak_slide[b])),
@@ -156,7 +156,7 @@ def names_of(run: SpaceRun, names: Sequence[str] | None, language: str) -> tuple
 
 def became(run: SpaceRun, names: Sequence[str]) -> Phrase:
     """Return what became of the bodies of a run, in one sentence."""
-    if len(names) == 1:
+    if run.given_up or len(names) == 1:
         return _of_one(run, names[0])
     times = np.fmin(run.overturn_time, run.fall_time).tolist()
     fallen = [b for b, time in enumerate(times) if math.isfinite(time)]
@@ -185,6 +185,8 @@ def piece_became(run: SpaceRun, preset: str | None, own_name: str | None = None)
 
 
 def _of_one(run: SpaceRun, name: str) -> Phrase:
+    if run.given_up:
+        return phrase("space.failed")
     if run.overturned[0]:
         return phrase("space.overturned", name=name, time=float(run.overturn_time[0]))
     angle = float(np.degrees(run.tilt.max()))
