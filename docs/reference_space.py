@@ -95,10 +95,9 @@ def circular_shaking() -> Iterator[Row]:
     first = -a * speed / complex(mu * G, omega * speed)
     start = sp.Standing(sp.Solid.box(0.9, 0.9, 0.3, 30.0), velocity=(first.real, first.imag, 0.0))
     motion = sp.Motion(dt=dt, x=a * np.cos(omega * t), y=a * np.sin(omega * t), name="circle")
-    for step in (1e-3, 2e-4):
-        run = sp.simulate(start, sp.Room(sp.Floor(mu, mu)), motion, step=step)
-        found = float(np.linalg.norm(run.velocity[0, -500:, :2], axis=1).mean())
-        yield Row(f"steps of {1e3 * step:g} ms", "V [m/s]", CLOSED, speed, found, 2e-3)
+    run = sp.simulate(start, sp.Room(sp.Floor(mu, mu)), motion)
+    found = float(np.linalg.norm(run.velocity[0, -500:, :2], axis=1).mean())
+    yield Row("steps of 1 ms", "V [m/s]", CLOSED, speed, found, 1e-4)
 
 
 def precession() -> Iterator[Row]:
