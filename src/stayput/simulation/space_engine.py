@@ -103,7 +103,7 @@ MOST_HITS = 10_000
 """Most hits that are listed."""
 
 FIRST_WORK, WORK_A_SECOND = 1e8, 1e7
-"""Work after which a run is given up, and more for each body and second: updates of a contact (0.1 µs)."""
+"""Work after which a run is given up, and more for each body and second, in updates of a contact (0.1 µs)."""
 
 
 TOLD = 20
@@ -245,7 +245,7 @@ def run_world(
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
     numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(5)
-    work[3] = FIRST_WORK + WORK_A_SECOND * bodies * dt * (samples - 1)
+    work[3] = (FIRST_WORK + WORK_A_SECOND * bodies * dt * (samples - 1)) * max(1.0, STEP / step)
     if (stop := _STOP.get()) is not None:
         stop.watch(work)
     output = histories, forces, hits, numbers, peaks, work
