@@ -21,13 +21,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
+from stayput.mechanics.space.columns import LINE
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.solid import Solid
-
-LINE = 0.5
-"""κ of even pressure along a line, beside its ends."""
 
 
 def friction_ratio(solid: Solid) -> float:

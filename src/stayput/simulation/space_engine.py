@@ -14,7 +14,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.mechanics.devices.columns import DEVICE, FORCES
 from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
-from stayput.mechanics.space.engine import MOST_UNCONVERGED, run_in_space
+from stayput.mechanics.space.engine import FEW, MOST_UNCONVERGED, run_in_space
 from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.space_records import scratch_of, surface_of
 
@@ -104,10 +104,6 @@ MOST_HITS = 10_000
 
 FIRST_WORK, WORK_A_SECOND = 1e8, 1e7
 """Work after which a run is given up, and more for each body and second, in updates of a contact (0.1 µs)."""
-
-
-TOLD = 20
-"""Number of steps that did not converge up to which a run is not given up: as a few in a moment."""
 
 
 _STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)
@@ -272,7 +268,7 @@ def run_world(
         int(work[0]),
         int(work[1]),
         float(work[4]),
-        bool(work[2] > work[3] or work[1] > max(TOLD, MOST_UNCONVERGED * work[0])),
+        bool(work[2] > work[3] or work[1] > max(FEW, MOST_UNCONVERGED * work[0])),
     )
 
 

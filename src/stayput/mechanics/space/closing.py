@@ -39,10 +39,8 @@ TOGETHER, AT_ONCE = 1e-6, 1e-6
 CLOSED_BETWEEN = 1e-6
 """The same between bodies [m]."""
 
-REACH = 1.0
-"""By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
-
-LONG, MOST_RISE = 1e-3, 1e-4
+MOST_RISE = 1e-4
+"""How far beyond that a rim is looked at, which may be off the plane in mid-step (`rise`) [m]."""
 
 OPEN = 2.0
 """In place of whether a contact stuck in the step before: it was open."""
@@ -164,12 +162,11 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
-    closed = CLOSED_BETWEEN
     first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         bends = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
-        _, found, n = _touch_pair(world, poses, scratch, j, closed + bends)
+        _, found, n = _touch_pair(world, poses, scratch, j, CLOSED_BETWEEN + bends)
         first = count
         for m in range(found):
             c = contacts[count]
@@ -182,7 +179,7 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
             bent = added(bent, -1.0, bend(bodies[b], poses[b], (c.rbx, c.rby, c.rbz)))
             c.bx, c.by, c.bz = bent
             c.gap = touching[m, 3]
-            if c.gap - rise(n, bent, h) > closed:
+            if c.gap - rise(n, bent, h) > CLOSED_BETWEEN:
                 continue
             key = first_key + j * MOST_TOUCHING + m
             count = _close(contacts, count, key, kept, ratio, pairs[j])

@@ -140,6 +140,9 @@ HIT = np.dtype(
 )
 """A hit: body a, and body b (−1: the room) or a plane of the room; when, how fast they closed, how hard."""
 
+LINE = 0.5
+"""κ of even pressure along a line, beside its ends (`stayput.model.even_base`)."""
+
 HIT_SPEED = 0.01
 """Closing velocity from which on a contact that closes is a hit [m/s]."""
 

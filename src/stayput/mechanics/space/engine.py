@@ -20,7 +20,6 @@ from stayput.mechanics.space.body import (
     angular_response,
     attitude,
     copy_pose,
-    in_room,
     nudge,
     place_of,
     sag,
@@ -30,10 +29,18 @@ from stayput.mechanics.space.body import (
 from stayput.mechanics.space.closing import CLOSED, ENTERS_BODIES, keep, note_all_gaps
 from stayput.mechanics.space.contact import mobility, velocity_at
 from stayput.mechanics.space.devices import give, note_forces, note_loads
-from stayput.mechanics.space.notes import note_hits, note_peaks, note_pose, note_pressing, note_weight
+from stayput.mechanics.space.notes import (
+    leaning,
+    note_hits,
+    note_peaks,
+    note_pose,
+    note_pressing,
+    note_weight,
+)
 from stayput.mechanics.space.pairs import place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.stepping import RUBS, any_closes_fast, moves, push_at, refine, step
+from stayput.mechanics.space.solve import any_closes_fast
+from stayput.mechanics.space.stepping import RUBS, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
     RIM_ENTERS,
@@ -78,9 +85,9 @@ GROWS = 4.0
 PAUSE = 4
 """Plain steps after an event where one follows on another, as in a tower that rattles."""
 
-MOST_UNCONVERGED, FEW = 0.05, 1000
-"""Share of steps whose impulses did not converge from which on a run is given up (its forces are rough), and
-number of them from which on it ends at once.
+MOST_UNCONVERGED, FEW, MANY = 0.05, 20, 1000
+"""Share of steps whose impulses did not converge from which on a run is given up (its forces are rough); not
+up to a few, as in a moment, and with many at once.
 """
 
 LYING = 1.0 - math.cos(math.radians(89.0))
@@ -151,13 +158,11 @@ def _sag(bodies, poses, h):
 
 
 @inline
-def _meets(s, lever, plane, gap, later, deepest, first, h):
+def _meets(s, lever, plane, gap, later, first, h):
     """Return when within a step a point meets a plane that it enters, or ``first`` where that is earlier.
 
     By Newton's method from the end of the step, and not before where a straight line meets it.
     """
-    if later >= deepest:
-        return first
     start = max(gap, 0.0)
     meets = h * start / (start - later)
     rate = dot(plane_normal(plane), velocity_at(s, lever))
@@ -181,12 +186,12 @@ def _meeting(world, poses, gaps, later, bent, h):
                 gap, end = gaps[before + i], later[before + i]
                 deepest = -ENTERS - (bent if gap < bent else 0.0)
                 if end < deepest:
-                    first = _meets(s, lever_of_point(s, points[i]), plane, gap, end, deepest, first, h)
+                    first = _meets(s, lever_of_point(s, points[i]), plane, gap, end, first, h)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 gap, end = gaps[before + points.shape[0] + i], later[before + points.shape[0] + i]
                 deepest = -RIM_ENTERS - (bent if gap < bent else 0.0)
                 if end < deepest:
-                    first = _meets(s, lowest_lever(s, rims[i], plane), plane, gap, end, deepest, first, h)
+                    first = _meets(s, lowest_lever(s, rims[i], plane), plane, gap, end, first, h)
     between = gaps.shape[0] - pairs.shape[0]
     for k in range(between, gaps.shape[0]):
         if later[k] < -ENTERS_BODIES - (bent if gaps[k] < bent else 0.0):
@@ -201,12 +206,6 @@ def _at_rest(poses):
         if moves(poses[b]):
             return False
     return True
-
-
-@inline
-def _restore(held, scratch):
-    for d in range(held[1].shape[0]):
-        held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
 
 
 @inner
@@ -257,13 +256,15 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
                 pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, grows)))
                 pace[LENGTH] = min(LONGER * longest, pace[LENGTH])
                 return h, count, least, 0.0, True
-        _restore(held, scratch)
+        for d in range(held[1].shape[0]):
+            held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
+        down_to = pace[EVENT] * (FINER if error == RUBS else 1.0)
         if meets < h:
             h = max(shortest, min(meets, h - shortest))
         elif error >= 0.0:
             h *= 0.25 if error > 16.0 * within * h else 0.5
-        elif h > pace[EVENT] * (FINER if error == RUBS else 1.0):
-            h = max(pace[EVENT] * (FINER if error == RUBS else 1.0), 0.5 * h)
+        elif h > down_to:
+            h = max(down_to, 0.5 * h)
         else:
             pace[EVENT] = min(2.0 * pace[EVENT], longest)
             if pace[EVENT] == longest:
@@ -305,8 +306,7 @@ def _stay(bodies, poses, histories, first):
 @inline
 def _all_lie(bodies, poses):
     for b in range(bodies.shape[0]):
-        up = in_room(poses[b], (bodies[b].ux, bodies[b].uy, bodies[b].uz))
-        if 1.0 - up[2] < LYING:
+        if leaning(bodies[b], poses[b]) < LYING:
             return False
     return True
 
@@ -398,7 +398,7 @@ def run_in_space(
         noted = bears = False
         t = 0.0
         while t < dt:
-            if work[2] > work[3] or work[1] > max(FEW, MOST_UNCONVERGED * work[0]):
+            if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):
                 _stay(bodies, now, histories, k + 1)
                 return
             h, count, least, bent, refined = _advance(

@@ -69,8 +69,14 @@ def note_pose(histories, sample, poses):
 
 
 @inline
+def leaning(body, s):
+    """Return 1 − cos of a body's tilt."""
+    up = in_room(s, (body.ux, body.uy, body.uz))
+    return min(1.0 - up[2], 2.0)
+
+
+@inline
 def note_peaks(bodies, poses, peaks):
     """Note the largest 1 − cos of the bodies' tilts."""
     for b in range(bodies.shape[0]):
-        up = in_room(poses[b], (bodies[b].ux, bodies[b].uy, bodies[b].uz))
-        peaks[b] = max(peaks[b], min(1.0 - up[2], 2.0))
+        peaks[b] = max(peaks[b], leaning(bodies[b], poses[b]))

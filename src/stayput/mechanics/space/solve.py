@@ -24,6 +24,7 @@ import math
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.augmented_lagrangian import find_impulses
 from stayput.mechanics.space.body import angular_response
+from stayput.mechanics.space.columns import LINE
 from stayput.mechanics.space.contact import (
     beyond_target,
     first_tangent,
@@ -74,7 +75,9 @@ SLIDES = 10.0
 """Speed, over the length of a step, from which on a contact slips all along it [m/s²]."""
 
 CLOSES = 1e-2
-"""Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step."""
+"""Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step, so that
+a step and its halves do alike.
+"""
 
 ASIDE = 1e-9
 """How far what slips may rub from where it should, as a share of a contact's distance from the middle."""
@@ -156,7 +159,7 @@ def _kappa(c, count, bodies):
     if not (c.floor or c.b != ROOM):
         return 1.0
     kappa = bodies[c.b if c.b != ROOM and c.nz < 0.0 else c.a].kappa
-    return min(kappa, 0.5) if count == 2 and kappa < 1.0 else kappa
+    return min(kappa, LINE) if count == 2 and kappa < 1.0 else kappa
 
 
 @inner
@@ -224,8 +227,9 @@ def ask_for_bend(contacts, first, count, bodies, h):
     """Let the contacts from ``first`` on ask for what free flight bends; they are of the same two bodies.
 
     From the impulses of a step to those of the next the path of a point bends: so that it ends where it
-    begins, it has to leave with half the bend. All contacts of two bodies, or of a body and a plane, ask for
-    the same, that of the middle of their forces: no rigid motion could give each its own.
+    begins, it has to leave with half the bend. Along the normal each contact asks for its own, but leaves no
+    faster than it came; along the tangents all ask for the same, that of the middle of their forces, as no
+    rigid motion could give each its own.
     """
     weight, bent = 0.0, (0.0, 0.0, 0.0)
     gap = math.inf
@@ -298,6 +302,15 @@ def slip_rate(c, poses):
 def has_slipped(c, poses, h):
     """Return whether a contact has slipped in a step."""
     return slip_rate(c, poses) > STICKS * max(h, STICKS_FOR)
+
+
+@inner
+def any_closes_fast(contacts, count):
+    """Return whether any contact closes so fast that it is an impact."""
+    for k in range(count):
+        if contacts[k].closing < -IMPACT:
+            return True
+    return False
 
 
 @inner
@@ -378,11 +391,8 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
     bool
         Whether they converged.
     """
-    hits = False
-    for k in range(count):
-        hits = hits or contacts[k].closing < -IMPACT
     set_rows(contacts, count, held, bodies, poses, system)
-    if not hits:
+    if not any_closes_fast(contacts, count):
         improve(contacts, count, held, bodies, poses, system, h)
     converged = _solve(contacts, count, held, bodies, poses, system, h, work)
     if _spread_anew(contacts, count, bodies, poses):

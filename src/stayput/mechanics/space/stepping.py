@@ -17,7 +17,7 @@ from stayput.mechanics.space.contact import turns_back
 from stayput.mechanics.space.devices import give, hold, stretch
 from stayput.mechanics.space.impact import bounces, mend
 from stayput.mechanics.space.landing import land
-from stayput.mechanics.space.solve import IMPACT, apply, has_slipped, slide, solve
+from stayput.mechanics.space.solve import IMPACT, any_closes_fast, apply, has_slipped, slide, solve
 from stayput.mechanics.space.vectors import added, norm
 
 MOST_ROUNDS = 8
@@ -64,15 +64,6 @@ def _impact(contacts, count, kept, h):
         if c.closing < -IMPACT and kept[c.key, 3] == OPEN:
             first = min(first, 0.5 * h - c.gap / c.closing)
     return first
-
-
-@inner
-def any_closes_fast(contacts, count):
-    """Return whether any contact closes so fast that it is an impact."""
-    for k in range(count):
-        if contacts[k].closing < -IMPACT:
-            return True
-    return False
 
 
 @inner
