@@ -36,6 +36,13 @@ TO_SCREEN = """async ([x, y]) => {
   return [at.x, at.y];
 }"""
 
+STILL = """async (name) => {
+  const box = () => JSON.stringify(document.querySelector(name)?.getBoundingClientRect());
+  const before = box();
+  await new Promise(requestAnimationFrame);
+  return before !== undefined && box() === before && JSON.parse(before);
+}"""
+
 
 @dataclass
 class Editor:
@@ -104,11 +111,11 @@ class Editor:
         send("touchEnd")
 
     def handle(self, name: str) -> tuple[float, float]:
-        """Return where the middle of a handle is on the screen, once it stays there."""
-        handle = self.page.wait_for_selector(f"[data-handle={name}] .felt")
-        assert handle
-        handle.wait_for_element_state("stable")
-        box = handle.evaluate("one => one.getBoundingClientRect().toJSON()")
+        """Return where the middle of a handle is on the screen, once it stays there.
+
+        It is looked up anew in each frame, as the plan draws its handles anew.
+        """
+        box = self.page.wait_for_function(STILL, arg=f"[data-handle={name}] .felt").json_value()
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
     def select(self, thing: str) -> None:

@@ -41,7 +41,7 @@ def test_the_made_up_verdict_is_one_of_the_server() -> None:
 def few(route: Route) -> None:
     asked: dict[str, Any] = route.request.post_data_json
     scene = asked["scene"]
-    scene["shaking"]["suite"]["count"] = 2
+    scene["shaking"] |= {"suite": scene["shaking"]["suite"] | {"count": 2}, "member": 1}
     scene["uncertainty"] = {"samples": 2}
     scene["furniture"] = scene["furniture"][:1]
     route.continue_(post_data=asked)
