@@ -40,7 +40,7 @@ from stayput.mechanics.space.notes import (
 from stayput.mechanics.space.pairs import place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
 from stayput.mechanics.space.solve import any_closes_fast
-from stayput.mechanics.space.stepping import RUBS, moves, push_at, refine, step
+from stayput.mechanics.space.stepping import RUBS, fastest, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
     RIM_ENTERS,
@@ -78,6 +78,9 @@ TOLERANCE, RIM_TOLERANCE = 5e-3, 1e-4
 """Difference of a step and its halves, over its length, up to which it is not shortened [m/s]; the same where
 a body has a rim, which turns fast where it rolls nearly flat.
 """
+
+CREEPS = 1e-4
+"""Speed up to which what moves has no need of refined steps: it moves by a micrometre in one [m/s]."""
 
 GROWS = 4.0
 """How many times as long as the last a refined step may be."""
@@ -241,6 +244,11 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             if h > longest:
                 h = longest
                 continue
+            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest)
+            return h, count, least, bent, False
+        # from rest it may begin to move within the step, which its end does not tell
+        if 0.0 < fastest(world[0], now) <= CREEPS and fastest(world[0], trial) <= CREEPS:
+            pace[LENGTH] = min(LONGER * longest, GROWS * h)
             return h, count, least, bent, False
         keep(contacts, count, kept[1], scratch[7][3])
         for d in range(held[1].shape[0]):
@@ -270,6 +278,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             if pace[EVENT] == longest:
                 pace[ROUGH] = PAUSE
             count, meets = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
+            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest)
             return h, count, least, bent, False
 
 
@@ -423,7 +432,6 @@ def run_in_space(
             else:
                 if pace[SHORT] == 0.0:
                     pace[ROUGH] = max(0.0, pace[ROUGH] - 1.0)
-                pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest)
                 note_hits(contacts, count, kept[0], start + t + h, hits, hit_numbers)
                 keep(contacts, count, kept[0], scratch[7][3])
                 give(held[0], held[1], held[2], trial, start + t + h)

@@ -45,7 +45,7 @@ from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled, tan
 IMPACT = 1e-3
 """Closing velocity from which on a contact bounces [m/s]."""
 
-ACCURACY = 1e-6
+ACCURACY = 5e-6
 """Change of any contact's acceleration in a sweep at which the impulses are accepted [m/s²]."""
 
 ROUNDING = 1e-8
@@ -422,6 +422,8 @@ def _solve(contacts, count, held, bodies, poses, system, h, work):
             stalls = stalls + 1 if change > GAINS * last else 0
         elif tries == MOST_TRIES:
             take_back(contacts, count, held, bodies, poses)
+            if bodies.shape[0] == 1:
+                break  # of more points than it needs, flush with a wall: sweeps creep and Newton's method circles
             tries, stalls = 0, MOST_STALLS
         if stalls == MOST_STALLS:
             due, pause, stalls = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0

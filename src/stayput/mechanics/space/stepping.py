@@ -56,6 +56,15 @@ def _speed(body, s):
 
 
 @inner
+def fastest(bodies, poses):
+    """Return a bound of the speeds of all bodies."""
+    found = 0.0
+    for b in range(bodies.shape[0]):
+        found = max(found, _speed(bodies[b], poses[b]))
+    return found
+
+
+@inner
 def _impact(contacts, count, kept, h):
     """Return when within a step the first contact hits that was open before, by its gap in mid-step."""
     first = h
