@@ -282,6 +282,12 @@ def surface_of(plane: np.void) -> str:
     return next(name for name, own in NORMALS.items() if own == normal)
 
 
+APART = 1e-6
+"""Least gap from the ceiling, and from both of two walls on opposite sides [m]: surfaces that both touch a
+body would press it with any force, as nothing tells how hard, and hold it by friction.
+"""
+
+
 def planes_of(standing: Sequence[Standing], room: np.void) -> NDArray[np.void]:
     """Return a room as the engine reads it, the floor first: PLANE.
 
@@ -301,8 +307,13 @@ def planes_of(standing: Sequence[Standing], room: np.void) -> NDArray[np.void]:
         )
         if math.isfinite(gap):
             normal = NORMALS[name]
-            begins = 0.0 if name == "ceiling" else min(one.along(normal)[0] for one in standing)
-            planes.append((*normal, begins - gap, friction, friction, restitution, 0))
+            outermost = min(one.along(normal)[0] for one in standing)
+            offset = -gap if name == "ceiling" else outermost - gap
+            facing = next(other for other, n in NORMALS.items() if n == tuple(-x for x in normal))
+            touched = facing == "floor" or room[f"{facing.removesuffix('_wall')}_distance"] < APART
+            if touched and abs(outermost - offset) < APART:
+                offset = outermost - APART
+            planes.append((*normal, offset, friction, friction, restitution, 0))
     return np.array(planes, PLANE)
 
 

@@ -12,6 +12,7 @@ from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise, spread_friction
 from stayput.mechanics.space.touching import (
+    ENTERS,
     RIM_POINTS,
     ROOM,
     bend_of_rim,
@@ -199,7 +200,8 @@ def note_all_gaps(world, poses, scratch, gaps):
     """
     bodies, points, rims, planes, pairs, _, _, _ = world
     corners = scratch[3]
-    least, left = note_gaps(bodies, poses, points, rims, planes, gaps)
+    least = note_gaps(bodies, poses, points, rims, planes, gaps)
+    left = least + ENTERS
     if pairs.shape[0] == 0:
         return least, left
     place_corners(bodies, poses, points, corners)

@@ -35,7 +35,7 @@ from stayput.mechanics.space.contact import give_impulse, mobility, velocity_at
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
 
-SAME = 1e-8
+SAME = 5e-5
 """Change of a force up to which it is the same [N/kg]."""
 
 

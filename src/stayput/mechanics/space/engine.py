@@ -43,7 +43,6 @@ from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import RUBS, fastest, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
-    RIM_ENTERS,
     gap_of,
     lever_of_point,
     lowest_lever,
@@ -183,17 +182,16 @@ def _meeting(world, poses, gaps, later, bent, h):
     first = h
     for j in range(planes.shape[0]):
         plane, before = planes[j], j * (points.shape[0] + rims.shape[0])
+        round_edges = before + points.shape[0]
         for b in range(bodies.shape[0]):
             body, s = bodies[b], poses[b]
             for i in range(body.first_point, body.first_point + body.points):
                 gap, end = gaps[before + i], later[before + i]
-                deepest = -ENTERS - (bent if gap < bent else 0.0)
-                if end < deepest:
+                if end < -ENTERS - (bent if gap < bent else 0.0):
                     first = _meets(s, lever_of_point(s, points[i]), plane, gap, end, first, h)
             for i in range(body.first_rim, body.first_rim + body.rims):
-                gap, end = gaps[before + points.shape[0] + i], later[before + points.shape[0] + i]
-                deepest = -RIM_ENTERS - (bent if gap < bent else 0.0)
-                if end < deepest:
+                gap, end = gaps[round_edges + i], later[round_edges + i]
+                if end < -ENTERS - (bent if gap < bent else 0.0):
                     first = _meets(s, lowest_lever(s, rims[i], plane), plane, gap, end, first, h)
     between = gaps.shape[0] - pairs.shape[0]
     for k in range(between, gaps.shape[0]):

@@ -423,7 +423,7 @@ def _solve(contacts, count, held, bodies, poses, system, h, work):
         elif tries == MOST_TRIES:
             take_back(contacts, count, held, bodies, poses)
             if bodies.shape[0] == 1:
-                break  # of more points than it needs, flush with a wall: sweeps creep and Newton's method circles
+                break  # as flush with a wall, on more points than it needs: sweeps creep there
             tries, stalls = 0, MOST_STALLS
         if stalls == MOST_STALLS:
             due, pause, stalls = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0

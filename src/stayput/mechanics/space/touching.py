@@ -12,10 +12,7 @@ ROOM = -1
 """The other body of a contact with a plane of the room."""
 
 ENTERS = 1e-8
-"""How far a corner may enter a plane in a step [m]: a step in which it goes deeper ends where they meet."""
-
-RIM_ENTERS = 2e-7
-"""The same of a rim: where it rolls its lowest point is another one at the end of the step."""
+"""How far a corner or a rim may enter a plane in a step [m]; one in which it goes deeper ends where they meet."""
 
 FLAT = 1e-9
 """Sine of the angle up to which no point of a rim is the lowest: rounding."""
@@ -144,10 +141,10 @@ def note_gaps(bodies, poses, points, rims, planes, gaps):
 
     Returns
     -------
-    tuple
-        The least gap, and the least of what is left until a feature has entered too far.
+    float
+        The least gap.
     """
-    least = left = math.inf
+    least = math.inf
     features = points.shape[0] + rims.shape[0]
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
@@ -159,14 +156,14 @@ def note_gaps(bodies, poses, points, rims, planes, gaps):
                 if may_touch(points[i], plane):
                     gap = gap_of_point(points[i], height, n)
                 gaps[j * features + i] = gap
-                least, left = min(least, gap), min(left, gap + ENTERS)
+                least = min(least, gap)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 gap = math.inf
                 if may_touch(rims[i], plane):
                     gap = gap_of(s, lowest_lever(s, rims[i], plane), plane)
                 gaps[j * features + points.shape[0] + i] = gap
-                least, left = min(least, gap), min(left, gap + RIM_ENTERS)
-    return least, left
+                least = min(least, gap)
+    return least
 
 
 @inline
