@@ -12,7 +12,7 @@ ROOM = -1
 """The other body of a contact with a plane of the room."""
 
 ENTERS = 1e-8
-"""How far a corner or a rim may enter a plane in a step [m]; one in which it goes deeper ends where they meet."""
+"""How far a corner or a rim may enter a plane in a step [m]; one that goes deeper ends where they meet."""
 
 FLAT = 1e-9
 """Sine of the angle up to which no point of a rim is the lowest: rounding."""
