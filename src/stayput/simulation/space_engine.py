@@ -102,8 +102,8 @@ STEP = 1e-3
 MOST_HITS = 10_000
 """Most hits that are listed."""
 
-FIRST_WORK, WORK_A_SECOND = 1e8, 1e7
-"""Work after which a run is given up, and more for each body and second, in updates of a contact (0.1 µs)."""
+FIRST_WORK, WORK_A_SECOND = 2.5e8, 2.5e7
+"""Work after which a run is given up, and more for each body and second, in contact updates (0.04 µs)."""
 
 
 _STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)

@@ -46,7 +46,7 @@ MOST_RISE = 1e-4
 OPEN = 2.0
 """In place of whether a contact stuck in the step before: it was open."""
 
-ENTERS_BODIES = 2e-6
+ENTERS_BODIES = 1e-5
 """How far bodies may enter each other in a step [m]."""
 
 

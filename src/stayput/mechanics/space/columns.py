@@ -95,7 +95,7 @@ CONTACT = np.dtype(
     + [(name, "f8") for name in ("fax", "fay", "faz", "fbx", "fby", "fbz")]
     + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing", "bounce")]
     + [(name, "f8") for name in ("target", "target_s", "target_t")]
-    + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt", "on", "os", "ot")]
+    + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")]
     + [(name, "f8") for name in ("ln", "ls", "lt", "un", "us", "ut", "en", "es", "et", "gn", "gs", "gt")]
     + [(name, "f8") for name in ("shift", "change", "rho")],
@@ -105,9 +105,9 @@ CONTACT = np.dtype(
 floor, the normal towards a and two tangents, the levers about both G, its gap and the acceleration by which
 free flight opens it, the levers of friction about both G, coefficients of friction, the normal velocity
 before, its restitution (0: it does not bounce) and the velocity wanted, impulses, their changes by a step of
-Newton's method, those before it, and the inverse mass that they see; of the augmented Lagrangian the
-multipliers, velocities, their changes along the direction and by the gradient, the shift of
-the normal velocity and its change, and the penalty.
+Newton's method, and the inverse mass that they see; of the augmented Lagrangian the multipliers, velocities,
+their changes along the direction and by the gradient, the shift of the normal velocity and its change, and
+the penalty.
 """
 
 SPRING = np.dtype(
@@ -125,13 +125,13 @@ PULL = np.dtype(
     + [(name, "f8") for name in ("plastic", "plastic_sum", "tx", "ty", "tz", "slip_sum")]
     + [(name, "f8") for name in ("lx", "ly", "lz", "ox", "oy", "oz", "nx", "ny", "nz")]
     + [(name, "f8") for name in ("e", "xx", "xy", "xz", "ux", "uy", "uz", "px", "py", "pz")]
-    + [(name, "f8") for name in ("dx", "dy", "dz", "qx", "qy", "qz", "cn", "ct", "force", "shear")],
+    + [(name, "f8") for name in ("dx", "dy", "dz", "cn", "ct", "force", "shear")],
     align=True,
 )
 """How a device is stretched: whether it is lost, and has pushed; its plastic elongation and slip (a vector in
 the anchor's axes) and their sums; in a step the levers about both G, the normal, elongations, the rate
-before, the impulse, its change by a step of Newton's method, that before those steps, by how much it falls
-with the velocity along the normal and across, and the forces.
+before, the impulse, its change by a step of Newton's method, by how much it falls with the
+velocity along the normal and across, and the forces.
 """
 
 HIT = np.dtype(

@@ -357,7 +357,7 @@ def run_in_space(
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
         kind int64[n + 1, 3], in the last row of all hits; the largest 1 − cos of the bodies' tilts at any
         step float64[n]; steps, steps whose impulses did not converge, work in updates of a contact (some
-        0.1 µs each), the most of it, and the sum of the errors of refined steps [m], float64[5]: added to.
+        0.04 µs each), the most of it, and the sum of the errors of refined steps [m], float64[5]: added to.
         Beyond the most work, and where too many steps do not
         converge, bodies stay where they are.
     """

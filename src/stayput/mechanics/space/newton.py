@@ -328,37 +328,6 @@ def by_rows(rows, k, first, a, b, v):
     return x, y, z
 
 
-@inner
-def note_impulses(contacts, count, held):
-    """Note the impulses for `take_back`."""
-    for k in range(count):
-        c = contacts[k]
-        c.on, c.os, c.ot = c.pn, c.ps, c.pt
-    _, pulls, _ = held
-    for d in range(pulls.shape[0]):
-        pull = pulls[d]
-        pull.qx, pull.qy, pull.qz = pull.px, pull.py, pull.pz
-
-
-@inner
-def take_back(contacts, count, held, bodies, poses):
-    """Bring back the impulses that were noted last."""
-    for k in range(count):
-        _set_impulse(contacts[k], bodies, poses, contacts[k].on, contacts[k].os, contacts[k].ot)
-    springs, pulls, _ = held
-    for d in range(springs.shape[0]):
-        spring, pull = springs[d], pulls[d]
-        if damps(spring, pull):
-            change = added((pull.qx, pull.qy, pull.qz), -1.0, (pull.px, pull.py, pull.pz))
-            change_impulse(spring, pull, bodies, poses, change)
-
-
-@inline
-def _set_impulse(c, bodies, poses, pn, ps, pt):
-    push(c, bodies, poses, pn - c.pn, ps - c.ps, pt - c.pt)
-    c.pn, c.ps, c.pt = pn, ps, pt
-
-
 @inline
 def _add_impulse(c, bodies, poses):
     """Change a contact's impulse by what was found, as far as its cone lets it."""
@@ -367,4 +336,5 @@ def _add_impulse(c, bodies, poses):
     size, most = math.sqrt(ps * ps + pt * pt), c.mu * pn
     if size > most:
         ps, pt = ps * most / size, pt * most / size
-    _set_impulse(c, bodies, poses, pn, ps, pt)
+    push(c, bodies, poses, pn - c.pn, ps - c.ps, pt - c.pt)
+    c.pn, c.ps, c.pt = pn, ps, pt

@@ -8,9 +8,9 @@ and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n �
 Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by
 contact, again and again, each with the others as they are (projected Gauss–Seidel), from those of the step
 before, or from none after an impact. After a sweep Newton's method solves for all contacts at once, each as
-the sweep left it: open, sticking or slipping; where the next sweeps then change far more, its steps are taken
-back. A body on more than three points has no unique impulses; its motion is unique without friction, and
-taken as found with it.
+the sweep left it: open, sticking or slipping. Where that leads nowhere the augmented Lagrangian takes over. A
+body on more than three points has no unique impulses; its motion is unique without friction, and taken as
+found with it.
 
 A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
 its kinetic one takes over and all is solved again. In an impact (as in the plane) the coefficient is that of
@@ -38,7 +38,7 @@ from stayput.mechanics.space.contact import (
     second_tangent,
     slip,
 )
-from stayput.mechanics.space.newton import improve, note_impulses, set_rows, take_back
+from stayput.mechanics.space.newton import improve, set_rows
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled, tangents
 
@@ -57,19 +57,16 @@ STICKS, STICKS_FOR = 1e-4, 1e-4
 """
 
 ASTRAY = 3.0
-"""By how much more than before a sweep may change after a step of Newton's method that is kept."""
+"""By how much more than before a step of Newton's method a sweep may change after one that leads on."""
 
 MOST_TRIES = 4
-"""Steps of Newton's method in a row that may change more: contacts may have to stick or slip anew."""
+"""Steps of Newton's method in a row that may lead astray: contacts may have to stick or slip anew."""
 
 MOST_STALLS = 3
-"""Steps of Newton's method in a row that are kept and bring nothing: it and sweeps lead in a circle."""
+"""Steps of Newton's method in a row that may bring nothing: it and sweeps lead in a circle."""
 
 GAINS = 0.9
 """Share of the change before a sweep from which on a step of Newton's method brings nothing."""
-
-LONGEST_PAUSE = 8
-"""Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
 
 SLIDES = 10.0
 """Speed, over the length of a step, from which on a contact slips all along it [m/s²]."""
@@ -85,8 +82,8 @@ ASIDE = 1e-9
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
 
-MOST_SWEEPS, MOST_OF_ONE = 24, 40
-"""Sweeps after which the augmented Lagrangian takes over; of a single body, for which a sweep costs less."""
+MOST_SWEEPS = 24
+"""Sweeps after which the augmented Lagrangian takes over."""
 
 MOST_SLIPS = 4
 """Most solutions of a step, each with the kinetic friction of the contacts that slip in the one before."""
@@ -94,7 +91,7 @@ MOST_SLIPS = 4
 ROUGH = 5e-3
 """Acceleration that impulses may leave where none better are found [m/s²]."""
 
-ROUGH_CLOSING, ROUGH_SPEED, ROUGH_LEAST = 2e-4, 1e-4, 1e-7
+ROUGH_CLOSING, ROUGH_SPEED, ROUGH_LEAST = 2e-4, 1e-3, 1e-7
 """The same as shares of the fastest closing and relative velocities, and a least velocity [m/s]."""
 
 
@@ -403,12 +400,12 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
 
 @inner
 def _solve(contacts, count, held, bodies, poses, system, h, work):
-    last, due, pause, tries, stalls = math.inf, 0, 1, 0, 0
+    last, tries, stalls = math.inf, 0, 0
     accuracy = ACCURACY * h
     for k in range(count):
         accuracy = max(accuracy, ROUNDING * abs(contacts[k].closing))
         contacts[k].ln, contacts[k].ls, contacts[k].lt = contacts[k].pn, contacts[k].ps, contacts[k].pt
-    for sweep in range(MOST_OF_ONE if bodies.shape[0] == 1 else MOST_SWEEPS):
+    for _ in range(MOST_SWEEPS):
         work[2] += 1.0 + count
         change = 0.0
         for k in range(count):
@@ -420,17 +417,10 @@ def _solve(contacts, count, held, bodies, poses, system, h, work):
         elif tries > 0 and change <= ASTRAY * last:
             tries = 0
             stalls = stalls + 1 if change > GAINS * last else 0
-        elif tries == MOST_TRIES:
-            take_back(contacts, count, held, bodies, poses)
-            if bodies.shape[0] == 1:
-                break  # as flush with a wall, on more points than it needs: sweeps creep there
-            tries, stalls = 0, MOST_STALLS
-        if stalls == MOST_STALLS:
-            due, pause, stalls = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0
-        if sweep >= due:
-            if tries == 0:
-                note_impulses(contacts, count, held)
-                last = change
-            tries += 1
-            improve(contacts, count, held, bodies, poses, system, h)
+        if tries == MOST_TRIES or stalls == MOST_STALLS:
+            break
+        if tries == 0:
+            last = change
+        tries += 1
+        improve(contacts, count, held, bodies, poses, system, h)
     return _solve_by_augmented_lagrangian(contacts, count, held, bodies, poses, system, h, work)
