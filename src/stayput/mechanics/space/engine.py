@@ -26,7 +26,7 @@ from stayput.mechanics.space.body import (
     set_attitude,
     stop,
 )
-from stayput.mechanics.space.closing import CLOSED, ENTERS_BODIES, keep, note_all_gaps
+from stayput.mechanics.space.closing import CLOSED, CLOSED_BETWEEN, ENTERS_BODIES, keep, note_all_gaps
 from stayput.mechanics.space.contact import mobility, velocity_at
 from stayput.mechanics.space.devices import give, note_forces, note_loads
 from stayput.mechanics.space.notes import (
@@ -187,15 +187,15 @@ def _meeting(world, poses, gaps, later, bent, h):
             body, s = bodies[b], poses[b]
             for i in range(body.first_point, body.first_point + body.points):
                 gap, end = gaps[before + i], later[before + i]
-                if end < -ENTERS - (bent if gap < bent else 0.0):
+                if end < -ENTERS - (bent if gap <= CLOSED else 0.0):
                     first = _meets(s, lever_of_point(s, points[i]), plane, gap, end, first, h)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 gap, end = gaps[round_edges + i], later[round_edges + i]
-                if end < -ENTERS - (bent if gap < bent else 0.0):
+                if end < -ENTERS - (bent if gap <= CLOSED else 0.0):
                     first = _meets(s, lowest_lever(s, rims[i], plane), plane, gap, end, first, h)
     between = gaps.shape[0] - pairs.shape[0]
     for k in range(between, gaps.shape[0]):
-        if later[k] < -ENTERS_BODIES - (bent if gaps[k] < bent else 0.0):
+        if later[k] < -ENTERS_BODIES - (bent if gaps[k] <= CLOSED_BETWEEN else 0.0):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
     return first
