@@ -73,7 +73,7 @@ with rims.
 FINER = 0.25
 """The latter where contacts begin or end to slip, over the latter otherwise: friction jumps there."""
 
-TOLERANCE, RIM_TOLERANCE = 5e-3, 1e-4
+TOLERANCE, RIM_TOLERANCE = 1e-2, 1e-4
 """Difference of a step and its halves, over its length, up to which it is not shortened [m/s]; the same where
 a body has a rim, which turns fast where it rolls nearly flat.
 """
