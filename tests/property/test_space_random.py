@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -29,7 +30,7 @@ def test_one_body(seed: int) -> None:
     found = cases.run_one(case._replace(bodies=case.bodies[:1]))
     assert found.finite
     assert found.depth < 3e-6
-    assert not found.made > 1e-4  # nan on a shaken floor
+    assert not found.made > 2e-5  # nan on a shaken floor
 
 
 @given(st.integers(0, 2**32 - 1))
@@ -40,3 +41,20 @@ def test_boxes_on_each_other(seed: int) -> None:
     assert found.finite
     assert found.depth < 3e-6
     assert not found.made > 1e-4  # nan on a shaken floor
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5

@@ -1,4 +1,4 @@
-"""The command line, run in this process."""
+"""The command line, run in this process, and scenarios for it."""
 
 from __future__ import annotations
 
@@ -7,6 +7,49 @@ from typing import Any
 from typer.testing import CliRunner
 
 from stayput.cli import app
+
+SLENDER = """
+[furniture]
+width = 0.3
+height = 1.5
+mass = 60.0
+[room]
+back_wall = { gap = 0.02 }
+[shaking]
+builtin = "near-fault"
+[uncertainty]
+samples = 4
+[[measures]]
+type = "belt"
+"""
+BOOKCASE = """
+[furniture]
+preset = "bookcase"
+[room]
+back_wall = { gap = 0.02 }
+[shaking]
+intensity = "6-lower"
+suite = { family = "near-fault", count = 2 }
+[uncertainty]
+samples = 4
+"""
+BEDROOM = """
+[plan]
+width = 3.6
+length = 2.7
+[[furniture]]
+name = "bookcase"
+preset = "bookcase"
+against = "left_wall"
+along = 1.35
+[[places]]
+kind = "bed"
+at = [1.6, 1.35]
+[shaking]
+builtin = "near-fault"
+[uncertainty]
+samples = 2
+"""
 
 
 def cli(*words: object, given: str | None = None, **environment: str) -> Any:

@@ -7,52 +7,17 @@ import os
 from pathlib import Path
 
 import pytest
-from commands import cli
+from commands import BEDROOM, SLENDER, cli
 from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.cli import app
 from stayput.cli.flags import changed, value_of
 
-BLOCK = """
-[furniture]
-width = 0.3
-height = 1.5
-mass = 60.0
-[room]
-back_wall = { gap = 0.02 }
-[shaking]
-builtin = "near-fault"
-SHAKING
-[uncertainty]
-samples = 4
-[[measures]]
-type = "belt"
-"""
-PLAIN = BLOCK.replace("SHAKING", "")
-ROOM = """
-[plan]
-width = 3.6
-length = 2.7
-[[furniture]]
-name = "bookcase"
-preset = "bookcase"
-against = "left_wall"
-along = 1.35
-[[places]]
-kind = "bed"
-at = [1.6, 1.35]
-[shaking]
-builtin = "near-fault"
-SHAKING
-[uncertainty]
-samples = 2
-"""
-
 
 def verified(folder, text, shaking, *flags):
     file = folder / "scene.toml"
-    file.write_text(text.replace("SHAKING", shaking), encoding="utf-8")
+    file.write_text(text.replace('"near-fault"', f'"near-fault"\n{shaking}'), encoding="utf-8")
     done = cli("verify", file, "--json", "--threads", "2", *flags)
     assert done.exit_code == 0, done.output
     found = json.loads(done.stdout)
@@ -76,13 +41,13 @@ def verified(folder, text, shaking, *flags):
     ],
 )
 def test_flags_of_verify_stand_in_the_place_of_what_the_file_says(tmp_path, said, flags):
-    assert verified(tmp_path, BLOCK, "scale = 0.5", *flags) == verified(tmp_path, BLOCK, said)
+    assert verified(tmp_path, SLENDER, "scale = 0.5", *flags) == verified(tmp_path, SLENDER, said)
 
 
 def test_a_room_takes_the_same_flags(tmp_path):
-    strong = verified(tmp_path, ROOM, "scale = 0.1", "--pga", "8")
-    assert strong == verified(tmp_path, ROOM, "pga = 8.0")
-    assert strong != verified(tmp_path, ROOM, "scale = 0.1")
+    strong = verified(tmp_path, BEDROOM, "scale = 0.1", "--pga", "8")
+    assert strong == verified(tmp_path, BEDROOM, "pga = 8.0")
+    assert strong != verified(tmp_path, BEDROOM, "scale = 0.1")
 
 
 @pytest.mark.parametrize(
@@ -112,7 +77,7 @@ def test_a_command_line_is_refused_in_one_sentence(words, said):
 
 def test_report_and_plan_may_not_be_one_file(tmp_path):
     file = tmp_path / "room.toml"
-    file.write_text(ROOM.replace("SHAKING", ""), encoding="utf-8")
+    file.write_text(BEDROOM, encoding="utf-8")
     (tmp_path / "sub").mkdir()
     done = cli("verify", file, "--report", tmp_path / "r.html", "--plan", tmp_path / "sub" / ".." / "r.html")
     assert done.exit_code == 2
@@ -142,7 +107,7 @@ def test_no_output_takes_the_place_of_what_is_read(tmp_path, monkeypatch, link, 
     monkeypatch.chdir(tmp_path)
     for name, amplitude in (("record.csv", 1.0), ("other.csv", 2.0)):
         sp.sine(amplitude=amplitude, frequency=1.0, duration=1.0).write(name)
-    text = ROOM.replace('builtin = "near-fault"\nSHAKING', 'record = "record.csv"')
+    text = BEDROOM.replace('builtin = "near-fault"', 'record = "record.csv"')
     Path("room.toml").write_text(text, encoding="utf-8")
     before = Path(source).read_bytes()
     *command, ending = words.split()
@@ -176,7 +141,7 @@ BOTH = (("en", 0), ("ja", 1))
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
     path = tmp_path / "scene.toml"
-    path.write_text(PLAIN, encoding="utf-8")
+    path.write_text(SLENDER, encoding="utf-8")
     return path
 
 
@@ -305,7 +270,7 @@ def test_what_simulate_alone_takes(words: tuple[str, ...], told: tuple[str, str]
 
 
 def test_what_the_file_gets_wrong_is_told_with_its_name(file: Path) -> None:
-    file.write_text(PLAIN.replace("width = 0.3", "width = 0.0"), encoding="utf-8")
+    file.write_text(SLENDER.replace("width = 0.3", "width = 0.0"), encoding="utf-8")
     done = cli("simulate", file, "--set", "room.left_wall.gap=0.1", "--pga", "3")
     assert done.stderr.startswith("scene.toml: furniture.width is 0.0;")
 
@@ -330,7 +295,7 @@ def test_an_assessment_takes_it_of_each_of_its_scenarios(file: Path, monkeypatch
     monkeypatch.chdir(file.parent)
     events = file.parent / "events"
     events.mkdir()
-    text = PLAIN.partition("[uncertainty]")[0].partition("[room]")[2]
+    text = SLENDER.partition("[uncertainty]")[0].partition("[room]")[2]
     stated = text.replace('"near-fault"', '"near-fault"\npga = 4')
     for folder, content in ((events, text), (file.parent, stated)):
         for name in "ab":

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from commands import cli
+from commands import SLENDER, cli
 
 import stayput as sp
 from stayput.cli import streams
@@ -18,26 +18,11 @@ from stayput.cli import streams
 if TYPE_CHECKING:
     from pathlib import Path
 
-SCENARIO = """
-[furniture]
-width = 0.3
-height = 1.5
-mass = 60.0
-[room]
-back_wall = { gap = 0.02 }
-[shaking]
-builtin = "near-fault"
-[uncertainty]
-samples = 4
-[[measures]]
-type = "belt"
-"""
-
 
 @pytest.fixture
 def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "scenario.toml").write_text(SCENARIO, encoding="utf-8")
+    (tmp_path / "scenario.toml").write_text(SLENDER, encoding="utf-8")
     return tmp_path
 
 
@@ -46,13 +31,13 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 )
 def test_a_scenario_on_standard_input_is_as_good_as_a_file(here: Path, command: tuple[str, ...]) -> None:
     name, *flags = command
-    from_file, from_stream = cli(name, "scenario.toml", *flags), cli(name, "-", *flags, given=SCENARIO)
+    from_file, from_stream = cli(name, "scenario.toml", *flags), cli(name, "-", *flags, given=SLENDER)
     assert from_stream.exit_code == 0, from_stream.output
     assert from_stream.stdout == from_file.stdout
 
 
 def test_a_refused_scenario_is_called_standard_input(here: Path) -> None:
-    done = cli("verify", "-", given=SCENARIO.replace("height = 1.5", "height = -1.5"))
+    done = cli("verify", "-", given=SLENDER.replace("height = 1.5", "height = -1.5"))
     assert done.exit_code == 2
     assert done.stderr.startswith("standard input: furniture.height is -1.5")
     done = cli("verify", "-", given="[furniture")
@@ -60,7 +45,7 @@ def test_a_refused_scenario_is_called_standard_input(here: Path) -> None:
 
 
 def test_streams_are_told_in_japanese(here: Path) -> None:
-    wrong = SCENARIO.replace("height = 1.5", "height = -1.5")
+    wrong = SLENDER.replace("height = 1.5", "height = -1.5")
     assert "standard input" not in (told := cli("verify", "-", "--lang", "ja", given=wrong).stderr)
     assert told.startswith("標準入力")
     assert "標準入力" in cli("motion", "info", "-", "--lang", "ja", given="").stderr
@@ -126,7 +111,7 @@ def test_one_table_on_standard_output_and_another_in_a_file(here: Path) -> None:
     ],
 )
 def test_a_stream_is_for_one_thing(here: Path, arguments: tuple[str, ...], told: str) -> None:
-    done = cli(*arguments, given=SCENARIO)
+    done = cli(*arguments, given=SLENDER)
     assert done.exit_code == 2
     assert told in done.stderr
     assert done.stderr.count("\n") == 1
@@ -154,7 +139,7 @@ def test_a_scenario_on_standard_input_finds_its_records_in_the_working_folder(he
     pytest.importorskip("pyarrow")
     (here / "inventory.csv").write_text("id,preset\na,bookcase\n", encoding="utf-8")
     sp.near_fault().write(here / "quake.csv")
-    text = SCENARIO.replace('builtin = "near-fault"', 'record = "quake.csv"')
+    text = SLENDER.replace('builtin = "near-fault"', 'record = "quake.csv"')
     flags = ("inventory.csv", "--scenario", "-", "--out", "results")
     done = cli("assess", *flags, "--json", "--quiet", given=text)
     assert done.exit_code == 0, done.output

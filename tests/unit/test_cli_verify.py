@@ -6,7 +6,7 @@ from codecs import BOM_UTF8
 from pathlib import Path
 
 import pytest
-from commands import cli
+from commands import BEDROOM, BOOKCASE, cli
 from rich.cells import cell_len
 
 from stayput.catalogue import LANGUAGES, say
@@ -146,39 +146,6 @@ def test_the_folder_of_the_curves_must_be_one(file, tmp_path):
     assert "there' is a file" in cli("verify", file, "--curves", tmp_path / "there").stderr
 
 
-PIECE = """
-[furniture]
-preset = "bookcase"
-[room]
-back_wall = { gap = 0.02 }
-[shaking]
-intensity = "6-lower"
-suite = { family = "near-fault", count = 2 }
-[uncertainty]
-samples = 4
-"""
-
-ROOM = """
-[plan]
-width = 3.6
-length = 2.7
-[[furniture]]
-name = "bookcase"
-preset = "bookcase"
-against = "left_wall"
-along = 1.9
-[[places]]
-kind = "bed"
-at = [1.4, 1.9]
-heading = 1.5707963
-[shaking]
-intensity = "6-upper"
-suite = { family = "near-fault", count = 2 }
-[uncertainty]
-samples = 2
-"""
-
-
 def printed(folder: Path, scenario: str, width: int, *flags: str, command: str = "verify") -> str:
     file = folder / "scenario.toml"
     file.write_text(scenario, encoding="utf-8")
@@ -189,7 +156,7 @@ def printed(folder: Path, scenario: str, width: int, *flags: str, command: str =
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_changes_of_a_room_are_a_list_where_their_table_would_break(tmp_path: Path, language: str) -> None:
-    narrow, wide = (printed(tmp_path, ROOM, width, "--lang", language) for width in (80, 200))
+    narrow, wide = (printed(tmp_path, BEDROOM, width, "--lang", language) for width in (80, 200))
     heading = say("rooms.hit_less", language)
     assert narrow.count(f"{heading} ") == 3  # beside each value
     assert wide.count(heading) == 1
@@ -199,7 +166,9 @@ def test_changes_of_a_room_are_a_list_where_their_table_would_break(tmp_path: Pa
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_ranking_that_is_too_wide_leaves_out_its_capacities(tmp_path: Path, language: str) -> None:
-    narrow, wide = (printed(tmp_path, PIECE, width, "--lang", language).splitlines() for width in (60, 100))
+    narrow, wide = (
+        printed(tmp_path, BOOKCASE, width, "--lang", language).splitlines() for width in (60, 100)
+    )
     (told, *_) = (line for line in wide if "I50" in line)
     assert told.rstrip().endswith("I50")
     table = narrow[: next(n for n, line in enumerate(narrow) if line.startswith("–"))]
@@ -210,5 +179,5 @@ def test_a_ranking_that_is_too_wide_leaves_out_its_capacities(tmp_path: Path, la
 
 def test_simulate_names_the_stated_shaking(tmp_path: Path) -> None:
     assert "peak ground velocity 50 cm/s = 0.5 m/s" in printed(
-        tmp_path, PIECE, 200, "--set", "shaking.pgv=0.5", command="simulate"
+        tmp_path, BOOKCASE, 200, "--set", "shaking.pgv=0.5", command="simulate"
     )

@@ -10,6 +10,7 @@ import sys
 from typing import TYPE_CHECKING
 
 import pytest
+from commands import BEDROOM, BOOKCASE
 from typer.testing import CliRunner
 
 from stayput.cli import app
@@ -18,33 +19,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-PIECE = """
-[furniture]
-preset = "bookcase"
-[room]
-back_wall = { gap = 0.02 }
-[shaking]
-intensity = "6-upper"
-suite = { family = "near-fault", count = 2 }
-[uncertainty]
-samples = 4
-[[measures]]
-type = "belt"
-"""
-ROOM = """
-[plan]
-width = 3.6
-length = 2.7
-[[furniture]]
-name = "bookcase"
-preset = "bookcase"
-against = "left_wall"
-along = 1.35
-[shaking]
-builtin = "near-fault"
-[uncertainty]
-samples = 2
-"""
 WRITERS = [
     "verify piece.toml --report out/report.html",
     "verify piece.toml --csv out/ranking.csv",
@@ -96,8 +70,8 @@ def full(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         there = opened(file, mode, *arguments, **options)
         return _Full(there) if "r" not in mode and str(file).startswith(("out/", str(out))) else there
 
-    (tmp_path / "piece.toml").write_text(PIECE, encoding="utf-8")
-    (tmp_path / "room.toml").write_text(ROOM, encoding="utf-8")
+    (tmp_path / "piece.toml").write_text(BOOKCASE + '[[measures]]\ntype = "belt"\n', encoding="utf-8")
+    (tmp_path / "room.toml").write_text(BEDROOM, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     for module in (builtins, io):  # pathlib calls that of io
         monkeypatch.setattr(module, "open", on_a_full_disk)

@@ -1,6 +1,7 @@
 """Walls on any side: rebounds in closed form, and a room that is turned with the piece and the motion."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -103,3 +104,17 @@ def test_side_walls_that_are_not_touched_change_no_bit() -> None:
     assert free.hit_numbers[0, 1] > 0
     for name in ("place", "attitude", "velocity", "rotation_rate", "force"):
         assert getattr(walled, name).tobytes() == getattr(free, name).tobytes(), name
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [(1.0, {"ceiling": sp.Ceiling(0.6)}), (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)})],
+)
+def test_surfaces_that_touch_on_both_sides_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
