@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import warnings
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import stayput as sp
+from real_records import MOTIONS, recorded
 from stayput.motion.baseline import oscillates_about_offset
 
-MOTIONS = Path(__file__).parents[3] / "shared" / "motions"
 RECORDS = {
     "elcentro_1940_180.AT2": {},
     "jma_kobe_1995_ns.AT2": {},
@@ -22,7 +21,7 @@ RECORDS = {
     "csmip_ce36456.V2": {},
     "nishi_akashi_1995_090.AT2": {},
 }
-pytestmark = pytest.mark.skipif(not MOTIONS.is_dir(), reason="the folder of real records is absent")
+pytestmark = recorded
 
 
 @pytest.mark.parametrize("name", RECORDS)

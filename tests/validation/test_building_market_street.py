@@ -4,18 +4,16 @@ Records: USGS. The model knows the number of storeys, the measured period of 6.4
 steel building; nothing is fitted. The bounds say how near such a model comes, and where it does not.
 """
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
+from real_records import MOTIONS, recorded
 from stayput.building import Building
 from stayput.motion import read_motion
 from stayput.motion.spectrum import PERIODS, response_spectrum
 from stayput.report.building import plot_building
 
-MOTIONS = Path(__file__).parents[3] / "shared" / "motions"
-pytestmark = pytest.mark.skipif(not MOTIONS.is_dir(), reason="the folder of real records is absent")
+pytestmark = recorded
 
 
 @pytest.fixture(scope="module")

@@ -5,11 +5,11 @@ intensity 5.7 for Uki, 2016-04-14, and 6.4 for Kobe, 1995-01-17.
 """
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from real_records import MOTIONS, recorded
 from stayput.motion import Motion, read_motion, sine
 from stayput.motion.intensity import (
     filtered_level,
@@ -19,9 +19,6 @@ from stayput.motion.intensity import (
     long_period_response,
     published_intensity,
 )
-
-MOTIONS = Path(__file__).parents[3] / "shared" / "motions"
-needs_records = pytest.mark.skipif(not MOTIONS.is_dir(), reason="the folder of real records is absent")
 
 
 @pytest.mark.parametrize(("frequency", "expected"), [(1.0, 4.937), (0.5, 5.041), (5.0, 4.166)])
@@ -46,21 +43,21 @@ def test_definition_counts_the_time_at_or_above_the_level():
     assert 0.01 * np.count_nonzero(vector > level * (1 + 1e-12)) < 0.3
 
 
-@needs_records
+@recorded
 def test_yonago_2000_the_agencys_worked_example():
     motion = read_motion(MOTIONS / "jma_yonago_2000.csv")
     assert filtered_level(motion.components.values(), motion.dt) == pytest.approx(127.85, rel=1e-3)
     assert published_intensity(motion.intensity) == 5.1
 
 
-@needs_records
+@recorded
 def test_uki_2016():
     intensity = read_motion(MOTIONS / "jma_uki_2016.csv").intensity
     assert published_intensity(intensity) == 5.7
     assert intensity_class(intensity) == "6-lower"
 
 
-@needs_records
+@recorded
 def test_kobe_1995():
     ns, ew, ud = (read_motion(MOTIONS / f"jma_kobe_1995_{name}.AT2") for name in ("ns", "ew", "ud"))
     intensity = Motion.combine(ns, ew, ud).intensity

@@ -5,15 +5,15 @@ Table 4.3 needs the record of JMA Kobe, 1995, NS, which is not part of the proje
 """
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 from setups import STICKING, G, block, both_laws, constant, first, impacts, simulate, still, turned
 
 import stayput as sp
+from real_records import MOTIONS
 
-RECORD = Path(__file__).parents[3] / "shared" / "motions" / "jma_kobe_1995_ns.AT2"
+RECORD = MOTIONS / "jma_kobe_1995_ns.AT2"
 NEAR = 1e-9
 
 

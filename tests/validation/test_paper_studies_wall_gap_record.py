@@ -4,15 +4,14 @@
 The record is not part of the project; the tests that need it are skipped without it.
 """
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import stayput as sp
+from real_records import MOTIONS
 from studies.wall_gap_record import wall_gap_record
 
-RECORD = Path(__file__).parents[3] / "shared" / "motions" / "jma_kobe_1995_ns.AT2"
+RECORD = MOTIONS / "jma_kobe_1995_ns.AT2"
 needs_record = pytest.mark.skipif(not RECORD.is_file(), reason="the record of JMA Kobe 1995 NS is absent")
 LETTERS = {0.1: "T", 0.2: "T", 0.3: "T", 0.4: "T", 0.5: "T", 0.6: "N", 0.7: "N", 0.8: "N", 0.9: "N", 1.0: "N"}
 LAST = {0.2: 0.50, 0.3: 0.77, 0.4: 0.85, 0.5: 0.93}

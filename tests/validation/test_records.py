@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from real_records import MOTIONS, recorded
 from stayput.motion import Motion, read_motion
 
-MOTIONS = Path(__file__).parents[3] / "shared" / "motions"
-pytestmark = pytest.mark.skipif(not MOTIONS.is_dir(), reason="the folder of real records is absent")
+pytestmark = recorded
 
 G = 980.665  # gal
 PUBLISHED = {  # file: (peaks of x, y, z [gal], dt [s], number of samples, what the file does not state)

@@ -5,17 +5,16 @@ straight lines: so both get the record with samples on its straight lines, and t
 """
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pyrotd
 import pytest
 from scipy.signal import StateSpace, lsim
 
+from real_records import MOTIONS, recorded
 from stayput.motion import Motion, near_fault, read_motion, sine
 from stayput.motion.spectrum import PERIODS, response_spectrum, spectra
 
-MOTIONS = Path(__file__).parents[3] / "shared" / "motions"
 RECORDS = ("jma_kobe_1995_ns.AT2", "elcentro_1940_180.AT2", "jma_uki_2016.csv", "nishi_akashi_1995_090.AT2")
 
 
@@ -39,7 +38,7 @@ def test_synthetic_motion_against_pyrotd(damping):
     compare(near_fault(), damping)
 
 
-@pytest.mark.skipif(not MOTIONS.is_dir(), reason="the folder of real records is absent")
+@recorded
 @pytest.mark.parametrize("name", RECORDS)
 def test_records_against_pyrotd(name):
     compare(read_motion(MOTIONS / name).trimmed(0.0, 80.0 if "uki" in name else 30.0), 0.05)

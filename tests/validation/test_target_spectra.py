@@ -4,11 +4,10 @@ Japan: notification 1457 of the Ministry of Construction (2000); ASCE/SEI 7-16, 
 are commonly known.
 """
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
+from real_records import MOTIONS, recorded
 from stayput.errors import InputError
 from stayput.motion.integrals import displacement, velocity
 from stayput.motion.spectrum import mean_period
@@ -22,8 +21,6 @@ from stayput.motion.suites import (
     synthetic_suite,
 )
 
-MOTIONS = Path(__file__).parents[3] / "shared" / "motions"
-recorded = pytest.mark.skipif(not MOTIONS.is_dir(), reason="the folder of real records is absent")
 KOBE = ("jma_kobe_1995_ns.AT2", "jma_kobe_1995_ew.AT2", "nishi_akashi_1995_090.AT2")
 OTHERS = ("elcentro_1940_180.AT2", "arleta_1994_360.at2", "jma_uki_2016.csv")
 

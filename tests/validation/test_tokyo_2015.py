@@ -7,12 +7,12 @@ change is noticed.
 """
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import stayput as sp
+from real_records import MOTIONS
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
 from stayput.verification.options import Option
@@ -34,7 +34,7 @@ from studies.tokyo import (
     tokyo,
 )
 
-FOLDER = Path(__file__).parents[3] / "shared" / "motions"
+FOLDER = MOTIONS
 FILES = [FOLDER / f"jma_kobe_1995_{name}.AT2" for name in ("ns", "ew", "ud")]
 needs_record = pytest.mark.skipif(
     not all(file.is_file() for file in FILES), reason="the record of JMA Kobe 1995 is absent"
