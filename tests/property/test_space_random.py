@@ -58,3 +58,190 @@ def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
     assert not found.given_up
     assert found.unconverged < 0.01 * found.steps
     assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5
+
+
+@pytest.mark.parametrize(
+    ("family", "number"), [("nearly flat rims", 490), ("nearly flat rims", 1383), ("cylinders", 1425)]
+)
+def test_bodies_that_turn_fast_and_fall_nearly_flat(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert found.made < 1e-6
+    assert found.depth < 3e-6
+
+
+@pytest.mark.parametrize(("family", "number"), [("towers", 39), ("pyramids", 8), ("stacks on ice", 1)])
+def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
+    found = cases.run_one(cases.case_number(family, 1, number))
+    assert not found.given_up
+    assert found.unconverged < 0.01 * found.steps
+    assert found.between < 2e-5

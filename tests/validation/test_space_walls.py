@@ -108,9 +108,211 @@ def test_side_walls_that_are_not_touched_change_no_bit() -> None:
 
 @pytest.mark.parametrize(
     ("x", "room"),
-    [(1.0, {"ceiling": sp.Ceiling(0.6)}), (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)})],
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
 )
-def test_surfaces_that_touch_on_both_sides_hold_nothing(x: float, room: dict[str, Any]) -> None:
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
+    # what nothing presses against them does not rub there either
+    ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
+    motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")
+    body = sp.Body(0.4, 0.6, 30.0, length=0.6)
+    free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
+    between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
+    assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("x", "room"),
+    [
+        (1.0, {"ceiling": sp.Ceiling(0.6)}),
+        (0.0, {"left_wall": sp.Wall(0.0), "right_wall": sp.Wall(0.0)}),
+        (0.0, {"right_wall": sp.Wall(0.0)}),
+    ],
+)
+def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[str, Any]) -> None:
     # what nothing presses against them does not rub there either
     ground, floor = sp.near_fault(), sp.Floor(0.1, 0.1)
     motion = sp.Motion(dt=ground.dt, x=x * ground.x, y=ground.x, name="along a wall")

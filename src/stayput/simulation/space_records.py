@@ -283,8 +283,8 @@ def surface_of(plane: np.void) -> str:
 
 
 APART = 1e-6
-"""Least gap from the ceiling, and from both of two walls on opposite sides [m]: surfaces that both touch a
-body would press it with any force, as nothing tells how hard, and hold it by friction.
+"""Least gap from walls and ceiling [m]: a surface that touches a body at first would press it against the floor
+or an opposite one with any force, as nothing tells how hard, and hold it by friction.
 """
 
 
@@ -309,9 +309,7 @@ def planes_of(standing: Sequence[Standing], room: np.void) -> NDArray[np.void]:
             normal = NORMALS[name]
             outermost = min(one.along(normal)[0] for one in standing)
             offset = -gap if name == "ceiling" else outermost - gap
-            facing = next(other for other, n in NORMALS.items() if n == tuple(-x for x in normal))
-            touched = facing == "floor" or room[f"{facing.removesuffix('_wall')}_distance"] < APART
-            if touched and abs(outermost - offset) < APART:
+            if abs(outermost - offset) < APART:
                 offset = outermost - APART
             planes.append((*normal, offset, friction, friction, restitution, 0))
     return np.array(planes, PLANE)

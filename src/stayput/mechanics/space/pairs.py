@@ -21,7 +21,7 @@ MOST_TOUCHING = 8
 PREFER_FACES = 1e-6
 """By how much edges must separate bodies more than faces do, which touch in more points [m]."""
 
-SHALLOW = 1e-5
+SHALLOW = 5e-5
 """Depth up to which no other axis is tried where bodies touch [m]."""
 
 NEAR = 0.01
