@@ -283,8 +283,8 @@ def surface_of(plane: np.void) -> str:
 
 
 APART = 1e-6
-"""Least gap from walls and ceiling [m]: a surface that touches a body at first would press it against the floor
-or an opposite one with any force, as nothing tells how hard, and hold it by friction.
+"""Least gap from walls and ceiling [m]: one that touches a body at first would press it against the floor or
+an opposite one with any force, as nothing tells how hard, and hold it by friction.
 """
 
 
