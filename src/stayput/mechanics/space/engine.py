@@ -109,17 +109,17 @@ def _nudge_along(body, s, lever, n, size):
 
 
 @inner
-def _move_out(body, s, lever, plane):
-    """Move a body out of a plane that it has entered at a point, as an impulse would."""
+def _move_out(body, s, lever, plane, bent):
+    """Move a body out of a plane that a point has entered by more than ``bent``, as an impulse would."""
     gap = gap_of(s, lever, plane)
-    if gap < 0.0:
+    if gap < -bent:
         n = plane_normal(plane)
         _nudge_along(body, s, lever, n, -gap / mobility(body, s, lever, n))
 
 
 @inner
-def _move_all_out(world, poses, scratch):
-    """Move bodies out of each other and of planes that they have entered."""
+def _move_all_out(world, poses, scratch, h):
+    """Move bodies out of each other and of planes, where deeper than paths bend in a step (0: refined)."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
     corners, polygons, touching, axes = scratch[3], scratch[4], scratch[5], scratch[8]
     place_corners(bodies, poses, points, corners)
@@ -127,8 +127,9 @@ def _move_all_out(world, poses, scratch):
         a, b = pairs[j].a, pairs[j].b
         body, other, s, r = bodies[a], bodies[b], poses[a], poses[b]
         _, found, n = touch(body, s, other, r, 0.0, axes[j], faces, loops, edges, corners, polygons, touching)
+        bent = sag(body, s, h) + sag(other, r, h)
         for m in range(found):
-            if touching[m, 3] < 0.0:
+            if touching[m, 3] < -bent:
                 place = touching[m, 0], touching[m, 1], touching[m, 2]
                 lever, arm = added(place, -1.0, place_of(s)), added(place, -1.0, place_of(r))
                 both = mobility(body, s, lever, n) + mobility(other, r, arm, n)
@@ -140,23 +141,15 @@ def _move_all_out(world, poses, scratch):
             place_corners(bodies[b : b + 1], poses[b : b + 1], points, corners)
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
+        bent = sag(body, s, h)
         for j in range(planes.shape[0]):
             plane = planes[j]
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
-                    _move_out(body, s, lever_of_point(s, points[i]), plane)
+                    _move_out(body, s, lever_of_point(s, points[i]), plane, bent)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
-                    _move_out(body, s, lowest_lever(s, rims[i], plane), plane)
-
-
-@inner
-def _sag(bodies, poses, h):
-    """Return how far the path of a body's point bends in a step, at most, seen from another body."""
-    found = 0.0
-    for b in range(bodies.shape[0]):
-        found = max(found, sag(bodies[b], poses[b], h))
-    return found if bodies.shape[0] == 1 else 2.0 * found
+                    _move_out(body, s, lowest_lever(s, rims[i], plane), plane, bent)
 
 
 @inline
@@ -172,11 +165,11 @@ def _meets(s, lever, plane, gap, later, first, h):
 
 
 @inner
-def _meeting(world, poses, gaps, later, bent, h):
+def _meeting(world, poses, gaps, later, h):
     """Return when within a step, with ``poses`` at its end, bodies first meet planes or each other.
 
     The gaps are those of points and rims, plane by plane, and at last those of pairs of bodies. What touches
-    at first may go deeper by ``bent``.
+    at first may go deeper by as much as its path bends.
     """
     bodies, points, rims, planes, pairs = world[0], world[1], world[2], world[3], world[4]
     first = h
@@ -185,6 +178,7 @@ def _meeting(world, poses, gaps, later, bent, h):
         round_edges = before + points.shape[0]
         for b in range(bodies.shape[0]):
             body, s = bodies[b], poses[b]
+            bent = sag(body, s, h)
             for i in range(body.first_point, body.first_point + body.points):
                 gap, end = gaps[before + i], later[before + i]
                 if end < -ENTERS - (bent if gap <= CLOSED else 0.0):
@@ -195,6 +189,8 @@ def _meeting(world, poses, gaps, later, bent, h):
                     first = _meets(s, lowest_lever(s, rims[i], plane), plane, gap, end, first, h)
     between = gaps.shape[0] - pairs.shape[0]
     for k in range(between, gaps.shape[0]):
+        a, b = pairs[k - between].a, pairs[k - between].b
+        bent = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
         if later[k] < -ENTERS_BODIES - (bent if gaps[k] <= CLOSED_BETWEEN else 0.0):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
@@ -216,8 +212,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
     Returns
     -------
     tuple
-        Its length, the number of contacts, the least gap at its end, how far a path bends in it, and whether
-        it has been refined.
+        Its length, the number of contacts, the least gap at its end, and whether it has been refined.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
@@ -229,12 +224,11 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
     while True:
         push, ratio = push_at(a0, a1, (t + 0.5 * h) / dt, gravity), h / last if last > 0.0 else 0.0
         count, meets = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
-        least, bent = math.inf, 0.0
+        least = math.inf
         if meets == h or h <= shortest:
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
-            bent = _sag(world[0], trial, h)
             if left < 0.0:
-                meets = min(meets, _meeting(world, trial, gaps[0], gaps[1], bent, h))
+                meets = min(meets, _meeting(world, trial, gaps[0], gaps[1], h))
         if meets < h and h > shortest:
             h = max(shortest, min(meets, h - shortest))
             continue
@@ -243,25 +237,25 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
                 h = longest
                 continue
             pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest)
-            return h, count, least, bent, False
+            return h, count, least, False
         # from rest it may begin to move within the step, which its end does not tell
         if 0.0 < fastest(world[0], now) <= CREEPS and fastest(world[0], trial) <= CREEPS:
             pace[LENGTH] = min(LONGER * longest, GROWS * h)
-            return h, count, least, bent, False
+            return h, count, least, False
         keep(contacts, count, kept[1], scratch[7][3])
         for d in range(held[1].shape[0]):
             scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
         error = refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio, work)
         if error >= 0.0 and (error <= within * h or h <= 2.0 * least_h):
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
-            meets = _meeting(world, trial, gaps[0], gaps[1], bent, h) if left < 0.0 else h
+            meets = _meeting(world, trial, gaps[0], gaps[1], h) if left < 0.0 else h
             if meets == h:
                 work[4] += error / 3.0
                 pace[EVENT] = max(least_h, 0.5 * pace[EVENT])
                 grows = 0.8 * math.sqrt(within * h / max(error, 1e-15))
                 pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, grows)))
                 pace[LENGTH] = min(LONGER * longest, pace[LENGTH])
-                return h, count, least, 0.0, True
+                return h, count, least, True
         for d in range(held[1].shape[0]):
             held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
         down_to = pace[EVENT] * (FINER if error == RUBS else 1.0)
@@ -277,7 +271,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
                 pace[ROUGH] = PAUSE
             count, meets = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
             pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest)
-            return h, count, least, bent, False
+            return h, count, least, False
 
 
 @inner
@@ -408,7 +402,7 @@ def run_in_space(
             if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):
                 _stay(bodies, now, histories, k + 1)
                 return
-            h, count, least, bent, refined = _advance(
+            h, count, least, refined = _advance(
                 world, held, poses, a0, a1, numbers, t, start, last, scratch, pace, work
             )
             pace[SHORT] = pace[SHORT] + 1.0 if h <= pace[LIMIT] else 0.0
@@ -418,8 +412,8 @@ def run_in_space(
                 pace[LIMIT] = max(least_step, 0.5 * pace[LIMIT])
             elif pace[SHORT] % SHORT_STEPS == 0.0:
                 pace[LIMIT] *= 2.0
-            if least < -IGNORED - bent:
-                _move_all_out(world, trial, scratch)
+            if least < -IGNORED:
+                _move_all_out(world, trial, scratch, 0.0 if refined else h)
                 note_all_gaps(world, trial, scratch, gaps[1])
             if refined:
                 note_peaks(bodies, poses[2], peaks)

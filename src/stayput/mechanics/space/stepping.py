@@ -65,12 +65,15 @@ def fastest(bodies, poses):
 
 
 @inner
-def _impact(contacts, count, kept, h):
-    """Return when within a step the first contact hits that was open before, by its gap in mid-step."""
+def _impact(contacts, count, kept, ratio, h):
+    """Return when within a step the first contact hits that was open before, by its gap in mid-step.
+
+    Before the first step, whose ``ratio`` is 0, all that does not close counts as closed, so that it sticks.
+    """
     first = h
     for k in range(count):
         c = contacts[k]
-        if c.closing < -IMPACT and kept[c.key, 3] == OPEN:
+        if c.closing < -IMPACT and (kept[c.key, 3] == OPEN or ratio == 0.0):
             first = min(first, 0.5 * h - c.gap / c.closing)
     return first
 
@@ -95,7 +98,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
         if moves(after[b]):
             drift(bodies[b], after[b], 0.5 * h)
     count = find_contacts(world, after, push, scratch, kept, ratio, h)
-    meets = _impact(contacts, count, kept, h)
+    meets = _impact(contacts, count, kept, ratio, h)
     if meets < h and h > shortest:
         return count, meets
     if not any_closes_fast(contacts, count):
