@@ -57,4 +57,4 @@ def test_towers_and_pyramids_run_to_their_end(family: str, number: int) -> None:
     found = cases.run_one(cases.case_number(family, 1, number))
     assert not found.given_up
     assert found.unconverged < 0.01 * found.steps
-    assert found.between < 2e-5
+    assert found.between < 5e-5

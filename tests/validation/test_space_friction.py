@@ -184,3 +184,16 @@ def test_a_push_in_one_direction_and_a_slip_in_another() -> None:
     thrown = sp.Standing(sp.Solid.box(0.8, 0.8, 0.1, 20.0), velocity=(start, 0.0, 0.0))
     run = sp.simulate(thrown, sp.Room(sp.Floor(friction, friction)), steady(0.0, push, 0.5))
     np.testing.assert_allclose(run.velocity[0, -1, :2], exact, rtol=2e-3)
+
+
+@pytest.mark.parametrize("speed", [1e-3, 0.01, 0.05])
+@pytest.mark.parametrize("step", [1e-3, 1e-4])
+def test_a_base_that_turns_back_is_held_by_its_static_friction(speed: float, step: float) -> None:
+    floor, share = sp.Floor(0.05, 0.04), 0.9  # of what static friction holds beyond kinetic
+    a = (floor.kinetic_friction + share * 0.01) * G
+    motion = sp.Motion(dt=0.002, x=np.full(201, a), name="steady")
+    start = sp.Standing(sp.Solid.box(1.0, 1.0, 0.3, 10.0), velocity=(speed, 0.0, 0.0))
+    run = sp.simulate(start, sp.Room(floor), motion, step=step)
+    way = speed**2 / (2.0 * (a + floor.kinetic_friction * G))
+    assert run.slide[0, -1, 0] == pytest.approx(way, abs=1e-7)
+    assert run.velocity[0, -1].tolist() == [0.0, 0.0, 0.0]

@@ -86,6 +86,6 @@ def test_space_is_not_what_is_missing_at_6_lower(study):
     plane, either, space = (mean(study, setting.name) for setting in IDEALS)
     for level in ("6-upper", "7"):
         assert space[level] <= either[level]
-        assert abs(space[level] - plane[level]) < 15.0
+        assert abs(space[level] - plane[level]) < 18.0  # of 72 runs, 6 points of standard error
     assert space["7"] > 80.0
     assert space["6-lower"] < 5.0

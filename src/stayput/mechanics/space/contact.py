@@ -76,9 +76,15 @@ def slip(c, poses):
 
 @inline
 def turns_back(c, before, after):
-    """Return whether a contact slips against the way in which it slipped before: it has stood between."""
+    """Return when a contact has stood that slips against the way in which it slipped before, else 1.
+
+    It is a share of the time between.
+    """
     u, v = slip(c, before), slip(c, after)
-    return u[0] * v[0] + u[1] * v[1] < 0.0
+    if u[0] * v[0] + u[1] * v[1] >= 0.0:
+        return 1.0
+    s, t = u[0] - v[0], u[1] - v[1]
+    return (u[0] * s + u[1] * t) / (s * s + t * t)
 
 
 @inline

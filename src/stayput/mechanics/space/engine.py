@@ -81,6 +81,9 @@ a body has a rim, which turns fast where it rolls nearly flat.
 CREEPS = 1e-4
 """Speed up to which what moves has no need of refined steps: it moves by a micrometre in one [m/s]."""
 
+STOOD = 0.999
+"""Share of a plain step before which it ends where a base stands that turns back: what sticks may hold it."""
+
 GROWS = 4.0
 """How many times as long as the last a refined step may be."""
 
@@ -221,9 +224,10 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
     if world[2].shape[0] > 0:
         within, least_h = RIM_TOLERANCE, RIM_LEAST * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
+    plain = False
     while True:
         push, ratio = push_at(a0, a1, (t + 0.5 * h) / dt, gravity), h / last if last > 0.0 else 0.0
-        count, meets = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
+        count, meets, stands = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
         least = math.inf
         if meets == h or h <= shortest:
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
@@ -232,15 +236,19 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
         if meets < h and h > shortest:
             h = max(shortest, min(meets, h - shortest))
             continue
-        if pace[ROUGH] > 0.0 or h < max(0.5 * least_h, 2.0 * shortest) or any_closes_fast(contacts, count):
-            if h > longest:
-                h = longest
-                continue
-            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest)
-            return h, count, least, False
+        plain = plain or pace[ROUGH] > 0.0 or h < max(0.5 * least_h, 2.0 * shortest)
+        plain = plain or any_closes_fast(contacts, count)
         # from rest it may begin to move within the step, which its end does not tell
-        if 0.0 < fastest(world[0], now) <= CREEPS and fastest(world[0], trial) <= CREEPS:
-            pace[LENGTH] = min(LONGER * longest, GROWS * h)
+        slow = 0.0 < fastest(world[0], now) <= CREEPS and fastest(world[0], trial) <= CREEPS
+        if plain and h > longest:
+            h = longest
+            continue
+        if plain or slow:
+            if shortest < stands < STOOD * h:
+                h = stands
+                continue
+            most = GROWS * h if slow else max(pace[LENGTH], 2.0 * h)
+            pace[LENGTH] = min(most, LONGER * longest if slow else longest)
             return h, count, least, False
         keep(contacts, count, kept[1], scratch[7][3])
         for d in range(held[1].shape[0]):
@@ -269,9 +277,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             pace[EVENT] = min(2.0 * pace[EVENT], longest)
             if pace[EVENT] == longest:
                 pace[ROUGH] = PAUSE
-            count, meets = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
-            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest)
-            return h, count, least, False
+            plain = True
 
 
 @inner
@@ -286,7 +292,7 @@ def _rests(world, held, poses, a0, a1, numbers, start, last, scratch, bears, wor
     count = 0
     for end in range(1 if bears else 0, 2):
         push, ratio = push_at(a0, a1, float(end), gravity), h / last if last > 0.0 else 0.0
-        count, _ = step(world, held, poses[0], poses[1], push, h, h, scratch, kept[0], ratio, work)
+        count, _, _ = step(world, held, poses[0], poses[1], push, h, h, scratch, kept[0], ratio, work)
         if not _at_rest(poses[1]):
             return False, count, last
         keep(contacts, count, kept[0], marks)

@@ -89,7 +89,8 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
     -------
     tuple
         The number of contacts, and when in the step the first hits that was open before. Where that is before
-        its end, and it is not the ``shortest``, nothing is solved.
+        its end, and it is not the ``shortest``, nothing is solved. At last when the first on the floor stood
+        that turns back, with a static friction above its kinetic one.
     """
     bodies, contacts, system = world[0], scratch[0], scratch[7]
     springs, pulls, _ = held
@@ -100,7 +101,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
     count = find_contacts(world, after, push, scratch, kept, ratio, h)
     meets = _impact(contacts, count, kept, ratio, h)
     if meets < h and h > shortest:
-        return count, meets
+        return count, meets, h
     if not any_closes_fast(contacts, count):
         slide(contacts, count, after, h)
     stretch(springs, pulls, after)
@@ -126,12 +127,16 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
     if not (converged and settled):
         work[1] += 1.0
     land(contacts, count, bodies, before, after)
+    stands = 1.0
     for k in range(count):
         c = contacts[k]
-        c.stuck = 0
         # one that bears nothing has not slipped either where it does not move: the next step may press it
-        if not has_slipped(c, after, h) or (c.pn > 0.0 and turns_back(c, before, after)):
-            c.stuck = 1
+        c.stuck = 0 if has_slipped(c, after, h) else 1
+        if c.stuck == 0 and c.pn > 0.0:
+            part = turns_back(c, before, after)
+            c.stuck = 1 if part < 1.0 else 0
+            if c.floor and c.mu_static > c.mu_kinetic:
+                stands = min(stands, part)
     for b in range(bodies.shape[0]):
         s = after[b]
         if _speed(bodies[b], s) <= RESTS * h:
@@ -140,7 +145,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
             stop(s)
         else:
             drift(bodies[b], s, 0.5 * h)
-    return count, meets
+    return count, meets, stands * h
 
 
 @inner
@@ -214,7 +219,7 @@ def refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio,
     for half in range(2):
         push = push_at(a0, a1, (t + (0.25 + 0.5 * half) * h) / dt, gravity)
         before, factor = kept[2 * half], 0.5 * ratio if half == 0 else 1.0
-        count, meets = step(
+        count, meets, _ = step(
             world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, 0.0, scratch, before, factor, work
         )
         if meets < 0.5 * h:
