@@ -6,36 +6,19 @@ from codecs import BOM_UTF8
 from pathlib import Path
 
 import pytest
-from commands import BEDROOM, BOOKCASE, cli
+from commands import BEDROOM, BOOKCASE, SLENDER, cli
 from rich.cells import cell_len
 
 from stayput.catalogue import LANGUAGES, say
 
-SCENARIO = """
-title = "A slender block"
-[furniture]
-width = 0.3
-height = 1.5
-mass = 60.0
-[room]
-back_wall = { gap = 0.02 }
-[shaking]
-builtin = "near-fault"
-scale = 0.8
-[uncertainty]
-samples = 6
-[[measures]]
-type = "belt"
-[[measures]]
-name = "glides"
-type = "felt_glides"
-"""
+GLIDES = '[[measures]]\nname = "glides"\ntype = "felt_glides"\n'
 
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
     path = tmp_path_factory.mktemp("scenario") / "block.toml"
-    path.write_text(SCENARIO)
+    scene = SLENDER.replace('"near-fault"', '"near-fault"\nscale = 0.8').replace("samples = 4", "samples = 6")
+    path.write_text('title = "A slender block"\n' + scene + GLIDES)
     return path
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from commands import cli
+from commands import SLENDER, cli
 
 from stayput.errors import InputError
 from stayput.files import check_target, draft, folder_draft
@@ -13,14 +13,6 @@ from stayput.files import check_target, draft, folder_draft
 if TYPE_CHECKING:
     from pathlib import Path
 
-SCENARIO = """
-[furniture]
-preset = "bookcase"
-[shaking]
-builtin = "near-fault"
-[uncertainty]
-samples = 2
-"""
 LONG = 300 * "a"
 WIDE = 120 * "あ"
 """A name whose bytes are too many, and its letters are not."""
@@ -47,7 +39,7 @@ def test_a_name_that_is_too_long_is_refused_in_a_sentence(
     name: str, command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "s.toml").write_text(SCENARIO, encoding="utf-8")
+    (tmp_path / "s.toml").write_text(SLENDER, encoding="utf-8")
     (tmp_path / "t.csv").write_text("id,width,height,mass\n1,0.3,1.8,60\n", encoding="utf-8")
     before = set(tmp_path.iterdir())
     done = cli(*command.format(name=name).split())
