@@ -40,8 +40,8 @@ def test_a_piece_alone_is_held_like_a_body_in_space(kinds: tuple[str, ...]) -> N
     alone = sp.simulate(BODY, ROOM, SHAKEN, of(*kinds), dimensions=3)
     among = sp.simulate(sp.Assembly([sp.Piece(BODY, measures=of(*kinds))]), ROOM, SHAKEN)
     assert among.outcome == alone.outcome
-    # the masses differ by a factor, and impacts make more of its rounding, on a wedge most
-    chatters = "belt" in kinds
+    # the masses differ by a factor, and impacts make more of its rounding: a wedge hits floor and wall at once
+    chatters = "wedge_stopper" in kinds
     assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=0.05 if chatters else 5e-3)
     if not chatters:
         hits = [[hit.impulse for hit in run.hits[:1]] for run in (among, alone)]
@@ -63,7 +63,7 @@ def test_a_piece_that_is_turned_about_is_held_to_the_wall_behind_it(kind: str) -
     turned = sp.Piece(BODY, (1.0, 2.0, 0.0), math.pi, of(kind))
     first = sp.simulate(sp.Assembly([facing]), ROOM, SHAKEN)
     second = sp.simulate(sp.Assembly([turned]), behind, about)
-    assert first.devices[0].peak_pull > 90.0
+    assert first.devices[0].peak_pull > 50.0
     before = first.time < 6.9  # in which impacts have not yet enlarged what differs by rounding
     np.testing.assert_allclose(first.tilt[0, before], second.tilt[0, before], atol=1e-9)
     for mine, theirs in zip(first.devices, second.devices, strict=True):
