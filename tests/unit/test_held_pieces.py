@@ -40,7 +40,7 @@ def test_a_piece_alone_is_held_like_a_body_in_space(kinds: tuple[str, ...]) -> N
     alone = sp.simulate(BODY, ROOM, SHAKEN, of(*kinds), dimensions=3)
     among = sp.simulate(sp.Assembly([sp.Piece(BODY, measures=of(*kinds))]), ROOM, SHAKEN)
     assert among.outcome == alone.outcome
-    # the masses differ by a factor, and impacts make more of its rounding: a wedge hits floor and wall at once
+    # masses differ by a factor, impacts make more of its rounding, and a wedge hits floor and wall at once
     chatters = "wedge_stopper" in kinds
     assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=0.05 if chatters else 5e-3)
     if not chatters:
