@@ -34,8 +34,7 @@ from studies.tokyo import (
     tokyo,
 )
 
-FOLDER = MOTIONS
-FILES = [FOLDER / f"jma_kobe_1995_{name}.AT2" for name in ("ns", "ew", "ud")]
+FILES = [MOTIONS / f"jma_kobe_1995_{name}.AT2" for name in ("ns", "ew", "ud")]
 needs_record = pytest.mark.skipif(
     not all(file.is_file() for file in FILES), reason="the record of JMA Kobe 1995 is absent"
 )
