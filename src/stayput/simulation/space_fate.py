@@ -160,6 +160,9 @@ SLID = 1e-6
 ROCKED = 1e-4
 """Tilt from which on a body has rocked [rad]: about what contacts may be deep, over a narrow base."""
 
+LEANS = 1e-3
+"""Tilt at the end from which on a body leans on what it touches [rad]: beside a wall it may still rock."""
+
 LIFTED = 1e-4
 """How far a body comes up or down when it has left what it stood on [m]."""
 
@@ -234,7 +237,7 @@ def fates_of(
             outcome = Outcome.FELL_OFF
         elif overturned is not None:
             outcome = Outcome.OVERTURNED
-        elif tilt[-1] > ROCKED and held:
+        elif tilt[-1] > LEANS and held:
             outcome = Outcome.LEANING
         elif tilt.max() > ROCKED:
             outcome = Outcome.ROCKED

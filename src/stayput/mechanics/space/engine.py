@@ -38,11 +38,12 @@ from stayput.mechanics.space.notes import (
     note_weight,
 )
 from stayput.mechanics.space.pairs import place_corners, touch
-from stayput.mechanics.space.rest import note_stances, stays_at_rest
+from stayput.mechanics.space.rest import SLIPS, STAYS, TIPS, note_stances, stays_at_rest
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import RUBS, fastest, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
+    RIM_POINTS,
     gap_of,
     lever_of_point,
     lowest_lever,
@@ -94,6 +95,9 @@ MOST_UNCONVERGED, FEW, MANY = 0.05, 20, 1000
 """Share of steps whose impulses did not converge from which on a run is given up (its forces are rough); not
 up to a few, as in a moment, and with many at once.
 """
+
+TIMED = 1e-9
+"""How exactly it is told when the floor holds no more what is at rest, in samples."""
 
 LYING = 1.0 - math.cos(math.radians(89.0))
 """1 − cos of the tilt from which on a body lies."""
@@ -302,6 +306,42 @@ def _rests(world, held, poses, a0, a1, numbers, start, last, scratch, bears, wor
 
 
 @inner
+def _stays_until(bodies, poses, floor, a0, a1, gravity, part, stances):
+    """Return until when, from ``part`` of the time between two samples on, the floor alone holds all at rest.
+
+    What it bears is convex in the push, so that there is one such time.
+
+    Returns
+    -------
+    tuple
+        The part of the time, and what then becomes of which body: 1 and `STAYS` where the floor holds all.
+    """
+    why, b = stays_at_rest(bodies, poses, floor, push_at(a0, a1, part, gravity), stances)
+    if why != STAYS:
+        return part, why, b
+    end = 1.0
+    why, b = stays_at_rest(bodies, poses, floor, push_at(a0, a1, end, gravity), stances)
+    while why != STAYS and end - part > TIMED:
+        middle = 0.5 * (part + end)
+        now, other = stays_at_rest(bodies, poses, floor, push_at(a0, a1, middle, gravity), stances)
+        if now == STAYS:
+            part = middle
+        else:
+            end, why, b = middle, now, other
+    return end, why, b
+
+
+@inner
+def _let_slip(world, b, kept):
+    """Let the contacts of a body with the floor, the first plane, slip from the next step on."""
+    body, rims = world[0][b], world[3].shape[0] * world[1].shape[0]
+    for key in range(body.first_point, body.first_point + body.points):
+        kept[key, 3] = 0.0 if kept[key, 3] == 1.0 else kept[key, 3]
+    for key in range(rims + body.first_rim * RIM_POINTS, rims + (body.first_rim + body.rims) * RIM_POINTS):
+        kept[key, 3] = 0.0 if kept[key, 3] == 1.0 else kept[key, 3]
+
+
+@inner
 def _stay(bodies, poses, histories, first):
     """Leave bodies where they are from a sample on."""
     for b in range(bodies.shape[0]):
@@ -376,35 +416,28 @@ def run_in_space(
     pace = scratch[11]
     pace[LENGTH], pace[EVENT], pace[ROUGH] = longest, LEAST * longest, 0.0
     pace[SHORT], pace[LIMIT] = 0.0, least_step
-    noted = bears = False
+    noted, bears, why = False, False, STAYS
     for k in range(acceleration.shape[0] - 1):
         a0, a1, start = acceleration[k], acceleration[k + 1], dt * k
-        # what preloaded devices bear at rest is known after a step
-        if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
-            if not noted:
-                note_stances(world, now, CLOSED, scratch[6])
-                note_loads(held[0], held[1], last, scratch[6][4])
-                noted = True
-            push = push_at(a0, a1, 1.0, gravity)
-            if stays_at_rest(bodies, now, floor, push_at(a0, a1, 0.0, gravity), scratch[6]) and stays_at_rest(
-                bodies, now, floor, push, scratch[6]
-            ):
-                note_pose(histories, k + 1, now)
-                note_weight(histories, k + 1, bodies, push, scratch[6][4])
-                note_forces(held[1], forces[k + 1])
-                bears = False
-                continue
-            bears, count, last = _rests(
-                world, held, poses, a0, a1, numbers, start, last, scratch, bears, work
-            )
-            if bears:
-                note_pose(histories, k + 1, now)
-                note_pressing(histories, k + 1, contacts, count, last)
-                note_forces(held[1], forces[k + 1])
-                continue
-        noted = bears = False
         t = 0.0
         while t < dt:
+            # what preloaded devices bear at rest is known after a step
+            if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
+                if not noted:
+                    note_stances(world, now, CLOSED, scratch[6])
+                    note_loads(held[0], held[1], last, scratch[6][4])
+                    noted = True
+                stayed = why == STAYS
+                part, why, b = _stays_until(bodies, now, floor, a0, a1, gravity, t / dt, scratch[6])
+                if why != STAYS and part == 0.0:
+                    bears, count, last = _rests(
+                        world, held, poses, a0, a1, numbers, start, last, scratch, bears, work
+                    )
+                if why == STAYS or bears:
+                    break
+                if why == SLIPS and (stayed or part > t / dt):
+                    _let_slip(world, b, kept[0])
+                t = part * dt
             if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):
                 _stay(bodies, now, histories, k + 1)
                 return
@@ -440,8 +473,12 @@ def run_in_space(
             for place in range(gaps.shape[1]):
                 gaps[0, place] = gaps[1, place]
             t = dt if t + h >= dt - 1e-12 else t + h
+            noted, why = False, TIPS
         note_pose(histories, k + 1, now)
-        note_pressing(histories, k + 1, contacts, count, last)
+        if why == STAYS:
+            note_weight(histories, k + 1, bodies, push_at(a0, a1, 1.0, gravity), scratch[6][4])
+        else:
+            note_pressing(histories, k + 1, contacts, count, last)
         note_forces(held[1], forces[k + 1])
         lies = lies + dt if _all_lie(bodies, now) else 0.0
         if lies > numbers[3]:

@@ -25,6 +25,9 @@ from stayput.mechanics.space.body import place_of
 from stayput.mechanics.space.touching import flat_within, gap_of, lever_of_point, lever_on_rim
 from stayput.mechanics.space.vectors import added
 
+STAYS, SLIPS, TIPS = range(3)
+"""What becomes of bodies at rest."""
+
 
 @inline
 def _lies(body, s, points, floor, i, closed):
@@ -127,14 +130,17 @@ def note_stances(world, poses, closed, stances):
 
 @inner
 def stays_at_rest(bodies, poses, floor, push, stances):
-    """Return whether the floor alone holds all bodies at rest; False where they stand on each other."""
+    """Return `STAYS` where the floor alone holds all bodies at rest.
+
+    Else `SLIPS` where one slides or turns on it, `TIPS` where one does or stands on another, and which.
+    """
     sides, counts, discs, frictions, loads, spreads = stances
     for b in range(bodies.shape[0]):
         mass, load = bodies[b].mass, loads[b]
         force = mass * push[0] + load[0], mass * push[1] + load[1]
         weight = -mass * push[2] - load[2]
         if weight <= 0.0 or math.hypot(force[0], force[1]) > frictions[b] * weight:
-            return False
+            return SLIPS if weight > 0.0 else TIPS, b
         height = place_of(poses[b])[2] - floor.offset
         # times the weight, where the force meets the floor
         x, y = height * force[0] + load[4], height * force[1] - load[3]
@@ -142,12 +148,12 @@ def stays_at_rest(bodies, poses, floor, push, stances):
         # without a circle its centre is no place to stand on
         if discs[b, 2] == 0.0 or far > weight * discs[b, 2]:
             if counts[b] == 0:
-                return False
+                return TIPS, b
             for i in range(bodies[b].first_point, bodies[b].first_point + counts[b]):
                 if sides[i, 0] * x + sides[i, 1] * y > weight * sides[i, 2]:
-                    return False
+                    return TIPS, b
         moment = load[5] - (load[4] * force[1] + load[3] * force[0]) / weight
         left = frictions[b] * weight - math.hypot(force[0], force[1])
         if abs(moment) > left * _least_arm(bodies[b].kappa, spreads[b], x / weight, y / weight):
-            return False
-    return True
+            return SLIPS, b
+    return STAYS, 0
