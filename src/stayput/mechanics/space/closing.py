@@ -52,7 +52,7 @@ ENTERS_BODIES = 1e-5
 
 @inner
 def keep(contacts, count, kept, marks):
-    """Note the impulses and what sticks, by contact, for the next step.
+    """Note impulses, what sticks, and when that changed, by contact, for the next step.
 
     Impulses of impacts say nothing of those of the next step, which begins without.
     """
@@ -64,7 +64,7 @@ def keep(contacts, count, kept, marks):
         c = contacts[k]
         part = 0.0 if marks[c.a] else 1.0
         kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
-        kept[c.key, 3] = float(c.stuck)
+        kept[c.key, 3], kept[c.key, 4] = float(c.stuck), c.when
 
 
 @inline

@@ -98,7 +98,7 @@ CONTACT = np.dtype(
     + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")]
     + [(name, "f8") for name in ("ln", "ls", "lt", "un", "us", "ut", "en", "es", "et", "gn", "gs", "gt")]
-    + [(name, "f8") for name in ("shift", "change", "rho")],
+    + [(name, "f8") for name in ("shift", "change", "rho", "when")],
     align=True,
 )
 """A closed contact: bodies a and b (−1: the room), the plane of the room (−1: none) and whether it is the
@@ -107,7 +107,7 @@ free flight opens it, the levers of friction about both G, coefficients of frict
 before, its restitution (0: it does not bounce) and the velocity wanted, impulses, their changes by a step of
 Newton's method, and the inverse mass that they see; of the augmented Lagrangian the multipliers, velocities,
 their changes along the direction and by the gradient, the shift of the normal velocity and its change, and
-the penalty.
+the penalty; and when in the step, as a share, it began or ended to slip (1: it did not).
 """
 
 SPRING = np.dtype(

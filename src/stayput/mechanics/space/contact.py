@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from stayput.compiling import inline
 from stayput.mechanics.space.body import angular_response, rotation, velocity
 from stayput.mechanics.space.touching import ROOM
@@ -76,15 +78,24 @@ def slip(c, poses):
 
 @inline
 def turns_back(c, before, after):
-    """Return when a contact has stood that slips against the way in which it slipped before, else 1.
+    """Return whether a contact slips against the way in which it slipped before."""
+    u, v = slip(c, before), slip(c, after)
+    return u[0] * v[0] + u[1] * v[1] < 0.0
 
-    It is a share of the time between.
+
+@inline
+def stands_at(c, before, after):
+    """Return when a contact that slips stands, over a step's length, with its friction always against that.
+
+    It is taken to slow down evenly; inf where it does not.
     """
     u, v = slip(c, before), slip(c, after)
-    if u[0] * v[0] + u[1] * v[1] >= 0.0:
-        return 1.0
-    s, t = u[0] - v[0], u[1] - v[1]
-    return (u[0] * s + u[1] * t) / (s * s + t * t)
+    speed = math.sqrt(u[0] * u[0] + u[1] * u[1])
+    if speed == 0.0:
+        return 0.0
+    along, friction = (u[0] * v[0] + u[1] * v[1]) / speed, (u[0] * c.ps + u[1] * c.pt) / speed
+    slows = speed - along + c.stiff * (c.mu_kinetic * c.pn + friction)
+    return speed / slows if slows > 0.0 else math.inf
 
 
 @inline

@@ -85,6 +85,14 @@ CREEPS = 1e-4
 STOOD = 0.999
 """Share of a plain step before which it ends where a base stands that turns back: what sticks may hold it."""
 
+LOCATED, AT_ONCE = 2.5, 0.1
+"""Longest step, over the longest plain one, in which the time is found when a contact begins or ends to slip;
+and the share of it within which others do so together with the first.
+"""
+
+TIMED, MOST_AGAIN = 2e-3, 3
+"""How exactly that is found, over the time until then, and in how many more steps."""
+
 GROWS = 4.0
 """How many times as long as the last a refined step may be."""
 
@@ -96,7 +104,7 @@ MOST_UNCONVERGED, FEW, MANY = 0.05, 20, 1000
 up to a few, as in a moment, and with many at once.
 """
 
-TIMED = 1e-9
+HELD = 1e-9
 """How exactly it is told when the floor holds no more what is at rest, in samples."""
 
 LYING = 1.0 - math.cos(math.radians(89.0))
@@ -205,9 +213,46 @@ def _meeting(world, poses, gaps, later, h):
 
 
 @inline
+def _stop_all(poses):
+    for b in range(poses.shape[0]):
+        stop(poses[b])
+
+
+@inline
 def _at_rest(poses):
     for b in range(poses.shape[0]):
         if moves(poses[b]):
+            return False
+    return True
+
+
+@inner
+def _first_event(kept):
+    """Return when in a step, as a share, the first contact begins or ends to slip; 1 where none does."""
+    first = 1.0
+    for key in range(kept.shape[1]):
+        if kept[0, key, 3] + kept[1, key, 3] == 1.0:
+            first = min(first, kept[1, key, 4])
+    return first
+
+
+@inner
+def _switching(contacts, count, kept, by, now):
+    """Return when a contact begins or ends to slip that did by a share of a longer step; let it ``now``."""
+    first = math.inf
+    for k in range(count):
+        c = contacts[k]
+        if kept[0, c.key, 3] + kept[1, c.key, 3] == 1.0 and kept[1, c.key, 4] <= by:
+            first = min(first, c.when)
+            if now:
+                c.stuck, c.when = int(kept[1, c.key, 3]), 0.0
+    return first
+
+
+@inline
+def _all_stick(contacts, count):
+    for k in range(count):
+        if not contacts[k].stuck:
             return False
     return True
 
@@ -228,7 +273,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
     if world[2].shape[0] > 0:
         within, least_h = RIM_TOLERANCE, RIM_LEAST * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
-    plain = False
+    plain, switch, tries = False, 0.0, 0  # the share of a step up to which contacts switch at its end
     while True:
         push, ratio = push_at(a0, a1, (t + 0.5 * h) / dt, gravity), h / last if last > 0.0 else 0.0
         count, meets, stands = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
@@ -238,8 +283,18 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             if left < 0.0:
                 meets = min(meets, _meeting(world, trial, gaps[0], gaps[1], h))
         if meets < h and h > shortest:
-            h = max(shortest, min(meets, h - shortest))
+            h, switch = max(shortest, min(meets, h - shortest)), 0.0
             continue
+        if switch > 0.0:
+            again = _switching(contacts, count, kept, switch, False)
+            if tries < MOST_AGAIN and abs(again - 1.0) > TIMED and shortest < again * h < 2.0 * h:
+                h, tries = again * h, tries + 1
+                continue
+            _switching(contacts, count, kept, switch, True)
+            if fastest(world[0], trial) <= CREEPS and _all_stick(contacts, count):
+                _stop_all(trial)
+            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), LONGER * longest)
+            return h, count, least, False
         plain = plain or pace[ROUGH] > 0.0 or h < max(0.5 * least_h, 2.0 * shortest)
         plain = plain or any_closes_fast(contacts, count)
         # from rest it may begin to move within the step, which its end does not tell
@@ -249,7 +304,8 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             continue
         if plain or slow:
             if shortest < stands < STOOD * h:
-                h = stands
+                keep(contacts, count, kept[1], scratch[7][3])
+                switch, h = stands / h + AT_ONCE, stands
                 continue
             most = GROWS * h if slow else max(pace[LENGTH], 2.0 * h)
             pace[LENGTH] = min(most, LONGER * longest if slow else longest)
@@ -271,10 +327,14 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
         for d in range(held[1].shape[0]):
             held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
         down_to = pace[EVENT] * (FINER if error == RUBS else 1.0)
+        first = _first_event(kept) if error == RUBS and h <= LOCATED * longest else 1.0
         if meets < h:
             h = max(shortest, min(meets, h - shortest))
         elif error >= 0.0:
             h *= 0.25 if error > 16.0 * within * h else 0.5
+        elif first < 1.0:
+            plain = first * h < down_to
+            switch, h = (0.0, down_to) if plain else (first + AT_ONCE, first * h)
         elif h > down_to:
             h = max(down_to, 0.5 * h)
         else:
@@ -321,7 +381,7 @@ def _stays_until(bodies, poses, floor, a0, a1, gravity, part, stances):
         return part, why, b
     end = 1.0
     why, b = stays_at_rest(bodies, poses, floor, push_at(a0, a1, end, gravity), stances)
-    while why != STAYS and end - part > TIMED:
+    while why != STAYS and end - part > HELD:
         middle = 0.5 * (part + end)
         now, other = stays_at_rest(bodies, poses, floor, push_at(a0, a1, middle, gravity), stances)
         if now == STAYS:
@@ -344,8 +404,7 @@ def _let_slip(world, b, kept):
 @inner
 def _stay(bodies, poses, histories, first):
     """Leave bodies where they are from a sample on."""
-    for b in range(bodies.shape[0]):
-        stop(poses[b])
+    _stop_all(poses)
     for later in range(first, histories.shape[1]):
         note_pose(histories, later, poses)
 

@@ -394,6 +394,7 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
     converged = _solve(contacts, count, held, bodies, poses, system, h, work)
     if _spread_anew(contacts, count, bodies, poses):
         set_rows(contacts, count, held, bodies, poses, system)
+        improve(contacts, count, held, bodies, poses, system, h)
         converged = _solve(contacts, count, held, bodies, poses, system, h, work)
     return converged
 
