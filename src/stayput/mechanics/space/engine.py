@@ -332,16 +332,14 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             h = max(shortest, min(meets, h - shortest))
         elif error >= 0.0:
             h *= 0.25 if error > 16.0 * within * h else 0.5
-        elif first < 1.0:
-            plain = first * h < down_to
-            switch, h = (0.0, down_to) if plain else (first + AT_ONCE, first * h)
-        elif h > down_to:
+        elif first == 1.0 and h > down_to:
             h = max(down_to, 0.5 * h)
         else:
             pace[EVENT] = min(2.0 * pace[EVENT], longest)
             if pace[EVENT] == longest:
                 pace[ROUGH] = PAUSE
-            plain = True
+            plain = first == 1.0 or first * h < down_to
+            switch, h = (0.0, min(h, down_to)) if plain else (first + AT_ONCE, first * h)
 
 
 @inner
