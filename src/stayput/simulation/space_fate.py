@@ -45,7 +45,7 @@ def _along(turn: NDArray[np.float64], axis: int, vector: NDArray[np.float64]) ->
 
 
 def yaws(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return by what a body has turned about the vertical from how it rests [rad], without jumps.
+    """Return by what a body has turned about the vertical from how it rests [rad].
 
     The rotation from rest is one about a horizontal axis after one about the vertical, which this is.
 
@@ -56,14 +56,14 @@ def yaws(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.flo
     """
     sine = _along(turn, 1, rest[0]) - _along(turn, 0, rest[1])
     cosine = _along(turn, 0, rest[0]) + _along(turn, 1, rest[1])
-    return np.unwrap(np.arctan2(sine, cosine))
+    return np.arctan2(sine, cosine)
 
 
 def upright_yaws(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the same as `yaws` while a body is tilted by up to `UPRIGHT`; then the last before."""
+    """Return the same without jumps while a body is tilted by up to `UPRIGHT`; then the last before."""
     upright = tilts(rest, turn) <= UPRIGHT
     last = np.maximum.accumulate(np.where(upright, np.arange(len(turn)), 0))
-    return yaws(rest, turn)[last]
+    return np.unwrap(yaws(rest, turn)[last])
 
 
 def unrolled(one: Standing, turn: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, list_of
-from stayput.report.history import peak_of, slid
+from stayput.report.history import peak_of
 from stayput.report.names import motion_place
 from stayput.report.summary import (
     DEVICE_KEYS,
@@ -189,8 +189,7 @@ def _of_one(run: SpaceRun, name: str) -> Phrase:
         return phrase("space.failed")
     if run.overturned[0]:
         return phrase("space.overturned", name=name, time=float(run.overturn_time[0]))
-    angle = float(np.degrees(run.tilt.max()))
-    way = float(slid(run).max())
+    angle, way = math.degrees(run.peak_tilt[0]), float(run.peak_slide[0])
     if run.outcome is Outcome.RESTED:
         return phrase("runs.rested", name=name)
     tilt = phrase("space.least_angle") if angle < 0.1 else phrase("space.up_to_angle", angle=angle)
