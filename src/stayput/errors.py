@@ -124,13 +124,7 @@ class _Told:
     """
 
     def __init__(
-        self,
-        code: str,
-        /,
-        field: str | None = None,
-        *,
-        context: tuple[Phrase, ...] = (),
-        **values: Any,
+        self, code: str, /, field: str | None = None, *, context: tuple[Phrase, ...] = (), **values: Any
     ) -> None:
         if field is not None:
             values.setdefault("name", field)

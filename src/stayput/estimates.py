@@ -201,12 +201,7 @@ def kaneko_hayashi_velocity(body: Body) -> float:
 
 
 def kaneko_hayashi(
-    body: Body,
-    pga: float,
-    pgv: float,
-    gravity: float = STANDARD_GRAVITY,
-    *,
-    scatter: float = SCATTER,
+    body: Body, pga: float, pgv: float, gravity: float = STANDARD_GRAVITY, *, scatter: float = SCATTER
 ) -> OverturningRatio:
     """Return the overturning ratio R = Φ[(ln A − ln A₅₀)/ζ] of Kaneko and Hayashi.
 

@@ -208,12 +208,7 @@ class Uncertainty:
         return Uncertainty, (dict(self.marginals),)  # a view of a mapping cannot be pickled
 
     def sample(
-        self,
-        n: int,
-        seed: int,
-        *,
-        motions: int | None = None,
-        start: int = 0,
+        self, n: int, seed: int, *, motions: int | None = None, start: int = 0
     ) -> dict[str, NDArray[np.float64]]:
         """Draw values, evenly spread: Sobol's points, with a random digital shift for each motion.
 

@@ -36,10 +36,7 @@ COMPILING = 300_000
 FEW = 4
 LOOKS = pytest.mark.parametrize(
     ("theme", "language", "size"),
-    [
-        ("dark", "en", PHONE),
-        *long(("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE)),
-    ],
+    [("dark", "en", PHONE), *long(("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE))],
 )
 
 

@@ -74,11 +74,7 @@ def bomb() -> bytes:
 
 @pytest.mark.parametrize(
     ("data", "words"),
-    [
-        (bomb(), "compressed archive"),
-        ("1," * 1_500_000, "line"),
-        ("\n".join(["1"] * 900_000), "time step"),
-    ],
+    [(bomb(), "compressed archive"), ("1," * 1_500_000, "line"), ("\n".join(["1"] * 900_000), "time step")],
 )
 def test_hostile_files_are_refused(
     client: httpx.Client, server: Running, data: bytes | str, words: str

@@ -31,11 +31,7 @@ def opened(browser: Browser, path: Path) -> tuple[Page, list[str]]:
 
 
 @pytest.mark.parametrize("size", [PHONE, *long(DESK)])
-def test_players_in_a_report_are_shown_whole(
-    browser: Browser,
-    tmp_path: Path,
-    size: dict[str, int],
-) -> None:
+def test_players_in_a_report_are_shown_whole(browser: Browser, tmp_path: Path, size: dict[str, int]) -> None:
     scenario = sp.Scenario.parse(
         {
             "furniture": {"preset": "bookcase"},

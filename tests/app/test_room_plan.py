@@ -361,10 +361,7 @@ def test_the_left_and_the_near_wall_are_pulled_and_what_stands_there_stays(edito
     width = room["plan"]["width"]
     assert width == pytest.approx(4.5, abs=0.03)
     moved = width - 4.0
-    assert room["furniture"][0] == {
-        **ROOM["furniture"][0],
-        "gap": 0.02,
-    }  # its back stays at the left wall
+    assert room["furniture"][0] == {**ROOM["furniture"][0], "gap": 0.02}  # its back stays at the left wall
     assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0])
     assert room["places"][0]["at"] == pytest.approx([3.3 + moved, 1.9])
     assert room["windows"][0]["start"] == pytest.approx(1.0 + moved)

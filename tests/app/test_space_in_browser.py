@@ -35,12 +35,7 @@ def run() -> Any:
 
 @contextmanager
 def opened(
-    browser: Browser,
-    path: Path,
-    *,
-    size: dict[str, int] = DESK,
-    mark: str = "#0.5",
-    **given: Any,
+    browser: Browser, path: Path, *, size: dict[str, int] = DESK, mark: str = "#0.5", **given: Any
 ) -> Generator[Page]:
     """Open the file at half a second; nothing may be asked of a network, and nothing go wrong."""
     context = browser.new_context(viewport=size, reduced_motion="reduce", **given)  # type: ignore[arg-type]

@@ -219,10 +219,7 @@ def place_at_rest(case: Standing) -> tuple[float, float]:
     """Return the place of the centre of gravity of a body at rest at slide 0 [m]."""
     (u, v), tilt = case.body.corners[0], case.body.resting_tilt
     x_a, z_a = standing_corners(case.body, State())[0]
-    return (
-        x_a - u * math.cos(tilt) - v * math.sin(tilt),
-        z_a - v * math.cos(tilt) + u * math.sin(tilt),
-    )
+    return (x_a - u * math.cos(tilt) - v * math.sin(tilt), z_a - v * math.cos(tilt) + u * math.sin(tilt))
 
 
 def check_friction_opposes_a_flat_slide(case: Standing, motion: Motion, found: Run) -> None:

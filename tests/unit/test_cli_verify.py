@@ -109,10 +109,7 @@ def test_curves_are_written_with_counts_a_figure_and_the_forms_of_loss_tools(cur
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (
-            ["--im", "SA(0.5s)"],
-            "'PFA', 'PFV', 'MMI', or SA(T) with a period T in seconds: SA(0.5).",
-        ),
+        (["--im", "SA(0.5s)"], "'PFA', 'PFV', 'MMI', or SA(T) with a period T in seconds: SA(0.5)."),
         (["--im", "PGAA"], "--im is 'PGAA' (did you mean 'PGA'?); it must be one of"),
         (["--measure", "belts"], "--measure is 'belts' (did you mean 'belt'?)"),
     ],

@@ -62,10 +62,7 @@ def scenario(**shaking: Any) -> Scenario:
             "shaking.mmi is given beside shaking.intensity; only one of the two must be given.",
         ),
         ({"pga": 3.0, "earthquake": QUAKE}, "shaking.earthquake is given beside shaking.pga"),
-        (
-            {"pgv": 0.3, "scale": 2.0},
-            "shaking.scale is given beside shaking.pgv",
-        ),
+        ({"pgv": 0.3, "scale": 2.0}, "shaking.scale is given beside shaking.pgv"),
         (
             {"sa": {"period": 20.0, "value": 3.0}},
             "shaking.sa.period is 20.0; it must be a number between 0.01 and 10 s.",

@@ -173,9 +173,7 @@ def test_the_sensors_of_a_borehole_are_called_in_each_language():
 
     below, above = (
         sp.Motion(
-            0.01,
-            k * WAVE,
-            listing=Listing((label,), (False,), 0, {"x": label}, f"TST001, {place}, 2006"),
+            0.01, k * WAVE, listing=Listing((label,), (False,), 0, {"x": label}, f"TST001, {place}, 2006")
         )
         for k, (label, place) in enumerate((("NS1", "borehole"), ("EW2", "surface")), 1)
     )

@@ -29,14 +29,7 @@ from stayput.report.room.sheet import (
 from stayput.report.verdict import numbers
 from stayput.rooms.changes import Change
 from stayput.rooms.events import CELL
-from stayput.rooms.verdict import (
-    ChangeVerdict,
-    DoorVerdict,
-    HitVerdict,
-    PlaceVerdict,
-    RoomPiece,
-    RoomVerdict,
-)
+from stayput.rooms.verdict import ChangeVerdict, DoorVerdict, HitVerdict, PlaceVerdict, RoomPiece, RoomVerdict
 from stayput.rooms.words import change_label, sentence_of_room
 from stayput.scenario.room import RoomScenario
 from stayput.simulation.placing import bare

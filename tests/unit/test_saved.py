@@ -184,10 +184,7 @@ def of_array(**parts: Any) -> dict[str, Any]:
         (of_array(dtype="O"), "stayput 9.0"),
         (of_array(shape=[10**12]), "stayput 9.0"),
         (of_array(shape=[-1]), "stayput 9.0"),
-        (
-            signed({"array": {"columns": [["a", "<f8", [10**9]]], "shape": [1], "bytes": ""}}),
-            "stayput 9.0",
-        ),
+        (signed({"array": {"columns": [["a", "<f8", [10**9]]], "shape": [1], "bytes": ""}}), "stayput 9.0"),
     ],
 )
 def test_other_files_are_refused_in_a_sentence(content: Any, told: str, tmp_path: Path):

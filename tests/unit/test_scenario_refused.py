@@ -58,16 +58,10 @@ def both_print(file: Path) -> str:
     ("changed", "said"),
     [
         (piece(1, on="chest", at=[0.3, 0.0]), "furniture[1].at = [0.3, 0.0] must be a place on 'chest'"),
-        (
-            piece(0, mass=2e6),
-            "furniture[0].mass is 2000000.0; it must be a number between 0.001 and 1e+06",
-        ),
+        (piece(0, mass=2e6), "furniture[0].mass is 2000000.0; it must be a number between 0.001 and 1e+06"),
         (piece(2, measures=[{"type": "belt"}]), "The piece 'vase' has measures"),
         (piece(1, measures=[{"type": "glue"}]), "furniture[1].measures[0].type is 'glue'"),
-        (
-            piece(1, measures=[{"type": "belt"}, {"type": "belt"}]),
-            "In [furniture[1]]: Belts is given twice",
-        ),
+        (piece(1, measures=[{"type": "belt"}, {"type": "belt"}]), "In [furniture[1]]: Belts is given twice"),
         (
             {"options": [{"name": "x", "pieces": [{"name": "chest", "measures": [{"type": "belt"}]}] * 2}]},
             "In [options[0]]: Belts is given twice",
@@ -137,11 +131,7 @@ def test_what_a_flag_gets_wrong_is_not_the_files(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("file", "told"),
-    [
-        ("bedroom.toml", "read_room where there is a"),
-        ("television.toml", "read_assembly"),
-    ],
+    ("file", "told"), [("bedroom.toml", "read_room where there is a"), ("television.toml", "read_assembly")]
 )
 def test_a_file_of_several_pieces_names_what_reads_it(file: str, told: str, tmp_path: Path):
     path = EXAMPLES / file

@@ -54,13 +54,7 @@ def test_a_floor_by_what_people_call_it(word, surface):
 
 
 @pytest.mark.parametrize(
-    ("word", "structure"),
-    [
-        ("木造", "wood"),
-        ("Ｓ造", "steel"),
-        ("rc造", "RC"),
-        ("鉄筋コンクリート造", "RC"),
-    ],
+    ("word", "structure"), [("木造", "wood"), ("Ｓ造", "steel"), ("rc造", "RC"), ("鉄筋コンクリート造", "RC")]
 )
 def test_a_structure_by_what_people_call_it(word, structure):
     assert sp.Building(5, word) == sp.Building(5, structure)

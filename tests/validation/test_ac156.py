@@ -73,12 +73,7 @@ def test_motions_are_independent_and_the_same_again():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        ((0.0,), "SDS"),
-        ((1.0, 1.5), "height_ratio"),
-        ((1.0, 0.5, "7-10"), "edition"),
-    ],
+    ("arguments", "words"), [((0.0,), "SDS"), ((1.0, 1.5), "height_ratio"), ((1.0, 0.5, "7-10"), "edition")]
 )
 def test_refusals(arguments, words):
     with pytest.raises(sp.InputError, match=words):

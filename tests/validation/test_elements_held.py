@@ -29,13 +29,7 @@ def test_elements_that_bear_next_to_nothing_change_next_to_nothing(name):
     """A spring of 10⁻¹² N/(kg m) keeps the second kernel at work to the end."""
     body, place, scale = PLACES[name]
     motion = SHAKEN.scaled(scale)
-    weak = planar(
-        (0.0, 0.0),
-        LEFT,
-        stiffness=(1e-12, 1e-12),
-        slack_plus=(0.0, 0.0),
-        slack_minus=(0.0, 0.0),
-    )
+    weak = planar((0.0, 0.0), LEFT, stiffness=(1e-12, 1e-12), slack_plus=(0.0, 0.0), slack_minus=(0.0, 0.0))
     one, other = bare(body, place, motion), held(body, place, motion, weak)
     for name in ("outcome", "floor_impacts", "wall_impacts"):
         assert other.result[name] == one.result[name]
@@ -119,14 +113,7 @@ def test_a_tied_block_follows_the_equations(slack, c):
 
     landing.terminal, landing.direction = True, -1
     exact = solve_ivp(
-        rates,
-        (0, 0.6),
-        [0.0, 1.2],
-        events=landing,
-        max_step=1e-3,
-        rtol=1e-10,
-        atol=1e-13,
-        dense_output=True,
+        rates, (0, 0.6), [0.0, 1.2], events=landing, max_step=1e-3, rtol=1e-10, atol=1e-13, dense_output=True
     )
     end = exact.t_events[0][0]
     impacts = [event.time for event in found.events if event.kind == 3]

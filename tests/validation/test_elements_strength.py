@@ -283,11 +283,7 @@ def test_an_isolator_stops_at_the_end_of_its_stroke(gap):
     """Low friction to the stroke, then a stiff stop that sends the body back with what it has."""
     mu, v, k = 0.01, 0.8, 2e3
     stop = planar(
-        (0.0, -0.25),
-        FLOOR,
-        stiffness=(0.0, k),
-        slack_plus=(np.inf, gap),
-        slack_minus=(np.inf, gap),
+        (0.0, -0.25), FLOOR, stiffness=(0.0, k), slack_plus=(np.inf, gap), slack_minus=(np.inf, gap)
     )
     found = held(sp.Body(4.0, 0.5, 100.0), room(mu), still(1.0, 0.001), stop, slide_rate=v)
     rate = math.sqrt(v * v - 2 * mu * G * gap)

@@ -19,8 +19,7 @@ def test_the_table_of_coefficients():
 
 
 @pytest.mark.parametrize(
-    ("storeys", "uppers"),
-    [(1, 0), (2, 1), (6, 1), (7, 2), (9, 2), (10, 3), (12, 3), (13, 4), (40, 4)],
+    ("storeys", "uppers"), [(1, 0), (2, 1), (6, 1), (7, 2), (9, 2), (10, 3), (12, 3), (13, 4), (40, 4)]
 )
 def test_upper_storeys(storeys, uppers):
     positions = [position_of(storey, storeys) for storey in range(1, storeys + 2)]

@@ -68,8 +68,7 @@ def test_the_scatter_is_the_papers() -> None:
 
 
 @pytest.mark.parametrize(
-    ("mmi", "cm_s"),
-    [(3.0, 0.295), (5.0, 4.65), (6.0, 9.64), (7.0, 20.0), (8.0, 41.4), (9.0, 85.8)],
+    ("mmi", "cm_s"), [(3.0, 0.295), (5.0, 4.65), (6.0, 9.64), (7.0, 20.0), (8.0, 41.4), (9.0, 85.8)]
 )
 def test_peak_velocity_of_a_mercalli_intensity_is_that_of_worden(mmi: float, cm_s: float) -> None:
     """Table of ShakeMap's scale by Worden et al. (2012): 4.65, 9.64, 20, 41.4 and 85.8 cm/s of V to IX."""

@@ -25,11 +25,7 @@ COSINE = (90.0,)
 
 @pytest.fixture(scope="module")
 def study():
-    return friction(
-        amplitudes=np.arange(5.0, 11.1, 0.4),
-        frequencies=np.arange(2.0, 4.6, 0.25),
-        duration=4.0,
-    )
+    return friction(amplitudes=np.arange(5.0, 11.1, 0.4), frequencies=np.arange(2.0, 4.6, 0.25), duration=4.0)
 
 
 @pytest.fixture(scope="module")

@@ -93,13 +93,7 @@ def slide_rock_by_newton(state, floor, mu, b, h):
     inertia = (b * b + h * h) / 3
     # v_P = v_G + θ̇(p_z, −p_x);  a_P = a_G + θ̈(p_z, −p_x) − θ̇²p
     matrix = np.array(
-        [
-            [1, 0, 0, 0, -1],
-            [0, 1, 0, -1, 0],
-            [0, 0, inertia, px, -pz],
-            [0, 1, -px, 0, 0],
-            [0, 0, 0, -mu, 1],
-        ]
+        [[1, 0, 0, 0, -1], [0, 1, 0, -1, 0], [0, 0, inertia, px, -pz], [0, 1, -px, 0, 0], [0, 0, 0, -mu, 1]]
     )
     right = np.array([-floor, -G, 0.0, omega**2 * pz, 0.0])
     ax, _, alpha, normal, _ = np.linalg.solve(matrix, right)

@@ -220,12 +220,7 @@ def test_a_piece_on_feet_meets_the_wall_with_its_side() -> None:
 
 @pytest.mark.parametrize(
     ("insets", "part"),
-    [
-        ((0.3, 0.0), "base inset"),
-        ((-0.01, 0.0), "base inset"),
-        ((0.0,), "2 numbers"),
-        ((0.0, 0.2), "centre"),
-    ],
+    [((0.3, 0.0), "base inset"), ((-0.01, 0.0), "base inset"), ((0.0,), "2 numbers"), ((0.0, 0.2), "centre")],
 )
 def test_insets_that_carry_nothing_are_refused(insets: tuple[float, ...], part: str) -> None:
     with pytest.raises(sp.InputError, match=part):

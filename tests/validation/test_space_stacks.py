@@ -71,10 +71,7 @@ def test_the_upper_drags_the_lower(speed: float) -> None:
     """
     m1, m2, mu1, mu2 = 20.0, 60.0, 0.1, 0.3
     lower, upper = sp.Solid.box(1.2, 1.0, 0.1, m1), sp.Solid.box(0.4, 0.4, 0.1, m2)
-    stack = (
-        sp.Standing(lower),
-        sp.Standing(upper, (-0.3, 0.0, 0.1), velocity=(speed, 0.0, 0.0)),
-    )
+    stack = (sp.Standing(lower), sp.Standing(upper, (-0.3, 0.0, 0.1), velocity=(speed, 0.0, 0.0)))
     gain = (mu2 * m2 - mu1 * (m1 + m2)) * G / m1
     assert gain > 0.0
     meet = speed / (mu2 * G + gain)

@@ -7,15 +7,7 @@ about 5-upper. What does not come out is tested as that, so that a change is not
 import numpy as np
 import pytest
 
-from studies.tombstones import (
-    IDEALS,
-    SETTINGS,
-    STATED,
-    cemeteries,
-    inside,
-    tombstones,
-    upper_stones,
-)
+from studies.tombstones import IDEALS, SETTINGS, STATED, cemeteries, inside, tombstones, upper_stones
 
 
 @pytest.fixture(scope="module")

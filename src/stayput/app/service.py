@@ -13,13 +13,7 @@ from stayput.app.jobs import Jobs
 from stayput.app.motions import Motions, Readers
 from stayput.app.refusals import refused
 from stayput.app.replies import Problem, Reply
-from stayput.app.scenes import (
-    read_pieces,
-    read_room_scene,
-    read_scene,
-    several_pieces,
-    uploaded_motions,
-)
+from stayput.app.scenes import read_pieces, read_room_scene, read_scene, several_pieces, uploaded_motions
 from stayput.app.turns import StoppedError, Turns, Workers
 from stayput.app.verification import job_reply
 from stayput.rooms.verdict import RoomVerdict

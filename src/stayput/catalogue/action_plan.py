@@ -11,10 +11,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "shaking": ("in shaking of JMA intensity {strength}", "{strength}の揺れ"),
     "shaking_of_one": ("under {motion}, of JMA intensity {strength}", "{motion}（{strength}の揺れ）"),
-    "then": (
-        "Chances after all {last} steps: {chances}.",
-        "1～{last}をすべて行うと、{chances}です。",
-    ),
+    "then": ("Chances after all {last} steps: {chances}.", "1～{last}をすべて行うと、{chances}です。"),
     "then_one": ("Chances after step 1: {chances}.", "1を行うと、{chances}です。"),
     "chance": ("{share} that {what}", "{what}確率は{share}"),
     "falls": ("Chance of overturning: {pieces}.", "倒れる確率：{pieces}。"),
@@ -24,10 +21,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "with or without it, nobody is hit or shut in more often in these runs; but it falls less",
         "計算した範囲では、人に当たる確率や外に出られなくなる確率は変わりませんが、倒れにくくなります",
     ),
-    "no_gain": (
-        "in these runs it changes nothing",
-        "計算した範囲では、何も変わりません",
-    ),
+    "no_gain": ("in these runs it changes nothing", "計算した範囲では、何も変わりません"),
     "decided": ("your choice", "決めた変更"),
     "nothing": (
         "In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be bought.",
@@ -104,18 +98,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{product}（長さ{length:.2f} m、厚さ{thickness:.0f} mm）",
     ),
     # What is not strong enough
-    "weak": (
-        "Not strong enough for JMA intensity {strength}.",
-        "{strength}の揺れには、強さが足りません。",
-    ),
+    "weak": ("Not strong enough for JMA intensity {strength}.", "{strength}の揺れには、強さが足りません。"),
     "weak_bears": (
         "{measure}: each needs {needed}, holds about {holds} ({fails})",
         "{measure}：1個あたり{needed}必要なところ、約{holds}（{fails}）",
     ),
-    "weak_to": (
-        "enough up to {strength}",
-        "{strength}までなら足ります",
-    ),
+    "weak_to": ("enough up to {strength}", "{strength}までなら足ります"),
     "not_enough": (
         "Not enough for {pieces}: what else you can do",
         "強さや効果が足りない家具（{pieces}）に、ほかにできること",

@@ -47,10 +47,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The body is too large; at most {most} bytes are accepted.",
         "送信されたデータが大きすぎます。{most}バイトまでです。",
     ),
-    "body_too_slow": (
-        "The body came too slowly.",
-        "送信に時間がかかりすぎました。もう一度お試しください。",
-    ),
+    "body_too_slow": ("The body came too slowly.", "送信に時間がかかりすぎました。もう一度お試しください。"),
     "not_json": ("The body is not JSON.", "送信されたデータがJSONではありません。"),
     "not_valid": ("{name}: {message}.", "{name}の値が正しくありません。"),
     # What is allowed in a body: see stayput.app.refusals
@@ -69,10 +66,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}という項目はありません。取り除いてください。",
     ),
     "no_such_address": ("There is nothing at this address.", "このアドレスには何もありません。"),
-    "wrong_method": (
-        "This address does not take this method.",
-        "このアドレスではそのメソッドは使えません。",
-    ),
+    "wrong_method": ("This address does not take this method.", "このアドレスではそのメソッドは使えません。"),
     "the_body": ("The body", "送信されたデータ"),
     "http": ("{message}.", "リクエストを処理できませんでした。"),
     "half_character": (

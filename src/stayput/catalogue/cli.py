@@ -115,10 +115,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{motion}：応答スペクトル、減衰{damping:g}%",
     ),
     "period": ("Period [s]", "周期 [s]"),
-    "suite": (
-        "{count}: JMA intensity {low:.1f} to {high:.1f}",
-        "{count}：計測震度{low:.1f}～{high:.1f}",
-    ),
+    "suite": ("{count}: JMA intensity {low:.1f} to {high:.1f}", "{count}：計測震度{low:.1f}～{high:.1f}"),
     "suite_off": (
         (
             "Median spectrum against {target}, {first:g} to {last:g} s: {mean:.1f} % off on average, "

@@ -62,10 +62,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "difference": ("{estimate} points ({low} to {high})", "{estimate}ポイント（{low}～{high}）"),
     "difference_unknown": ("unknown (no pair of runs)", "不明（対になる計算なし）"),
     "capacity": ("{value} ({ends})", "{value}（{ends}）"),
-    "capacity_one_motion": (
-        "{value} (one motion: no interval)",
-        "{value}（地震動が1つのため区間なし）",
-    ),
+    "capacity_one_motion": ("{value} (one motion: no interval)", "{value}（地震動が1つのため区間なし）"),
     "capacity_between": ("between {above} and {below}{doubt}", "{above}～{below}{doubt}"),
     "capacity_above": ("> {above}{doubt}", "{above}超{doubt}"),
     "capacity_below": ("< {below}{doubt}", "{below}未満{doubt}"),

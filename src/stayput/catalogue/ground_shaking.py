@@ -19,10 +19,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "magnitude {magnitude:.3g} at {distance:.3g} km",
         "マグニチュード{magnitude:.3g}、断層までの距離{distance:.3g} km",
     ),
-    "scaled": (
-        "{stated}, to which each motion is scaled",
-        "{stated}（各地震動をこの値に合わせます）",
-    ),
+    "scaled": ("{stated}, to which each motion is scaled", "{stated}（各地震動をこの値に合わせます）"),
     "of_floor": (
         "{strength} (by the motion on {floor}, not of the place)",
         "{strength}相当（{floor}の揺れによる値で、その場所の震度ではない）",

@@ -71,10 +71,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "幅が奥行より小さい家具：{rows}。横に倒れることもありますが、奥行方向（前後）の揺れだけを評価しています。",
     ),
     # Maps
-    "map_without": (
-        "Share that overturns, in per cent, without a measure",
-        "転倒する割合（%）：対策なし",
-    ),
+    "map_without": ("Share that overturns, in per cent, without a measure", "転倒する割合（%）：対策なし"),
     "map_best": (
         "The same with the best measure on each piece that one clearly helps",
         "転倒する割合（%）：効果を確認できた対策をとったとき",
@@ -142,10 +139,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "none": ("None.", "ありません。"),
     # What was done
     "done": ("What was done", "計算の内容"),
-    "read": (
-        "{rows} below the header, read as {how}.",
-        "見出しの下の{rows}を、{how}として読み込みました。",
-    ),
+    "read": ("{rows} below the header, read as {how}.", "見出しの下の{rows}を、{how}として読み込みました。"),
     "with_bars": ("{encoding} with bars", "{encoding}（縦棒区切り）"),
     "with_tabs": ("{encoding} with tabs", "{encoding}（タブ区切り）"),
     "with_semicolons": ("{encoding} with semicolons", "{encoding}（セミコロン区切り）"),

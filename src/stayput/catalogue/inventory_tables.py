@@ -76,10 +76,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{first} and {header} are both the {name}",
         "{first}と{header}の両方が{name}に当たります",
     ),
-    "doubt_count": (
-        "{header} seems to say how many pieces there are",
-        "{header}は家具の数のようです",
-    ),
+    "doubt_count": ("{header} seems to say how many pieces there are", "{header}は家具の数のようです"),
     "doubt_total": (
         "{header} may be of all pieces of a row, and stayput takes that of one (if it is that: value=…)",
         "{header}は行全体の合計かもしれません（stayputは1点あたりの額を使います。1点の額ならvalue=…）",

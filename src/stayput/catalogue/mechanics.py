@@ -24,17 +24,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "slack": ("a length, or inf", "長さ、またはinf"),
     "friction": ("0 or more, or NaN for none", "0以上、または摩擦なしを表すNaN"),
     "no_damping_without_stiffness": ("0 where there is no stiffness", "剛性がない場合は0"),
-    "no_damping_with_friction": (
-        "0 where the tangent slips by friction",
-        "接線方向が摩擦ですべる場合は0",
-    ),
-    "brittle_with_interaction": (
-        "0 where pull and shear act together",
-        "引張とせん断が連成する場合は0",
-    ),
-    "axial_has_no_shear": (
-        "0 for an axial one, which has no shear",
-        "せん断のない軸方向要素では0",
-    ),
+    "no_damping_with_friction": ("0 where the tangent slips by friction", "接線方向が摩擦ですべる場合は0"),
+    "brittle_with_interaction": ("0 where pull and shear act together", "引張とせん断が連成する場合は0"),
+    "axial_has_no_shear": ("0 for an axial one, which has no shear", "せん断のない軸方向要素では0"),
 }
 """Texts by their keys: English, Japanese."""

@@ -183,10 +183,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The number of rows of numbers is {rows}; it must be at least 2.",
         "ファイルのデータが{rows}行しかありません。2行以上必要です。",
     ),
-    "no_header_entry": (
-        "The header has no {what}; it must state it.",
-        "ヘッダーに{what}がありません。",
-    ),
+    "no_header_entry": ("The header has no {what}; it must state it.", "ヘッダーに{what}がありません。"),
     "decimal_comma": (
         "Value {index} of the {what} is {value}; its decimal mark must be a point, unless {option} is given.",
         "{what}の{index}番目の値が{value}です。小数点を「.」にするか、「,」であれば{option}を指定してください。",

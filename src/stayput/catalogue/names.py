@@ -91,10 +91,7 @@ FAMILIES: dict[str, tuple[tuple[str, str], tuple[str, str]]] = {
     ),
     "crustal": (
         ("In the crust, some way off", "内陸の地殻内地震"),
-        (
-            "a shallow earthquake some tens of kilometres away",
-            "数十キロ離れた浅い地震",
-        ),
+        ("a shallow earthquake some tens of kilometres away", "数十キロ離れた浅い地震"),
     ),
     "subduction": (
         ("At the plate boundary", "海溝型の巨大地震"),

@@ -45,10 +45,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Floor spectrum Sa, x, {damping:g} % [m/s²]",
         "床応答スペクトル Sa、x、減衰{damping:g}% [m/s²]",
     ),
-    "sa_of": (
-        "Sa of {component}, {damping:g} % damping [m/s²]",
-        "{component}のSa、減衰{damping:g}% [m/s²]",
-    ),
+    "sa_of": ("Sa of {component}, {damping:g} % damping [m/s²]", "{component}のSa、減衰{damping:g}% [m/s²]"),
     "acceleration": ("Acceleration [m/s²]", "加速度 [m/s²]"),
     "velocity": ("Velocity [cm/s]", "速度 [cm/s]"),
     "displacement": ("Displacement [cm]", "変位 [cm]"),

@@ -400,10 +400,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "quantity_restitution": ("Rebound of the rocking, factor", "ロッキングの反発に掛ける倍率"),
     "quantity_wall_restitution": ("Restitution of the walls", "壁の反発係数"),
     "quantity_mass": ("Mass, factor on its value", "質量に掛ける倍率"),
-    "quantity_gravity_height": (
-        "Height of the centre of gravity, factor",
-        "重心の高さに掛ける倍率",
-    ),
+    "quantity_gravity_height": ("Height of the centre of gravity, factor", "重心の高さに掛ける倍率"),
     "quantity_wall_gap": ("Gaps to the walls, factor on their value", "壁とのすき間に掛ける倍率"),
     "quantity_lean": ("Lean of the floor, forwards [rad]", "床の傾き（前方へ、rad）"),
     "quantity_back_inset": (

@@ -3,10 +3,7 @@
 TEXTS: dict[str, tuple[str, str]] = {
     # The page, from its top to its foot
     "skip": ("Skip to the plan", "平面図へ移動"),
-    "any_hit": (
-        "Somebody is hit, at one place or more",
-        "どこかの場所で人に家具が当たる確率",
-    ),
+    "any_hit": ("Somebody is hit, at one place or more", "どこかの場所で人に家具が当たる確率"),
     "any_shut_in": (
         "Somebody has no way out, from one place or more",
         "どこかの場所から外に出られなくなる確率",

@@ -142,10 +142,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{often}{piece}が倒れます{interval}{others}",
     ),
     "with_others": (", beside others ({count})", "。ほかにも{count}個の家具が倒れることがあります"),
-    "change_of": (
-        "{change}. The chance that {what} {goes}",
-        "{change}すると、{what}確率は{goes}",
-    ),
+    "change_of": ("{change}. The chance that {what} {goes}", "{change}すると、{what}確率は{goes}"),
     "chance_of_hit": ("somebody is hit", "人に当たる"),
     "chance_of_shut_in": ("somebody is shut in", "外に出られなくなる"),
     "chance_of_blocked": ("a door is blocked", "ドアがふさがる"),

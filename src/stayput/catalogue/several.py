@@ -34,10 +34,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "without": (" without joints and measures", ""),
     "most_often": ("most often: {name} ({share})", "最も多いのは「{name}」（{share}）です"),
     "loose": ("{name} overturns {falls}", "「{name}」は{falls}"),
-    "joint_fails": (
-        "mostly what joins {first} and {second}",
-        "多くは「{first}」と「{second}」の接合部です",
-    ),
+    "joint_fails": ("mostly what joins {first} and {second}", "多くは「{first}」と「{second}」の接合部です"),
     "device_of": ("mostly on {name}: {weakest}", "多くは「{name}」で、{weakest}ことによります"),
     "slides": (
         "in nine of ten no furniture slides by more than {length}",

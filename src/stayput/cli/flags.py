@@ -319,11 +319,7 @@ def _from_here(key: str, value: Any, flag: str, path: Path | None) -> Any:
 
 
 def opened(
-    path: Path | None,
-    said: FlagValues,
-    outputs: Sequence[Path | None],
-    *,
-    of_one: Mapping[str, object],
+    path: Path | None, said: FlagValues, outputs: Sequence[Path | None], *, of_one: Mapping[str, object]
 ) -> Scenario | AssemblyScenario:
     """Return the scenario, assembly or room of a file, or of the built-in example, under the flags.
 

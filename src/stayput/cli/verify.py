@@ -42,9 +42,7 @@ def verify(
     measure: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="TYPE|NAME",
-            help="cli_help.only_measure",
-            autocompletion=words("measures:MEASURES"),
+            metavar="TYPE|NAME", help="cli_help.only_measure", autocompletion=words("measures:MEASURES")
         ),
     ] = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.report")] = None,

@@ -132,10 +132,7 @@ def _floor(storey: int, language: str, roof: bool) -> str:
 
 
 def report_html(
-    summary: Summary,
-    facts: Mapping[str, Any],
-    manifest: Mapping[str, Any],
-    language: str = "en",
+    summary: Summary, facts: Mapping[str, Any], manifest: Mapping[str, Any], language: str = "en"
 ) -> str:
     """Return the report as HTML.
 

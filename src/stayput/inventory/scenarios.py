@@ -174,9 +174,7 @@ class Scenarios:
 
 
 def read_scenarios(
-    path: str | Path | ScenarioFile,
-    shakemap: ShakeMap | None = None,
-    changed: Changed | None = None,
+    path: str | Path | ScenarioFile, shakemap: ShakeMap | None = None, changed: Changed | None = None
 ) -> Scenarios:
     """Read a scenario file, or a folder of them; one that has been read is taken as it is.
 

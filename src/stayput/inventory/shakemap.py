@@ -142,10 +142,7 @@ class ShakeMap:
         if math.isnan(level) or math.isnan(scatter):
             raise InputError("inventory_tables.map_is_silent", "lat", lat=lat, lon=lon)
         steps = steps_of(self.measure)
-        return GroundLevel(
-            round(level * steps) / steps,
-            round(scatter * SCATTER_STEPS) / SCATTER_STEPS,
-        )
+        return GroundLevel(round(level * steps) / steps, round(scatter * SCATTER_STEPS) / SCATTER_STEPS)
 
     def _value(self, values: NDArray[np.float64], lat: float, lon: float) -> float:
         if values.ndim == 1:

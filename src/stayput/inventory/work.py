@@ -62,11 +62,7 @@ _draws, _first_draws = lru_cache(maxsize=64)(draws), lru_cache(maxsize=64)(first
 
 
 def evaluate(
-    units: Sequence[Unit],
-    measures: str,
-    floor: PreparedFloor,
-    settings: Settings,
-    kind: np.dtype[np.void],
+    units: Sequence[Unit], measures: str, floor: PreparedFloor, settings: Settings, kind: np.dtype[np.void]
 ) -> tuple[NDArray[np.void], int, float]:
     """Simulate units of one set of measures and one floor on this thread.
 
@@ -232,12 +228,7 @@ class Work:
     """
 
     def __init__(
-        self,
-        store: Store,
-        scenarios: Scenarios,
-        folder: Path,
-        slide_limit: float,
-        floor_memory: int,
+        self, store: Store, scenarios: Scenarios, folder: Path, slide_limit: float, floor_memory: int
     ) -> None:
         self.store, self.scenarios = store, scenarios
         self.floor_memory = floor_memory
@@ -337,10 +328,7 @@ class Work:
             saved_at = time.monotonic()
 
         try:
-            with (
-                closing(self.tasks(pool.width)) as calls,
-                closing(pool.as_completed(calls)) as outcomes,
-            ):
+            with closing(self.tasks(pool.width)) as calls, closing(pool.as_completed(calls)) as outcomes:
                 for _, outcome in outcomes:
                     self._store_outcome(outcome, unsaved, advance)
                     late = time.monotonic() - saved_at > SAVE_AFTER

@@ -325,8 +325,7 @@ CEILING_LINKS: Mapping[str, Link] = {
         Confidence.MEDIUM,
     ),
     "concrete": Link(
-        ("slab of concrete", "コンクリートの天井"),
-        ("the slab gives way", "天井スラブが壊れる"),
+        ("slab of concrete", "コンクリートの天井"), ("the slab gives way", "天井スラブが壊れる")
     ),
 }
 """What a pole pushes against, by what the ceiling is made of; a dropped one bears nothing."""

@@ -49,18 +49,9 @@ GRADE_OF: Mapping[str, Grade] = MappingProxyType(
 
 MEANINGS: Mapping[Grade, tuple[str, str]] = MappingProxyType(
     {
-        Grade.A: (
-            "measured, from a standard, or given by you",
-            "測定値・規格値、または利用者の指定",
-        ),
-        Grade.B: (
-            "published or usual values that scatter",
-            "公表値または一般的な値。ばらつきあり",
-        ),
-        Grade.C: (
-            "assumed defaults; replace them by your own",
-            "仮定した既定値。実際の値に置き換えが必要",
-        ),
+        Grade.A: ("measured, from a standard, or given by you", "測定値・規格値、または利用者の指定"),
+        Grade.B: ("published or usual values that scatter", "公表値または一般的な値。ばらつきあり"),
+        Grade.C: ("assumed defaults; replace them by your own", "仮定した既定値。実際の値に置き換えが必要"),
     }
 )
 """What each grade means, in English and Japanese."""

@@ -7,11 +7,7 @@ import math
 from stayput.compiling import entry, inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, CONTACTS, ENDED, LIMIT, PLANE
 from stayput.mechanics.contact import base_friction, cross, is_single_ray
-from stayput.mechanics.devices.elements import (
-    note_forces_of_links,
-    range_within_facets,
-    time_within_facets,
-)
+from stayput.mechanics.devices.elements import note_forces_of_links, range_within_facets, time_within_facets
 from stayput.mechanics.geometry import STICK_RATE, arm, gap, own_friction, to_plane_axes, value_or
 from stayput.mechanics.records import advance_clock, loads, lowest_product, record_sample
 from stayput.mechanics.roots import first_closing

@@ -321,11 +321,7 @@ def _least_change(first, second, gap1, gap2, I, s):
     if abs(det) < 1e-14:
         return 0.0, 0.0, 0.0
     p, q = -(gap1 * bb - gap2 * ab) / det, -(gap2 * aa - gap1 * ab) / det
-    return (
-        -(p * first.sin + q * second.sin),
-        p * first.cos + q * second.cos,
-        -(p * sigma1 + q * sigma2) / I,
-    )
+    return (-(p * first.sin + q * second.sin), p * first.cos + q * second.cos, -(p * sigma1 + q * sigma2) / I)
 
 
 @inner

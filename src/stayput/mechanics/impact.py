@@ -13,13 +13,7 @@ import math
 
 from stayput.compiling import inner
 from stayput.mechanics.columns import CONTACTS, FLOOR_BITS, PLANE, ROCK
-from stayput.mechanics.contact import (
-    both_slip,
-    fill_rows,
-    one_slips,
-    one_sticks,
-    sticks_beside,
-)
+from stayput.mechanics.contact import both_slip, fill_rows, one_slips, one_sticks, sticks_beside
 from stayput.mechanics.fulcrum import NEAR_LIMIT, margins
 from stayput.mechanics.geometry import (
     STICK_RATE,

@@ -269,10 +269,7 @@ def _normals(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> NDArr
 
 
 def _grouped(
-    points: NDArray[np.float64],
-    triangles: NDArray[np.int64],
-    neighbours: NDArray[np.int32],
-    tolerance: float,
+    points: NDArray[np.float64], triangles: NDArray[np.int64], neighbours: NDArray[np.int32], tolerance: float
 ) -> NDArray[np.int64]:
     """Return the number of each triangle's face: neighbours that lie in the plane of the largest of them."""
     normals = _normals(points, triangles)

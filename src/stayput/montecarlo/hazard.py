@@ -100,9 +100,7 @@ class Ground:
         """The motions without the components that do not act on the furniture."""
         return tuple(
             replace(
-                motion,
-                y=motion.y if self.dimensions == 3 else None,
-                z=motion.z if self.vertical else None,
+                motion, y=motion.y if self.dimensions == 3 else None, z=motion.z if self.vertical else None
             )
             for motion in self.motions
         )

@@ -124,11 +124,7 @@ def _side_by_side(rows: list[NDArray[np.void]]) -> NDArray[np.void]:
 
 
 def _runs(
-    rows: Rows,
-    results: NDArray[np.void],
-    devices: NDArray[np.void],
-    failed: NDArray[np.bool_],
-    motions: int,
+    rows: Rows, results: NDArray[np.void], devices: NDArray[np.void], failed: NDArray[np.bool_], motions: int
 ) -> Runs:
     shape = (motions, len(results) // motions)
     count = rows.elements.shape[1]

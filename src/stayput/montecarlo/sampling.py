@@ -176,10 +176,7 @@ def drawn_body(body: Body, draw: Draw) -> Body:
     """Return the body with its mass, the height of its centre of gravity and how it stands as drawn."""
     x, z = body.cg_offset
     back, front = body.base_heights
-    insets = (
-        float(_drawn_inset(body, 0, draw.back_inset)),
-        float(_drawn_inset(body, 1, draw.front_inset)),
-    )
+    insets = (float(_drawn_inset(body, 0, draw.back_inset)), float(_drawn_inset(body, 1, draw.front_inset)))
     height = min(0.95, draw.gravity_height * (0.5 + z / body.height)) * body.height
     inertia = None if body.inertia is None else draw.mass * body.inertia
     standing = replace(body, base_insets=insets)

@@ -303,11 +303,7 @@ def strength_of_pgv(pgv: float) -> GroundStrength:
 
 @arguments(
     period=quantity(
-        "s",
-        0.01,
-        10.0,
-        ("Period", "周期"),
-        "Natural period of the oscillator, whose damping is 5 %.",
+        "s", 0.01, 10.0, ("Period", "周期"), "Natural period of the oscillator, whose damping is 5 %."
     ),
     value=quantity(
         "m/s²",

@@ -20,10 +20,7 @@ __all__ = ["DAMPING", "PERIODS", "ResponseSpectrum", "response_spectrum", "spect
 
 
 def response_spectrum(
-    motion: Motion,
-    periods: ArrayLike = PERIODS,
-    damping: float = DAMPING,
-    component: str = "x",
+    motion: Motion, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
 ) -> ResponseSpectrum:
     """Return the response spectrum of one component of a motion.
 

@@ -159,9 +159,7 @@ def body_html(body: Body) -> str:
 def room_html(room: Room) -> str:
     """Return a room as a drawing with a piece of usual size in it."""
     figure = _drawn(lambda axis: draw_body_in_room(axis, None, room, "en"), 5.6, 4.6)
-    table = [
-        (say("notebook.friction"), f"{room.floor.static_friction:g}, {room.floor.kinetic_friction:g}"),
-    ]
+    table = [(say("notebook.friction"), f"{room.floor.static_friction:g}, {room.floor.kinetic_friction:g}")]
     return _shown(repr(room), figure, table)
 
 

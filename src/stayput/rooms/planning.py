@@ -22,14 +22,7 @@ from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
 from stayput.rooms.changes import Change, held_part
 from stayput.rooms.decisions import Decisions, decisions_of, elsewhere, moved_as_decided
-from stayput.rooms.effects import (
-    OtherTracks,
-    effect_of,
-    falling_pieces,
-    harmful_pieces,
-    moves_of,
-    risk_of,
-)
+from stayput.rooms.effects import OtherTracks, effect_of, falling_pieces, harmful_pieces, moves_of, risk_of
 from stayput.rooms.events import Hits, hits_of
 from stayput.rooms.runs import PartRuns, RoomPart, group_of, part_with, with_measures, with_member
 from stayput.rooms.steps import (

@@ -36,23 +36,10 @@ if TYPE_CHECKING:
     from stayput.scenario.room import RoomScenario
     from stayput.verification.options import Input
 
-SETS = (
-    ("l_bracket",),
-    ("belt",),
-    ("tension_pole",),
-    ("gel_mats",),
-    COMBINED,
-    ("gel_mats", "tension_pole"),
-)
+SETS = (("l_bracket",), ("belt",), ("tension_pole",), ("gel_mats",), COMBINED, ("gel_mats", "tension_pole"))
 """What is tried on a piece: one measure, or two together."""
 
-COST_CLASSES = {
-    "l_bracket": 1,
-    "belt": 1,
-    "wedge_stopper": 1,
-    "gel_mats": 2,
-    "tension_pole": 2,
-}
+COST_CLASSES = {"l_bracket": 1, "belt": 1, "wedge_stopper": 1, "gel_mats": 2, "tension_pole": 2}
 """Cost of a measure for one piece: a convention of this program, and no price."""
 
 COST_BOUNDS = ((2_000, 15), (6_000, 40))

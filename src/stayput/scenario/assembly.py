@@ -164,9 +164,7 @@ class AssemblyScenario(FromFile):
         """What a verification compares; empty where the file says nothing."""
         return tuple(
             AssemblyOption(
-                table.name,
-                table.joined and bool(self.joints),
-                tuple(table.on(name) for name in self.names),
+                table.name, table.joined and bool(self.joints), tuple(table.on(name) for name in self.names)
             )
             for table in self.option_tables or ()
         )

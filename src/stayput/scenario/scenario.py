@@ -17,13 +17,7 @@ from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyT
 from stayput.scenario.origin import FromFile, Gravity, Title
 from stayput.scenario.pieces import NOTHING
 from stayput.scenario.shaking import ShakingTable
-from stayput.scenario.tables import (
-    ContentsTable,
-    EverydayTable,
-    FurnitureTable,
-    InitialTable,
-    RoomTable,
-)
+from stayput.scenario.tables import ContentsTable, EverydayTable, FurnitureTable, InitialTable, RoomTable
 from stayput.simulation.case import Case
 from stayput.uncertainty import QUANTITIES, Uncertainty
 

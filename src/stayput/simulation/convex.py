@@ -91,10 +91,7 @@ def separation(one: Convex, other: Convex) -> NDArray[np.float64]:
     crossed = crossed / np.where(slight, 1.0, size)[..., np.newaxis]
     axes = np.concatenate([one.normals, other.normals, crossed], axis=1)
     first, second = (body.corners @ np.swapaxes(axes, 1, 2) for body in (one, other))
-    gaps = np.maximum(
-        first.min(axis=1) - second.max(axis=1),
-        second.min(axis=1) - first.max(axis=1),
-    )
+    gaps = np.maximum(first.min(axis=1) - second.max(axis=1), second.min(axis=1) - first.max(axis=1))
     faces = one.normals.shape[1] + other.normals.shape[1]
     gaps[:, faces:][slight] = -np.inf  # parallel edges span no axis
     return gaps.max(axis=1)

@@ -106,10 +106,7 @@ def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDAr
 
 
 def joint_results(
-    joints: Sequence[Joint],
-    springs: NDArray[np.void],
-    devices: NDArray[np.void],
-    forces: NDArray[np.float64],
+    joints: Sequence[Joint], springs: NDArray[np.void], devices: NDArray[np.void], forces: NDArray[np.float64]
 ) -> tuple[DeviceResult, ...]:
     """Return what became of the joints of an assembly, by the devices and forces of its run."""
     used = utilisation(springs, devices)

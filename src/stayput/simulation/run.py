@@ -247,11 +247,7 @@ class Run(InNetcdf):
 
 
 def run_of(
-    case: Case,
-    traced: Traced,
-    held: Held,
-    devices: tuple[DeviceResult, ...],
-    most_events: int | None = None,
+    case: Case, traced: Traced, held: Held, devices: tuple[DeviceResult, ...], most_events: int | None = None
 ) -> Run:
     """Return the `Run` of the mechanics' numbers, with names of modes, events and outcome."""
     history = traced.history.T.copy()

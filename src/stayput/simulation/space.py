@@ -15,13 +15,7 @@ from stayput.simulation.flat_fields import case_columns, room_row
 from stayput.simulation.placing import joint_results, joint_springs, placed, planes_around
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
 from stayput.simulation.space_engine import STEP, run_world
-from stayput.simulation.space_records import (
-    FloorLaws,
-    frames_of,
-    pose_of,
-    surface_of,
-    world_of,
-)
+from stayput.simulation.space_records import FloorLaws, frames_of, pose_of, surface_of, world_of
 from stayput.simulation.space_run import Hit, SpaceRun
 from stayput.simulation.standing import Standing
 
@@ -152,12 +146,7 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
 
 
 def run_held(
-    held: Held,
-    rows: NDArray[np.void],
-    motion: Motion,
-    initial: State,
-    gravity: float,
-    step: float = STEP,
+    held: Held, rows: NDArray[np.void], motion: Motion, initial: State, gravity: float, step: float = STEP
 ) -> SpaceRun:
     """Run a piece with measures in place.
 

@@ -230,11 +230,7 @@ def _to_vertical(up: NDArray[np.float64]) -> NDArray[np.float64]:
     x, y, z = up
     square = 1.0 + z
     return np.array(
-        [
-            [1.0 - x * x / square, -x * y / square, -x],
-            [-x * y / square, 1.0 - y * y / square, -y],
-            [x, y, z],
-        ]
+        [[1.0 - x * x / square, -x * y / square, -x], [-x * y / square, 1.0 - y * y / square, -y], [x, y, z]]
     )
 
 

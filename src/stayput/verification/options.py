@@ -33,15 +33,7 @@ if TYPE_CHECKING:
 
 OptionT = TypeVar("OptionT")
 
-USUAL = (
-    "anti_slip_sheet",
-    "felt_glides",
-    "gel_mats",
-    "wedge_stopper",
-    "l_bracket",
-    "belt",
-    "tension_pole",
-)
+USUAL = ("anti_slip_sheet", "felt_glides", "gel_mats", "wedge_stopper", "l_bracket", "belt", "tension_pole")
 """Measures that are compared where a scenario names none; each that can be applied."""
 
 COMBINED = ("wedge_stopper", "tension_pole")

@@ -18,12 +18,7 @@ from stayput.mechanics.devices.lines import (
     weighted_margin,
 )
 from stayput.mechanics.devices.moment import tilt_at
-from stayput.mechanics.devices.step import (
-    contact_margins,
-    evaluate_state,
-    project_on_constraints,
-    set_state,
-)
+from stayput.mechanics.devices.step import contact_margins, evaluate_state, project_on_constraints, set_state
 from stayput.mechanics.geometry import RIGHT_ANGLE, gap, gap_rates, sin_cos, state_of
 from stayput.mechanics.roots import (
     MIN_START_VALUE,

@@ -8,14 +8,7 @@ Kutta's method of fourth order in the quaternion.
 from __future__ import annotations
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.space.vectors import (
-    added,
-    cross,
-    dot,
-    quaternion_rate,
-    turned_back,
-    unit_quaternion,
-)
+from stayput.mechanics.space.vectors import added, cross, dot, quaternion_rate, turned_back, unit_quaternion
 
 
 @inline

@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.space.body import (
-    bend,
-    place_of,
-    sag,
-)
+from stayput.mechanics.space.body import bend, place_of, sag
 from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise, spread_friction

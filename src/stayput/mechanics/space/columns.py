@@ -55,10 +55,7 @@ RIM = np.dtype(
 )
 """A circular edge of a body: its centre, the direction of its axis, its radius; the rest as of a point."""
 
-FACE = np.dtype(
-    [("nx", "f8"), ("ny", "f8"), ("nz", "f8"), ("first", "i8"), ("count", "i8")],
-    align=True,
-)
+FACE = np.dtype([("nx", "f8"), ("ny", "f8"), ("nz", "f8"), ("first", "i8"), ("count", "i8")], align=True)
 """A face of a hull: its outward normal in the body's axes, and its corners in a list of points,
 counter-clockwise as seen from outside.
 """
@@ -71,8 +68,7 @@ PLANE = np.dtype(
 """A plane n·x = offset of the room, its normal into the room: the floor, a wall, the ceiling."""
 
 PAIR = np.dtype(
-    [("a", "i8"), ("b", "i8"), ("mu_static", "f8"), ("mu_kinetic", "f8"), ("restitution", "f8")],
-    align=True,
+    [("a", "i8"), ("b", "i8"), ("mu_static", "f8"), ("mu_kinetic", "f8"), ("restitution", "f8")], align=True
 )
 """Two bodies that may touch, and what holds there."""
 

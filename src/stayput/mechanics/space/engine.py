@@ -417,13 +417,7 @@ def _all_lie(bodies, poses):
 
 @entry
 def run_in_space(
-    world: Any,
-    held: Any,
-    poses: Any,
-    acceleration: Any,
-    numbers: Any,
-    scratch: Any,
-    output: Any,
+    world: Any, held: Any, poses: Any, acceleration: Any, numbers: Any, scratch: Any, output: Any
 ) -> None:
     """Run bodies under a motion of the floor.
 

@@ -14,15 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 from stayput.catalogue import phrase
-from stayput.errors import (
-    InputError,
-    InputWarning,
-    instance_of,
-    warn,
-    warnings_to,
-    whole_within,
-    within,
-)
+from stayput.errors import InputError, InputWarning, instance_of, warn, warnings_to, whole_within, within
 from stayput.motion import seismogram
 from stayput.motion.baseline import checked_record
 from stayput.motion.channels import (

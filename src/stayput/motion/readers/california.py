@@ -22,15 +22,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn
 from stayput.motion.channels import Channel, plain_label
-from stayput.motion.readers.text import (
-    FixedBlock,
-    Reader,
-    check_count,
-    lacks,
-    lines,
-    not_as_stated,
-    numbers,
-)
+from stayput.motion.readers.text import FixedBlock, Reader, check_count, lacks, lines, not_as_stated, numbers
 from stayput.motion.units import acceleration_unit, time_step
 
 if TYPE_CHECKING:
@@ -357,7 +349,4 @@ def _is_cosmos(text: str) -> bool:
     return _FIRST.match(_plain(text[:1000].partition("\n")[0])) is not None
 
 
-READERS = (
-    Reader("CSMIP V2", _is_csmip, _read_csmip),
-    Reader("COSMOS V1.20", _is_cosmos, _read_cosmos),
-)
+READERS = (Reader("CSMIP V2", _is_csmip, _read_csmip), Reader("COSMOS V1.20", _is_cosmos, _read_cosmos))

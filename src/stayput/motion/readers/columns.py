@@ -23,14 +23,7 @@ import numpy as np
 
 from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, warn, without_control
 from stayput.motion.channels import Channel, in_borehole, is_direction, labels_phrase
-from stayput.motion.readers.headings import (
-    Headings,
-    is_time,
-    is_title,
-    read_headings,
-    split,
-    units_in,
-)
+from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
 from stayput.motion.readers.quantities import axes_of, column_factors, other_quantities, without_unit
 from stayput.motion.readers.text import Numbers, Reader, check_count, chunks, not_as_stated, numbers
 from stayput.motion.units import (

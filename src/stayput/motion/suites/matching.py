@@ -182,10 +182,7 @@ def matched(
         return _with_gains(motion, parts, _suite_gains([parts], target, periods, 1), periods, note)
 
     results: list[Motion] = []
-    with (
-        Pool(threads) as pool,
-        bar(len(motions), "progress.matching", unit="progress.motions") as done,
-    ):
+    with Pool(threads) as pool, bar(len(motions), "progress.matching", unit="progress.motions") as done:
         pairs = zip(motions, filtered, strict=True)
         for motion in pool.in_order(partial(match_alone, *pair) for pair in pairs):
             results.append(motion)

@@ -31,11 +31,7 @@ if TYPE_CHECKING:
     from stayput.verification import AssemblyVerdict, Verdict
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible
-    from stayput.verification.verdict import (
-        AssemblyOptionVerdict,
-        DeviceOfSeveral,
-        OptionVerdict,
-    )
+    from stayput.verification.verdict import AssemblyOptionVerdict, DeviceOfSeveral, OptionVerdict
 
 
 _ENDS = ("estimate", "low", "high")

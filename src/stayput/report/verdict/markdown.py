@@ -120,10 +120,7 @@ def _events(verdict: Verdict | AssemblyVerdict, option: str, falls: str, languag
 
 
 def _ranking(
-    verdict: Verdict | AssemblyVerdict,
-    columns: Sequence[str],
-    rows: Sequence[RankingRow[Any]],
-    language: str,
+    verdict: Verdict | AssemblyVerdict, columns: Sequence[str], rows: Sequence[RankingRow[Any]], language: str
 ) -> tuple[str, ...]:
     """Return the section of the ranking, with what cannot be put in place at its end."""
     lines = [_cells(row, isinstance(verdict, AssemblyVerdict), language) for row in rows]

@@ -28,11 +28,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Quantiles
     from stayput.verification import Verdict
     from stayput.verification.contents import ContentsVerdict
-    from stayput.verification.verdict import (
-        AssemblyOptionVerdict,
-        DeviceSummary,
-        OptionVerdict,
-    )
+    from stayput.verification.verdict import AssemblyOptionVerdict, DeviceSummary, OptionVerdict
 
 AnyResult = TypeVar("AnyResult", bound="OptionVerdict | AssemblyOptionVerdict")
 
