@@ -160,7 +160,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
         if c.stuck == 0 and c.pn > 0.0 and turns_back(c, before, after):
             c.stuck = 1
             if c.floor and c.mu_static > c.mu_kinetic:
-                stands = min(stands, stands_at(c, before, after))
+                stands = min(stands, c.when)
     for b in range(bodies.shape[0]):
         s = after[b]
         if _speed(bodies[b], s) <= RESTS * h:
