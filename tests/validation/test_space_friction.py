@@ -1,6 +1,7 @@
 """Friction in two directions, beside closed forms: circular shaking, sliding with spin."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -197,3 +198,44 @@ def test_a_base_that_turns_back_is_held_by_its_static_friction(speed: float, ste
     way = speed**2 / (2.0 * (a + floor.kinetic_friction * G))
     assert run.slide[0, -1, 0] == pytest.approx(way, abs=1e-7)
     assert run.velocity[0, -1].tolist() == [0.0, 0.0, 0.0]
+
+
+def slid_in_closed_form(acceleration: np.ndarray, dt: float, static: float, kinetic: float) -> np.ndarray:
+    """Return the slide of a block on a floor whose acceleration is linear between samples, event by event."""
+    ways, x, v = [0.0], 0.0, 0.0
+    for first, last in pairwise(acceleration):
+        jerk, t = (last - first) / dt, 0.0
+        while t < dt:
+            a = first + jerk * t
+            if v == 0.0 and abs(a) <= static * G:
+                crossed = (math.copysign(static * G, jerk) - first) / jerk if jerk else math.inf
+                if not t < crossed < dt:
+                    break
+                t, a = crossed, math.copysign(static * G, jerk)
+            way = math.copysign(1.0, v) if v else -math.copysign(1.0, a)
+            loses = a + kinetic * G * way
+            stops = [root.real for root in np.roots([-0.5 * jerk, -loses, v]) if abs(root.imag) < 1e-12]
+            left = min([s for s in stops if s > 1e-9 and v], default=math.inf)
+            h = min(left, dt - t)
+            x += v * h - loses * h**2 / 2.0 - jerk * h**3 / 6.0
+            v, t = (0.0 if left <= dt - t else v - loses * h - 0.5 * jerk * h**2), t + h
+        ways.append(x)
+    return np.array(ways)
+
+
+@pytest.mark.parametrize(("step", "within"), [(1e-2, 2e-3), (1e-3, 5e-4)])
+@pytest.mark.parametrize("seed", range(6))
+def test_a_block_sticks_and_slips_as_in_closed_form(seed: int, step: float, within: float) -> None:
+    rng, t = np.random.default_rng(seed), np.arange(0.0, 5.0, 0.01)
+    waves = [(rng.uniform(0.5, 2.0), rng.uniform(2.0, 30.0), rng.uniform(0.0, 6.0)) for _ in range(4)]
+    a = sum(size * np.sin(rate * t + phase) for size, rate, phase in waves) * np.minimum(1.0, 2.0 * t)
+    exact = slid_in_closed_form(a, 0.01, 0.3, 0.2)
+    run = sp.simulate(
+        sp.Solid.box(1.0, 1.0, 0.3, 10.0),
+        sp.Room(sp.Floor(0.3, 0.2)),
+        sp.Motion(dt=0.01, x=a, name="waves"),
+        step=step,
+    )
+    peak = np.abs(exact).max()
+    assert peak > 1e-3
+    np.testing.assert_allclose(run.slide[0, :, 0], exact, rtol=0.0, atol=within * peak)

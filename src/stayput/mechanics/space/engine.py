@@ -1,11 +1,13 @@
 """The engine in space: refined steps between samples of the floor's motion, shortened where bodies meet.
 
-Between events steps are refined (`stayput.mechanics.space.stepping`): of fourth order, as long as their error
-allows, at most `LONGER` times as long as the longest plain step. Where contacts begin or end to slip or to
-bear within one it is halved, down to a quarter of that, and then taken as it is. A step in which a body would
-enter or hit another is shortened to where they meet, and the impact has a step of its own, the shortest: in a
-longer one it would be solved with velocities that lack what half of that step brings. What a body has entered
-(`ENTERS`) is moved out without a change of velocity.
+Between events steps are refined (`stayput.mechanics.space.stepping`): of fourth order, as long as their
+error allows, at most `LONGER` times as long as the longest plain step. Where contacts begin or end to bear
+within one it is halved, down to a quarter of that, and then taken as it is; where they begin or end to
+slip, down to `LOCATED`, and it then ends when they do: what is left of it begins with their new friction.
+What stands on the floor alone at rest is let go when its friction or its stance gives way. A step in which
+a body would enter or hit another is shortened to where they meet, and the impact has a step of its own, the
+shortest: in a longer one it would be solved with velocities that lack what half of that step brings. What a
+body has entered (`ENTERS`) is moved out without a change of velocity.
 
 Axes move with the floor: its acceleration acts on bodies against its direction.
 """
@@ -39,7 +41,7 @@ from stayput.mechanics.space.notes import (
 )
 from stayput.mechanics.space.pairs import place_corners, touch
 from stayput.mechanics.space.rest import SLIPS, STAYS, TIPS, note_stances, stays_at_rest
-from stayput.mechanics.space.solve import any_closes_fast
+from stayput.mechanics.space.solve import any_closes_fast, slip_rate
 from stayput.mechanics.space.stepping import RUBS, fastest, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
@@ -236,17 +238,35 @@ def _first_event(kept):
     return first
 
 
+@inline
+def _switches(c, kept, by):
+    """Return whether a contact began or ended to slip by a share of a longer step."""
+    return kept[0, c.key, 3] + kept[1, c.key, 3] == 1.0 and kept[1, c.key, 4] <= by
+
+
 @inner
-def _switching(contacts, count, kept, by, now):
-    """Return when a contact begins or ends to slip that did by a share of a longer step; let it ``now``."""
+def _next_switch(contacts, count, kept, by):
+    """Return when in this step the first of these does, as a share."""
     first = math.inf
     for k in range(count):
-        c = contacts[k]
-        if kept[0, c.key, 3] + kept[1, c.key, 3] == 1.0 and kept[1, c.key, 4] <= by:
-            first = min(first, c.when)
-            if now:
-                c.stuck, c.when = int(kept[1, c.key, 3]), 0.0
+        if _switches(contacts[k], kept, by):
+            first = min(first, contacts[k].when)
     return first
+
+
+@inner
+def _switch(contacts, count, kept, by, poses):
+    """Let these contacts begin or end to slip; where one stands all do that slip no more."""
+    stand = False
+    for k in range(count):
+        c = contacts[k]
+        if _switches(c, kept, by):
+            c.stuck, c.when = int(kept[1, c.key, 3]), 0.0
+            stand = stand or c.stuck == 1
+    for k in range(count):
+        c = contacts[k]
+        if stand and kept[0, c.key, 3] == 0.0 and slip_rate(c, poses) <= CREEPS:
+            c.stuck, c.when = 1, 0.0
 
 
 @inline
@@ -286,11 +306,11 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             h, switch = max(shortest, min(meets, h - shortest)), 0.0
             continue
         if switch > 0.0:
-            again = _switching(contacts, count, kept, switch, False)
+            again = _next_switch(contacts, count, kept, switch)
             if tries < MOST_AGAIN and abs(again - 1.0) > TIMED and shortest < again * h < 2.0 * h:
                 h, tries = again * h, tries + 1
                 continue
-            _switching(contacts, count, kept, switch, True)
+            _switch(contacts, count, kept, switch, trial)
             if fastest(world[0], trial) <= CREEPS and _all_stick(contacts, count):
                 _stop_all(trial)
             pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), LONGER * longest)
@@ -389,6 +409,16 @@ def _stays_until(bodies, poses, floor, a0, a1, gravity, part, stances):
     return end, why, b
 
 
+@inline
+def _on_floor_alone(contacts, count, b):
+    """Return whether a body touched nothing but the floor in the last step."""
+    for k in range(count):
+        c = contacts[k]
+        if (c.a == b and not c.floor) or c.b == b:
+            return False
+    return True
+
+
 @inner
 def _let_slip(world, b, kept):
     """Let the contacts of a body with the floor, the first plane, slip from the next step on."""
@@ -478,7 +508,6 @@ def run_in_space(
                     note_stances(world, now, CLOSED, scratch[6])
                     note_loads(held[0], held[1], last, scratch[6][4])
                     noted = True
-                stayed = why == STAYS
                 part, why, b = _stays_until(bodies, now, floor, a0, a1, gravity, t / dt, scratch[6])
                 if why != STAYS and part == 0.0:
                     bears, count, last = _rests(
@@ -486,7 +515,7 @@ def run_in_space(
                     )
                 if why == STAYS or bears:
                     break
-                if why == SLIPS and (stayed or part > t / dt):
+                if why == SLIPS and _on_floor_alone(contacts, count, b):
                     _let_slip(world, b, kept[0])
                 t = part * dt
             if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):
