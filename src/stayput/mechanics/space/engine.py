@@ -31,6 +31,7 @@ from stayput.mechanics.space.body import (
 from stayput.mechanics.space.closing import CLOSED, CLOSED_BETWEEN, ENTERS_BODIES, keep, note_all_gaps
 from stayput.mechanics.space.contact import mobility, velocity_at
 from stayput.mechanics.space.devices import give, note_forces, note_loads
+from stayput.mechanics.space.events import all_stick, first_event, next_switch, switch_now
 from stayput.mechanics.space.notes import (
     leaning,
     note_hits,
@@ -40,12 +41,19 @@ from stayput.mechanics.space.notes import (
     note_weight,
 )
 from stayput.mechanics.space.pairs import place_corners, touch
-from stayput.mechanics.space.rest import SLIPS, STAYS, TIPS, note_stances, stays_at_rest
-from stayput.mechanics.space.solve import any_closes_fast, slip_rate
+from stayput.mechanics.space.rest import (
+    SLIPS,
+    STAYS,
+    TIPS,
+    let_slip,
+    note_stances,
+    on_floor_alone,
+    stays_until,
+)
+from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import RUBS, fastest, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
-    RIM_POINTS,
     gap_of,
     lever_of_point,
     lowest_lever,
@@ -105,9 +113,6 @@ MOST_UNCONVERGED, FEW, MANY = 0.05, 20, 1000
 """Share of steps whose impulses did not converge from which on a run is given up (its forces are rough); not
 up to a few, as in a moment, and with many at once.
 """
-
-HELD = 1e-9
-"""How exactly it is told when the floor holds no more what is at rest, in samples."""
 
 LYING = 1.0 - math.cos(math.radians(89.0))
 """1 − cos of the tilt from which on a body lies."""
@@ -229,55 +234,6 @@ def _at_rest(poses):
 
 
 @inner
-def _first_event(kept):
-    """Return when in a step, as a share, the first contact begins or ends to slip; 1 where none does."""
-    first = 1.0
-    for key in range(kept.shape[1]):
-        if kept[0, key, 3] + kept[1, key, 3] == 1.0:
-            first = min(first, kept[1, key, 4])
-    return first
-
-
-@inline
-def _switches(c, kept, by):
-    """Return whether a contact began or ended to slip by a share of a longer step."""
-    return kept[0, c.key, 3] + kept[1, c.key, 3] == 1.0 and kept[1, c.key, 4] <= by
-
-
-@inner
-def _next_switch(contacts, count, kept, by):
-    """Return when in this step the first of these does, as a share."""
-    first = math.inf
-    for k in range(count):
-        if _switches(contacts[k], kept, by):
-            first = min(first, contacts[k].when)
-    return first
-
-
-@inner
-def _switch(contacts, count, kept, by, poses):
-    """Let these contacts begin or end to slip; where one stands all do that slip no more."""
-    stand = False
-    for k in range(count):
-        c = contacts[k]
-        if _switches(c, kept, by):
-            c.stuck, c.when = int(kept[1, c.key, 3]), 0.0
-            stand = stand or c.stuck == 1
-    for k in range(count):
-        c = contacts[k]
-        if stand and kept[0, c.key, 3] == 0.0 and slip_rate(c, poses) <= CREEPS:
-            c.stuck, c.when = 1, 0.0
-
-
-@inline
-def _all_stick(contacts, count):
-    for k in range(count):
-        if not contacts[k].stuck:
-            return False
-    return True
-
-
-@inner
 def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace, work):
     """Take one step from row 0 of the poses to row 1, at the time t after a sample.
 
@@ -306,12 +262,12 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             h, switch = max(shortest, min(meets, h - shortest)), 0.0
             continue
         if switch > 0.0:
-            again = _next_switch(contacts, count, kept, switch)
+            again = next_switch(contacts, count, kept, switch)
             if tries < MOST_AGAIN and abs(again - 1.0) > TIMED and shortest < again * h < 2.0 * h:
                 h, tries = again * h, tries + 1
                 continue
-            _switch(contacts, count, kept, switch, trial)
-            if fastest(world[0], trial) <= CREEPS and _all_stick(contacts, count):
+            switch_now(contacts, count, kept, switch, trial)
+            if fastest(world[0], trial) <= CREEPS and all_stick(contacts, count):
                 _stop_all(trial)
             pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), LONGER * longest)
             return h, count, least, False
@@ -347,7 +303,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
         for d in range(held[1].shape[0]):
             held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
         down_to = pace[EVENT] * (FINER if error == RUBS else 1.0)
-        first = _first_event(kept) if error == RUBS and h <= LOCATED * longest else 1.0
+        first = first_event(kept) if error == RUBS and h <= LOCATED * longest else 1.0
         if meets < h:
             h = max(shortest, min(meets, h - shortest))
         elif error >= 0.0:
@@ -381,52 +337,6 @@ def _rests(world, held, poses, a0, a1, numbers, start, last, scratch, bears, wor
         last = h
     give(held[0], held[1], held[2], poses[1], start + dt)
     return True, count, last
-
-
-@inner
-def _stays_until(bodies, poses, floor, a0, a1, gravity, part, stances):
-    """Return until when, from ``part`` of the time between two samples on, the floor alone holds all at rest.
-
-    What it bears is convex in the push, so that there is one such time.
-
-    Returns
-    -------
-    tuple
-        The part of the time, and what then becomes of which body: 1 and `STAYS` where the floor holds all.
-    """
-    why, b = stays_at_rest(bodies, poses, floor, push_at(a0, a1, part, gravity), stances)
-    if why != STAYS:
-        return part, why, b
-    end = 1.0
-    why, b = stays_at_rest(bodies, poses, floor, push_at(a0, a1, end, gravity), stances)
-    while why != STAYS and end - part > HELD:
-        middle = 0.5 * (part + end)
-        now, other = stays_at_rest(bodies, poses, floor, push_at(a0, a1, middle, gravity), stances)
-        if now == STAYS:
-            part = middle
-        else:
-            end, why, b = middle, now, other
-    return end, why, b
-
-
-@inline
-def _on_floor_alone(contacts, count, b):
-    """Return whether a body touched nothing but the floor in the last step."""
-    for k in range(count):
-        c = contacts[k]
-        if (c.a == b and not c.floor) or c.b == b:
-            return False
-    return True
-
-
-@inner
-def _let_slip(world, b, kept):
-    """Let the contacts of a body with the floor, the first plane, slip from the next step on."""
-    body, rims = world[0][b], world[3].shape[0] * world[1].shape[0]
-    for key in range(body.first_point, body.first_point + body.points):
-        kept[key, 3] = 0.0 if kept[key, 3] == 1.0 else kept[key, 3]
-    for key in range(rims + body.first_rim * RIM_POINTS, rims + (body.first_rim + body.rims) * RIM_POINTS):
-        kept[key, 3] = 0.0 if kept[key, 3] == 1.0 else kept[key, 3]
 
 
 @inner
@@ -508,15 +418,15 @@ def run_in_space(
                     note_stances(world, now, CLOSED, scratch[6])
                     note_loads(held[0], held[1], last, scratch[6][4])
                     noted = True
-                part, why, b = _stays_until(bodies, now, floor, a0, a1, gravity, t / dt, scratch[6])
+                part, why, b = stays_until(bodies, now, floor, a0, a1, gravity, t / dt, scratch[6])
                 if why != STAYS and part == 0.0:
                     bears, count, last = _rests(
                         world, held, poses, a0, a1, numbers, start, last, scratch, bears, work
                     )
                 if why == STAYS or bears:
                     break
-                if why == SLIPS and _on_floor_alone(contacts, count, b):
-                    _let_slip(world, b, kept[0])
+                if why == SLIPS and on_floor_alone(contacts, count, b):
+                    let_slip(world, b, kept[0])
                 t = part * dt
             if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):
                 _stay(bodies, now, histories, k + 1)

@@ -22,8 +22,12 @@ import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import place_of
-from stayput.mechanics.space.touching import flat_within, gap_of, lever_of_point, lever_on_rim
+from stayput.mechanics.space.stepping import push_at
+from stayput.mechanics.space.touching import RIM_POINTS, flat_within, gap_of, lever_of_point, lever_on_rim
 from stayput.mechanics.space.vectors import added
+
+HELD = 1e-9
+"""How exactly it is told when the floor holds no more what is at rest, in samples."""
 
 STAYS, SLIPS, TIPS = range(3)
 """What becomes of bodies at rest."""
@@ -157,3 +161,49 @@ def stays_at_rest(bodies, poses, floor, push, stances):
         if abs(moment) > left * _least_arm(bodies[b].kappa, spreads[b], x / weight, y / weight):
             return SLIPS, b
     return STAYS, 0
+
+
+@inner
+def stays_until(bodies, poses, floor, a0, a1, gravity, part, stances):
+    """Return until when, from ``part`` of the time between two samples on, the floor alone holds all at rest.
+
+    What it bears is convex in the push, so that there is one such time.
+
+    Returns
+    -------
+    tuple
+        The part of the time, and what then becomes of which body: 1 and `STAYS` where the floor holds all.
+    """
+    why, b = stays_at_rest(bodies, poses, floor, push_at(a0, a1, part, gravity), stances)
+    if why != STAYS:
+        return part, why, b
+    end = 1.0
+    why, b = stays_at_rest(bodies, poses, floor, push_at(a0, a1, end, gravity), stances)
+    while why != STAYS and end - part > HELD:
+        middle = 0.5 * (part + end)
+        now, other = stays_at_rest(bodies, poses, floor, push_at(a0, a1, middle, gravity), stances)
+        if now == STAYS:
+            part = middle
+        else:
+            end, why, b = middle, now, other
+    return end, why, b
+
+
+@inline
+def on_floor_alone(contacts, count, b):
+    """Return whether a body touched nothing but the floor in the last step."""
+    for k in range(count):
+        c = contacts[k]
+        if (c.a == b and not c.floor) or c.b == b:
+            return False
+    return True
+
+
+@inner
+def let_slip(world, b, kept):
+    """Let the contacts of a body with the floor, the first plane, slip from the next step on."""
+    body, rims = world[0][b], world[3].shape[0] * world[1].shape[0]
+    for key in range(body.first_point, body.first_point + body.points):
+        kept[key, 3] = 0.0 if kept[key, 3] == 1.0 else kept[key, 3]
+    for key in range(rims + body.first_rim * RIM_POINTS, rims + (body.first_rim + body.rims) * RIM_POINTS):
+        kept[key, 3] = 0.0 if kept[key, 3] == 1.0 else kept[key, 3]

@@ -13,11 +13,12 @@ import math
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import attitude, copy_pose, drift, place_of, set_attitude, stop, velocity
 from stayput.mechanics.space.closing import OPEN, find_contacts, keep
-from stayput.mechanics.space.contact import stands_at, turns_back
+from stayput.mechanics.space.contact import turns_back
 from stayput.mechanics.space.devices import give, hold, stretch
+from stayput.mechanics.space.events import changes_at
 from stayput.mechanics.space.impact import bounces, mend
 from stayput.mechanics.space.landing import land
-from stayput.mechanics.space.solve import IMPACT, any_closes_fast, apply, has_slipped, slide, slip_rate, solve
+from stayput.mechanics.space.solve import IMPACT, any_closes_fast, apply, has_slipped, slide, solve
 from stayput.mechanics.space.vectors import added, norm
 
 MOST_ROUNDS = 8
@@ -79,30 +80,6 @@ def _impact(contacts, count, kept, ratio, h):
 
 
 @inner
-def _rubs_anew(c, kept, ratio, before, after):
-    """Return when a contact begins or ends to slip, over a step's length: before or after its end too.
-
-    What sticks slips where it has no friction to spare. That is taken as linear in time, from the middle of
-    the last step to that of this one, and lacks what would take the slip away.
-    """
-    if kept[c.key, 3] == OPEN:
-        return 1.0
-    if kept[c.key, 3] == 0.0:
-        return stands_at(c, before, after)
-    if ratio == 0.0 or kept[c.key, 4] == 0.0:  # it stuck at the end of the last step alone
-        return 0.0
-    ps, pt = ratio * kept[c.key, 1], ratio * kept[c.key, 2]
-    first = c.mu_static * ratio * kept[c.key, 0] - math.sqrt(ps * ps + pt * pt)
-    spare = c.mu_static * c.pn - math.sqrt(c.ps * c.ps + c.pt * c.pt)
-    if not c.stuck:
-        spare -= slip_rate(c, after) / c.stiff
-    if first <= max(0.0, spare):
-        return math.inf
-    middle = 0.5 / ratio
-    return max(0.0, (middle + 0.5) * first / (first - spare) - middle)
-
-
-@inner
 def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, work):
     """Step from ``before`` to ``after``.
 
@@ -156,7 +133,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
         c = contacts[k]
         # one that bears nothing has not slipped either where it does not move: the next step may press it
         c.stuck = 0 if has_slipped(c, after, h) else 1
-        c.when = _rubs_anew(c, kept, ratio, before, after)
+        c.when = changes_at(c, kept, ratio, before, after)
         if c.stuck == 0 and c.pn > 0.0 and turns_back(c, before, after):
             c.stuck = 1
             if c.floor and c.mu_static > c.mu_kinetic:

@@ -1,0 +1,91 @@
+"""When contacts begin or end to slip within a step, and what they do then.
+
+Each contact notes whether it sticks after a step, and when that changed: of a step that is tried they are in
+row 1 of what is kept of contacts, beside row 0 of the step before.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiling import inline, inner
+from stayput.mechanics.space.closing import OPEN
+from stayput.mechanics.space.contact import stands_at
+from stayput.mechanics.space.solve import slip_rate
+
+STANDS = 1e-4
+"""Slip up to which a contact stands where others of its body do [m/s]."""
+
+
+@inner
+def changes_at(c, kept, ratio, before, after):
+    """Return when a contact begins or ends to slip, over a step's length: before or after its end too.
+
+    What sticks slips where it has no friction to spare. That is taken as linear in time, from the middle of
+    the last step to that of this one, and lacks what would take the slip away.
+    """
+    if kept[c.key, 3] == OPEN:
+        return 1.0
+    if kept[c.key, 3] == 0.0:
+        return stands_at(c, before, after)
+    if ratio == 0.0 or kept[c.key, 4] == 0.0:  # it stuck at the end of the last step alone
+        return 0.0
+    ps, pt = ratio * kept[c.key, 1], ratio * kept[c.key, 2]
+    first = c.mu_static * ratio * kept[c.key, 0] - math.sqrt(ps * ps + pt * pt)
+    spare = c.mu_static * c.pn - math.sqrt(c.ps * c.ps + c.pt * c.pt)
+    if not c.stuck:
+        spare -= slip_rate(c, after) / c.stiff
+    if first <= max(0.0, spare):
+        return math.inf
+    middle = 0.5 / ratio
+    return max(0.0, (middle + 0.5) * first / (first - spare) - middle)
+
+
+@inner
+def first_event(kept):
+    """Return when in a step, as a share, the first contact begins or ends to slip; 1 where none does."""
+    first = 1.0
+    for key in range(kept.shape[1]):
+        if kept[0, key, 3] + kept[1, key, 3] == 1.0:
+            first = min(first, kept[1, key, 4])
+    return first
+
+
+@inline
+def _switches(c, kept, by):
+    """Return whether a contact began or ended to slip by a share of a longer step."""
+    return kept[0, c.key, 3] + kept[1, c.key, 3] == 1.0 and kept[1, c.key, 4] <= by
+
+
+@inner
+def next_switch(contacts, count, kept, by):
+    """Return when in this step the first of these does, as a share."""
+    first = math.inf
+    for k in range(count):
+        if _switches(contacts[k], kept, by):
+            first = min(first, contacts[k].when)
+    return first
+
+
+@inner
+def switch_now(contacts, count, kept, by, poses):
+    """Let these contacts begin or end to slip; where one stands all do that slip no more."""
+    stand = False
+    for k in range(count):
+        c = contacts[k]
+        if _switches(c, kept, by):
+            c.stuck, c.when = int(kept[1, c.key, 3]), 0.0
+            stand = stand or c.stuck == 1
+    for k in range(count):
+        c = contacts[k]
+        if stand and kept[0, c.key, 3] == 0.0 and slip_rate(c, poses) <= STANDS:
+            c.stuck, c.when = 1, 0.0
+
+
+@inline
+def all_stick(contacts, count):
+    """Return whether no contact slips."""
+    for k in range(count):
+        if not contacts[k].stuck:
+            return False
+    return True
