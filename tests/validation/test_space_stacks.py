@@ -98,3 +98,25 @@ def test_both_slide_at_their_own_rates() -> None:
     assert second < first < 0.0
     assert run.slide[0, -1, 0] == pytest.approx(0.5 * first * 0.5**2, rel=2e-3)
     assert run.slide[1, -1, 0] == pytest.approx(0.5 * second * 0.5**2, rel=2e-3)
+
+
+@pytest.mark.parametrize("rate", [-0.2, -0.4, -0.8])
+@pytest.mark.parametrize("over", [-0.002, -0.005, -0.01, -0.03])
+def test_a_corner_that_hangs_over_is_not_inside(over: float, rate: float) -> None:
+    """A box tips over the edge of the one below it, beyond which its own corners sink under that one's top.
+
+    Its energy I θ̇²/2 about the edge lifts G, whose arm is a, to the tilt I θ̇²/(2 m g a) nearly.
+    """
+    arm, upper = 0.25 + over, np.array([over + 0.25, 0.0, 0.15])
+    spin = np.array([0.0, rate, 0.0])
+    thrown = sp.Standing(
+        sp.Solid.box(0.5, 0.5, 0.3, 20.0),
+        (over, 0.0, 0.3),
+        velocity=tuple(np.cross(spin, upper)),
+        rotation_rate=tuple(spin),
+    )
+    lower = sp.Standing(sp.Solid.box(0.5, 0.5, 0.3, 2e4))
+    run = sp.simulate(sp.Assembly([lower, thrown], (0.8, 0.8)), STICKING, still(0.1))
+    about_edge = (0.5**2 + 0.3**2) / 12.0 + arm**2 + 0.15**2
+    assert run.peak_tilt[1] == pytest.approx(0.5 * rate**2 * about_edge / (G * arm), rel=0.05)
+    assert run.steps < 400
