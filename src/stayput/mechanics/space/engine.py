@@ -40,7 +40,7 @@ from stayput.mechanics.space.notes import (
     note_pressing,
     note_weight,
 )
-from stayput.mechanics.space.pairs import place_corners, touch
+from stayput.mechanics.space.pairs import deepest, place_corners, touch
 from stayput.mechanics.space.rest import (
     SLIPS,
     STAYS,
@@ -64,6 +64,9 @@ from stayput.mechanics.space.vectors import added, cross, dot
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
+
+LEFT = 0.5 * ENTERS_BODIES
+"""The same of bodies in each other: what is moved out of one is moved into what bears it."""
 
 SHORTEST, SHORTEST_OF_SEVERAL = 1e-7, 1e-6
 """Shortest step to where corners of a body alone meet planes; and to where rims or bodies do, which meet more
@@ -150,6 +153,8 @@ def _move_all_out(world, poses, scratch, h):
         body, other, s, r = bodies[a], bodies[b], poses[a], poses[b]
         _, found, n = touch(body, s, other, r, 0.0, axes[j], faces, loops, edges, corners, polygons, touching)
         bent = sag(body, s, h) + sag(other, r, h)
+        if found and deepest(touching, found) >= -bent - LEFT:
+            continue
         for m in range(found):
             if touching[m, 3] < -bent:
                 place = touching[m, 0], touching[m, 1], touching[m, 2]

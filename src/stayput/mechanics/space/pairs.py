@@ -300,7 +300,7 @@ def _apart_along(a, s, b, r, axis_of, edges, faces, loops, corners):
 
 
 @inner
-def _deepest(touching, count):
+def deepest(touching, count):
     """Return the least gap of points that touch: a corner that hangs over beside a face is deep in none."""
     least = touching[0, 3]
     for m in range(1, count):
@@ -346,7 +346,7 @@ def touch(a, s, b, r, closed, axis_of, faces, loops, edges, corners, polygons, t
                     a, s, b, r, axis_of[0], closed, faces, loops, corners, polygons, touching
                 )
                 if found:
-                    return _deepest(touching, found), found, towards
+                    return deepest(touching, found), found, towards
             else:
                 point, crosses = _crossing(edges, corners, axis_of[0], axis_of[1])
                 if crosses:
@@ -363,14 +363,14 @@ def touch(a, s, b, r, closed, axis_of, faces, loops, edges, corners, polygons, t
         return apart, 0, none
     found, towards = _meet_on_face(a, s, b, r, face, closed, faces, loops, corners, polygons, touching)
     if found and apart >= -SHALLOW:
-        return _deepest(touching, found), found, towards
+        return deepest(touching, found), found, towards
     near = NEAR * (a.radius + b.radius)
     edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart, near, edges, corners)
     if edge_a < 0 and not found:
         # the faces that separate them most do not lie on each other: edges that do nearly as well must touch
         edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart - SHALLOW, math.inf, edges, corners)
     if edge_a < 0 or (found and apart_e <= apart + PREFER_FACES):
-        return _deepest(touching, found) if found else apart, found, towards
+        return apart, found, towards
     axis_of[0], axis_of[1] = edge_a, edge_b
     if apart_e > closed:
         return apart_e, 0, none
