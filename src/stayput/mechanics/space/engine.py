@@ -87,9 +87,10 @@ with rims.
 FINER = 0.25
 """The latter where contacts begin or end to slip, over the latter otherwise: friction jumps there."""
 
-TOLERANCE, RIM_TOLERANCE = 1e-2, 1e-4
+TOLERANCE, SLIDING, RIM_TOLERANCE = 1e-2, 1e-3, 1e-4
 """Difference of a step and its halves, over its length, up to which it is not shortened [m/s]; the same where
-a body has a rim, which turns fast where it rolls nearly flat.
+something slips that nothing holds, whose way may turn fast; and where a body has a rim, which turns fast
+where it rolls nearly flat.
 """
 
 CREEPS = 1e-4
@@ -250,9 +251,8 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
     now, trial = poses[0], poses[1]
-    shortest, within, least_h = pace[LIMIT], TOLERANCE, LEAST * longest
-    if world[2].shape[0] > 0:
-        within, least_h = RIM_TOLERANCE, RIM_LEAST * longest
+    shortest, round_edges = pace[LIMIT], world[2].shape[0] > 0
+    least_h = (RIM_LEAST if round_edges else LEAST) * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
     plain, switch, tries = False, 0.0, 0  # the share of a step up to which contacts switch at its end
     while True:
@@ -291,6 +291,8 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             most = GROWS * h if slow else max(pace[LENGTH], 2.0 * h)
             pace[LENGTH] = min(most, LONGER * longest if slow else longest)
             return h, count, least, False
+        slides = held[0].shape[0] == 0 and not all_stick(contacts, count)
+        within = RIM_TOLERANCE if round_edges else (SLIDING if slides else TOLERANCE)
         keep(contacts, count, kept[1], scratch[7][3])
         for d in range(held[1].shape[0]):
             scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
