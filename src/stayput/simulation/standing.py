@@ -271,7 +271,7 @@ class Joint:
     >>> import stayput as sp
     >>> lower = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=40.0))
     >>> upper = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=30.0), at=(0.0, 0.0, 0.9))
-    >>> screws = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=500.0) for x in (-0.15, 0.15)]  # N
+    >>> screws = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=2e3) for x in (-0.15, 0.15)]  # N
     >>> for joints in ([], screws):  # the upper one falls off, or takes all with it
     ...     both = sp.Assembly([lower, upper], joints=joints)
     ...     print(*sp.simulate(both, sp.Room(), sp.near_fault()).outcomes)
@@ -339,8 +339,8 @@ class Assembly:
     >>> lower, upper = sp.Solid.box(0.45, 0.9, 1.0, 60.0), sp.Solid.box(0.35, 0.9, 0.9, 30.0)
     >>> dresser = sp.Assembly([sp.Standing(lower), sp.Standing(upper, at=(-0.05, 0.0, 1.0))])
     >>> run = sp.simulate(dresser, sp.Room(), sp.near_fault().scaled(0.5))
-    >>> run.peak_slide.round(2).tolist()  # of either [m]
-    [0.01, 0.08]
+    >>> print(f"{run.peak_slide[1]:.2f}")  # of the upper one [m]
+    0.08
     """
 
     members: Sequence[Standing | Piece]
