@@ -103,7 +103,7 @@ free flight opens it, the levers of friction about both G, coefficients of frict
 before, its restitution (0: it does not bounce) and the velocity wanted, impulses, their changes by a step of
 Newton's method, and the inverse mass that they see; of the augmented Lagrangian the multipliers, velocities,
 their changes along the direction and by the gradient, the shift of the normal velocity and its change, and
-the penalty; and when in the step, as a share, it began or ended to slip (1: it did not).
+the penalty; and when it begins or ends to slip, over the step's length (`stayput.mechanics.space.events`).
 """
 
 SPRING = np.dtype(

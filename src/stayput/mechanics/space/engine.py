@@ -254,7 +254,8 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
     shortest, round_edges = pace[LIMIT], world[2].shape[0] > 0
     least_h = (RIM_LEAST if round_edges else LEAST) * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
-    plain, switch, tries = False, 0.0, 0  # the share of a step up to which contacts switch at its end
+    # ``switch``, if not 0: contacts that changed by this share of a longer step do so at the end of this one
+    plain, switch, tries = False, 0.0, 0
     while True:
         push, ratio = push_at(a0, a1, (t + 0.5 * h) / dt, gravity), h / last if last > 0.0 else 0.0
         count, meets, stands = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
@@ -383,7 +384,7 @@ def run_in_space(
         Time between samples [s], longest plain step [s], gravity [m/s²], and how long all bodies lie before
         the run ends [s].
     scratch : tuple
-        Working memory: CONTACT[c], impulses that are kept float64[3, keys, 4], gaps float64[2, features],
+        Working memory: CONTACT[c], impulses, what sticks and when that changed float64[3, keys, 5], gaps float64[2, features],
         places of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5];
         what bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least
         friction float64[n], forces and moments of devices float64[n, 6], middles and distances float64[n, 4];

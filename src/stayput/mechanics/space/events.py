@@ -17,6 +17,12 @@ STANDS = 1e-4
 """Slip up to which a contact stands where others of its body do [m/s]."""
 
 
+@inline
+def changes(kept, other, key):
+    """Return whether a contact that is closed in both slips in one (0) and sticks in the other (1)."""
+    return kept[key, 3] + other[key, 3] == 1.0
+
+
 @inner
 def changes_at(c, kept, ratio, before, after):
     """Return when a contact begins or ends to slip, over a step's length: before or after its end too.
@@ -46,7 +52,7 @@ def first_event(kept):
     """Return when in a step, as a share, the first contact begins or ends to slip; 1 where none does."""
     first = 1.0
     for key in range(kept.shape[1]):
-        if kept[0, key, 3] + kept[1, key, 3] == 1.0:
+        if changes(kept[0], kept[1], key):
             first = min(first, kept[1, key, 4])
     return first
 
@@ -54,7 +60,7 @@ def first_event(kept):
 @inline
 def _switches(c, kept, by):
     """Return whether a contact began or ended to slip by a share of a longer step."""
-    return kept[0, c.key, 3] + kept[1, c.key, 3] == 1.0 and kept[1, c.key, 4] <= by
+    return changes(kept[0], kept[1], c.key) and kept[1, c.key, 4] <= by
 
 
 @inner

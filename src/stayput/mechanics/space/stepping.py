@@ -15,7 +15,7 @@ from stayput.mechanics.space.body import attitude, copy_pose, drift, place_of, s
 from stayput.mechanics.space.closing import OPEN, find_contacts, keep
 from stayput.mechanics.space.contact import turns_back
 from stayput.mechanics.space.devices import give, hold, stretch
-from stayput.mechanics.space.events import changes_at
+from stayput.mechanics.space.events import changes, changes_at
 from stayput.mechanics.space.impact import bounces, mend
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.solve import IMPACT, any_closes_fast, apply, has_slipped, slide, solve
@@ -153,7 +153,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
 def _rub_alike(kept, other):
     """Return whether the same of the contacts stick that are closed in both."""
     for key in range(kept.shape[0]):
-        if kept[key, 3] + other[key, 3] == 1.0:
+        if changes(kept, other, key):
             return False
     return True
 
@@ -229,7 +229,7 @@ def refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio,
         lost = give(springs, pulls, devices, poses[2 + half], start + t + 0.5 * (1 + half) * h)
         if not _rub_alike(kept[1], kept[2]):
             for key in range(kept.shape[1]):
-                if kept[1, key, 3] + kept[2, key, 3] == 1.0:
+                if changes(kept[1], kept[2], key):
                     kept[1, key, 3], kept[1, key, 4] = kept[2, key, 3], 0.5 * (half + kept[2, key, 4])
             return RUBS
         if lost or not _bear_alike(kept[1], kept[2]):
