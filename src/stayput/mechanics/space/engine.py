@@ -384,7 +384,8 @@ def run_in_space(
         Time between samples [s], longest plain step [s], gravity [m/s²], and how long all bodies lie before
         the run ends [s].
     scratch : tuple
-        Working memory: CONTACT[c], impulses, what sticks and when that changed float64[3, keys, 5], gaps float64[2, features],
+        Working memory: CONTACT[c], impulses, what sticks and when that changed float64[3, keys, 5], gaps
+        float64[2, features],
         places of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5];
         what bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least
         friction float64[n], forces and moments of devices float64[n, 6], middles and distances float64[n, 4];
