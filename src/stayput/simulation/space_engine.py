@@ -251,7 +251,7 @@ def run_world(
     first = gaps_of(world, scratch[2][0], back)
     refuse_overlaps(world[3], first)
     run_in_space(world, held, both, acceleration, times, scratch, output)
-    histories = histories[back]
+    histories = histories[back] if bodies > 1 else histories  # no copy
     return SpaceTrace(
         histories[..., 0:3],
         histories[..., 3:7],

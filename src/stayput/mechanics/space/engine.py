@@ -51,7 +51,7 @@ from stayput.mechanics.space.rest import (
     stays_until,
 )
 from stayput.mechanics.space.solve import any_closes_fast
-from stayput.mechanics.space.stepping import RUBS, fastest, moves, push_at, refine, step
+from stayput.mechanics.space.stepping import RUBS, fastest, mean_push, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
     ENTERS,
     gap_of,
@@ -79,10 +79,13 @@ SHORT_STEPS = 8
 DEEP = 1e-5
 """Depth from which on they are made shorter again [m]."""
 
-LONGER, LEAST, RIM_LEAST = 10.0, 0.25, 0.02
-"""Over the longest plain step: the longest refined one, and the shortest that is halved no more, without and
-with rims.
+LONGER, LONGER_HELD = 10.0, 20.0
+"""The longest refined step, over the longest plain one; where devices hold a body, which may vibrate on them
+for as long as the floor shakes.
 """
+
+LEAST, RIM_LEAST = 0.25, 0.02
+"""The shortest that is halved no more, over the longest plain one, without and with rims."""
 
 FINER = 0.25
 """The latter where contacts begin or end to slip, over the latter otherwise: friction jumps there."""
@@ -240,8 +243,8 @@ def _at_rest(poses):
 
 
 @inner
-def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace, work):
-    """Take one step from row 0 of the poses to row 1, at the time t after a sample.
+def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pace, output):
+    """Take one step from row 0 of the poses to row 1, at the time t after sample k of the acceleration.
 
     Returns
     -------
@@ -249,15 +252,21 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
         Its length, the number of contacts, the least gap at its end, and whether it has been refined.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
-    contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
+    contacts, kept, gaps, work = scratch[0], scratch[1], scratch[2], output[5]
     now, trial = poses[0], poses[1]
+    springs = held[0].shape[0] > 0
+    most = (LONGER_HELD if springs else LONGER) * longest
     shortest, round_edges = pace[LIMIT], world[2].shape[0] > 0
     least_h = (RIM_LEAST if round_edges else LEAST) * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
+    if springs and t == 0.0 and pace[LENGTH] >= 2.0 * dt and k + 2 < acceleration.shape[0]:
+        h = 2.0 * dt  # each of its halves from a sample to the next
     # ``switch``, if not 0: contacts that changed by this share of a longer step do so at the end of this one
     plain, switch, tries = False, 0.0, 0
     while True:
-        push, ratio = push_at(a0, a1, (t + 0.5 * h) / dt, gravity), h / last if last > 0.0 else 0.0
+        if dt < h < 2.0 * dt:
+            h, switch = dt, 0.0
+        push, ratio = mean_push(acceleration, k, t, h, dt, gravity), h / last if last > 0.0 else 0.0
         count, meets, stands = step(world, held, now, trial, push, h, shortest, scratch, kept[0], ratio, work)
         least = math.inf
         if meets == h or h <= shortest:
@@ -275,29 +284,28 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
             switch_now(contacts, count, kept, switch, trial)
             if fastest(world[0], trial) <= CREEPS and all_stick(contacts, count):
                 _stop_all(trial)
-            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), LONGER * longest)
+            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), most)
             return h, count, least, False
         plain = plain or pace[ROUGH] > 0.0 or h < max(0.5 * least_h, 2.0 * shortest)
         plain = plain or any_closes_fast(contacts, count)
         # from rest it may begin to move within the step, which its end does not tell
         slow = 0.0 < fastest(world[0], now) <= CREEPS and fastest(world[0], trial) <= CREEPS
-        if plain and h > longest:
-            h = longest
+        if (plain and h > longest) or (slow and h > dt):
+            h = longest if plain else dt
             continue
         if plain or slow:
             if shortest < stands < STOOD * h:
                 keep(contacts, count, kept[1], scratch[7][3])
                 switch, h = stands / h + AT_ONCE, stands
                 continue
-            most = GROWS * h if slow else max(pace[LENGTH], 2.0 * h)
-            pace[LENGTH] = min(most, LONGER * longest if slow else longest)
+            pace[LENGTH] = min(GROWS * h, most) if slow else min(max(pace[LENGTH], 2.0 * h), longest)
             return h, count, least, False
-        slides = held[0].shape[0] == 0 and not all_stick(contacts, count)
+        slides = not springs and not all_stick(contacts, count)
         within = RIM_TOLERANCE if round_edges else (SLIDING if slides else TOLERANCE)
         keep(contacts, count, kept[1], scratch[7][3])
         for d in range(held[1].shape[0]):
             scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
-        error = refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio, work)
+        error = refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, ratio, within, output)
         if error >= 0.0 and (error <= within * h or h <= 2.0 * least_h):
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
             meets = _meeting(world, trial, gaps[0], gaps[1], h) if left < 0.0 else h
@@ -306,7 +314,7 @@ def _advance(world, held, poses, a0, a1, numbers, t, start, last, scratch, pace,
                 pace[EVENT] = max(least_h, 0.5 * pace[EVENT])
                 grows = 0.8 * math.sqrt(within * h / max(error, 1e-15))
                 pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, grows)))
-                pace[LENGTH] = min(LONGER * longest, pace[LENGTH])
+                pace[LENGTH] = min(most, pace[LENGTH])
                 return h, count, least, True
         for d in range(held[1].shape[0]):
             held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
@@ -417,7 +425,8 @@ def run_in_space(
     pace[LENGTH], pace[EVENT], pace[ROUGH] = longest, LEAST * longest, 0.0
     pace[SHORT], pace[LIMIT] = 0.0, least_step
     noted, bears, why = False, False, STAYS
-    for k in range(acceleration.shape[0] - 1):
+    k = 0
+    while k < acceleration.shape[0] - 1:
         a0, a1, start = acceleration[k], acceleration[k + 1], dt * k
         t = 0.0
         while t < dt:
@@ -441,7 +450,7 @@ def run_in_space(
                 _stay(bodies, now, histories, k + 1)
                 return
             h, count, least, refined = _advance(
-                world, held, poses, a0, a1, numbers, t, start, last, scratch, pace, work
+                world, held, poses, acceleration, k, numbers, t, last, scratch, pace, output
             )
             pace[SHORT] = pace[SHORT] + 1.0 if h <= pace[LIMIT] else 0.0
             if pace[SHORT] == 0.0:
@@ -471,8 +480,12 @@ def run_in_space(
             note_peaks(bodies, now, peaks)
             for place in range(gaps.shape[1]):
                 gaps[0, place] = gaps[1, place]
-            t = dt if t + h >= dt - 1e-12 else t + h
+            t = max(dt, h) if t + h >= dt - 1e-12 else t + h
             noted, why = False, TIPS
+        if t > dt:  # it has taken two
+            k += 1
+            note_pose(histories, k, poses[2])
+            lies = lies + dt if _all_lie(bodies, poses[2]) else 0.0
         note_pose(histories, k + 1, now)
         if why == STAYS:
             note_weight(histories, k + 1, bodies, push_at(a0, a1, 1.0, gravity), scratch[6][4])
@@ -483,3 +496,4 @@ def run_in_space(
         if lies > numbers[3]:
             _stay(bodies, now, histories, k + 2)
             return
+        k += 1

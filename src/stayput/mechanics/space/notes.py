@@ -38,6 +38,9 @@ def note_hits(contacts, count, kept, time, hits, numbers):
 @inner
 def note_pressing(histories, sample, contacts, count, h):
     """Note what pressed on the bodies in a step of length h."""
+    for b in range(histories.shape[0]):
+        for axis in range(histories.shape[2] - BY_ROOM):
+            histories[b, sample, BY_ROOM + axis] = 0.0
     for k in range(count):
         c = contacts[k]
         n, s, t = normal_of(c), first_tangent(c), second_tangent(c)

@@ -14,12 +14,13 @@ from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import attitude, copy_pose, drift, place_of, set_attitude, stop, velocity
 from stayput.mechanics.space.closing import OPEN, find_contacts, keep
 from stayput.mechanics.space.contact import turns_back
-from stayput.mechanics.space.devices import give, hold, stretch
+from stayput.mechanics.space.devices import give, hold, note_forces, stretch
 from stayput.mechanics.space.events import changes, changes_at
 from stayput.mechanics.space.impact import bounces, mend
 from stayput.mechanics.space.landing import land
+from stayput.mechanics.space.notes import note_pressing
 from stayput.mechanics.space.solve import IMPACT, any_closes_fast, apply, has_slipped, slide, solve
-from stayput.mechanics.space.vectors import added, norm
+from stayput.mechanics.space.vectors import added, norm, scaled
 
 MOST_ROUNDS = 8
 """Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
@@ -30,6 +31,9 @@ RESTS = 4e-5
 CHANGED, RUBS = -1.0, -2.0
 """In place of the difference of a step and its halves: what happens within it."""
 
+HARMLESS = 0.2
+"""Share of the difference that is allowed up to which that makes none."""
+
 LASTS = 0.01
 """Time for which a difference of velocities is taken to last, beside one of places [s]."""
 
@@ -39,6 +43,18 @@ def push_at(a0, a1, part, gravity):
     """Return the acceleration that acts on bodies at a part of the way between samples of the floor's."""
     a = added(a0, part, added(a1, -1.0, a0))
     return -a[0], -a[1], -a[2] - gravity
+
+
+@inline
+def mean_push(acceleration, k, t, h, dt, gravity):
+    """Return the mean of what acts in a step of length h at the time t after sample k of the floor's motion.
+
+    It is within the time between two samples, or as long as that between three.
+    """
+    if h <= dt:
+        return push_at(acceleration[k], acceleration[k + 1], (t + 0.5 * h) / dt, gravity)
+    first = push_at(acceleration[k], acceleration[k + 1], 0.5, gravity)
+    return scaled(0.5, added(first, 1.0, push_at(acceleration[k + 1], acceleration[k + 2], 0.5, gravity)))
 
 
 @inline
@@ -168,8 +184,10 @@ def _bear_alike(kept, other):
 
 
 @inner
-def _extrapolate(bodies, poses):
+def _extrapolate(bodies, poses, third):
     """Extrapolate from a step (row 1) and its halves (row 3), into row 1; return by how much they differ.
+
+    Its place is the halves' and a part of that difference: −1/3, or 0 where it is not of third order.
 
     Returns
     -------
@@ -189,7 +207,6 @@ def _extrapolate(bodies, poses):
         if not moves(halves):
             copy_pose(halves, whole)
             continue
-        third = -1.0 / 3.0
         whole.x, whole.y, whole.z = added(place_of(halves), third, d)
         whole.vx, whole.vy, whole.vz = added(velocity(halves), third, v)
         momentum = halves.lx, halves.ly, halves.lz
@@ -201,37 +218,53 @@ def _extrapolate(bodies, poses):
 
 
 @inner
-def refine(world, held, poses, a0, a1, dt, t, h, start, gravity, scratch, ratio, work):
+def _note_switches(kept, half):
+    """Note in row 1 of what is kept which contacts begin or end to slip in a half, and when in the whole."""
+    for key in range(kept.shape[1]):
+        if changes(kept[1], kept[2], key):
+            kept[1, key, 3], kept[1, key, 4] = kept[2, key, 3], 0.5 * (half + kept[2, key, 4])
+
+
+@inner
+def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, ratio, within, output):
     """Extrapolate a step from row 0 of the poses to row 1, by two halves, to row 2 and to row 3.
 
-    Its contacts are in row 1 of those kept, and those of its end will be in row 2. Devices give way as they
-    do in the halves.
+    It begins at the time t after sample k of the floor's acceleration. Its contacts are in row 1 of those
+    kept, and those of its end will be in row 2. Devices give way as they do in the halves.
 
     Returns
     -------
     float
         The difference of the step and its halves [m]; `CHANGED` where contacts do or a device is lost, `RUBS`
-        where some begin or end to slip, which then is in row 1 of those kept.
+        where some begin or end to slip, which then is in row 1 of those kept. Where devices hold a body and
+        the difference is far ``within`` what is allowed, the halves are taken in these cases too.
     """
-    contacts, kept = scratch[0], scratch[1]
+    contacts, kept, work = scratch[0], scratch[1], output[5]
     springs, pulls, devices = held
-    if not _rub_alike(kept[0], kept[1]):
-        return RUBS
+    found = 0.0 if _rub_alike(kept[0], kept[1]) else RUBS
     for half in range(2):
-        push = push_at(a0, a1, (t + (0.25 + 0.5 * half) * h) / dt, gravity)
+        if found < 0.0 and springs.shape[0] == 0:
+            return found
+        second = half if h > dt else 0  # whether it is in the time after the next sample
+        push = mean_push(acceleration, k + second, t + 0.5 * half * h - second * dt, 0.5 * h, dt, gravity)
         before, factor = kept[2 * half], 0.5 * ratio if half == 0 else 1.0
         count, meets, _ = step(
             world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, 0.0, scratch, before, factor, work
         )
         if meets < 0.5 * h:
-            return CHANGED
+            return min(found, CHANGED)
         keep(contacts, count, kept[2], scratch[7][3])
-        lost = give(springs, pulls, devices, poses[2 + half], start + t + 0.5 * (1 + half) * h)
-        if not _rub_alike(kept[1], kept[2]):
-            for key in range(kept.shape[1]):
-                if changes(kept[1], kept[2], key):
-                    kept[1, key, 3], kept[1, key, 4] = kept[2, key, 3], 0.5 * (half + kept[2, key, 4])
-            return RUBS
-        if lost or not _bear_alike(kept[1], kept[2]):
-            return CHANGED
-    return _extrapolate(world[0], poses)
+        if give(springs, pulls, devices, poses[2 + half], dt * k + t + 0.5 * (1 + half) * h):
+            return min(found, CHANGED)
+        if h > dt and half == 0:
+            note_pressing(output[0], k + 1, contacts, count, 0.5 * h)
+            note_forces(pulls, output[1][k + 1])
+        if found == 0.0 and not _rub_alike(kept[1], kept[2]):
+            _note_switches(kept, half)
+            found = RUBS
+        if found == 0.0 and not _bear_alike(kept[1], kept[2]):
+            found = CHANGED
+    if found == 0.0:
+        return _extrapolate(world[0], poses, -1.0 / 3.0)
+    error = _extrapolate(world[0], poses, 0.0) if springs.shape[0] > 0 else math.inf
+    return error if error <= HARMLESS * within * h else found
