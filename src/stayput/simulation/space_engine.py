@@ -93,11 +93,18 @@ def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps) -> None:
         )
 
 
-SMOOTH = 0.3
-"""Largest angle by which a device's own vibration turns in a step [rad]: it is stepped to a per cent then."""
+SMOOTH, SMOOTH_REFINED = 0.3, 3.0
+"""Largest angle by which a device's own vibration turns in a step [rad]: it is stepped to a per cent then; and
+in a refined one, whose halves grow from 4 on.
+"""
 
 STEP = 1e-3
 """Longest step that is not extrapolated [s]."""
+
+LONGER, LONGER_HELD = 10.0, 20.0
+"""The longest refined step over that; where devices hold a body, which may vibrate on them for as long as the
+floor shakes.
+"""
 
 MOST_HITS = 10_000
 """Most hits that are listed."""
@@ -245,7 +252,9 @@ def run_world(
     if (stop := _STOP.get()) is not None:
         stop.watch(work)
     output = histories, forces, hits, numbers, peaks, work
-    times = np.array([dt, longest_step(own, world[0], min(step, dt)), gravity, lies])
+    omega, longer = fastest_vibration(own, world[0]), LONGER_HELD if len(springs) else LONGER
+    longest, refined = min(step, dt, SMOOTH / omega), min(longer * step, SMOOTH_REFINED / omega)
+    times = np.array([dt, longest, gravity, lies, refined])
     scratch = scratch_of(world, len(springs))
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
     first = gaps_of(world, scratch[2][0], back)
@@ -280,16 +289,15 @@ def _hits_of(hits: NDArray[np.void], order: NDArray[np.int64]) -> NDArray[np.voi
     return hits
 
 
-def longest_step(springs: NDArray[np.void], bodies: NDArray[Any], longest: float) -> float:
-    """Return the longest step in which the devices' vibrations are followed [s].
+def fastest_vibration(springs: NDArray[np.void], bodies: NDArray[Any]) -> float:
+    """Return a bound of the largest ω of bodies on their devices: above 0, also where there are none [rad/s].
 
     The fastest vibration of bodies that springs join is no faster than all of them together, each by itself
     with the others held.
     """
     squares = [_fastest_square(springs, body, number) for number, body in enumerate(bodies)]
     joined = bool((springs["other"] != ROOM).any())
-    square = sum(squares) if joined else max(squares)
-    return min(longest, SMOOTH / math.sqrt(square)) if square > 0.0 else longest
+    return math.sqrt(max(sum(squares) if joined else max(squares), 1e-30))
 
 
 def _fastest_square(springs: NDArray[np.void], body: Any, number: int) -> float:

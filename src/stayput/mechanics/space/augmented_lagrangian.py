@@ -28,7 +28,7 @@ from stayput.mechanics.space.vectors import added, dot
 FIRST_PENALTY, LARGEST_PENALTY, PENALTY_GROWTH = 1e1, 1e4, 1e1
 """Penalties, times the inverse mass that a contact sees: from about 1e6 on rounding enters the velocities."""
 
-MOST_ROUNDS = 24
+MOST_ROUNDS = 64
 """Most updates of multipliers and shifts."""
 
 MOST_NEWTON_STEPS = 60

@@ -1,10 +1,9 @@
 """The engine in space: refined steps between samples of the floor's motion, shortened where bodies meet.
 
 Between events steps are refined (`stayput.mechanics.space.stepping`): of fourth order, as long as their
-error allows, at most `LONGER` times as long as the longest plain step. Where contacts begin or end to bear
-within one it is halved, down to a quarter of that, and then taken as it is; where they begin or end to
-slip, down to `LOCATED`, and it then ends when they do: what is left of it begins with their new friction.
-What stands on the floor alone at rest is let go when its friction or its stance gives way. A step in which
+error allows, up to a longest one. Where contacts begin or end to bear within one it is halved, down to a
+quarter of the longest plain one, and then taken as it is; where they begin or end to slip, down to `LOCATED`,
+and it then ends when they do: what is left of it begins with their new friction. What stands on the floor alone at rest is let go when its friction or its stance gives way. A step in which
 a body would enter or hit another is shortened to where they meet, and the impact has a step of its own, the
 shortest: in a longer one it would be solved with velocities that lack what half of that step brings. What a
 body has entered (`ENTERS`) is moved out without a change of velocity.
@@ -78,11 +77,6 @@ SHORT_STEPS = 8
 
 DEEP = 1e-5
 """Depth from which on they are made shorter again [m]."""
-
-LONGER, LONGER_HELD = 10.0, 20.0
-"""The longest refined step, over the longest plain one; where devices hold a body, which may vibrate on them
-for as long as the floor shakes.
-"""
 
 LEAST, RIM_LEAST = 0.25, 0.02
 """The shortest that is halved no more, over the longest plain one, without and with rims."""
@@ -254,8 +248,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     contacts, kept, gaps, work = scratch[0], scratch[1], scratch[2], output[5]
     now, trial = poses[0], poses[1]
-    springs = held[0].shape[0] > 0
-    most = (LONGER_HELD if springs else LONGER) * longest
+    springs, most = held[0].shape[0] > 0, numbers[4]
     shortest, round_edges = pace[LIMIT], world[2].shape[0] > 0
     least_h = (RIM_LEAST if round_edges else LEAST) * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
@@ -388,9 +381,9 @@ def run_in_space(
         The initial poses in the first row, and the last at the end; the others are working memory.
     acceleration : float64[samples, 3]
         Of the floor [m/s²], linear between samples.
-    numbers : float64[4]
-        Time between samples [s], longest plain step [s], gravity [m/s²], and how long all bodies lie before
-        the run ends [s].
+    numbers : float64[5]
+        Time between samples [s], longest plain step [s], gravity [m/s²], how long all bodies lie before the
+        run ends [s], and the longest refined step [s].
     scratch : tuple
         Working memory: CONTACT[c], impulses, what sticks and when that changed float64[3, keys, 5], gaps
         float64[2, features],
