@@ -1,13 +1,47 @@
 """Edges of two boxes that cross: they touch in one point, where they cross, and nowhere else."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 from in_space import G, about, energy, lifted, still, turned
+from scipy.spatial.transform import Rotation
 from test_space_impacts import compliance
 
 import stayput as sp
+from stayput.compiling import entry
+from stayput.mechanics.space.columns import POSE, SOLID
+from stayput.mechanics.space.pairs import turning_opens  # pyright: ignore[reportUnknownVariableType]
+
+
+@entry
+def accelerations(bodies: Any, poses: Any, n: Any, u: Any, axes: Any, edges: Any, corners: Any, found: Any):
+    for i in range(3):
+        across, slip = (n[0], n[1], n[2]), (u[0], u[1], u[2])
+        found[i] = turning_opens(bodies[0], poses[0], poses[1], across, slip, axes[i], edges, corners)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_gaps_of_what_turns_beside_their_second_differences(seed: int) -> None:
+    """Between two lines that turn and slide, and between each and a plane that the other carries."""
+    va, vb, *spins, e, f = np.random.default_rng(seed).normal(size=(6, 3))
+    n = np.cross(e, f) / np.linalg.norm(np.cross(e, f))
+    u = va - vb - n * (n @ (va - vb))  # they touch at the origin, and stay so
+
+    def gaps(t: float) -> np.ndarray:
+        a, b = (Rotation.from_rotvec(w * t).as_matrix() for w in spins)
+        across = np.cross(a @ e, b @ f)
+        return np.array([across / np.linalg.norm(across), a @ n, b @ n]) @ u * t
+
+    bodies, poses, found = np.zeros(1, SOLID), np.zeros(2, POSE), np.zeros(3)
+    bodies[0]["faces"] = 1
+    for pose, spin in zip(poses, spins, strict=True):
+        pose["wx"], pose["wy"], pose["wz"] = spin
+    corners, edges = np.array([[0.0, 0.0, 0.0], e, f]), np.array([[0, 1], [0, 2]])
+    accelerations(bodies, poses, n, u, np.array([[0, 1], [0, -1], [1, -1]]), edges, corners, found)
+    h = 1e-4
+    np.testing.assert_allclose(found, (gaps(h) - 2.0 * gaps(0.0) + gaps(-h)) / h**2, rtol=1e-5, atol=1e-6)
 
 
 @pytest.mark.parametrize("duration", [2e-6, 4e-5, 2e-4])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import bend, place_of, sag
+from stayput.mechanics.space.contact import velocity_between
 from stayput.mechanics.space.impact import hits_square, mark_what_hits
-from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
+from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch, turning_opens
 from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise, spread_friction
 from stayput.mechanics.space.touching import (
     ENTERS,
@@ -174,6 +175,9 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
             bent = bend(bodies[a], poses[a], (c.rax, c.ray, c.raz))
             bent = added(bent, -1.0, bend(bodies[b], poses[b], (c.rbx, c.rby, c.rbz)))
+            slips = velocity_between(poses[a], (c.rax, c.ray, c.raz), poses[b], (c.rbx, c.rby, c.rbz))
+            more = turning_opens(bodies[a], poses[a], poses[b], n, slips, scratch[8][j], world[7], corners)
+            bent = added(bent, more, n)
             c.bx, c.by, c.bz = bent
             c.gap = touching[m, 3]
             if c.gap - rise(n, bent, h) > CLOSED_BETWEEN:

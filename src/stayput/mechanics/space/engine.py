@@ -1,12 +1,13 @@
 """The engine in space: refined steps between samples of the floor's motion, shortened where bodies meet.
 
-Between events steps are refined (`stayput.mechanics.space.stepping`): of fourth order, as long as their
-error allows, up to a longest one. Where contacts begin or end to bear within one it is halved, down to a
-quarter of the longest plain one, and then taken as it is; where they begin or end to slip, down to `LOCATED`,
-and it then ends when they do: what is left of it begins with their new friction. What stands on the floor alone at rest is let go when its friction or its stance gives way. A step in which
-a body would enter or hit another is shortened to where they meet, and the impact has a step of its own, the
-shortest: in a longer one it would be solved with velocities that lack what half of that step brings. What a
-body has entered (`ENTERS`) is moved out without a change of velocity.
+Between events steps are refined (`stayput.mechanics.space.stepping`): of fourth order, as long as their error
+allows, up to a longest one. Where contacts begin or end to bear within one it is halved, down to a quarter of
+the longest plain one, and then taken as it is; where they begin or end to slip, down to `LOCATED`, and it
+then ends when they do: what is left of it begins with their new friction. What stands on the floor alone at
+rest is let go when its friction or its stance gives way. A step in which a body would enter or hit another is
+shortened to where they meet, and the impact has a step of its own, the shortest: in a longer one it would be
+solved with velocities that lack what half of that step brings. What a body has entered (`ENTERS`) is moved
+out without a change of velocity.
 
 Axes move with the floor: its acceleration acts on bodies against its direction.
 """
@@ -89,6 +90,9 @@ TOLERANCE, SLIDING, RIM_TOLERANCE = 1e-2, 1e-3, 1e-4
 something slips that nothing holds, whose way may turn fast; and where a body has a rim, which turns fast
 where it rolls nearly flat.
 """
+
+SEVERAL = 1e-7
+"""Difference up to which steps of several bodies are not shortened: their impulses are no surer [m]."""
 
 CREEPS = 1e-4
 """Speed up to which what moves has no need of refined steps: it moves by a micrometre in one [m/s]."""
@@ -298,14 +302,17 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
         keep(contacts, count, kept[1], scratch[7][3])
         for d in range(held[1].shape[0]):
             scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
-        error = refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, ratio, within, output)
-        if error >= 0.0 and (error <= within * h or h <= 2.0 * least_h):
+        allowed = within * h if poses.shape[1] == 1 else max(within * h, SEVERAL)
+        error = refine(
+            world, held, poses, acceleration, k, dt, t, h, gravity, scratch, ratio, allowed, output
+        )
+        if error >= 0.0 and (error <= allowed or h <= 2.0 * least_h):
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
             meets = _meeting(world, trial, gaps[0], gaps[1], h) if left < 0.0 else h
             if meets == h:
                 work[4] += error / 3.0
                 pace[EVENT] = max(least_h, 0.5 * pace[EVENT])
-                grows = 0.8 * math.sqrt(within * h / max(error, 1e-15))
+                grows = 0.8 * math.sqrt(allowed / max(error, 1e-15))
                 pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, grows)))
                 pace[LENGTH] = min(most, pace[LENGTH])
                 return h, count, least, True
@@ -316,7 +323,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
         if meets < h:
             h = max(shortest, min(meets, h - shortest))
         elif error >= 0.0:
-            h *= 0.25 if error > 16.0 * within * h else 0.5
+            h *= 0.25 if error > 16.0 * allowed else 0.5
         elif first == 1.0 and h > down_to:
             h = max(down_to, 0.5 * h)
         else:
@@ -451,7 +458,7 @@ def run_in_space(
             elif least < -DEEP:
                 pace[LIMIT] = max(least_step, 0.5 * pace[LIMIT])
             elif pace[SHORT] % SHORT_STEPS == 0.0:
-                pace[LIMIT] *= 2.0
+                pace[LIMIT] = min(2.0 * pace[LIMIT], LEAST * longest)
             if least < -IGNORED:
                 _move_all_out(world, trial, scratch, 0.0 if refined else h)
                 note_all_gaps(world, trial, scratch, gaps[1])

@@ -11,7 +11,7 @@ import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.elementary import sine_and_cosine
-from stayput.mechanics.space.body import in_room, place_of
+from stayput.mechanics.space.body import in_room, place_of, rotation
 from stayput.mechanics.space.touching import lever_of_point
 from stayput.mechanics.space.vectors import added, cross, dot, norm, tangents
 
@@ -30,6 +30,9 @@ NEAR = 0.01
 OUTERMOST = 1e-9
 """How far inside its body's outermost corner along a normal an edge lies that touches there [m]: rounding."""
 
+CROSSES = 0.1
+"""Sine of the angle from which on it is told how fast two edges touch elsewhere."""
+
 PARALLEL = 1e-6
 """Sine of the angle up to which edges are parallel: they have no common normal that faces have not."""
 
@@ -47,6 +50,12 @@ def place_corners(bodies, poses, points, corners):
 @inline
 def _corner(corners, i):
     return corners[i, 0], corners[i, 1], corners[i, 2]
+
+
+@inline
+def _along(edges, corners, i):
+    """Return an edge, from the one of its ends to the other."""
+    return added(_corner(corners, edges[i, 1]), -1.0, _corner(corners, edges[i, 0]))
 
 
 @inline
@@ -114,11 +123,11 @@ def _best_edges(a, b, away, best, near, edges, corners):
     for i in range(a.first_edge, a.first_edge + a.edges):
         if _is_outside(edges[i], low_b, high_b, corners):
             continue
-        along_a = added(_corner(corners, edges[i, 1]), -1.0, _corner(corners, edges[i, 0]))
+        along_a = _along(edges, corners, i)
         for j in range(b.first_edge, b.first_edge + b.edges):
             if _is_outside(edges[j], low_a, high_a, corners):
                 continue
-            along_b = added(_corner(corners, edges[j, 1]), -1.0, _corner(corners, edges[j, 0]))
+            along_b = _along(edges, corners, j)
             n = cross(along_a, along_b)
             size = norm(n)
             if size <= PARALLEL * norm(along_a) * norm(along_b):
@@ -142,8 +151,7 @@ def _best_edges(a, b, away, best, near, edges, corners):
 def _crossing(edges, corners, i, j):
     """Return the middle of the shortest way between two edges' lines, and whether it is on both edges."""
     p, q = _corner(corners, edges[i, 0]), _corner(corners, edges[j, 0])
-    u = added(_corner(corners, edges[i, 1]), -1.0, p)
-    v = added(_corner(corners, edges[j, 1]), -1.0, q)
+    u, v = _along(edges, corners, i), _along(edges, corners, j)
     w = added(p, -1.0, q)
     uu, uv, vv, uw, vw = dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w)
     det = uu * vv - uv * uv
@@ -284,10 +292,7 @@ def _apart_along(a, s, b, r, axis_of, edges, faces, loops, corners):
         return _least(b if own else a, corners, n) - level, n
     i, j = axis_of[0], axis_of[1]
     p, q = _corner(corners, edges[i, 0]), _corner(corners, edges[j, 0])
-    along_a, along_b = (
-        added(_corner(corners, edges[i, 1]), -1.0, p),
-        added(_corner(corners, edges[j, 1]), -1.0, q),
-    )
+    along_a, along_b = _along(edges, corners, i), _along(edges, corners, j)
     n = cross(along_a, along_b)
     size = norm(n)
     if size <= PARALLEL * norm(along_a) * norm(along_b):
@@ -378,3 +383,23 @@ def touch(a, s, b, r, closed, axis_of, faces, loops, edges, corners, polygons, t
     touching[0, 0], touching[0, 1], touching[0, 2] = point
     touching[0, 3] = apart_e
     return apart_e, 1, (-axis[0], -axis[1], -axis[2])
+
+
+@inner
+def turning_opens(a, s, r, n, u, axis_of, edges, corners):
+    """Return the acceleration by which a pair opens since what it touches with turns, beside that of points.
+
+    A gap g = n·(x − y) has g″ = n·(x″ − y″) + 2 n′·u while the points x of body a and y of b slide with u
+    along each other. The normal n of a face turns with its body, n′ = ω × n. That of two edges e and f turns
+    with both, and the points move along these with α and β, u = β f − α e: there 2 n′·u is
+    2 α n·(ω_a × e) − 2 β n·(ω_b × f). ``axis_of`` is that of `touch`.
+    """
+    if axis_of[1] < 0:
+        own = a.first_face <= axis_of[0] < a.first_face + a.faces
+        return 2.0 * dot(cross(rotation(s) if own else rotation(r), n), u)
+    e, f = _along(edges, corners, axis_of[0]), _along(edges, corners, axis_of[1])
+    aside_e, aside_f = cross(n, e), cross(n, f)
+    if abs(dot(e, aside_f)) <= CROSSES * norm(e) * norm(f):
+        return 0.0
+    alpha, beta = -dot(u, aside_f) / dot(e, aside_f), dot(u, aside_e) / dot(f, aside_e)
+    return 2.0 * (alpha * dot(n, cross(rotation(s), e)) - beta * dot(n, cross(rotation(r), f)))

@@ -226,7 +226,7 @@ def _note_switches(kept, half):
 
 
 @inner
-def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, ratio, within, output):
+def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, ratio, allowed, output):
     """Extrapolate a step from row 0 of the poses to row 1, by two halves, to row 2 and to row 3.
 
     It begins at the time t after sample k of the floor's acceleration. Its contacts are in row 1 of those
@@ -237,7 +237,7 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
     float
         The difference of the step and its halves [m]; `CHANGED` where contacts do or a device is lost, `RUBS`
         where some begin or end to slip, which then is in row 1 of those kept. Where devices hold a body and
-        the difference is far ``within`` what is allowed, the halves are taken in these cases too.
+        the difference is far below the one that is ``allowed``, the halves are taken in these cases too.
     """
     contacts, kept, work = scratch[0], scratch[1], output[5]
     springs, pulls, devices = held
@@ -267,4 +267,4 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
     if found == 0.0:
         return _extrapolate(world[0], poses, -1.0 / 3.0)
     error = _extrapolate(world[0], poses, 0.0) if springs.shape[0] > 0 else math.inf
-    return error if error <= HARMLESS * within * h else found
+    return error if error <= HARMLESS * allowed else found
