@@ -28,6 +28,9 @@ from stayput.simulation.many import run_columns
 STEP, FINER, FINEST = 1e-3, 1e-4, 6e-5
 """The default step, and those of references [s]."""
 
+PIECES = 20_000
+"""Pieces that hit a wall: half an hour of processor time."""
+
 STABLE = 2e-3
 """Relative difference of the references up to which a run is not chaotic."""
 
@@ -99,7 +102,7 @@ def walls(folder: Path | None, processes: int) -> None:
     rows: list[list[str]] = []
     with multiprocessing.Pool(processes) as pool:
         for step in (STEP, FINER):
-            runs = pool.map(partial(at_a_wall, suite, step), range(2000), chunksize=20)
+            runs = pool.map(partial(at_a_wall, suite, step), range(PIECES), chunksize=20)
             rocked = np.array([run[:2] for run in runs if run[2] not in ("overturned", "failed")])
             shares = [100.0 * np.mean([run[2] == one for run in runs]) for one in ("overturned", "rocked")]
             medians = np.median(rocked[rocked[:, 0] > 1e-3, 0]), np.median(rocked[:, 1])

@@ -94,8 +94,8 @@ def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps) -> None:
 
 
 SMOOTH, SMOOTH_REFINED = 0.3, 3.0
-"""Largest angle by which a device's own vibration turns in a step [rad]: it is stepped to a per cent then; and
-in a refined one, whose halves grow from 4 on.
+"""Largest angle by which a device's own vibration turns in a step [rad], which is stepped to a per cent then,
+and in a refined one, whose halves grow from 4 on.
 """
 
 STEP = 1e-3

@@ -320,7 +320,7 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
     bodies, points, rims, planes, pairs, faces = world[:6]
     keys = len(planes) * (len(points) + RIM_POINTS * len(rims)) + MOST_TOUCHING * len(pairs)
     features = len(planes) * (len(points) + len(rims)) + len(pairs)
-    kept = np.zeros((3, keys, 5))
+    kept = np.zeros((3, keys, 8))
     kept[0, :, 3] = 1.0
     # of two convex faces that cut each other half as many corners are left; by rounding it may be more
     most_corners = 4 * faces["count"].max()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.space.body import bend, place_of, sag
+from stayput.mechanics.space.body import bend, in_body, place_of, sag
 from stayput.mechanics.space.contact import velocity_between
 from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch, turning_opens
@@ -23,7 +23,7 @@ from stayput.mechanics.space.touching import (
     plane_from,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added
+from stayput.mechanics.space.vectors import added, dot
 
 NO_PLANE = -1
 """The plane of a contact between bodies."""
@@ -32,13 +32,18 @@ CLOSED = 1e-7
 """Gap from a plane up to which a contact is closed [m]: one that closes early turns a body back early."""
 
 TOGETHER, AT_ONCE = 1e-6, 1e-6
-"""The same in steps shorter than this, those of impacts [m, s]: corners that land together hit together."""
+"""The same of what was closed in the step before, and in steps shorter than this, those of impacts [m, s]:
+corners that land together hit together, and stay so.
+"""
 
-CLOSED_BETWEEN = 1e-6
-"""The same between bodies [m]."""
+CLOSED_BETWEEN, TOGETHER_BETWEEN = 1e-6, 2e-6
+"""The same between bodies, and of what was closed in the step before [m]."""
 
 MOST_RISE = 1e-4
 """How far beyond that a rim is looked at, which may be off the plane in mid-step (`rise`) [m]."""
+
+SAME = 0.25
+"""How far on a body a contact with another may have moved in a step, over its radius: farther it is new."""
 
 OPEN = 2.0
 """In place of whether a contact stuck in the step before: it was open."""
@@ -62,6 +67,55 @@ def keep(contacts, count, kept, marks):
         part = 0.0 if marks[c.a] else 1.0
         kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
         kept[c.key, 3], kept[c.key, 4] = float(c.stuck), c.when
+        kept[c.key, 5], kept[c.key, 6], kept[c.key, 7] = c.x, c.y, c.z
+
+
+@inline
+def _square_from(touching, m, s, old):
+    """Return the squared distance of a point that touches from where a contact was on its body."""
+    here = in_body(s, added((touching[m, 0], touching[m, 1], touching[m, 2]), -1.0, place_of(s)))
+    away = added(here, -1.0, (old[5], old[6], old[7]))
+    return dot(away, away)
+
+
+@inner
+def _unused(kept, touching, found):
+    """Return the number of a contact that no point has, if it can be of one that was open."""
+    spare = 0
+    for q in range(MOST_TOUCHING):
+        taken = False
+        for m in range(found):
+            taken = taken or touching[m, 4] == q
+        if not taken:
+            spare = q
+            if kept[q, 3] == OPEN:
+                break
+    return spare
+
+
+@inner
+def _recognize(kept, touching, found, body, s):
+    """Set the last column of points that touch to the numbers of their contacts among those of their pair.
+
+    Each closed one of the step before goes on at the point that is nearest to where it was on body a, unless
+    that is nearer to another. So a point that lands is a new one, whatever touched before.
+    """
+    for m in range(found):
+        touching[m, 4] = -1.0
+    for q in range(MOST_TOUCHING):
+        nearest, at = (SAME * body.radius) ** 2, -1
+        if kept[q, 3] != OPEN:
+            for m in range(found):
+                square = _square_from(touching, m, s, kept[q])
+                if square < nearest:
+                    nearest, at = square, m
+        if at >= 0:
+            other = int(touching[at, 4])
+            if other < 0 or nearest < _square_from(touching, at, s, kept[other]):
+                touching[at, 4] = float(q)
+    for m in range(found):
+        if touching[m, 4] < 0.0:
+            touching[m, 4] = float(_unused(kept, touching, found))
 
 
 @inline
@@ -127,14 +181,14 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
             bends = sag(body, s, h)
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
-                    gap = gap_of_point(points[i], height, n)
-                    if gap > closed + bends:
+                    gap, key = gap_of_point(points[i], height, n), j * points.shape[0] + i
+                    if gap > TOGETHER + bends:
                         continue
                     lever = lever_of_point(s, points[i])
                     bent = bend(body, s, lever)
-                    if gap - rise(plane_normal(plane), bent, h) <= closed:
+                    within = closed if kept[key, 3] == OPEN else TOGETHER
+                    if gap - rise(plane_normal(plane), bent, h) <= within:
                         _on_plane(contacts[count], b, lever, gap, j, plane, bent)
-                        key = j * points.shape[0] + i
                         count = _close(contacts, count, key, kept, ratio, plane)
                         if plane.floor and points[i].mu_static >= 0.0:  # not NaN
                             _rub(contacts[count - 1], points[i].mu_static, points[i].mu_kinetic)
@@ -147,13 +201,13 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                     flat = flat_within(rims[i], closed)
                     for number in range(RIM_POINTS):
                         lever, there = lever_on_rim(s, rims[i], plane, number, push, flat)
-                        gap = gap_of(s, lever, plane)
+                        gap, key = gap_of(s, lever, plane), first_key + i * RIM_POINTS + number
                         if not there or gap > closed + MOST_RISE:
                             continue
                         bent = bend_of_rim(body, s, rims[i], plane, number, h)
-                        if gap - rise(plane_normal(plane), bent, h) <= closed:
+                        within = closed if kept[key, 3] == OPEN else TOGETHER
+                        if gap - rise(plane_normal(plane), bent, h) <= within:
                             _on_plane(contacts[count], b, lever, gap, j, plane, bent)
-                            key = first_key + i * RIM_POINTS + number
                             count = _close(contacts, count, key, kept, ratio, plane)
             if count > first:
                 _prepare(contacts, first, count, kept, plane, bodies, poses, h)
@@ -164,8 +218,9 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         bends = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
-        _, found, n = _touch_pair(world, poses, scratch, j, CLOSED_BETWEEN + bends)
-        first = count
+        _, found, n = _touch_pair(world, poses, scratch, j, TOGETHER_BETWEEN + bends)
+        first, mine = count, kept[first_key + j * MOST_TOUCHING : first_key + (j + 1) * MOST_TOUCHING]
+        _recognize(mine, touching, found, bodies[a], poses[a])
         for m in range(found):
             c = contacts[count]
             c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
@@ -180,9 +235,10 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
             bent = added(bent, more, n)
             c.bx, c.by, c.bz = bent
             c.gap = touching[m, 3]
-            if c.gap - rise(n, bent, h) > CLOSED_BETWEEN:
+            key = first_key + j * MOST_TOUCHING + int(touching[m, 4])
+            if c.gap - rise(n, bent, h) > (CLOSED_BETWEEN if kept[key, 3] == OPEN else TOGETHER_BETWEEN):
                 continue
-            key = first_key + j * MOST_TOUCHING + m
+            c.x, c.y, c.z = in_body(poses[a], (c.rax, c.ray, c.raz))
             count = _close(contacts, count, key, kept, ratio, pairs[j])
         if count > first:
             _prepare(contacts, first, count, kept, pairs[j], bodies, poses, h)

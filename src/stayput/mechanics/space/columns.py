@@ -94,7 +94,7 @@ CONTACT = np.dtype(
     + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")]
     + [(name, "f8") for name in ("ln", "ls", "lt", "un", "us", "ut", "en", "es", "et", "gn", "gs", "gt")]
-    + [(name, "f8") for name in ("shift", "change", "rho", "when")],
+    + [(name, "f8") for name in ("shift", "change", "rho", "when", "x", "y", "z")],
     align=True,
 )
 """A closed contact: bodies a and b (−1: the room), the plane of the room (−1: none) and whether it is the
@@ -103,7 +103,8 @@ free flight opens it, the levers of friction about both G, coefficients of frict
 before, its restitution (0: it does not bounce) and the velocity wanted, impulses, their changes by a step of
 Newton's method, and the inverse mass that they see; of the augmented Lagrangian the multipliers, velocities,
 their changes along the direction and by the gradient, the shift of the normal velocity and its change, and
-the penalty; and when it begins or ends to slip, over the step's length (`stayput.mechanics.space.events`).
+the penalty; when it begins or ends to slip, over the step's length (`stayput.mechanics.space.events`); and of
+two bodies where it is in the axes of body a.
 """
 
 SPRING = np.dtype(

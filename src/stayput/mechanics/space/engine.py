@@ -275,7 +275,11 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
             continue
         if switch > 0.0:
             again = next_switch(contacts, count, kept, switch)
-            if tries < MOST_AGAIN and abs(again - 1.0) > TIMED and shortest < again * h < 2.0 * h:
+            if (
+                tries < MOST_AGAIN
+                and abs(again - 1.0) > TIMED
+                and shortest < again * h < min(2.0 * h, dt - t)
+            ):
                 h, tries = again * h, tries + 1
                 continue
             switch_now(contacts, count, kept, switch, trial)
@@ -392,8 +396,8 @@ def run_in_space(
         Time between samples [s], longest plain step [s], gravity [m/s²], how long all bodies lie before the
         run ends [s], and the longest refined step [s].
     scratch : tuple
-        Working memory: CONTACT[c], impulses, what sticks and when that changed float64[3, keys, 5], gaps
-        float64[2, features],
+        Working memory: CONTACT[c], impulses, what sticks, when that changed, and where float64[3, keys, 8],
+        gaps float64[2, features],
         places of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5];
         what bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least
         friction float64[n], forces and moments of devices float64[n, 6], middles and distances float64[n, 4];

@@ -136,15 +136,16 @@ def note_stances(world, poses, closed, stances):
 def stays_at_rest(bodies, poses, floor, push, stances):
     """Return `STAYS` where the floor alone holds all bodies at rest.
 
-    Else `SLIPS` where one slides or turns on it, `TIPS` where one does or stands on another, and which.
+    Else `TIPS` where one does or stands on another, `SLIPS` where one slides or turns on it, and which. What
+    would do both may tip alone, with less friction than it took to stand.
     """
     sides, counts, discs, frictions, loads, spreads = stances
     for b in range(bodies.shape[0]):
         mass, load = bodies[b].mass, loads[b]
         force = mass * push[0] + load[0], mass * push[1] + load[1]
         weight = -mass * push[2] - load[2]
-        if weight <= 0.0 or math.hypot(force[0], force[1]) > frictions[b] * weight:
-            return SLIPS if weight > 0.0 else TIPS, b
+        if weight <= 0.0:
+            return TIPS, b
         height = place_of(poses[b])[2] - floor.offset
         # times the weight, where the force meets the floor
         x, y = height * force[0] + load[4], height * force[1] - load[3]
@@ -158,7 +159,7 @@ def stays_at_rest(bodies, poses, floor, push, stances):
                     return TIPS, b
         moment = load[5] - (load[4] * force[1] + load[3] * force[0]) / weight
         left = frictions[b] * weight - math.hypot(force[0], force[1])
-        if abs(moment) > left * _least_arm(bodies[b].kappa, spreads[b], x / weight, y / weight):
+        if left < 0.0 or abs(moment) > left * _least_arm(bodies[b].kappa, spreads[b], x / weight, y / weight):
             return SLIPS, b
     return STAYS, 0
 
