@@ -239,3 +239,41 @@ def test_a_block_sticks_and_slips_as_in_closed_form(seed: int, step: float, with
     peak = np.abs(exact).max()
     assert peak > 1e-3
     np.testing.assert_allclose(run.slide[0, :, 0], exact, rtol=0.0, atol=within * peak)
+
+
+@pytest.mark.parametrize("step", [1e-3, 5e-4, 1e-4])
+@pytest.mark.parametrize("below", [(), (sp.Standing(sp.Solid.box(1.2, 1.2, 0.2, 2e4)),)])
+def test_static_friction_holds_through_a_landing(below: tuple[sp.Standing, ...], step: float) -> None:
+    """A box let go on its edge needs H/N = .369 before it lands, .395 as it does, and .386 after: .42 holds.
+
+    So its base is where it was, on the floor and on a slab, with the rebound of the planar engine and each
+    landing counted once.
+    """
+    width, height, tilt, top = 0.46765, 0.8206, 0.206714, 0.2 * len(below)
+    box = sp.Standing(
+        sp.Solid.box(width, 0.40922, height, 20.0),
+        (0.0, 0.0, top + 0.5 * width * math.sin(tilt)),
+        tilt=(0.0, tilt, 0.0),
+    )
+    room = sp.Room(sp.Floor(0.42, 0.3))
+    run = sp.simulate(sp.Assembly((*below, box), (0.42, 0.3)), room, still(1.5), step=step)
+    plane = sp.simulate(
+        sp.Body(width, height, 20.0), room, still(1.5), initial=sp.State(tilt=tilt), dimensions=2
+    )
+    assert np.linalg.norm(run.residual_slide[-1]) < 1e-4
+    assert run.tilt[-1, 30:60].max() == pytest.approx(np.abs(plane.tilt[30:60]).max(), rel=1e-3)
+    landings = np.count_nonzero(np.diff(np.sign(plane.tilt[np.abs(plane.tilt) > 1e-3])))
+    assert run.hit_numbers[-1].sum() >= landings > 3
+
+
+@pytest.mark.parametrize("step", [1e-3, 1e-4])
+def test_what_comes_to_a_stop_may_tip_instead_of_sliding_back(step: float) -> None:
+    """With μ_k < b/h < μ_s: at the stop it may stick and tip with H/N = .4417 of .4912, as in the plane.
+
+    Standing flat it would need a/g = .56, so that it was taken to slide back with its kinetic friction.
+    """
+    body, room = sp.Body(0.303, 0.75, 50.0, length=0.5), sp.Room(sp.Floor(0.4912, 0.295))
+    push, slides = steady(5.5, 0.0, 0.3), sp.State(slide_rate=0.5)
+    runs = [sp.simulate(body, room, push, initial=slides, step=step, dimensions=n) for n in (2, 3)]
+    assert runs[1].tilt[0, 20] == pytest.approx(-runs[0].tilt[20], rel=1e-4)
+    assert runs[1].tilt[0, 20] == pytest.approx(0.02697, rel=1e-3)

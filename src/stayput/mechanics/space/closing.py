@@ -1,10 +1,10 @@
-"""Which contacts are closed in a step, and how far all others are apart."""
+"""Which contacts are closed in a step, how far all others are apart, and when they meet."""
 
 from __future__ import annotations
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import bend, in_body, place_of, sag
-from stayput.mechanics.space.contact import velocity_between
+from stayput.mechanics.space.contact import velocity_at, velocity_between
 from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch, turning_opens
 from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise, spread_friction
@@ -18,6 +18,7 @@ from stayput.mechanics.space.touching import (
     gap_of_point,
     lever_of_point,
     lever_on_rim,
+    lowest_lever,
     may_touch,
     note_gaps,
     plane_from,
@@ -267,3 +268,48 @@ def note_all_gaps(world, poses, scratch, gaps):
         gaps[first + j] = apart
         least, left = min(least, apart), min(left, apart + ENTERS_BODIES)
     return least, left
+
+
+@inline
+def _meets(s, lever, plane, gap, later, first, h):
+    """Return when within a step a point meets a plane that it enters, or ``first`` where that is earlier.
+
+    By Newton's method from the end of the step, and not before where a straight line meets it.
+    """
+    start = max(gap, 0.0)
+    meets = h * start / (start - later)
+    rate = dot(plane_normal(plane), velocity_at(s, lever))
+    return min(first, max(meets, h - later / rate)) if rate < 0.0 else min(first, meets)
+
+
+@inner
+def meeting(world, poses, gaps, later, h):
+    """Return when within a step, with ``poses`` at its end, bodies first meet planes or each other.
+
+    The gaps are those of points and rims, plane by plane, and at last those of pairs of bodies. What touches
+    at first may go deeper by as much as its path bends.
+    """
+    bodies, points, rims, planes, pairs = world[0], world[1], world[2], world[3], world[4]
+    first = h
+    for j in range(planes.shape[0]):
+        plane, before = planes[j], j * (points.shape[0] + rims.shape[0])
+        round_edges = before + points.shape[0]
+        for b in range(bodies.shape[0]):
+            body, s = bodies[b], poses[b]
+            bent = sag(body, s, h)
+            for i in range(body.first_point, body.first_point + body.points):
+                gap, end = gaps[before + i], later[before + i]
+                if end < -ENTERS - (bent if gap <= CLOSED else 0.0):
+                    first = _meets(s, lever_of_point(s, points[i]), plane, gap, end, first, h)
+            for i in range(body.first_rim, body.first_rim + body.rims):
+                gap, end = gaps[round_edges + i], later[round_edges + i]
+                if end < -ENTERS - (bent if gap <= CLOSED else 0.0):
+                    first = _meets(s, lowest_lever(s, rims[i], plane), plane, gap, end, first, h)
+    between = gaps.shape[0] - pairs.shape[0]
+    for k in range(between, gaps.shape[0]):
+        a, b = pairs[k - between].a, pairs[k - between].b
+        bent = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
+        if later[k] < -ENTERS_BODIES - (bent if gaps[k] <= CLOSED_BETWEEN else 0.0):
+            start = max(gaps[k], 0.0)
+            first = min(first, h * start / (start - later[k]))
+    return first

@@ -28,8 +28,8 @@ from stayput.mechanics.space.body import (
     set_attitude,
     stop,
 )
-from stayput.mechanics.space.closing import CLOSED, CLOSED_BETWEEN, ENTERS_BODIES, keep, note_all_gaps
-from stayput.mechanics.space.contact import mobility, velocity_at
+from stayput.mechanics.space.closing import ENTERS_BODIES, TOGETHER, keep, meeting, note_all_gaps
+from stayput.mechanics.space.contact import mobility
 from stayput.mechanics.space.devices import give, note_forces, note_loads
 from stayput.mechanics.space.events import all_stick, first_event, next_switch, switch_now
 from stayput.mechanics.space.notes import (
@@ -53,14 +53,13 @@ from stayput.mechanics.space.rest import (
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import RUBS, fastest, mean_push, moves, push_at, refine, step
 from stayput.mechanics.space.touching import (
-    ENTERS,
     gap_of,
     lever_of_point,
     lowest_lever,
     may_touch,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross, dot
+from stayput.mechanics.space.vectors import added, cross
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
@@ -182,51 +181,6 @@ def _move_all_out(world, poses, scratch, h):
 
 
 @inline
-def _meets(s, lever, plane, gap, later, first, h):
-    """Return when within a step a point meets a plane that it enters, or ``first`` where that is earlier.
-
-    By Newton's method from the end of the step, and not before where a straight line meets it.
-    """
-    start = max(gap, 0.0)
-    meets = h * start / (start - later)
-    rate = dot(plane_normal(plane), velocity_at(s, lever))
-    return min(first, max(meets, h - later / rate)) if rate < 0.0 else min(first, meets)
-
-
-@inner
-def _meeting(world, poses, gaps, later, h):
-    """Return when within a step, with ``poses`` at its end, bodies first meet planes or each other.
-
-    The gaps are those of points and rims, plane by plane, and at last those of pairs of bodies. What touches
-    at first may go deeper by as much as its path bends.
-    """
-    bodies, points, rims, planes, pairs = world[0], world[1], world[2], world[3], world[4]
-    first = h
-    for j in range(planes.shape[0]):
-        plane, before = planes[j], j * (points.shape[0] + rims.shape[0])
-        round_edges = before + points.shape[0]
-        for b in range(bodies.shape[0]):
-            body, s = bodies[b], poses[b]
-            bent = sag(body, s, h)
-            for i in range(body.first_point, body.first_point + body.points):
-                gap, end = gaps[before + i], later[before + i]
-                if end < -ENTERS - (bent if gap <= CLOSED else 0.0):
-                    first = _meets(s, lever_of_point(s, points[i]), plane, gap, end, first, h)
-            for i in range(body.first_rim, body.first_rim + body.rims):
-                gap, end = gaps[round_edges + i], later[round_edges + i]
-                if end < -ENTERS - (bent if gap <= CLOSED else 0.0):
-                    first = _meets(s, lowest_lever(s, rims[i], plane), plane, gap, end, first, h)
-    between = gaps.shape[0] - pairs.shape[0]
-    for k in range(between, gaps.shape[0]):
-        a, b = pairs[k - between].a, pairs[k - between].b
-        bent = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
-        if later[k] < -ENTERS_BODIES - (bent if gaps[k] <= CLOSED_BETWEEN else 0.0):
-            start = max(gaps[k], 0.0)
-            first = min(first, h * start / (start - later[k]))
-    return first
-
-
-@inline
 def _stop_all(poses):
     for b in range(poses.shape[0]):
         stop(poses[b])
@@ -269,7 +223,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
         if meets == h or h <= shortest:
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
             if left < 0.0:
-                meets = min(meets, _meeting(world, trial, gaps[0], gaps[1], h))
+                meets = min(meets, meeting(world, trial, gaps[0], gaps[1], h))
         if meets < h and h > shortest:
             h, switch = max(shortest, min(meets, h - shortest)), 0.0
             continue
@@ -312,7 +266,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
         )
         if error >= 0.0 and (error <= allowed or h <= 2.0 * least_h):
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
-            meets = _meeting(world, trial, gaps[0], gaps[1], h) if left < 0.0 else h
+            meets = meeting(world, trial, gaps[0], gaps[1], h) if left < 0.0 else h
             if meets == h:
                 work[4] += error / 3.0
                 pace[EVENT] = max(least_h, 0.5 * pace[EVENT])
@@ -437,7 +391,7 @@ def run_in_space(
             # what preloaded devices bear at rest is known after a step
             if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
                 if not noted:
-                    note_stances(world, now, CLOSED, scratch[6])
+                    note_stances(world, now, TOGETHER, scratch[6])
                     note_loads(held[0], held[1], last, scratch[6][4])
                     noted = True
                 part, why, b = stays_until(bodies, now, floor, a0, a1, gravity, t / dt, scratch[6])
