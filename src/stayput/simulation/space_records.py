@@ -235,13 +235,20 @@ def _add(
 def _above_feet(solid: Solid, points: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return which points are higher than all feet as the body stands; in place of the others stand the feet.
 
-    A body without feet stands on its points.
+    A body without feet stands on its points. One that leans on feet of unequal height lifts what juts out
+    beyond the higher ones by its lean: that is low too.
     """
     if solid.feet is None:
         return np.ones(len(points), np.bool_)
     up = solid.up_at_rest
     up = np.array([0.0, 0.0, 1.0]) if up is None else up
-    return points @ up > (solid.feet @ up).max() + 1e-6
+    lifted = float(np.hypot(up[0], up[1])) * _from_feet(points, solid.feet)
+    return points @ up > (solid.feet @ up).max() + 1e-6 + lifted
+
+
+def _from_feet(points: NDArray[np.float64], feet: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return how far points are from the nearest foot in plan [m]."""
+    return np.linalg.norm(points[:, np.newaxis, :2] - feet[:, :2], axis=2).min(axis=1)
 
 
 def _cut_off(low: NDArray[np.float64], feet: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -250,7 +257,7 @@ def _cut_off(low: NDArray[np.float64], feet: NDArray[np.float64]) -> NDArray[np.
     A corner that juts out beyond the feet is cut off at 45°: at the height of its distance from the nearest
     foot. So the body tips over the foot, and lies on its side.
     """
-    apart = np.linalg.norm(low[:, np.newaxis, :2] - feet[:, :2], axis=2).min(axis=1)
+    apart = _from_feet(low, feet)
     return low[apart > 1e-9] + apart[apart > 1e-9, np.newaxis] * [0.0, 0.0, 1.0]
 
 

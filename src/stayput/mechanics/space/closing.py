@@ -177,7 +177,7 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
         plane = planes[j]
         first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
         for b in range(bodies.shape[0]):
-            body, s, first = bodies[b], poses[b], count
+            body, s, first, touches = bodies[b], poses[b], count, 0
             height, n = plane_from(s, plane)
             bends = sag(body, s, h)
             for i in range(body.first_point, body.first_point + body.points):
@@ -188,12 +188,14 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                     lever = lever_of_point(s, points[i])
                     bent = bend(body, s, lever)
                     within = closed if kept[key, 3] == OPEN else TOGETHER
-                    if gap - rise(plane_normal(plane), bent, h) <= within:
+                    least = gap - rise(plane_normal(plane), bent, h)
+                    if least <= within:
+                        touches += 1 if least <= closed else 0
                         _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                         count = _close(contacts, count, key, kept, ratio, plane)
                         if plane.floor and points[i].mu_static >= 0.0:  # not NaN
                             _rub(contacts[count - 1], points[i].mu_static, points[i].mu_kinetic)
-            if plane.floor and count - first <= 2:  # on a corner or an edge
+            if plane.floor and touches <= 2:  # on a corner or an edge
                 for k in range(first, count):
                     if not points[contacts[k].key - j * points.shape[0]].mu_static >= 0.0:
                         _rub(contacts[k], body.edge_static, body.edge_kinetic)
