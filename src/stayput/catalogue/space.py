@@ -16,6 +16,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {name} did not overturn; it tilted by {tilt} and slid by {slide}.",
         "{name}は転倒しませんでした（傾き：{tilt}、移動量：{slide}）。",
     ),
+    "leaning": (
+        "The {name} did not overturn but was left leaning; it tilted by {tilt} and slid by {slide}.",
+        "{name}は転倒しませんでしたが、寄りかかったままになりました（傾き：{tilt}、移動量：{slide}）。",
+    ),
+    "turned": (
+        "The {name} turned on its base by up to {angle:.0f}°.",
+        "{name}は最大{angle:.0f}°回転しました。",
+    ),
     "rolled": ("The {name} rolled by {slide}.", "{name}は{slide}転がりました。"),
     "overturned": (
         "The {name} overturned {time:.1f} s into the motion.",

@@ -69,7 +69,11 @@ def space_rows(
         else:
             del values["fell_off"]
         rows += [(say(f"runs.row_{key}", language), value) for key, value in values.items()]
-    return [*rows, *device_rows(run.devices, called if len(called) > 1 else (), language)]
+    rows += device_rows(run.devices, called if len(called) > 1 else (), language)
+    rows.append((say("runs.row_error", language), f"{1e3 * run.estimated_error:.2g} mm"))
+    if run.unconverged:
+        rows.append((say("runs.row_rough", language), f"{run.unconverged:,} / {run.steps:,}"))
+    return rows
 
 
 def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str, Any]:
@@ -190,9 +194,12 @@ def _of_one(run: SpaceRun, name: str) -> Phrase:
     if run.overturned[0]:
         return phrase("space.overturned", name=name, time=float(run.overturn_time[0]))
     angle, way = math.degrees(run.peak_tilt[0]), float(run.peak_slide[0])
+    turn = math.degrees(np.abs(run.yaw[0]).max())
     if run.outcome is Outcome.RESTED:
-        return phrase("runs.rested", name=name)
+        return (
+            phrase("space.turned", name=name, angle=turn) if turn >= 1.0 else phrase("runs.rested", name=name)
+        )
     tilt = phrase("space.least_angle") if angle < 0.1 else phrase("space.up_to_angle", angle=angle)
     slide = phrase("runs.slid_least") if way < 1e-3 else phrase("runs.slid_up_to", length=length(way))
-    key = "rolled" if run.outcome is Outcome.ROLLED else "upright"
+    key = run.outcome.value if run.outcome in (Outcome.ROLLED, Outcome.LEANING) else "upright"
     return phrase(f"space.{key}", name=name, tilt=tilt, slide=slide)
