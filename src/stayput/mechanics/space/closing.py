@@ -33,7 +33,7 @@ CLOSED = 1e-7
 """Gap from a plane up to which a contact is closed [m]: one that closes early turns a body back early."""
 
 TOGETHER, AT_ONCE = 1e-6, 1e-6
-"""The same of what was closed in the step before, and in steps shorter than this, those of impacts [m, s]:
+"""The same of what was closed in the step before, and in steps shorter than this, as of impacts [m, s]:
 corners that land together hit together, and stay so.
 """
 
@@ -55,7 +55,7 @@ ENTERS_BODIES = 1e-5
 
 @inner
 def keep(contacts, count, kept, marks):
-    """Note impulses, what sticks, and when that changed, by contact, for the next step.
+    """Note impulses, what sticks, when that changed, and where it is, by contact, for the next step.
 
     Impulses of impacts say nothing of those of the next step, which begins without.
     """

@@ -70,7 +70,7 @@ def space_rows(
             del values["fell_off"]
         rows += [(say(f"runs.row_{key}", language), value) for key, value in values.items()]
     rows += device_rows(run.devices, called if len(called) > 1 else (), language)
-    rows.append((say("runs.row_error", language), f"{1e3 * run.estimated_error:.2g} mm"))
+    rows.append((say("runs.row_error", language), f"{100.0 * run.estimated_error:.2g} cm"))
     if run.unconverged:
         rows.append((say("runs.row_rough", language), f"{run.unconverged:,} / {run.steps:,}"))
     return rows
