@@ -279,7 +279,7 @@ def test_what_comes_to_a_stop_may_tip_instead_of_sliding_back(step: float) -> No
 
 
 def test_what_leans_on_short_feet_tips_over_its_feet() -> None:
-    """Its base juts out beyond the feet, and its lean lifts it there: it rocks as in the plane, also from a tilt."""
+    """Its base juts out beyond the feet, and its lean lifts it there: it rocks as in the plane."""
     body = sp.Body(0.3, 1.8, 100.0, length=0.8, base_insets=(0.018, 0.01), base_heights=(0.0, -0.0006))
     start = {"room": sp.Room(sp.Floor(2.0, 2.0)), "motion": still(2.0), "initial": sp.State(tilt=0.05)}
     plane, space = (sp.simulate(body, **start, dimensions=n) for n in (2, 3))

@@ -292,14 +292,6 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
             switch, h = (0.0, min(h, down_to)) if plain else (first + AT_ONCE, first * h)
 
 
-@inline
-def _floor_bears(contacts, count):
-    for k in range(count):
-        if contacts[k].floor and contacts[k].pn > 0.0:
-            return True
-    return False
-
-
 @inner
 def _rests(world, held, poses, a0, a1, numbers, start, last, scratch, bears, work):
     """Return whether bodies at rest stay so between two samples, with the number of contacts and the step.
@@ -428,10 +420,9 @@ def run_in_space(
             if least < -IGNORED:
                 _move_all_out(world, trial, scratch, 0.0 if refined else h)
                 note_all_gaps(world, trial, scratch, gaps[1])
-            elif alone and 0.0 < least <= TOGETHER and _floor_bears(contacts, count):
-                trial[
-                    0
-                ].z -= least  # what steps leave below the foot on which it turns, which would be energy
+            elif refined and alone and count == 1 and contacts[0].floor and 0.0 < least <= TOGETHER:
+                # what steps leave below the corner on which it turns would be energy
+                trial[0].z -= least
                 note_all_gaps(world, trial, scratch, gaps[1])
             if refined:
                 note_peaks(bodies, poses[2], peaks)
