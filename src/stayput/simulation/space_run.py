@@ -127,7 +127,7 @@ class SpaceRun(InNetcdf):
     unconverged : int
         Steps whose contact forces did not converge; a few where contacts jam.
     estimated_error : float
-        Of places, at least: what steps between events differ from two of half their length, over three, in
+        Of places, as a scale: what steps between events differ from two of half their length, over three, in
         sum [m]. Events, impacts, and what shaking makes of an error come on top.
     held : tuple of Held or None
         The measures in place on each body; None of one that is no piece of furniture.
