@@ -273,14 +273,16 @@ def test_what_comes_to_a_stop_may_tip_instead_of_sliding_back(step: float) -> No
     """
     body, room = sp.Body(0.303, 0.75, 50.0, length=0.5), sp.Room(sp.Floor(0.4912, 0.295))
     push, slides = steady(5.5, 0.0, 0.3), sp.State(slide_rate=0.5)
-    runs = [sp.simulate(body, room, push, initial=slides, step=step, dimensions=n) for n in (2, 3)]
-    assert runs[1].tilt[0, 20] == pytest.approx(-runs[0].tilt[20], rel=1e-4)
-    assert runs[1].tilt[0, 20] == pytest.approx(0.02697, rel=1e-3)
+    plane = sp.simulate(body, room, push, initial=slides, step=step, dimensions=2)
+    space = sp.simulate(body, room, push, initial=slides, step=step, dimensions=3)
+    assert space.tilt[0, 20] == pytest.approx(-plane.tilt[20], rel=1e-4)
+    assert space.tilt[0, 20] == pytest.approx(0.02697, rel=1e-3)
 
 
 def test_what_leans_on_short_feet_tips_over_its_feet() -> None:
     """Its base juts out beyond the feet, and its lean lifts it there: it rocks as in the plane."""
     body = sp.Body(0.3, 1.8, 100.0, length=0.8, base_insets=(0.018, 0.01), base_heights=(0.0, -0.0006))
-    start = {"room": sp.Room(sp.Floor(2.0, 2.0)), "motion": still(2.0), "initial": sp.State(tilt=0.05)}
-    plane, space = (sp.simulate(body, **start, dimensions=n) for n in (2, 3))
+    room, start = sp.Room(sp.Floor(2.0, 2.0)), sp.State(tilt=0.05)
+    plane = sp.simulate(body, room, still(2.0), initial=start, dimensions=2)
+    space = sp.simulate(body, room, still(2.0), initial=start, dimensions=3)
     assert np.abs(space.tilt[0] - np.abs(plane.tilt))[:100].max() < 1e-3
