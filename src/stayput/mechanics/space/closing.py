@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import bend, in_body, place_of, sag
-from stayput.mechanics.space.contact import velocity_at, velocity_between
+from stayput.mechanics.space.contact import lever_a, lever_b, velocity_at
 from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch, turning_opens
 from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise, spread_friction
@@ -231,9 +231,9 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
             place = touching[m, 0], touching[m, 1], touching[m, 2]
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
-            bent = bend(bodies[a], poses[a], (c.rax, c.ray, c.raz))
-            bent = added(bent, -1.0, bend(bodies[b], poses[b], (c.rbx, c.rby, c.rbz)))
-            slips = velocity_between(poses[a], (c.rax, c.ray, c.raz), poses[b], (c.rbx, c.rby, c.rbz))
+            bent = bend(bodies[a], poses[a], lever_a(c))
+            bent = added(bent, -1.0, bend(bodies[b], poses[b], lever_b(c)))
+            slips = added(velocity_at(poses[a], lever_a(c)), -1.0, velocity_at(poses[b], lever_b(c)))
             more = turning_opens(bodies[a], poses[a], poses[b], n, slips, scratch[8][j], world[7], corners)
             bent = added(bent, more, n)
             c.bx, c.by, c.bz = bent
@@ -241,7 +241,7 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
             key = first_key + j * MOST_TOUCHING + int(touching[m, 4])
             if c.gap - rise(n, bent, h) > (CLOSED_BETWEEN if kept[key, 3] == OPEN else TOGETHER_BETWEEN):
                 continue
-            c.x, c.y, c.z = in_body(poses[a], (c.rax, c.ray, c.raz))
+            c.x, c.y, c.z = in_body(poses[a], lever_a(c))
             count = _close(contacts, count, key, kept, ratio, pairs[j])
         if count > first:
             _prepare(contacts, first, count, kept, pairs[j], bodies, poses, h)

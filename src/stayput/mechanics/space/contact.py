@@ -59,17 +59,11 @@ def velocity_at(s, lever):
 
 
 @inline
-def velocity_between(s, lever, r, arm):
-    """Return the velocity of a body's point relative to another's."""
-    return added(velocity_at(s, lever), -1.0, velocity_at(r, arm))
-
-
-@inline
 def opening(c, poses):
     """Return how fast a contact opens."""
     u = velocity_at(poses[c.a], lever_a(c))
     if c.b != ROOM:
-        u = velocity_between(poses[c.a], lever_a(c), poses[c.b], lever_b(c))
+        u = added(u, -1.0, velocity_at(poses[c.b], lever_b(c)))
     return dot(normal_of(c), u)
 
 
@@ -78,7 +72,7 @@ def slip(c, poses):
     """Return the velocity of body a, relative to b, along the tangents where friction acts."""
     u = velocity_at(poses[c.a], friction_lever_a(c))
     if c.b != ROOM:
-        u = velocity_between(poses[c.a], friction_lever_a(c), poses[c.b], friction_lever_b(c))
+        u = added(u, -1.0, velocity_at(poses[c.b], friction_lever_b(c)))
     return dot(first_tangent(c), u), dot(second_tangent(c), u)
 
 

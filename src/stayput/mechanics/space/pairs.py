@@ -59,6 +59,12 @@ def _along(edges, corners, i):
 
 
 @inline
+def _has_face(body, face):
+    """Return whether a face of the list is one of a body's."""
+    return body.first_face <= face < body.first_face + body.faces
+
+
+@inline
 def _normal(s, face):
     """Return a face's outward normal in the room's axes."""
     return in_room(s, (face.nx, face.ny, face.nz))
@@ -254,7 +260,7 @@ def _meet_on_face(a, s, b, r, face, closed, faces, loops, corners, polygons, tou
     tuple
         How many points touch, and the normal from b to a.
     """
-    if a.first_face <= face < a.first_face + a.faces:
+    if _has_face(a, face):
         n = _normal(s, faces[face])
         incident, towards = _facing(b, r, faces, loops, corners, n), (-n[0], -n[1], -n[2])
     else:
@@ -286,7 +292,7 @@ def _apart_along(a, s, b, r, axis_of, edges, faces, loops, corners):
     """
     if axis_of[1] < 0:
         face = axis_of[0]
-        own = a.first_face <= face < a.first_face + a.faces
+        own = _has_face(a, face)
         n = _normal(s, faces[face]) if own else _normal(r, faces[face])
         level = dot(n, _corner(corners, loops[faces[face].first]))
         return _least(b if own else a, corners, n) - level, n
@@ -395,8 +401,7 @@ def turning_opens(a, s, r, n, u, axis_of, edges, corners):
     2 α n·(ω_a × e) − 2 β n·(ω_b × f). ``axis_of`` is that of `touch`.
     """
     if axis_of[1] < 0:
-        own = a.first_face <= axis_of[0] < a.first_face + a.faces
-        return 2.0 * dot(cross(rotation(s) if own else rotation(r), n), u)
+        return 2.0 * dot(cross(rotation(s) if _has_face(a, axis_of[0]) else rotation(r), n), u)
     e, f = _along(edges, corners, axis_of[0]), _along(edges, corners, axis_of[1])
     aside_e, aside_f = cross(n, e), cross(n, f)
     if abs(dot(e, aside_f)) <= CROSSES * norm(e) * norm(f):
