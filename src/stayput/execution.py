@@ -14,10 +14,13 @@ in memory.
 from __future__ import annotations
 
 import itertools
+import math
 import os
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import partial
-from threading import Lock
+from threading import Event, Lock, current_thread, main_thread
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from uuid import uuid4
 from weakref import WeakValueDictionary
@@ -30,6 +33,9 @@ from stayput.errors import InputError, instance_of, whole_within
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Iterator
     from typing import Self
+
+    import numpy as np
+    from numpy.typing import NDArray
 
 T = TypeVar("T")
 
@@ -64,11 +70,63 @@ def thread_count(threads: int | None) -> int:
     return whole_within("common.threads", threads, 1, MOST_THREADS, field="threads")
 
 
+_STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)
+
+
+class Stop(Event):
+    """Ends runs of other threads once it is set: by the limit of their work, at which they look in each step."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.limits: dict[int, NDArray[np.float64]] = {}
+
+    def set(self) -> None:
+        """End the runs, and those that are still to come."""
+        super().set()
+        for limit in list(self.limits.values()):
+            limit[0] = -math.inf
+
+    @contextmanager
+    def ending_runs(self) -> Generator[None]:
+        """End the runs of this thread within the block."""
+        token = _STOP.set(self)
+        try:
+            yield
+        finally:
+            _STOP.reset(token)
+
+
+def endable(run: Callable[[], object], limit: NDArray[np.float64]) -> None:
+    """Do a long run in compiled code, which ends on Ctrl-C, or by the `Stop` of this thread.
+
+    Python hears Ctrl-C on its main thread alone, and there between its own instructions: the run has another.
+
+    Parameters
+    ----------
+    run : callable
+        The run; it releases the interpreter's lock.
+    limit : ndarray, shape (1,)
+        Of its work, which it looks at in each step and does not write.
+    """
+    stop = _STOP.get() or Stop()
+    stop.limits[id(limit)] = limit
+    try:
+        if stop.is_set():
+            stop.set()
+        if current_thread() is main_thread():
+            with Pool(1) as pool:  # an exception in the block ends the run
+                list(pool.in_order([partial(endable, run, limit)]))
+        else:
+            run()
+    finally:
+        del stop.limits[id(limit)]
+
+
 class Pool:
     """Computes calls, which are functions without arguments; each result comes with its number or in order.
 
-    It is a context manager: at the end of the block, by an exception too (Ctrl-C among them), calls that have
-    not begun are dropped. It computes one iterable of calls at a time.
+    It is a context manager: at the end of the block calls that have not begun are dropped; where an exception
+    ends it (Ctrl-C among them), runs under way end too. It computes one iterable of calls at a time.
 
     Parameters
     ----------
@@ -99,12 +157,15 @@ class Pool:
         self._threads = None if executor is not None else ThreadPoolExecutor(self.width)
         self._under_way: dict[Future[Any], tuple[int, Callable[[], Any], dict[str, Callable[[], Any]]]] = {}
         self._submitted = itertools.count()
+        self._stop = Stop()
 
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *exception: object) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *exception: object) -> None:
         self._drop()
+        if kind is not None:
+            self._stop.set()
         if self._threads is not None:
             self._threads.shutdown(wait=True, cancel_futures=True)
 
@@ -155,7 +216,7 @@ class Pool:
     def _hand_in(self, number: int, call: Callable[[], Any], sent: dict[str, Callable[[], Any]]) -> None:
         """Submit a call, to a given executor with the shared values that its process lacked."""
         if self._threads is not None:
-            future = self._threads.submit(call)
+            future = self._threads.submit(self._stop.ending_runs()(call))
         else:
             assert self._given is not None
             try:
@@ -268,8 +329,7 @@ def _elsewhere(
     What it raises is returned: an exception of the executor's future is then the executor's own.
     """
     if version != stayput.__version__:
-        wrong = InputError("common.worker_version", worker=stayput.__version__, version=version)
-        return None, wrong, None
+        return None, InputError("common.worker_version", worker=stayput.__version__, version=version), None
     with _kept_lock:
         for key, compute in sent.items():
             if key not in _kept:

@@ -1,16 +1,18 @@
 """Executors: the same results in the same order for any number of threads, and nothing left behind."""
 
 import os
+import signal
 import threading
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from functools import partial
 
 import forks
+import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.execution import AHEAD, MOST_THREADS, Pool, Shared, cores, thread_count
+from stayput.execution import AHEAD, MOST_THREADS, Pool, Shared, cores, endable, thread_count
 
 
 def slow_square(n):
@@ -53,6 +55,31 @@ def test_an_error_comes_back_in_order_and_drops_the_rest():
             list(pool.in_order(partial(fail, n) for n in range(1000)))
         assert len(run) < 20
         assert list(pool.in_order(partial(fail, n) for n in (7, 8))) == [7, 8]
+
+
+def long_run(limit):
+    """Run until the limit of its work is below 0, as the engine in space does."""
+    endable(lambda: [time.sleep(0.01) for _ in iter(lambda: bool(limit[0] < 0.0), True)], limit)
+
+
+def test_an_interrupt_ends_a_long_run_that_would_not_hear_it():
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have it ignored
+    threading.Timer(0.1, os.kill, [os.getpid(), signal.SIGINT]).start()
+    limit = np.ones(1)
+    with pytest.raises(KeyboardInterrupt):
+        long_run(limit)
+    signal.signal(signal.SIGINT, before)
+    assert limit[0] < 0.0
+
+
+def test_an_error_ends_runs_under_way():
+    """Without it the block would wait for the run for ever."""
+
+    def fail():
+        raise ValueError("no such piece")
+
+    with pytest.raises(ValueError, match="no such piece"), Pool(2) as pool:
+        list(pool.as_completed([partial(long_run, np.ones(1)), fail]))
 
 
 def test_the_end_of_a_block_drops_what_has_not_begun():

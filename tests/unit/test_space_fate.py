@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import stayput as sp
+from stayput.execution import Stop
 from stayput.report.space.summary import became as told
 from stayput.report.summary import place_called
-from stayput.simulation.space_engine import Stop
 from stayput.simulation.space_fate import fates_of, lies_on_floor
 
 BOX = sp.Solid.box

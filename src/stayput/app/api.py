@@ -30,8 +30,8 @@ from stayput.verification.compare import curve_levels
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from stayput.execution import Stop
     from stayput.scenario import Scenario
-    from stayput.simulation.space_engine import Stop
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 

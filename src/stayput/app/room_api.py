@@ -34,9 +34,9 @@ if TYPE_CHECKING:
     from stayput.app.jobs import Job
     from stayput.app.limits import Limits
     from stayput.app.service import Service
+    from stayput.execution import Stop
     from stayput.rooms.steps import ActionPlan
     from stayput.scenario.room import RoomScenario
-    from stayput.simulation.space_engine import Stop
 
 
 def _asked_home(

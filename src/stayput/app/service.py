@@ -16,8 +16,8 @@ from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_pieces, read_room_scene, read_scene, several_pieces, uploaded_motions
 from stayput.app.turns import StoppedError, Turns, Workers
 from stayput.app.verification import job_reply
+from stayput.execution import Stop
 from stayput.rooms.verdict import RoomVerdict
-from stayput.simulation.space_engine import Stop
 
 if TYPE_CHECKING:
     from collections.abc import Callable

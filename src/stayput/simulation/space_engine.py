@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-import threading
-from contextlib import contextmanager
-from contextvars import ContextVar
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.execution import endable
 from stayput.mechanics.devices.columns import DEVICE, FORCES
 from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
 from stayput.mechanics.space.engine import FEW, MOST_UNCONVERGED, run_in_space
@@ -19,8 +18,6 @@ from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.space_records import scratch_of, surface_of
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
-
     from numpy.typing import NDArray
 
 
@@ -111,38 +108,6 @@ MOST_HITS = 10_000
 
 FIRST_WORK, WORK_A_SECOND = 2.5e8, 2.5e7
 """Work after which a run is given up, and more for each body and second, in contact updates (0.04 µs)."""
-
-
-_STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)
-
-
-class Stop(threading.Event):
-    """Ends runs of another thread once it is set: they are given up at the next sample."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._works: list[NDArray[np.float64]] = []
-
-    def set(self) -> None:
-        """End the runs, and those that are still to come."""
-        super().set()
-        for work in self._works:
-            work[2] = np.inf
-
-    def watch(self, work: NDArray[np.float64]) -> None:
-        """Let a run that begins be ended: by its work, at which the engine looks."""
-        self._works.append(work)
-        if self.is_set():
-            self.set()
-
-    @contextmanager
-    def ending_runs(self) -> Generator[None]:
-        """End the runs of this thread within the block."""
-        token = _STOP.set(self)
-        try:
-            yield
-        finally:
-            _STOP.reset(token)
 
 
 class SpaceTrace(NamedTuple):
@@ -249,8 +214,6 @@ def run_world(
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
     numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(5)
     work[3] = (FIRST_WORK + WORK_A_SECOND * bodies * dt * (samples - 1)) * max(1.0, STEP / step)
-    if (stop := _STOP.get()) is not None:
-        stop.watch(work)
     output = histories, forces, hits, numbers, peaks, work
     omega, longer = fastest_vibration(own, world[0]), LONGER_HELD if len(springs) else LONGER
     longest, refined = min(step, dt, SMOOTH / omega), min(longer * step, SMOOTH_REFINED / omega)
@@ -259,7 +222,7 @@ def run_world(
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
     first = gaps_of(world, scratch[2][0], back)
     refuse_overlaps(world[3], first)
-    run_in_space(world, held, both, acceleration, times, scratch, output)
+    endable(partial(run_in_space, world, held, both, acceleration, times, scratch, output), work[3:4])
     histories = histories[back] if bodies > 1 else histories  # no copy
     return SpaceTrace(
         histories[..., 0:3],
