@@ -74,7 +74,7 @@ _STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)
 
 
 class Stop(Event):
-    """Ends runs of other threads once it is set: by the limit of their work, at which they look in each step."""
+    """Ends runs of other threads once it is set: by their limit of work, at which they look in each step."""
 
     def __init__(self) -> None:
         super().__init__()
