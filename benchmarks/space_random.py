@@ -149,9 +149,9 @@ def depth_between(run: sp.SpaceRun) -> float:
 
 def run_one(case: Thrown, step: float = STEP) -> Found:
     """Run a case and look at what came out."""
-    began = time.thread_time()
+    began = time.process_time()
     run = sp.simulate(sp.Assembly(case.bodies, case.friction), case.room, case.motion, step=step)
-    seconds = time.thread_time() - began
+    seconds = time.process_time() - began
     arrays = run.place, run.attitude, run.velocity, run.rotation_rate
     made = lost = momentum = math.nan
     masses = [one.solid.mass for one in case.bodies]
