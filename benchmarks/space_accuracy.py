@@ -85,7 +85,7 @@ def free(folder: Path | None, processes: int) -> None:
             pool.map(partial(free_box, suite, step), range(600)) for step in (STEP, FINER, FINEST)
         )
     rows: list[list[str]] = []
-    for name, column, least, was in (("peak tilt", 0, 3e-3, "17"), ("peak slide", 1, 2e-3, "-")):
+    for name, column, least, was in (("peak tilt", 0, 3e-3, "17"), ("peak slide", 1, 2e-3, "–")):
         now, one, two = (np.array([run[column] for run in runs]) for runs in (found, finer, finest))
         moves = (one > least) & [run[2] != "overturned" for run in finer]
         stable = moves & (np.abs(two / np.where(moves, one, 1.0) - 1.0) <= STABLE)

@@ -255,7 +255,7 @@ def compared(
     for row, error, spent in zip(rows, ours, our_time, strict=False):
         if 0.0 < error <= theirs.max():
             needed = np.exp(np.interp(np.log(error), np.log(theirs[rising]), np.log(their_time[rising])))
-            row[-1] = f"{'> ' if error < theirs.min() else ''}{three(needed / spent)}"
+            row[-1] = f"{'over ' if error < theirs.min() else ''}{three(needed / spent)}"
     return rows
 
 

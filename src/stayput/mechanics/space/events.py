@@ -13,6 +13,9 @@ from stayput.mechanics.space.closing import OPEN
 from stayput.mechanics.space.contact import stands_at
 from stayput.mechanics.space.solve import slip_rate
 
+GIVES = 1e-3
+"""Share of the friction that contacts have by which they bear more at an end of a step before they slip."""
+
 STANDS = 1e-4
 """Slip up to which a contact stands where others of its body do [m/s]."""
 
@@ -45,6 +48,48 @@ def changes_at(c, kept, ratio, before, after):
         return math.inf
     middle = 0.5 / ratio
     return max(0.0, (middle + 0.5) * first / (first - spare) - middle)
+
+
+@inline
+def _spare(contacts, first, end, kept, whole, half):
+    """Return what sticking contacts of a body have of friction beyond what they bear, and what they have.
+
+    Of the impulses of a step (row 1) and of its second half (row 2) so many times each are meant.
+    """
+    most, s, t = 0.0, 0.0, 0.0
+    for k in range(first, end):
+        c = contacts[k]
+        most += c.mu_static * (whole * kept[1, c.key, 0] + half * kept[2, c.key, 0])
+        s += whole * kept[1, c.key, 1] + half * kept[2, c.key, 1]
+        t += whole * kept[1, c.key, 2] + half * kept[2, c.key, 2]
+    return most - math.sqrt(s * s + t * t), most
+
+
+@inner
+def gives_way(contacts, count, kept):
+    """Return whether friction gives way in a step that its mean holds; note in row 1 what slips, and when.
+
+    Forces that are linear in time are at the ends of a step what it and its second half say. The motion of
+    the floor has its peaks at samples, where steps end.
+    """
+    found, first = False, 0
+    while first < count:
+        end, sticks = first, True
+        c = contacts[first]
+        while end < count and (contacts[end].a, contacts[end].b, contacts[end].plane) == (c.a, c.b, c.plane):
+            sticks = sticks and kept[1, contacts[end].key, 3] == 1.0
+            end += 1
+        (now, most), (then, last) = (
+            _spare(contacts, first, end, kept, 1.5, -2.0),
+            _spare(contacts, first, end, kept, -0.5, 2.0),
+        )
+        if sticks and min(most, last) > 0.0 and (now < -GIVES * most or then < -GIVES * last):
+            found = True
+            for k in range(first, end):
+                kept[1, contacts[k].key, 3] = 0.0
+                kept[1, contacts[k].key, 4] = 0.0 if now <= 0.0 else now / (now - then)
+        first = end
+    return found
 
 
 @inner

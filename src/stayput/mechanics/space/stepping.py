@@ -15,7 +15,7 @@ from stayput.mechanics.space.body import attitude, copy_pose, drift, place_of, s
 from stayput.mechanics.space.closing import OPEN, find_contacts, keep
 from stayput.mechanics.space.contact import turns_back
 from stayput.mechanics.space.devices import give, hold, note_forces, stretch
-from stayput.mechanics.space.events import changes, changes_at
+from stayput.mechanics.space.events import changes, changes_at, gives_way
 from stayput.mechanics.space.impact import bounces, mend
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.notes import note_pressing
@@ -264,6 +264,8 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
             found = RUBS
         if found == 0.0 and not _bear_alike(kept[1], kept[2]):
             found = CHANGED
+    if found == 0.0 and gives_way(contacts, count, kept):
+        return RUBS
     if found == 0.0:
         return _extrapolate(world[0], poses, -1.0 / 3.0)
     error = _extrapolate(world[0], poses, 0.0) if springs.shape[0] > 0 else math.inf
