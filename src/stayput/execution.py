@@ -74,10 +74,14 @@ _STOP: ContextVar[Stop | None] = ContextVar("stop", default=None)
 
 
 class Stop(Event):
-    """Ends runs of other threads once it is set: by their limit of work, at which they look in each step."""
+    """Ends runs of other threads once it is set: by their limit of work, at which they look in each step.
+
+    One that is made where another ends the runs is set with it.
+    """
 
     def __init__(self) -> None:
         super().__init__()
+        self.above = _STOP.get()
         self.limits: dict[int, NDArray[np.float64]] = {}
 
     def set(self) -> None:
@@ -108,25 +112,32 @@ def endable(run: Callable[[], object], limit: NDArray[np.float64]) -> None:
     limit : ndarray, shape (1,)
         Of its work, which it looks at in each step and does not write.
     """
-    stop = _STOP.get() or Stop()
-    stop.limits[id(limit)] = limit
-    try:
+    stops: list[Stop] = []
+    stop = _STOP.get()
+    while stop is not None:
+        stops.append(stop)
+        stop = stop.above
+    for stop in stops:
+        stop.limits[id(limit)] = limit
         if stop.is_set():
-            stop.set()
+            limit[0] = -math.inf
+    try:
         if current_thread() is main_thread():
             with Pool(1) as pool:  # an exception in the block ends the run
                 list(pool.in_order([partial(endable, run, limit)]))
         else:
             run()
     finally:
-        del stop.limits[id(limit)]
+        for stop in stops:
+            stop.limits.pop(id(limit), None)
 
 
 class Pool:
     """Computes calls, which are functions without arguments; each result comes with its number or in order.
 
     It is a context manager: at the end of the block calls that have not begun are dropped; where an exception
-    ends it (Ctrl-C among them), runs under way end too. It computes one iterable of calls at a time.
+    ends it (Ctrl-C among them), runs under way on its threads end too. It computes one iterable of calls at a
+    time.
 
     Parameters
     ----------

@@ -57,11 +57,17 @@ def waves(peak: float, vertical: float = 0.0) -> sp.Motion:
 
 
 def bits(run: sp.Run | sp.SpaceRun) -> dict[str, Any]:
-    """Return a digest of a run's histories, and its peaks, by which a change of the digest is understood."""
-    histories = (run.time, run.tilt, run.slide)
-    digest = hashlib.sha256(b"".join(np.ascontiguousarray(one, dtype=float).tobytes() for one in histories))
+    """Return a digest of a run's histories, and its peaks, by which a change of the digest is understood.
+
+    In space rotations of bodies are products of matrices, whose last digit depends on the machine.
+    """
+    histories = [np.ascontiguousarray(one, dtype=float) for one in (run.time, run.tilt, run.slide)]
+    if isinstance(run, sp.SpaceRun):
+        kept: Any = [one.ravel().tolist() for one in histories[1:]]
+    else:
+        kept = hashlib.sha256(b"".join(one.tobytes() for one in histories)).hexdigest()[:16]
     told = {name: np.asarray(getattr(run, name)).tolist() for name in ("peak_tilt", "peak_slide")}
-    return {"digest": digest.hexdigest()[:16], "outcome": str(run.outcome), **told}
+    return {"digest": kept, "outcome": str(run.outcome), **told}
 
 
 RUNS: dict[str, Callable[[], sp.Run | sp.SpaceRun]] = {

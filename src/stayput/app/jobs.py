@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Literal
 from stayput.app.refusals import RefusedError, refused, unprinted
 from stayput.app.turns import CLIENT, Client, StoppedError, Turn, Turns, first_to_go
 from stayput.errors import InputError
+from stayput.execution import Stop
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -77,7 +78,7 @@ class Job:
     reports: dict[str, bytes] = field(default_factory=dict[str, bytes])
     plan_runs: dict[str, int] = field(default_factory=dict[str, int])
     before: RoomScenario | None = None
-    stop: threading.Event = field(default_factory=threading.Event)
+    stop: Stop = field(default_factory=Stop)
     turn: Turn = field(init=False)
 
     @property
@@ -216,7 +217,7 @@ class Jobs:
             job.turn.go_on()
 
         try:
-            with job.turn, unprinted():
+            with job.turn, unprinted(), job.stop.ending_runs():
                 with self._lock:
                     if job.ended is None:
                         job.state = "running"

@@ -143,9 +143,9 @@ def checked_feet(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
     return feet
 
 
-def checked_base(value: str) -> str:
+def checked_base(value: object) -> str:
     """Return what bears on the floor: one of `BASES`."""
-    if value not in BASES:
+    if not isinstance(value, str) or value not in BASES:
         raise not_one_of(parameter_of(Body, "base"), value)
     return value
 

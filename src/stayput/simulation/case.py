@@ -204,12 +204,10 @@ def simulate(
     """
     from stayput.mechanics.runner import shaking, trace
 
-    start = State() if initial is None else initial
+    start, asked = State() if initial is None else initial, list_of("measures", measures, Measure)
     if not isinstance(body, Body):
-        return _simulate_solids(body, room, motion, measures, dimensions, contact, start, gravity, step)
-    given = Case(
-        body, room, motion, contact, start, gravity, list_of("measures", measures, Measure), dimensions
-    )
+        return _simulate_solids(body, room, motion, asked, dimensions, contact, start, gravity, step)
+    given = Case(body, room, motion, contact, start, gravity, asked, dimensions)
     refuse_bad_start(body, room, start)
     if given.in_space:
         from stayput.simulation.space import checked_step, run_held
@@ -251,8 +249,8 @@ def _simulate_solids(
     instance_of("room", room, Room)
     Motion.given(motion)
     for name, value, usual in (
-        ("measures", tuple(measures), ()),
-        ("initial", initial, State()),
+        ("measures", measures, ()),
+        ("initial", instance_of("initial", initial, State), State()),
         ("contact", contact, "coulomb"),
     ):
         if value != usual:

@@ -173,8 +173,8 @@ class ResultColumn:
 
 QUANTITIES = (
     ResultColumn("outcome", "i1", "", "what became of the body: the flag's place in flag_meanings"),
-    ResultColumn("overturned", "?", "", "whether the tilt reached 90°"),
-    ResultColumn("overturn_time", "f8", "s", "time at which the tilt reached 90°, or nan"),
+    ResultColumn("overturned", "?", "", "whether it overturned: in the plane, whether its tilt reached 90°"),
+    ResultColumn("overturn_time", "f8", "s", "time at which it overturned, or nan"),
     ResultColumn("peak_slide", "f8", "m", "largest magnitude of the slide"),
     ResultColumn("residual_slide", "f8", "m", "slide at the end"),
     ResultColumn("peak_tilt", "f8", "rad", "largest magnitude of the tilt"),

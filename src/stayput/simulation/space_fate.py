@@ -246,7 +246,8 @@ def fates_of(
         elif np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
             outcome = Outcome.ROCKED
         else:
-            outcome = Outcome.SLID if ways[most] > SLID else Outcome.RESTED
+            turn_in_plan = np.abs(turns[:, :2, :2] - turns[0, :2, :2]).max()
+            outcome = Outcome.SLID if ways[most] > SLID or turn_in_plan > ROCKED else Outcome.RESTED
         found.append(Fate(outcome, overturned, fell_off, tilt, way))
     return found
 

@@ -11,10 +11,13 @@ import math
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.closing import OPEN
 from stayput.mechanics.space.contact import stands_at
-from stayput.mechanics.space.solve import slip_rate
+from stayput.mechanics.space.solve import end_of, slip_rate
 
 GIVES = 1e-3
 """Share of the friction that contacts have by which they bear more at an end of a step before they slip."""
+
+SPARE = 0.15
+"""Share that they have to spare in the halves of a step over a sample."""
 
 STANDS = 1e-4
 """Slip up to which a contact stands where others of its body do [m/s]."""
@@ -66,24 +69,22 @@ def _spare(contacts, first, end, kept, whole, half):
 
 
 @inner
-def gives_way(contacts, count, kept):
+def gives_way(contacts, count, kept, over_sample):
     """Return whether friction gives way in a step that its mean holds; note in row 1 what slips, and when.
 
     Forces that are linear in time are at the ends of a step what it and its second half say. The motion of
-    the floor has its peaks at samples, where steps end.
+    the floor has its peaks at samples, where steps end. One over a sample has its peak in the middle: its
+    halves have to have friction to spare.
     """
     found, first = False, 0
     while first < count:
-        end, sticks = first, True
-        c = contacts[first]
-        while end < count and (contacts[end].a, contacts[end].b, contacts[end].plane) == (c.a, c.b, c.plane):
-            sticks = sticks and kept[1, contacts[end].key, 3] == 1.0
-            end += 1
-        (now, most), (then, last) = (
-            _spare(contacts, first, end, kept, 1.5, -2.0),
-            _spare(contacts, first, end, kept, -0.5, 2.0),
-        )
-        if sticks and min(most, last) > 0.0 and (now < -GIVES * most or then < -GIVES * last):
+        end, sticks = end_of(contacts, first, count), True
+        for k in range(first, end):
+            sticks = sticks and kept[1, contacts[k].key, 3] == 1.0
+        now, most = _spare(contacts, first, end, kept, 2.0 if over_sample else 1.5, -2.0)
+        then, last = _spare(contacts, first, end, kept, 0.0 if over_sample else -0.5, 2.0)
+        least = SPARE if over_sample else -GIVES
+        if sticks and min(most, last) > 0.0 and (now < least * most or then < least * last):
             found = True
             for k in range(first, end):
                 kept[1, contacts[k].key, 3] = 0.0

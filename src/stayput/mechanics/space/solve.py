@@ -176,6 +176,15 @@ def spread_friction(contacts, first, count, bodies):
 
 
 @inner
+def end_of(contacts, first, count):
+    """Return the end of the contacts from ``first`` on that are of the same body and plane, or two bodies."""
+    c, end = contacts[first], first + 1
+    while end < count and (contacts[end].a, contacts[end].b, contacts[end].plane) == (c.a, c.b, c.plane):
+        end += 1
+    return end
+
+
+@inner
 def _spread_anew(contacts, count, bodies, poses):
     """Let friction act about the middle of the forces that were found, where anything slips.
 
@@ -188,12 +197,11 @@ def _spread_anew(contacts, count, bodies, poses):
     """
     moved, first = False, 0
     while first < count:
-        c, end, slips = contacts[first], first, False
-        while end < count and (contacts[end].a, contacts[end].b, contacts[end].plane) == (c.a, c.b, c.plane):
-            d = contacts[end]
+        c, end, slips = contacts[first], end_of(contacts, first, count), False
+        for k in range(first, end):
+            d = contacts[k]
             size = math.sqrt(d.ps * d.ps + d.pt * d.pt)
             slips = slips or (d.pn > 0.0 and size > d.mu * d.pn * (1.0 - 1e-9))
-            end += 1
         kappa = _kappa(c, end - first, bodies)
         if kappa < 1.0 and end - first > 1 and slips:
             arm, _ = _middle(contacts, first, end, bodies)

@@ -241,7 +241,7 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
     """
     contacts, kept, work = scratch[0], scratch[1], output[5]
     springs, pulls, devices = held
-    found = 0.0 if _rub_alike(kept[0], kept[1]) else RUBS
+    found, count = (0.0 if _rub_alike(kept[0], kept[1]) else RUBS), 0
     for half in range(2):
         if found < 0.0 and springs.shape[0] == 0:
             return found
@@ -264,8 +264,8 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
             found = RUBS
         if found == 0.0 and not _bear_alike(kept[1], kept[2]):
             found = CHANGED
-    if found == 0.0 and gives_way(contacts, count, kept):
-        return RUBS
+    if found == 0.0 and gives_way(contacts, count, kept, h > dt):
+        return CHANGED if h > dt else RUBS
     if found == 0.0:
         return _extrapolate(world[0], poses, -1.0 / 3.0)
     error = _extrapolate(world[0], poses, 0.0) if springs.shape[0] > 0 else math.inf
