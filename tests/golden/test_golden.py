@@ -63,7 +63,7 @@ def bits(run: sp.Run | sp.SpaceRun) -> dict[str, Any]:
     """
     histories = [np.ascontiguousarray(one, dtype=float) for one in (run.time, run.tilt, run.slide)]
     if isinstance(run, sp.SpaceRun):
-        kept: Any = [one.ravel().tolist() for one in histories[1:]]
+        kept: Any = [np.round(one.ravel(), 7).tolist() for one in histories[1:]]
     else:
         kept = hashlib.sha256(b"".join(one.tobytes() for one in histories)).hexdigest()[:16]
     told = {name: np.asarray(getattr(run, name)).tolist() for name in ("peak_tilt", "peak_slide")}

@@ -49,6 +49,35 @@ def test_circular_shaking_begins_at_the_coefficient() -> None:
         assert (np.abs(run.slide).max() > 0.0) == slides
 
 
+@pytest.mark.parametrize("spike", [2.0, 6.0, 12.0])
+@pytest.mark.parametrize("dt", [0.005, 0.01, 0.02])
+def test_a_rocking_box_slips_at_a_peak_of_the_motion(dt: float, spike: float) -> None:
+    """The edge on which it rocks holds up to μ_s at the sample of a peak, not only in the mean of a step.
+
+    About the edge θ̈ = R/(4/3 R²) (a cos s − g sin s) with s = α − θ; of the mass it asks for the forces
+    T = a − R (θ̈ cos s + θ̇² sin s) and N = g + R (θ̈ sin s − θ̇² cos s).
+    """
+    width, height, peak = 0.4, 1.2, round(0.2 / dt)
+    t = dt * np.arange(round(1.0 / dt))
+    x = 5.0 * np.sin(3.0 * math.pi * t) * (t < 0.34)
+    x[peak] += spike
+    R, alpha = 0.5 * math.hypot(width, height), math.atan(width / height)
+
+    def turns(at: float, y: np.ndarray) -> list[float]:
+        s, a = alpha - y[0], float(np.interp(at, t, x))
+        found = 0.75 / R * (a * math.cos(s) - G * math.sin(s))
+        return [y[1], 0.0 if y[0] <= 0.0 and found < 0.0 else found]
+
+    theta, rate = solve_ivp(turns, (0.0, t[peak]), [0.0, 0.0], max_step=1e-4, rtol=1e-8).y[:, -1]
+    s, turned = alpha - theta, turns(t[peak], np.array([theta, rate]))[1]
+    along = x[peak] - R * (turned * math.cos(s) + rate**2 * math.sin(s))
+    needed = along / (G + R * (turned * math.sin(s) - rate**2 * math.cos(s)))
+    for share, slides in ((0.996, True), (1.004, False)):
+        room = sp.Room(sp.Floor(share * needed, 0.6 * share * needed))
+        run = sp.simulate(sp.Body(width, height, 80.0, length=0.5), room, sp.Motion(dt, x), dimensions=3)
+        assert (np.abs(run.slide[0, : peak + round(0.1 / dt), 0]).max() > 1e-4) == slides
+
+
 def ring(count: int, radius: float = 0.3, start: float = 0.1) -> np.ndarray:
     """Feet on a circle, level with the base, shape (count, 3) [m]."""
     angles = start + 2.0 * math.pi * np.arange(count) / count
