@@ -112,6 +112,10 @@ def endable(run: Callable[[], object], limit: NDArray[np.float64]) -> None:
     limit : ndarray, shape (1,)
         Of its work, which it looks at in each step and does not write.
     """
+    if current_thread() is main_thread():
+        with Pool(1) as pool:  # an exception in the block ends the run
+            list(pool.in_order([partial(endable, run, limit)]))
+        return
     stops: list[Stop] = []
     stop = _STOP.get()
     while stop is not None:
@@ -122,14 +126,10 @@ def endable(run: Callable[[], object], limit: NDArray[np.float64]) -> None:
         if stop.is_set():
             limit[0] = -math.inf
     try:
-        if current_thread() is main_thread():
-            with Pool(1) as pool:  # an exception in the block ends the run
-                list(pool.in_order([partial(endable, run, limit)]))
-        else:
-            run()
+        run()
     finally:
         for stop in stops:
-            stop.limits.pop(id(limit), None)
+            del stop.limits[id(limit)]
 
 
 class Pool:

@@ -82,6 +82,18 @@ def test_an_error_ends_runs_under_way():
         list(pool.as_completed([partial(long_run, np.ones(1)), fail]))
 
 
+def test_an_error_ends_runs_of_pools_within_a_pool():
+    def fail():
+        raise ValueError("no such piece")
+
+    def nested():
+        with Pool(1) as pool:
+            return list(pool.in_order([partial(long_run, np.ones(1))]))
+
+    with pytest.raises(ValueError, match="no such piece"), Pool(2) as pool:
+        list(pool.as_completed([nested, fail]))
+
+
 def test_the_end_of_a_block_drops_what_has_not_begun():
     run = []
 

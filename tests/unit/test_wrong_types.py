@@ -68,6 +68,12 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
         | {"initial": None, "most_events": None, "dimensions": None}
         | GRAVITY,
     ),
+    (
+        sp.simulate,
+        {"body": SOLID, "room": ROOM, "motion": MOTION, "measures": (), "contact": "coulomb"}
+        | {"initial": None, "dimensions": None, "step": None}
+        | GRAVITY,
+    ),
     fields(sp.Standing, solid=SOLID),
     fields(sp.Assembly, members=[sp.Standing(SOLID), sp.Standing(SOLID)]),
     fields(sp.Joint, first=0, second=1, at=(0.0, 0.0, 0.0)),

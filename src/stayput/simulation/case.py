@@ -233,7 +233,7 @@ def _simulate_solids(
     room: Room,
     motion: Motion,
     measures: Sequence[Measure],
-    dimensions: int | None,
+    dimensions: Dimensions | None,
     contact: str,
     initial: State,
     gravity: float,
@@ -255,7 +255,7 @@ def _simulate_solids(
     ):
         if value != usual:
             raise InputError("model.of_a_body", name, name=name, kind=type(given).__name__)
-    if dimensions == 2:
+    if dimensions is not None and whole_within("model.dimensions", dimensions, 2, 3, "", "dimensions") == 2:
         raise InputError("model.solid_in_the_plane", "dimensions", kind=type(given).__name__)
     if not isinstance(given, Assembly):
         given = Assembly([Standing(given) if isinstance(given, Solid) else given])

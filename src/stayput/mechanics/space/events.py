@@ -73,8 +73,8 @@ def gives_way(contacts, count, kept, over_sample):
     """Return whether friction gives way in a step that its mean holds; note in row 1 what slips, and when.
 
     Forces that are linear in time are at the ends of a step what it and its second half say. The motion of
-    the floor has its peaks at samples, where steps end. One over a sample has its peak in the middle: its
-    halves have to have friction to spare.
+    the floor has its peaks at samples, where steps end. One over a sample has its peak in the middle, of
+    which its halves tell nothing: they have to have friction to spare, and no time is noted.
     """
     found, first = False, 0
     while first < count:
@@ -85,6 +85,8 @@ def gives_way(contacts, count, kept, over_sample):
         then, last = _spare(contacts, first, end, kept, 0.0 if over_sample else -0.5, 2.0)
         least = SPARE if over_sample else -GIVES
         if sticks and min(most, last) > 0.0 and (now < least * most or then < least * last):
+            if over_sample:
+                return True
             found = True
             for k in range(first, end):
                 kept[1, contacts[k].key, 3] = 0.0

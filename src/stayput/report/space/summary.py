@@ -195,10 +195,10 @@ def _of_one(run: SpaceRun, name: str) -> Phrase:
         return phrase("space.overturned", name=name, time=float(run.overturn_time[0]))
     angle, way = math.degrees(run.peak_tilt[0]), float(run.peak_slide[0])
     if run.outcome is Outcome.RESTED:
-        turn = math.degrees(np.abs(run.yaw[0]).max())
-        if turn >= 1.0:
-            return phrase("space.turned", name=name, angle=turn)
         return phrase("runs.rested", name=name)
+    turn = math.degrees(np.abs(run.yaw[0]).max())
+    if run.outcome is Outcome.SLID and way < 1e-3 and turn >= 1.0:
+        return phrase("space.turned", name=name, angle=turn)
     tilt = phrase("space.least_angle") if angle < 0.1 else phrase("space.up_to_angle", angle=angle)
     slide = phrase("runs.slid_least") if way < 1e-3 else phrase("runs.slid_up_to", length=length(way))
     key = run.outcome.value if run.outcome in (Outcome.ROLLED, Outcome.LEANING) else "upright"
