@@ -230,7 +230,10 @@ def _optimize(module: Any) -> str:
             symbol = function.name
         else:
             function.linkage = llvm.Linkage.internal
-    builder = llvm.create_pass_builder(_machine(), llvm.create_pipeline_tuning_options(speed_level=3))
+    options = llvm.create_pipeline_tuning_options(speed_level=3)
+    # independent operations side by side, as Clang does; Numba does not since LLVM 11 miscompiled some
+    options.slp_vectorization = True
+    builder = llvm.create_pass_builder(_machine(), options)
     builder.getModulePassManager().run(module, builder)
     return symbol
 

@@ -130,7 +130,10 @@ def _slope(contacts, count, part, slope, curvature):
 @inner
 def _line_search(contacts, count, slope, curvature):
     """Return about where along the direction φ is least: the whole way, or a root of its slope."""
-    first, _ = _slope(contacts, count, 0.0, slope, curvature)
+    first = slope
+    for k in range(count):
+        c = contacts[k]
+        first -= c.dn * c.en + c.ds * c.es + c.dt * c.et
     there, growth = _slope(contacts, count, 1.0, slope, curvature)
     enough = SLOPE * abs(first)
     if there <= enough:

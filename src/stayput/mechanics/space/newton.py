@@ -40,7 +40,7 @@ from stayput.mechanics.space.devices import (
     normal_of_pull,
 )
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot
+from stayput.mechanics.space.vectors import added, cross
 
 FIRM = 1e7
 """Penalty of a velocity that a contact forbids, times the inverse mass that it sees."""
@@ -131,24 +131,66 @@ def _law(c, u):
     )
 
 
-@inner
+@inline
+def _row(array, i, j, k):
+    """Return a row of six: as a tuple, so that what is written meanwhile need not be read again."""
+    return (
+        array[i, j, k, 0],
+        array[i, j, k, 1],
+        array[i, j, k, 2],
+        array[i, j, k, 3],
+        array[i, j, k, 4],
+        array[i, j, k, 5],
+    )
+
+
+@inline
+def _plus(u, factor, v):
+    return (
+        u[0] + factor * v[0],
+        u[1] + factor * v[1],
+        u[2] + factor * v[2],
+        u[3] + factor * v[3],
+        u[4] + factor * v[4],
+        u[5] + factor * v[5],
+    )
+
+
+@inline
+def _combined(factors, rows):
+    """Return the sum of three rows times a factor each."""
+    a, u = factors[0], rows[0]
+    first = a * u[0], a * u[1], a * u[2], a * u[3], a * u[4], a * u[5]
+    return _plus(_plus(first, factors[1], rows[1]), factors[2], rows[2])
+
+
+@inline
+def _put(array, i, j, k, u):
+    array[i, j, k, 0] = u[0]
+    array[i, j, k, 1] = u[1]
+    array[i, j, k, 2] = u[2]
+    array[i, j, k, 3] = u[3]
+    array[i, j, k, 4] = u[4]
+    array[i, j, k, 5] = u[5]
+
+
+@inline
 def _weigh(rows, k, side, d):
-    """Set D times the Jacobian of a side of a contact."""
-    for j in range(6):
-        along = rows[k, side, 0, j], rows[k, side, 1, j], rows[k, side, 2, j]
-        for axis in range(3):
-            rows[k, side, 3 + axis, j] = dot(d[axis], along)
+    """Set D times the Jacobian of a side of a contact, and return it."""
+    J = _row(rows, k, side, 0), _row(rows, k, side, 1), _row(rows, k, side, 2)
+    x, y, z = _combined(d[0], J), _combined(d[1], J), _combined(d[2], J)
+    _put(rows, k, side, 3, x)
+    _put(rows, k, side, 4, y)
+    _put(rows, k, side, 5, z)
+    return x, y, z
 
 
-@inner
+@inline
 def _add_block(matrix, first, second, rows, k, left, right):
-    """Add leftᵀ D right, of the sides of a contact, to the block of two bodies."""
+    """Add leftᵀ D right, of the sides of a contact, to the block of two bodies, with D right given."""
     for i in range(6):
-        a, b, c = rows[k, left, 0, i], rows[k, left, 1, i], rows[k, left, 2, i]
-        for j in range(6):
-            matrix[first, second, i, j] += (
-                a * rows[k, right, 3, j] + b * rows[k, right, 4, j] + c * rows[k, right, 5, j]
-            )
+        along = rows[k, left, 0, i], rows[k, left, 1, i], rows[k, left, 2, i]
+        _put(matrix, first, second, i, _plus(_row(matrix, first, second, i), 1.0, _combined(along, right)))
 
 
 @inner
@@ -187,10 +229,11 @@ def _eliminate(matrix, vector, starts, b):
     """Take a body's rows from those of the bodies after it whose rows begin with it or before."""
     for o in range(b + 1, starts.shape[0]):
         if starts[o] <= b and not _is_zero(matrix, o, b):
-            for k in range(6):
-                for i in range(k + 1, 6):
-                    for j in range(6):
-                        matrix[b, o, i, j] -= matrix[b, b, i, k] * matrix[b, o, k, j]
+            for i in range(1, 6):
+                row = _row(matrix, b, o, i)
+                for k in range(i):
+                    row = _plus(row, -matrix[b, b, i, k], _row(matrix, b, o, k))
+                _put(matrix, b, o, i, row)
             for k in range(6):
                 for i in range(6):
                     factor = matrix[o, b, i, k] * matrix[b, b, k, k]
@@ -203,9 +246,10 @@ def _eliminate(matrix, vector, starts, b):
             for p in range(b + 1, starts.shape[0]):
                 if starts[p] <= b and not _is_zero(matrix, b, p):
                     for i in range(6):
+                        row = _row(matrix, o, p, i)
                         for k in range(6):
-                            for j in range(6):
-                                matrix[o, p, i, j] -= matrix[o, b, i, k] * matrix[b, p, k, j]
+                            row = _plus(row, -matrix[o, b, i, k], _row(matrix, b, p, k))
+                        _put(matrix, o, p, i, row)
 
 
 @inner
@@ -236,15 +280,15 @@ def solve_in_place(matrix, vector, starts):
 @inner
 def add_pair(matrix, vector, a, b, rows, k, p, d):
     """Add what a contact or a device of two bodies asks for, by its δp₀ and D."""
-    _weigh(rows, k, 0, d)
+    mine = _weigh(rows, k, 0, d)
     _add_moment(vector, a, rows, k, 0, p)
-    _add_block(matrix, a, a, rows, k, 0, 0)
+    _add_block(matrix, a, a, rows, k, 0, mine)
     if b != ROOM:
-        _weigh(rows, k, 1, d)
+        others = _weigh(rows, k, 1, d)
         _add_moment(vector, b, rows, k, 1, p)
-        _add_block(matrix, b, b, rows, k, 1, 1)
-        _add_block(matrix, a, b, rows, k, 0, 1)
-        _add_block(matrix, b, a, rows, k, 1, 0)
+        _add_block(matrix, b, b, rows, k, 1, others)
+        _add_block(matrix, a, b, rows, k, 0, others)
+        _add_block(matrix, b, a, rows, k, 1, mine)
 
 
 @inline
