@@ -146,6 +146,7 @@ def _row(array, i, j, k):
 
 @inline
 def _plus(u, factor, v):
+    """Return u + factor · v, of rows of six."""
     return (
         u[0] + factor * v[0],
         u[1] + factor * v[1],
@@ -166,6 +167,7 @@ def _combined(factors, rows):
 
 @inline
 def _put(array, i, j, k, u):
+    """Set a row of six."""
     array[i, j, k, 0] = u[0]
     array[i, j, k, 1] = u[1]
     array[i, j, k, 2] = u[2]
