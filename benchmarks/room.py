@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import sys
 import time
+from functools import partial
 from pathlib import Path
 from statistics import median
 from typing import TYPE_CHECKING
@@ -18,13 +19,13 @@ from rich.table import Table
 
 import stayput as sp
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
+from stayput.montecarlo.sampling import drawn_floor
 from stayput.montecarlo.several import drawn_assembly, drawn_room, turned
 from stayput.rooms.changes import measures_tried
 from stayput.rooms.runs import part_with
 from stayput.rooms.verify import question_of
 from stayput.scenario.room import read_room
-from stayput.simulation.space import trace_assembly
-from stayput.simulation.space_case import results_of
+from stayput.simulation.space import results_of, trace_assembly
 from stayput.simulation.space_engine import STEP
 
 if TYPE_CHECKING:
@@ -80,10 +81,9 @@ def overturned(question: Question, part: RoomPart, step: float) -> list[bool]:
                 question.scenario.gravity,
                 step,
                 own.room.strength,
-                own.room.friction,
+                partial(drawn_floor, draw=own.room),
             )
-            standing = [one.standing for one in traced.bodies]
-            outcome = results_of(standing, traced.trace, shaking.times)["outcome"]
+            outcome = results_of(traced, shaking.times)["outcome"]
             found.append(bool((outcome == OVERTURNED_OUTCOME).any()))
     return found
 

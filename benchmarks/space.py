@@ -25,10 +25,11 @@ from mujoco_block import middles
 from start import program_seconds
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.mechanics.runner import no_elements
+from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import State
-from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of, trace_case
+from stayput.simulation.space import results_of, trace_case
+from stayput.simulation.space_engine import SpaceShaking
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -132,14 +133,13 @@ class Tilts:
 
 def ours(boxes: list[FreeBox], motion: sp.Motion, step: float) -> Tilts:
     """Run the boxes here, on this thread; after the first step size solids are made, as MuJoCo's models."""
-    shaking, none = SpaceShaking(acceleration_of(motion), motion.dt), no_elements(0, 1)[0]
+    shaking, none = SpaceShaking.of(motion), no_elements(0, 1)[0]
     rows = [box.row()[0] for box in boxes]
     trace_case(rows[0], none, shaking, step)
     peak, seconds = np.zeros(len(rows)), np.zeros(len(rows))
     for n, row in enumerate(rows):
         start = time.process_time()
-        piece, _, trace = trace_case(row, none, shaking, step)
-        result = results_of([piece], trace, shaking.times)[0]
+        result = results_of(trace_case(row, none, shaking, step), shaking.times)[0]
         seconds[n] = time.process_time() - start
         peak[n] = np.inf if result["outcome"] == OVERTURNED_OUTCOME else result["peak_tilt"]
     return Tilts(peak, seconds)

@@ -21,8 +21,8 @@ import stayput as sp
 from csv_tables import tell, three
 from stayput.measures import hold
 from stayput.measures.measure import element_rows
+from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.many import run_columns
 
 STEP, FINER, FINEST = 1e-3, 1e-4, 6e-5

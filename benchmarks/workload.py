@@ -13,9 +13,9 @@ import numpy as np
 import stayput as sp
 from stayput.execution import cores as cores
 from stayput.mechanics.runner import run_cases, shaking
+from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import State
-from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -12,8 +12,8 @@ import numpy as np
 import stayput as sp
 import workload
 from stayput.mechanics.runner import Traced, shaking, trace
+from stayput.model.flat_fields import case_columns
 from stayput.model.state import State
-from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -18,13 +18,13 @@ from stayput.estimates import SCATTER, kaneko_hayashi_branch, kaneko_hayashi_med
 from stayput.fragility import FragilityCurve, IntensityMeasure, Trials, fragility_curve
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import FURNITURE, Body
+from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
 from stayput.model.state import State
 from stayput.motion.suites import Suite, TargetSpectrum, synthetic_suite
 from stayput.report.figures import plain_log
 from stayput.report.palette import INK, MUTED
-from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.many import run_columns
 from studies.study import COLOURS, Quantity, Study, claim, panels, span
 

@@ -34,7 +34,7 @@ def load_solvers() -> None:
 
     from stayput import Body, Motion, Room, State, simulate
     from stayput.mechanics.runner import no_elements, shaking, trace
-    from stayput.simulation.flat_fields import case_columns
+    from stayput.model.flat_fields import case_columns
 
     (case,) = case_columns(Body(0.4, 1.6, 100.0), Room(), State(), 9.81)
     motion = shaking(np.zeros(2), None, 0.01, 0)

@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from stayput import Body, Ceiling, Floor, Motion, Room, State, Wall
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.runner import no_elements
+from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import standing_corners
-from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -7,7 +7,7 @@ import numpy as np
 import stayput as sp
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.runner import Shaking, Traced, no_elements, shaking, trace
-from stayput.simulation.flat_fields import case_columns
+from stayput.model.flat_fields import case_columns
 
 G = 9.81
 BLOCK = sp.Body(0.4, 1.6, 100.0)

@@ -6,7 +6,7 @@ import numpy as np
 
 import stayput as sp
 from stayput.mechanics.space.columns import SPRING
-from stayput.simulation.flat_fields import room_row
+from stayput.model.flat_fields import room_row
 from stayput.simulation.space_engine import Gaps
 from stayput.simulation.space_records import matrices, planes_of, product
 from stayput.simulation.space_run import SpaceRun

@@ -1,6 +1,7 @@
 """What is drawn and what is not: quantities that a scenario says were measured, and locked casters."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 import stayput as sp
 from stayput.measures import AntiSlipSheet, FreeCasters, LockedCasters, hold
 from stayput.model.body import Body
+from stayput.model.flat_fields import case_columns
 from stayput.model.room import LOCKED_CASTER, SURFACES, Floor, Room, Wall
 from stayput.model.state import State
 from stayput.montecarlo.hazard import FloorMotions
@@ -16,12 +18,12 @@ from stayput.montecarlo.sampling import (
     AS_STATED,
     Draw,
     drawn_body,
+    drawn_floor,
     drawn_place,
     drawn_surfaces,
     draws,
     rows_of,
 )
-from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.space import trace_assembly
 from stayput.uncertainty import USUAL
 
@@ -128,12 +130,13 @@ def test_a_cart_may_move_farther_with_its_casters_locked_than_free() -> None:
 def test_it_is_drawn_alike_in_space(factor: float, friction: float, monkeypatch: pytest.MonkeyPatch) -> None:
     found: list[float] = []
 
-    def stop(_solids: object, laws: list[object], *_: object) -> None:
-        found.append(laws[0].edge_friction[0])  # type: ignore[attr-defined]
+    def stop(_solids: object, floors: list[np.void], *_: object) -> None:
+        found.append(float(floors[0]["edge_static_friction"]))
         raise StopIteration
 
     monkeypatch.setattr("stayput.simulation.space.world_of", stop)
     piece = sp.Piece(CART, (0.0, 0.0, 0.0), 0.0, [LockedCasters()])
+    drawn = partial(drawn_floor, draw=replace(AS_STATED, friction=factor))
     with pytest.raises(StopIteration):
-        trace_assembly(sp.Assembly([piece]), sp.Room(sp.Floor.of("vinyl")), None, 9.8, friction=factor)  # type: ignore[arg-type]
+        trace_assembly(sp.Assembly([piece]), sp.Room(sp.Floor.of("vinyl")), None, 9.8, drawn_floor=drawn)  # type: ignore[arg-type]
     assert found == pytest.approx([friction])

@@ -22,7 +22,7 @@ from stayput.mechanics.devices.lines import (
 )
 from stayput.mechanics.devices.stepper import no_line_event
 from stayput.mechanics.runner import no_elements
-from stayput.simulation.flat_fields import case_columns
+from stayput.model.flat_fields import case_columns
 
 BRANCHES = (el.OPEN, el.PLUS, el.MINUS, el.BOND, el.SLIP_PLUS, el.SLIP_MINUS)
 

@@ -8,11 +8,8 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.measures import MEASURES, Measure, hold
-from stayput.measures.measure import element_rows
-from stayput.simulation.flat_fields import case_columns
+from stayput.measures import MEASURES, Measure
 from stayput.simulation.placing import hold_piece, placed, planes_around, room_seen
-from stayput.simulation.space_case import piece_of
 
 BODY = sp.Body(0.4, 1.8, 100.0, length=0.9, base="feet")
 ROOM = sp.Room(sp.Floor(0.5, 0.4), left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
@@ -40,18 +37,16 @@ def test_a_piece_alone_is_held_like_a_body_in_space(kinds: tuple[str, ...]) -> N
     alone = sp.simulate(BODY, ROOM, SHAKEN, of(*kinds), dimensions=3)
     among = sp.simulate(sp.Assembly([sp.Piece(BODY, measures=of(*kinds))]), ROOM, SHAKEN)
     assert among.outcome == alone.outcome
-    # masses differ by a factor, impacts make more of its rounding, and a wedge hits floor and wall at once
-    chatters = "wedge_stopper" in kinds
-    assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=0.05 if chatters else 5e-3)
-    if not chatters:
-        hits = [[hit.impulse for hit in run.hits[:1]] for run in (among, alone)]
-        assert hits[0] == pytest.approx(hits[1], rel=0.01)
+    if "wedge_stopper" not in kinds:
+        assert np.array_equal(among.place, alone.place)
+        assert [one.peak_pull for one in among.devices] == [one.peak_pull for one in alone.devices]
+        return
+    # it leans on the wall, where its wall and that of the room are a micrometre apart
+    assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=0.05)
     assert [one.place for one in among.devices] == [one.place for one in alone.devices]
     for mine, theirs in zip(among.devices, alone.devices, strict=True):
-        assert (mine.member, mine.failed) == (0, theirs.failed)
-        near = 0.05 if chatters else 5e-3
-        assert mine.peak_pull == pytest.approx(theirs.peak_pull, rel=near, abs=0.1)
-        assert mine.utilisation == pytest.approx(theirs.utilisation, rel=near, abs=1e-4)
+        assert mine.failed == theirs.failed
+        assert mine.peak_pull == pytest.approx(theirs.peak_pull, rel=0.05, abs=0.1)
 
 
 @pytest.mark.parametrize("kind", ["l_bracket", "belt"])
@@ -65,7 +60,7 @@ def test_a_piece_that_is_turned_about_is_held_to_the_wall_behind_it(kind: str) -
     second = sp.simulate(sp.Assembly([turned]), behind, about)
     assert first.devices[0].peak_pull > 50.0
     before = first.time < 6.9  # in which impacts have not yet enlarged what differs by rounding
-    np.testing.assert_allclose(first.tilt[0, before], second.tilt[0, before], atol=1e-9)
+    np.testing.assert_allclose(first.tilt[0, before], second.tilt[0, before], atol=1e-7)
     for mine, theirs in zip(first.devices, second.devices, strict=True):
         assert mine.peak_pull == pytest.approx(theirs.peak_pull, rel=5e-3)
 
@@ -152,6 +147,6 @@ def test_insets_move_neither_a_piece_nor_an_end_of_its_belt(insets: tuple[float,
     body = sp.Body(0.4, 1.8, 100.0, length=0.9, base_insets=insets)
     (one,) = placed([sp.Piece(body, measures=of("belt"))], ROOM)
     assert one.standing.along((1.0, 0.0, 0.0)) == pytest.approx((-0.2, 0.2))
-    x, _, z = piece_of(case_columns(body, ROOM, sp.State(), 9.8)[0]).place
-    row = element_rows(hold(body, ROOM, of("belt")))[0]
-    assert math.hypot(row["x"] - x - row["u"], row["z"] - z - row["v"]) == pytest.approx(row["length"])
+    for spring in one.springs:
+        point, anchor = ([spring[f"{name}{axis}"] for axis in "xyz"] for name in "pa")
+        assert np.linalg.norm(np.add(one.standing.place, point) - anchor) == pytest.approx(spring["length"])

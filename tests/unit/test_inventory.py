@@ -22,9 +22,9 @@ from stayput.inventory.scenarios import read_scenario_file, read_scenarios
 from stayput.inventory.summary import Total
 from stayput.inventory.words import expected, printed
 from stayput.measures import MEASURES, element_rows, hold
+from stayput.model.flat_fields import case_columns
 from stayput.model.state import State
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
-from stayput.simulation.flat_fields import case_columns
 
 ROWS = [
     "shelf,bookcase,,,,,0.02,office,3,wedge;sheet+tension_pole,1000;5000,4,20000",

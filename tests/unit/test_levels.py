@@ -9,6 +9,7 @@ import stayput as sp
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT, ROCKED
 from stayput.mechanics.devices.columns import DEVICE
 from stayput.mechanics.runner import no_elements
+from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import State
 from stayput.montecarlo import runs as module
@@ -25,7 +26,6 @@ from stayput.montecarlo.runs import (
 from stayput.montecarlo.sampling import Rows
 from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
-from stayput.simulation.flat_fields import case_columns
 from stayput.verification import verify
 
 BODY = sp.Body(0.4, 1.6, 100.0)

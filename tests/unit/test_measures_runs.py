@@ -18,9 +18,9 @@ from stayput.measures import (
     hold,
 )
 from stayput.measures.element import failures_of
+from stayput.model.flat_fields import case_columns
 from stayput.report.scene import scene_of
 from stayput.report.summary import rows, summary
-from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.many import run_columns
 from stayput.simulation.outcome import QUANTITIES
 

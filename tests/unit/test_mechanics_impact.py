@@ -8,7 +8,7 @@ import stayput as sp
 from stayput.mechanics import columns as col
 from stayput.mechanics import geometry, impact, modes
 from stayput.mechanics.records import Scratch
-from stayput.simulation.flat_fields import case_columns
+from stayput.model.flat_fields import case_columns
 
 BODY = sp.Body(0.4, 1.6, 100.0)
 

@@ -8,7 +8,7 @@ import pytest
 import stayput as sp
 from stayput.mechanics.columns import FAILED_OUTCOME
 from stayput.mechanics.runner import run_cases, shaking
-from stayput.simulation.flat_fields import case_columns
+from stayput.model.flat_fields import case_columns
 
 STILL = sp.Motion(0.01, np.zeros(200))
 WEDGED = sp.Body(0.3, 1.2, 100.0, base_heights=(0.0, -0.05))

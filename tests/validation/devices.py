@@ -11,7 +11,7 @@ from setups import G
 import stayput as sp
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.runner import Traced, no_elements, shaking, trace
-from stayput.simulation.flat_fields import case_columns
+from stayput.model.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -14,7 +14,7 @@ from setups import G, block, both_laws, impacts, room, simulate, still
 import stayput as sp
 from stayput.mechanics.columns import H_SLIDE, H_TILT
 from stayput.mechanics.runner import Traced, shaking, trace
-from stayput.simulation.flat_fields import case_columns
+from stayput.model.flat_fields import case_columns
 
 DT = 0.2  # s, of the record
 STEPS = [DT / n for n in (2, 4, 8, 16)]

@@ -13,7 +13,7 @@ from stayput.measures import BaseIsolator, GelMats, LBracket, LBracketInBoard, e
 from stayput.mechanics.columns import H_SLIDE_RATE
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.runner import no_elements, shaking, trace
-from stayput.simulation.flat_fields import case_columns
+from stayput.model.flat_fields import case_columns
 
 BODY = sp.Body(1.0, 0.5, 100.0)
 SMOOTH = room(0.0)

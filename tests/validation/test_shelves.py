@@ -15,7 +15,7 @@ from stayput.contents.contents import DOORS
 from stayput.measures import element_rows, hold
 from stayput.mechanics.columns import COULOMB
 from stayput.mechanics.runner import shaking
-from stayput.simulation.flat_fields import case_columns
+from stayput.model.flat_fields import case_columns
 from studies.contents import contents
 
 PIECE = sp.Body(0.45, 1.8, 100.0)

@@ -25,9 +25,9 @@ import numpy as np
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import run_cases
 from stayput.model.body import Body
+from stayput.model.flat_fields import case_columns, case_rows, flat_fields
 from stayput.model.room import Floor, Room, Wall
 from stayput.model.state import State
-from stayput.simulation.flat_fields import case_columns, case_rows, flat_fields
 from stayput.uncertainty import Lognormal, Uncertainty
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from stayput.contents.carrier import PointMotion
     from stayput.contents.contents import Contents
     from stayput.mechanics.runner import Shaking
-    from stayput.simulation.flat_fields import NumberOrColumn
+    from stayput.model.flat_fields import NumberOrColumn
 
 DRAWN = Uncertainty(
     {"friction": Lognormal(1.0, 0.2, low=0.3, high=3.0), "height": Lognormal(1.0, 0.15, low=0.5, high=1.5)}

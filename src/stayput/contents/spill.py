@@ -22,8 +22,8 @@ from stayput.errors import InputError, instance_of
 from stayput.measures import element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import run_cases, shaking, trace
+from stayput.model.flat_fields import case_columns
 from stayput.simulation.case import Case
-from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.run import Run
 
 if TYPE_CHECKING:

@@ -20,10 +20,10 @@ from cachetools import FIFOCache
 from stayput.contents import Contents
 from stayput.inventory.shakemap import GroundLevel
 from stayput.measures import MEASURES, parameters
+from stayput.model.flat_fields import flat_fields, from_flat_fields
 from stayput.model.state import State
 from stayput.montecarlo.counting import EVENTS
 from stayput.scenario.tables import BuildingTable
-from stayput.simulation.flat_fields import flat_fields, from_flat_fields
 
 if TYPE_CHECKING:
     from collections.abc import Hashable, Iterable, Iterator, Mapping

@@ -32,10 +32,11 @@ CASE = np.dtype(
         *floats("left_distance", "left_restitution", "left_friction"),
         *floats("ceiling_distance", "ceiling_restitution", "ceiling_friction"),
         *floats("tilt", "tilt_rate", "slide", "slide_rate"),  # initial state [rad, rad/s, m, m/s]
-        # read in space alone: across the section [m], NaN where the body has none; half of what the feet span
-        # of it; moments about the horizontal in the section and the vertical, over m [m²]; what bears, by its
-        # place in `BASES`; walls to −y and +y
-        *floats("length", "half_base", "roll_inertia", "yaw_inertia", "landing_place", "base"),
+        # read in space alone: mass [kg]; across the section [m], NaN where the body has none; half of what
+        # the feet span of it; moments about the horizontal in the section and the vertical, over m [m²]; what
+        # bears, by its place in `BASES`; e without the place of a landing, and that; walls to −y and +y
+        *floats("mass", "length", "half_base", "roll_inertia", "yaw_inertia", "base"),
+        *floats("floor_restitution", "landing_place"),
         *floats("near_side_distance", "near_side_restitution", "near_side_friction"),
         *floats("far_side_distance", "far_side_restitution", "far_side_friction"),
     ],

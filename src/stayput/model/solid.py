@@ -5,16 +5,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields
-from functools import partial
+from dataclasses import dataclass, field, fields, replace
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
 
 from stayput.errors import InputError, instance_of, within
-from stayput.model.body import Body
-from stayput.model.inertia import inertia_of, moments_of_furniture, principal_axes, uniform_cone
-from stayput.model.parameters import parameter_of
+from stayput.model.body import BASES, Body
+from stayput.model.flat_fields import case_columns
+from stayput.model.inertia import inertia_of, principal_axes, uniform_cone
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.polyhedron import (
     TOLERANCE,
     check_filled,
@@ -26,8 +27,7 @@ from stayput.model.polyhedron import (
     uniform_solid,
     up_at_rest,
 )
-from stayput.model.room import Floor
-from stayput.model.soft_base import narrower_base, rigid_half_base
+from stayput.model.room import Floor, Room
 from stayput.model.solid_fields import (
     Copied,
     checked_base,
@@ -41,6 +41,7 @@ from stayput.model.solid_fields import (
     read_only,
     side,
 )
+from stayput.model.state import State
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -356,26 +357,25 @@ class Solid:
             No length, or a number that is not possible.
         """
         instance_of("body", body, Body)
-        length = body.length if length is None else length
-        if length is None:
+        stands = body if length is None else replace(body, length=length)
+        floor = Floor(settlement=settlement)
+        return cls.of_case(case_columns(stands, Room(floor), State(), STANDARD_GRAVITY)[0])
+
+    @classmethod
+    def of_case(cls, case: np.void) -> Solid:
+        """Make the box of a row of `CASE`; see `of`.
+
+        Raises
+        ------
+        InputError
+            No length.
+        """
+        if math.isnan(case["length"]):
             raise InputError("solids.no_length", "length")
-        b, l, h = body.width, side("length", length), body.height
-        (z_back, z_front), (in_back, in_front) = body.base_heights, body.base_insets
-        lower = ((-b / 2, z_back), (b / 2, z_front))
-        ends = (-l / 2, l / 2)
-        moments = moments_of_furniture(b, l, h, body.inertia_about_cg / body.mass)
-        x_g, z_g = body.centre_of_gravity
-        feet = [(x, y, z) for x, z in ((-b / 2 + in_back, z_back), (b / 2 - in_front, z_front)) for y in ends]
-        if parameter_of(Floor, "settlement").check(settlement) > 0.0:
-            feet = _on_soft_floor(body, l, settlement)
-        return cls(
-            [(x, y, z) for x, z in (*lower, (-b / 2, h), (b / 2, h)) for y in ends],
-            body.mass,
-            centre_of_gravity=(x_g, 0.0, z_g),
-            inertia=body.mass * np.diag(moments),
-            feet=feet if z_back != z_front or in_back or in_front or settlement else None,
-            base=body.base,
-        )
+        names = ("mass", "length", "half_base", "roll_inertia", "inertia", "yaw_inertia")
+        # 0 added: −0 is the same key as 0, and should be the same number
+        u, v = (tuple((case[name] + 0.0).tolist()) for name in ("u", "v"))
+        return _box_of_section(u, v, *(float(case[name]) + 0.0 for name in names), BASES[int(case["base"])])
 
     @classmethod
     def from_mesh(
@@ -426,13 +426,33 @@ class Solid:
         return cls(vertices - origin, mass, **own)
 
 
-def _on_soft_floor(body: Body, length: float, settlement: float) -> list[tuple[float, float, float]]:
-    """Return the corners of the narrower base along its depth and its length; see `narrower_base`."""
-    x_g, z_g = body.centre_of_gravity
-    (back, _), (front, _), _, _ = body.corners
-    ends = rigid_half_base(length / 2, z_g, settlement) * np.array([-1.0, 1.0])
-    feet = narrower_base((back, front), body.base_heights, z_g, settlement)
-    return [(float(x_g + u), float(y), float(z)) for u, z in feet for y in ends]
+# A verification shakes the same pieces with each measure.
+@lru_cache(maxsize=512)
+def _box_of_section(
+    u: tuple[float, ...],
+    v: tuple[float, ...],
+    mass: float,
+    length: float,
+    half_base: float,
+    roll_inertia: float,
+    inertia: float,
+    yaw_inertia: float,
+    base: str,
+) -> Solid:
+    """Return a box with feet where they are not the corners of its base; see `Solid.of_case`."""
+    (a, b, c, d), (v_a, v_b, top, _) = u, v
+    half, middle, low = 0.5 * length, 0.5 * (c + d), min(v_a, v_b)
+    outline = [(x - middle, z - low) for x, z in ((c, v_a), (d, v_b), (c, top), (d, top))]
+    feet = [(x - middle, y, z - low) for x, z in ((a, v_a), (b, v_b)) for y in (-half_base, half_base)]
+    on_corners = (a, b, half_base) == (c, d, half) and v_a == v_b
+    return Solid(
+        [(x, y, z) for x, z in outline for y in (-half, half)],
+        mass,
+        centre_of_gravity=(-middle, 0.0, -low),
+        inertia=mass * np.diag([roll_inertia, inertia, yaw_inertia]),
+        feet=None if on_corners else feet,
+        base=base,
+    )
 
 
 def _filled(z_g: float, inertia: NDArray[np.float64], own: OwnFields) -> OwnFields:

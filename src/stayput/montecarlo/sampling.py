@@ -17,9 +17,9 @@ from stayput.measures import Measure, element_rows, hold
 from stayput.measures.wall import REACH
 from stayput.mechanics.runner import no_elements
 from stayput.model.body import MOST_INSET, Body
+from stayput.model.flat_fields import NumberOrColumn, case_rows, fields_of, flat_fields
 from stayput.model.room import FRICTION_RANGE, MOST_SETTLEMENT, WALLS_AROUND, Floor, Room, friction_factor
 from stayput.model.state import State
-from stayput.simulation.flat_fields import NumberOrColumn, case_rows, fields_of, flat_fields
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
@@ -216,7 +216,8 @@ def _drawn_gap(gap: float, factor: NumberOrColumn) -> NumberOrColumn:
     return np.minimum(factor * gap, REACH) if gap <= REACH else factor * gap
 
 
-def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
+def drawn_floor(floor: Floor, draw: Draw) -> Floor:
+    """Return a floor with friction, restitution and softness as drawn."""
     coefficients = {f.name: getattr(floor, f.name) for f in fields(floor) if f.name.endswith("friction")}
     factor = friction_factor(floor, draw.friction)
     changed = {
@@ -241,7 +242,7 @@ def drawn_surfaces(room: Room, draw: Draw) -> Room:
         for name, wall in walls.items()
         if wall is not None
     }
-    return replace(room, floor=_drawn_floor(room.floor, draw), **drawn)
+    return replace(room, floor=drawn_floor(room.floor, draw), **drawn)
 
 
 def _drawn_rebound(stated: NumberOrColumn, drawn: NumberOrColumn) -> NumberOrColumn:

@@ -17,10 +17,10 @@ from stayput.mechanics.devices.columns import DEVICE, HOLDS
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
 from stayput.model.solid import Solid
 from stayput.montecarlo.counting import Outcomes
-from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_place, drawn_surfaces
+from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor, drawn_place, drawn_surfaces
 from stayput.simulation.placing import planes_around, room_seen
-from stayput.simulation.space import AssemblyTrace, run_of_assembly, trace_assembly
-from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
+from stayput.simulation.space import AssemblyTrace, results_of, run_of_assembly, trace_assembly
+from stayput.simulation.space_engine import SpaceShaking
 from stayput.simulation.standing import STRENGTH_RANGE, Assembly, Piece, Standing
 from stayput.uncertainty import USUAL, Uncertainty, Uniform
 
@@ -245,8 +245,8 @@ def run_several(
         shaking = shaking_of(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
         around = drawn_room(assemblies[option], room, draw.room)
         traced = trace_draw(assemblies[option], around, draw, shaking, gravity)
-        standing, trace = [one.standing for one in traced.bodies], traced.trace
-        results[place] = results_of(standing, trace, shaking.times)
+        trace = traced.trace
+        results[place] = results_of(traced, shaking.times)
         devices[place] = trace.devices, utilisation(trace.springs, trace.devices)
 
     with Pool(threads) as pool:
@@ -266,7 +266,7 @@ def shaking_of(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float
 
 def turned(motion: Motion, scale: float, direction: float) -> SpaceShaking:
     """Return the motion of a floor times a scale, its x turned in plan from x towards y [rad]."""
-    acceleration = scale * acceleration_of(motion)
+    acceleration = scale * SpaceShaking.of(motion).acceleration
     if direction:
         cos, sin = math.cos(direction), math.sin(direction)
         x, y = acceleration[:, 0].copy(), acceleration[:, 1].copy()
@@ -304,7 +304,7 @@ def trace_draw(
         shaking,
         gravity,
         strength=draw.room.strength,
-        friction=draw.room.friction,
+        drawn_floor=partial(drawn_floor, draw=draw.room),
     )
 
 

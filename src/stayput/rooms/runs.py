@@ -21,15 +21,15 @@ from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, OVERTURN
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.mechanics.runner import shaking as shaking_in_plane
 from stayput.mechanics.runner import trace
+from stayput.model.flat_fields import case_columns
 from stayput.model.room import SIDE_WALLS, WALLS_AROUND, Room
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
 from stayput.montecarlo.several import DrawOfSeveral, drawn_room, leaning, trace_draw, turned
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
-from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
-from stayput.simulation.space_case import SpaceShaking, results_of
+from stayput.simulation.placing import bare, placed_piece, planes_around, room_seen
+from stayput.simulation.space import results_of
 from stayput.simulation.standing import Assembly, Piece, Standing
 from stayput.verification.notes import LONG
 
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario.room import RoomScenario
+    from stayput.simulation.space_engine import SpaceShaking
 
 
 class DeviceForces(NamedTuple):
@@ -315,8 +316,7 @@ def _run_in_space(
     shaking = leaning(shaking, draw.room.lean, part.assembly.members[0].heading, gravity)
     room = _far_as_stated(part.room, drawn_room(part.assembly, part.room, draw.room))
     traced = trace_draw(part.assembly, room, draw, shaking, gravity)
-    standing = [one.standing for one in traced.bodies]
-    results = results_of(standing, traced.trace, shaking.times)
+    results, standing = results_of(traced, shaking.times), [one.standing for one in traced.bodies]
     peaks: PeakForces = {}
     first = 0
     for place, one in enumerate(traced.bodies):
@@ -343,7 +343,7 @@ def _run_in_plane(
     cos, sin = math.cos(piece.heading), math.sin(piece.heading)
     along, up = shaking.acceleration[:, :2] @ [cos, sin], shaking.acceleration[:, 2]
     traced = trace(row[0], shaking_in_plane(along, up, shaking.dt, 0), elements)
-    start = at_rest(standing_of(piece, held), shaking.dt)
+    start = at_rest(placed_piece(piece, held, elements[:0]).standing, shaking.dt)
     history = traced.history
     x, z, tilt = (history[:, column] for column in (H_X, H_Z, H_TILT))
     track = track_in_plane(start, x - x[0], z - z[0], tilt)

@@ -36,8 +36,8 @@ from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import RoomTable, floor_of
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import QUANTITIES, fill_columns
-from stayput.simulation.space import trace_assembly
-from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
+from stayput.simulation.space import results_of, trace_assembly
+from stayput.simulation.space_engine import SpaceShaking
 from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
 
 if TYPE_CHECKING:
@@ -374,14 +374,13 @@ def _with(node: Any, parts: list[str], value: Any, path: str) -> Any:
 def _run(scenario: AssemblyScenario) -> tuple[NDArray[np.void], int, float]:
     """Return what became of each piece, how many devices failed, and the largest utilisation."""
     motion = scenario.motion()
-    shaking = SpaceShaking(acceleration_of(motion), motion.dt)
+    shaking = SpaceShaking.of(motion)
     assembly = scenario.assembly()
     with scenario.naming_pieces():
         traced = trace_assembly(assembly, scenario.surroundings(), shaking, scenario.gravity)
     devices = traced.trace.devices
     failed = int((devices["failure"] != HOLDS).sum())
-    standing = [one.standing for one in traced.bodies]
-    results = results_of(standing, traced.trace, shaking.times)
+    results = results_of(traced, shaking.times)
     return results, failed, float(utilisation(traced.trace.springs, devices).max(initial=0.0))
 
 

@@ -9,11 +9,11 @@ from stayput.errors import InputError, instance_of, list_of, whole_within, word_
 from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
 from stayput.model.body import Body
+from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 from stayput.model.room import Room
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
-from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.run import LAWS, Contact, Dimensions, Run, run_of
 from stayput.wording import Brief, check_language
 
@@ -210,12 +210,12 @@ def simulate(
     given = Case(body, room, motion, contact, start, gravity, asked, dimensions)
     refuse_bad_start(body, room, start)
     if given.in_space:
-        from stayput.simulation.space import checked_step, run_held
+        from stayput.simulation.space import checked_step, simulate_held
 
         if contact != "coulomb":
             raise InputError("model.paper_in_space", "contact")
         placed = hold(body, room, given.measures, dimensions=3)
-        return run_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
+        return simulate_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
     if most_events is not None:
         most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
     held = hold(body, room, given.measures)

@@ -15,11 +15,7 @@ from stayput.errors import numbers as array_of
 from stayput.measures.measure import element_rows, hold
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
-from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
-from stayput.model.state import refuse_bad_start
-from stayput.motion import Motion
-from stayput.simulation.case import Case, law_number
-from stayput.simulation.flat_fields import (
+from stayput.model.flat_fields import (
     WALLS_AND_CEILING,
     case_rows,
     distance_to,
@@ -27,6 +23,10 @@ from stayput.simulation.flat_fields import (
     flat_fields,
     from_flat_fields,
 )
+from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
+from stayput.model.state import refuse_bad_start
+from stayput.motion import Motion
+from stayput.simulation.case import Case, law_number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.measures import Measure
-    from stayput.simulation.flat_fields import NumberOrColumn
+    from stayput.model.flat_fields import NumberOrColumn
 
 
 Columns: TypeAlias = "dict[str, NDArray[np.float64] | NDArray[np.int64]]"

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation.case import Case
     from stayput.simulation.grid import CaseBlock, Grid
-    from stayput.simulation.space_case import SpaceShaking
+    from stayput.simulation.space_engine import SpaceShaking
 
 
 CHUNK = 64
@@ -52,7 +52,7 @@ def run_rows(
         RESULT, shape [m], and DEVICE, shape [m, n].
     """
     if not isinstance(motion, Shaking):
-        from stayput.simulation.space_case import run_rows_in_space  # SciPy takes its time to load
+        from stayput.simulation.space import run_rows_in_space  # SciPy takes its time to load
 
         return run_rows_in_space(cases, elements, motion)
     results, devices = np.zeros(len(cases), RESULT), np.zeros(elements.shape, DEVICE)
@@ -80,9 +80,9 @@ def prepared_motion(motion: Motion, dimensions: int, law: int = 0) -> Shaking | 
         Number of the contact law in the plane.
     """
     if dimensions == 3:
-        from stayput.simulation.space_case import SpaceShaking, acceleration_of
+        from stayput.simulation.space_engine import SpaceShaking
 
-        return SpaceShaking(acceleration_of(motion), motion.dt)
+        return SpaceShaking.of(motion)
     return shaking(motion.x, motion.z, motion.dt, law)
 
 
@@ -101,7 +101,7 @@ def run_columns(
     Parameters
     ----------
     cases : ndarray of CASE, shape [m]
-        The cases, as `stayput.simulation.flat_fields.case_columns` makes them of a body and a room with
+        The cases, as `stayput.model.flat_fields.case_columns` makes them of a body and a room with
         measures in place.
     elements : ndarray of ELEMENT, shape [m, n], or None
         Their devices, as `stayput.measures.element_rows` makes them, filled up with elements of kind NONE.

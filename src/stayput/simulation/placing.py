@@ -3,27 +3,29 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures.element import DeviceResult, at_rest, damper, device_result, utilisation
+from stayput.measures.element import DeviceResult, damper, device_result, utilisation
 from stayput.measures.measure import Held, element_rows, hold
 from stayput.measures.wall import WallDevice
 from stayput.mechanics.devices.columns import AXIAL, NONE, PLANAR
 from stayput.mechanics.space.columns import LAW_OF_ELEMENT, SPRING
 from stayput.mechanics.space.touching import ROOM
 from stayput.model.body import Body
-from stayput.model.room import WALLS_AROUND, Room
+from stayput.model.flat_fields import case_columns, room_row
+from stayput.model.parameters import STANDARD_GRAVITY
+from stayput.model.room import WALLS_AROUND, Floor, Room
 from stayput.model.solid import Solid
-from stayput.simulation.flat_fields import room_row
-from stayput.simulation.space_records import NORMALS, planes_of, surface_of
-from stayput.simulation.standing import Piece, Standing
+from stayput.model.state import State
+from stayput.simulation.space_records import NORMALS, planes_of, pose_of, surface_of
+from stayput.simulation.standing import Piece, Standing, rotation_by
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -38,37 +40,24 @@ JOINT = "joint"
 JOINT_LABEL = ("Joint", "接合部")
 
 
-def springs_of(
+def _springs_of(
     elements: NDArray[np.void],
-    turn: NDArray[np.float64],
-    place: NDArray[np.float64],
-    axes: NDArray[np.float64],
-    body: int = 0,
+    resting: _Pose,
+    base: NDArray[np.float64],
+    facing: NDArray[np.float64],
+    body: int,
 ) -> NDArray[np.void]:
-    """Return what holds a body to the room, per unit mass.
-
-    Parameters
-    ----------
-    elements : ndarray of ELEMENT, shape (n,)
-        The devices, per unit mass.
-    turn : ndarray, shape (3, 3)
-        The rotation of its frame into the room's as it rests, tilted about y alone.
-    place : ndarray, shape (3,)
-        Where its centre of gravity is as it rests, from the middle of its base [m].
-    axes : ndarray, shape (3, 3)
-        Its principal axes in its frame, as columns.
-    body : int
-        Its number.
-    """
+    """Return what holds a body to the room, per unit mass; see `held_body`."""
     elements = elements[elements["kind"] != NONE]
     springs = np.zeros(len(elements), SPRING)
     springs["body"], springs["other"], springs["kind"] = body, ROOM, elements["kind"]
     points = np.stack([elements["u"], elements["y"], elements["v"]], 1)
-    at_point = place + points @ turn.T
     anchors = np.stack([elements["x"], elements["y"], elements["z"]], 1)
-    anchors = np.where(np.isnan(elements["x"])[:, None], at_point, anchors)
+    anchors = np.where(np.isnan(elements["x"])[:, None], resting.place + points @ resting.turn.T, anchors)
     normals = np.stack([-elements["sin"], np.zeros(len(elements)), elements["cos"]], 1)
-    _set_vectors(springs, p=points @ axes, a=anchors, n=normals)
+    axes = resting.solid.principal[1]
+    # of −0 comes 0
+    _set_vectors(springs, p=points @ axes, a=anchors @ facing.T + base, n=normals @ facing.T + 0.0)
     springs["length"] = elements["length"]
     for name in LAW_OF_ELEMENT:
         springs[name] = elements[name]
@@ -136,21 +125,108 @@ IN_NEWTONS = ("stiffness", "damping", "limit_plus", "limit_minus")
 
 
 class Placed(NamedTuple):
-    """A body of an assembly as it stands in its room.
+    """A body in a room as the engine in space reads it.
 
     Parameters
     ----------
     standing : Standing
-        The body, with what its measures change of it.
-    held : Held or None
-        Its measures in place; None of a body that is no piece of furniture.
+        The body, with what its measures change of it: one that is held as it rests.
+    pose : ndarray of POSE, shape ()
+        Where it is and how it moves at first.
+    floor : CASE
+        The floor under it, with what its measures change of that.
     springs : ndarray of SPRING
         Its devices, in newtons.
+    held : Held or None
+        Its measures in place; None of a body that is no piece of furniture.
     """
 
     standing: Standing
-    held: Held | None
+    pose: NDArray[np.void]
+    floor: np.void
     springs: NDArray[np.void]
+    held: Held | None = None
+
+
+class _Pose(NamedTuple):
+    """A piece that faces x, the middle of its base at the origin at rest: attitude, G, and their rates."""
+
+    solid: Solid
+    turn: NDArray[np.float64]
+    place: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    rotation_rate: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, case: np.void, tilt: float, tilt_rate: float, slide: float, slide_rate: float) -> _Pose:
+        """Return that of a case in a state; see `State`."""
+        u, v = case["u"], case["v"]
+        fulcrum = 1 if tilt > 0.0 or (tilt == 0.0 and tilt_rate > 0.0) else 0
+        half = 0.5 * math.hypot(u[1] - u[0], v[1] - v[0])
+        turn = rotation_by(np.array([0.0, _lean(case) + tilt, 0.0]))
+        foot = turn @ [u[fulcrum], 0.0, v[fulcrum]]
+        place = np.array([(half if fulcrum else -half) + slide, 0.0, 0.0]) - foot
+        spin = np.array([0.0, tilt_rate, 0.0])
+        return cls(
+            Solid.of_case(case), turn, place, np.array([slide_rate, 0.0, 0.0]) - np.cross(spin, foot), spin
+        )
+
+
+def _lean(case: np.void) -> float:
+    """Return the tilt at which a piece rests on feet of unequal height [rad]."""
+    return math.atan2(case["v"][1] - case["v"][0], case["u"][1] - case["u"][0])
+
+
+def held_body(
+    case: np.void,
+    elements: NDArray[np.void],
+    at: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    heading: float = 0.0,
+    number: int = 0,
+    held: Held | None = None,
+) -> Placed:
+    """Return a piece with its measures in place.
+
+    Parameters
+    ----------
+    case : CASE
+        The piece and the floor under it, with what the measures change of both.
+    elements : ndarray of ELEMENT, shape (n,)
+        What holds it, each device by itself: of `stayput.measures.hold` with three dimensions.
+    at : tuple of float
+        Where the middle of its outline is [m]. What makes it lean leaves its back edge there.
+    heading : float
+        By what it is turned about the vertical, from x towards y [rad].
+    number : int
+        Its number among the bodies.
+    held : Held, optional
+        The measures.
+
+    Raises
+    ------
+    InputError
+        A piece without a length.
+    """
+    facing = rotation_by(np.array([0.0, 0.0, heading]))
+    resting = _Pose.of(case, 0.0, 0.0, 0.0, 0.0)
+    first = _Pose.of(case, *(float(case[name]) for name in ("tilt", "tilt_rate", "slide", "slide_rate")))
+    solid = resting.solid
+    u, v = case["u"], case["v"]
+    # the back edge of the outline, in the plane of feet that are inset
+    back = resting.turn @ [u[2], 0.0, v[0] + (u[2] - u[0]) * (v[1] - v[0]) / (u[1] - u[0])]
+    base = np.asarray(at) + facing @ [0.5 * (u[2] - u[3]) - resting.place[0] - back[0], 0.0, 0.0]
+    x, y, z = (base + facing @ (resting.place - resting.turn @ solid.centre_of_gravity)).tolist()
+    moves = facing @ first.velocity, facing @ first.rotation_rate
+    springs = _springs_of(elements, resting, base, facing, number)
+    for name in IN_NEWTONS:
+        springs[name] *= case["mass"]
+    return Placed(
+        Standing(solid, (x, y, z), heading, (0.0, _lean(case), 0.0)),
+        pose_of(solid, facing @ first.turn, base + facing @ first.place, *moves),
+        case,
+        springs,
+        held,
+    )
 
 
 def bare(member: Standing | Piece) -> Standing:
@@ -163,7 +239,12 @@ def planes_around(members: Sequence[Standing | Piece], room: Room) -> NDArray[np
     return planes_of([bare(member) for member in members], room_row(room))
 
 
-def placed(members: Sequence[Standing | Piece], room: Room, strength: float = 1.0) -> tuple[Placed, ...]:
+def placed(
+    members: Sequence[Standing | Piece],
+    room: Room,
+    strength: float = 1.0,
+    drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
+) -> tuple[Placed, ...]:
     """Return the bodies of an assembly with their measures in place.
 
     Parameters
@@ -174,69 +255,49 @@ def placed(members: Sequence[Standing | Piece], room: Room, strength: float = 1.
         Where they stand.
     strength : float
         Factor on the strengths of all devices.
+    drawn_floor : callable
+        Draws what measures put between a piece and the floor; the room's floor has been drawn.
 
     Raises
     ------
     InputError
         Measures that cannot be put in place.
     """
-    planes = planes_around(members, room)
-    return tuple(
-        _placed(number, member, room, planes, strength)
-        if isinstance(member, Piece)
-        else Placed(member, None, np.zeros(0, SPRING))
-        for number, member in enumerate(members)
-    )
+    planes, floor = planes_around(members, room), room_row(room)
+    none = np.zeros(0, SPRING)
+    bodies: list[Placed] = []
+    for number, member in enumerate(members):
+        if isinstance(member, Standing):
+            pose = pose_of(member.solid, member.turn, member.place, member.velocity, member.rotation_rate)
+            bodies.append(Placed(member, pose, floor, none))
+            continue
+        try:
+            held = hold_piece(member, room, planes)
+        except InputError as error:
+            raise error.at(f"members[{number}]") from None
+        under = _drawn(held.room.floor, room.floor, drawn_floor)
+        held = replace(held, room=replace(held.room, floor=under))
+        bodies.append(placed_piece(member, held, element_rows(held, strength), number))
+    return tuple(bodies)
 
 
-def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], strength: float) -> Placed:
-    try:
-        held = hold_piece(piece, room, planes)
-    except InputError as error:
-        raise error.at(f"members[{number}]") from None
-    body, standing = held.body, standing_of(piece, held)
-    base, facing = _base_of(piece, held), Standing(standing.solid, heading=piece.heading).turn
-    upright = Standing(standing.solid, tilt=standing.tilt)
-    x, z = at_rest(body, body.centre_of_gravity)
-    place = np.array([x, 0.0, z])
-    rows = element_rows(held, strength)
-    springs = springs_of(rows, upright.turn, place, upright.solid.principal[1], number)
-    anchors, normals = (np.stack([springs[f"{name}{axis}"] for axis in "xyz"], axis=1) for name in "an")
-    _set_vectors(springs, a=anchors @ facing.T + base, n=normals @ facing.T + 0.0)  # of −0 comes 0
-    for name in IN_NEWTONS:
-        springs[name] *= body.mass
-    return Placed(standing, held, springs)
+def _drawn(floor: Floor, stated: Floor, drawn_floor: Callable[[Floor], Floor]) -> Floor:
+    """Return a floor of which only what a measure changed is drawn."""
+    drawn, names = drawn_floor(floor), (field.name for field in fields(floor))
+    changed = (name for name in names if getattr(floor, name) != getattr(stated, name))
+    return replace(floor, **{name: getattr(drawn, name) for name in changed})
 
 
-def standing_of(piece: Piece, held: Held) -> Standing:
-    """Return a piece as it stands, with what its measures and the floor change of it.
+def placed_piece(piece: Piece, held: Held, elements: NDArray[np.void], number: int = 0) -> Placed:
+    """Return a piece of an assembly with its measures; see `held_body`.
 
     What stands higher stands on another piece, which does not give way as a soft floor does.
     """
-    body, settlement = held.body, held.room.floor.settlement if piece.at[2] == 0.0 else 0.0
-    same = body == piece.body and settlement == 0.0
-    solid = piece.standing.solid if same else Solid.of(body, settlement=settlement)
-    upright = Standing(solid, tilt=(0.0, body.resting_tilt, 0.0))
-    facing = Standing(solid, heading=piece.heading)
-    x, z = at_rest(body, body.centre_of_gravity)
-    place = np.array([x, 0.0, z]) - upright.turn @ solid.centre_of_gravity
-    origin = _base_of(piece, held) + facing.turn @ place
-    return Standing(solid, (origin[0], origin[1], origin[2]), piece.heading, upright.tilt)
-
-
-def _base_of(piece: Piece, held: Held) -> NDArray[np.float64]:
-    """Return where the middle of a piece's base is: what makes it lean leaves its back edge where it is.
-
-    The middle of the outline is at the piece's place; unequal insets put that of the base aside.
-    """
-    back, front = piece.body.base_insets
-    moved = 0.5 * (back - front) + _back_edge(piece.body) - _back_edge(held.body)
-    return np.asarray(piece.at) + moved * np.array([math.cos(piece.heading), math.sin(piece.heading), 0.0])
-
-
-def _back_edge(body: Body) -> float:
-    """Return where the back edge of a body's base is at rest [m]."""
-    return at_rest(body, (body.base_insets[0] - body.width / 2, body.base_heights[0]))[0]
+    room = held.room
+    if piece.at[2] > 0.0:
+        room = replace(room, floor=replace(room.floor, settlement=0.0))
+    case = case_columns(held.body, room, State(), STANDARD_GRAVITY)[0]
+    return held_body(case, elements, piece.at, piece.heading, number, held)
 
 
 def hold_piece(piece: Piece, room: Room, planes: NDArray[np.void]) -> Held:
@@ -293,6 +354,7 @@ def room_seen(piece: Piece, room: Room, planes: NDArray[np.void]) -> Room:
         own = standing.turn.T @ NORMALS[name]
         for side in WALLS_AROUND:
             if np.dot(own, NORMALS[side]) > 1.0 - ALONG:
-                gap = standing.along(NORMALS[name])[0] - float(plane["offset"])
+                # to a picometre, so that a gap is to the bit what it is for a piece alone
+                gap = round(standing.along(NORMALS[name])[0] - float(plane["offset"]), 12)
                 seen[side] = replace(getattr(room, name), gap=max(0.0, gap))
     return replace(room, **seen)  # pyright: ignore[reportArgumentType]

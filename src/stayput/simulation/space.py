@@ -2,31 +2,34 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.errors import InputWarning, warn, within
 from stayput.measures.element import device_results
+from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
+from stayput.mechanics.devices.columns import DEVICE, NONE
+from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
+from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY
-from stayput.model.room import friction_factor
-from stayput.simulation.flat_fields import case_columns, room_row
-from stayput.simulation.placing import joint_results, joint_springs, placed, planes_around
-from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
-from stayput.simulation.space_engine import STEP, run_world
-from stayput.simulation.space_records import FloorLaws, frames_of, pose_of, surface_of, world_of
+from stayput.simulation.outcome import OUTCOMES, Outcome
+from stayput.simulation.placing import held_body, joint_results, joint_springs, placed, planes_around
+from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
+from stayput.simulation.space_fate import fates_of
+from stayput.simulation.space_records import NORMALS, frames_of, matrices, planes_of, surface_of, world_of
 from stayput.simulation.space_run import Hit, SpaceRun
 from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
     from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held
-    from stayput.model.room import Room
+    from stayput.model.room import Floor, Room
     from stayput.model.state import State
     from stayput.motion import Motion
     from stayput.simulation.placing import Placed
@@ -58,13 +61,14 @@ def simulate_assembly(
     furniture: for solids on the floor it is left out, and warned of.
     """
     warn_of_settlement(assembly, room)
-    shaking = SpaceShaking(acceleration_of(motion), motion.dt)
-    traced = trace_assembly(assembly, room, shaking, GRAVITY.check(gravity), checked_step(step))
+    traced = trace_assembly(
+        assembly, room, SpaceShaking.of(motion), GRAVITY.check(gravity), checked_step(step)
+    )
     return run_of_assembly(traced, assembly.joints, room, motion)
 
 
 class AssemblyTrace(NamedTuple):
-    """Several bodies as the engine ran them: bodies, room, and what became of them and what holds them."""
+    """Bodies as the engine ran them: bodies, room, and what became of them and what holds them."""
 
     bodies: tuple[Placed, ...]
     planes: NDArray[np.void]
@@ -78,7 +82,7 @@ def trace_assembly(
     gravity: float,
     step: float = STEP,
     strength: float = 1.0,
-    friction: float = 1.0,
+    drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
 ) -> AssemblyTrace:
     """Run the bodies of an assembly with their measures in place.
 
@@ -94,8 +98,8 @@ def trace_assembly(
         g [m/s²], and the longest step [s].
     strength : float
         Factor on the strengths of all devices but joints.
-    friction : float
-        Factor on the friction of what measures put between a piece and the floor.
+    drawn_floor : callable
+        Draws what measures put between a piece and the floor.
 
     Raises
     ------
@@ -103,16 +107,136 @@ def trace_assembly(
         Measures that cannot be put in place, or bodies that begin inside each other or the room.
     """
     planes = planes_around(assembly.members, room)
-    bodies = placed(assembly.members, room, strength)
-    standing = [one.standing for one in bodies]
-    laws = [_laws_under(one, room, friction) for one in bodies]
-    world = world_of([one.solid for one in standing], laws, planes, assembly.friction)
-    poses = np.stack(
-        [pose_of(one.solid, one.turn, one.place, one.velocity, one.rotation_rate) for one in standing]
+    bodies = placed(assembly.members, room, strength, drawn_floor)
+    joints = joint_springs([one.standing for one in bodies], assembly.joints)
+    return _traced(bodies, planes, joints, assembly.friction, shaking, gravity, step)
+
+
+def trace_case(
+    case: np.void,
+    elements: NDArray[np.void],
+    shaking: SpaceShaking,
+    step: float = STEP,
+    lies: float = math.inf,
+    held: Held | None = None,
+) -> AssemblyTrace:
+    """Run a piece by itself; the gaps of the walls are from where it is at rest.
+
+    Parameters
+    ----------
+    case : CASE
+        With a length.
+    elements : ndarray of ELEMENT, shape (n,)
+        What holds it, each device by itself: of `stayput.measures.hold` with three dimensions.
+    shaking : SpaceShaking
+        Of the floor, before the factor of the case.
+    step : float
+        Longest step that is not extrapolated [s].
+    lies : float
+        How long the piece lies before the run ends [s].
+    held : Held, optional
+        Its measures.
+
+    Raises
+    ------
+    InputError
+        A case without a length, or one that begins in a wall or the ceiling.
+    """
+    piece = held_body(case, elements, held=held)
+    room = case.copy()  # a piece as high as the room that leans as drawn reaches no farther
+    room["ceiling_distance"] = max(
+        float(case["ceiling_distance"]), -piece.standing.along(NORMALS["ceiling"])[0]
     )
-    springs = np.concatenate([*(one.springs for one in bodies), joint_springs(standing, assembly.joints)])
-    trace = run_world(world, poses, springs, shaking.acceleration, shaking.dt, step, gravity)
+    planes, none = planes_of([piece.standing], room), joint_springs([piece.standing], ())
+    shaken = SpaceShaking(float(case["scale"]) * shaking.acceleration, shaking.dt)
+    return _traced((piece,), planes, none, (0.0, 0.0), shaken, float(case["gravity"]), step, lies)
+
+
+def _traced(
+    bodies: tuple[Placed, ...],
+    planes: NDArray[np.void],
+    joints: NDArray[np.void],
+    between: tuple[float, float],
+    shaking: SpaceShaking,
+    gravity: float,
+    step: float,
+    lies: float = math.inf,
+) -> AssemblyTrace:
+    """Run bodies in a room, with the springs of their joints; the rest as of `run_world` and `world_of`."""
+    world = world_of([one.standing.solid for one in bodies], [one.floor for one in bodies], planes, between)
+    poses, springs = np.stack([one.pose for one in bodies]), [*(one.springs for one in bodies), joints]
+    acceleration, dt = shaking.acceleration, shaking.dt
+    trace = run_world(world, poses, np.concatenate(springs), acceleration, dt, step, gravity, lies)
     return AssemblyTrace(bodies, planes, trace)
+
+
+def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
+    """Return what became of bodies: RESULT, shape (bodies,). Slides are distances in plan, of any direction.
+
+    Parameters
+    ----------
+    traced : AssemblyTrace
+        What the engine returned.
+    time : ndarray, shape (samples,)
+        Time [s].
+    """
+    trace, standing = traced.trace, [one.standing for one in traced.bodies]
+    turns = matrices(frames_of(standing, trace.attitude))
+    results = np.zeros(len(standing), RESULT)
+    fates = fates_of(standing, trace.place, turns, trace.gaps, trace.given_up)
+    for body, (result, fate) in enumerate(zip(results, fates, strict=True)):
+        falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
+        end = min(falls, default=len(time) - 1)
+        # the mechanics know of no body that another bears
+        fell_off = fate.outcome is Outcome.FELL_OFF
+        result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
+        result["end"] = time[end]
+        seen = falls or standing[body].round_side is not None  # the engine's tilt counts what it has rolled
+        result["peak_tilt"] = fate.tilt[: end + 1].max() if seen else trace.peak_tilt[body]
+        result["peak_slide"] = fate.way[: end + 1].max()
+        result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
+        result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
+        result["events"], result["steps"] = trace.hit_numbers[-1, 0], trace.steps
+    return results
+
+
+ENDS = 0.5
+"""How long a piece lies in a run of which only results are asked for [s]: nothing of them comes after."""
+
+
+def run_rows_in_space(
+    cases: NDArray[np.void], elements: NDArray[np.void], shaking: SpaceShaking
+) -> tuple[NDArray[np.void], NDArray[np.void]]:
+    """Run cases under one motion on this thread; see `stayput.simulation.many.run_rows`."""
+    results, devices = np.zeros(len(cases), RESULT), np.zeros(elements.shape, DEVICE)
+    devices["failure_time"] = np.nan
+    for n, (case, rows) in enumerate(zip(cases, elements, strict=True)):
+        traced = trace_case(case, rows, shaking, lies=ENDS)
+        results[n] = results_of(traced, shaking.times)[0]
+        for name in ("peak_pull", "peak_push", "peak_shear"):
+            traced.trace.devices[name] /= case["mass"]
+        devices[n, rows["kind"] != NONE] = traced.trace.devices
+    return results, devices
+
+
+def simulate_held(
+    held: Held, elements: NDArray[np.void], motion: Motion, initial: State, gravity: float, step: float = STEP
+) -> SpaceRun:
+    """Simulate a piece with measures in place.
+
+    Parameters
+    ----------
+    held : Held
+        The piece, of `hold` with three dimensions.
+    elements : ndarray of ELEMENT, shape (n,)
+        Its devices.
+    motion, initial, gravity, step
+        As for `stayput.simulate`.
+    """
+    case = case_columns(held.body, held.room, initial, gravity)[0]
+    return run_of_assembly(
+        trace_case(case, elements, SpaceShaking.of(motion), step, held=held), (), held.room, motion
+    )
 
 
 def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, motion: Motion) -> SpaceRun:
@@ -128,57 +252,17 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
         Where the bodies stood, and how the floor moved.
     """
     bodies, planes, trace = traced
-    springs = trace.springs
     devices: list[DeviceResult] = []
     first = 0
     for number, one in enumerate(bodies):
         own = slice(first, first + len(one.springs))
         if one.held is not None:
-            found = device_results(
-                one.held, springs[own], trace.devices[own], trace.forces[:, own], mass=1.0, member=number
-            )
-            devices += found
+            found = trace.springs[own], trace.devices[own], trace.forces[:, own]
+            devices += device_results(one.held, *found, mass=1.0, member=number)
         first = own.stop
     between = slice(first, None)
-    devices += joint_results(joints, springs[between], trace.devices[between], trace.forces[:, between])
+    devices += joint_results(joints, trace.springs[between], trace.devices[between], trace.forces[:, between])
     standing, held = tuple(one.standing for one in bodies), tuple(one.held for one in bodies)
-    return _run(standing, room, motion, planes, trace, tuple(devices), held)
-
-
-def run_held(
-    held: Held, rows: NDArray[np.void], motion: Motion, initial: State, gravity: float, step: float = STEP
-) -> SpaceRun:
-    """Run a piece with measures in place.
-
-    Parameters
-    ----------
-    held : Held
-        The piece, of `hold` with three dimensions.
-    rows : ndarray of ELEMENT, shape (n,)
-        Its devices.
-    motion, initial, gravity, step
-        As for `stayput.simulate`.
-    """
-    case = case_columns(held.body, held.room, initial, gravity)[0]
-    m = held.body.mass
-    shaking = SpaceShaking(acceleration_of(motion), motion.dt)
-    piece, planes, trace = trace_case(case, rows, shaking, step, m)
-    hits = trace.hits.copy()
-    hits["impulse"] *= m
-    trace = trace._replace(pressing=m * trace.pressing, hits=hits)
-    devices = device_results(held, rows, trace.devices, trace.forces, held.body.mass)
-    return _run((piece,), held.room, motion, planes, trace, devices, (held,))
-
-
-def _run(
-    standing: tuple[Standing, ...],
-    room: Room,
-    motion: Motion,
-    planes: NDArray[np.void],
-    trace: SpaceTrace,
-    devices: tuple[DeviceResult, ...],
-    held: tuple[Held | None, ...],
-) -> SpaceRun:
     surfaces = [surface_of(plane) for plane in planes]
     hits = tuple(
         Hit(
@@ -206,7 +290,7 @@ def _run(
         trace.hit_numbers[:-1],
         trace.peak_tilt,
         trace.gaps,
-        devices,
+        tuple(devices),
         trace.springs,
         trace.steps,
         trace.unconverged,
@@ -217,21 +301,3 @@ def _run(
     if lying := [b for b, one in enumerate(standing) if one.round_side is not None]:
         run.peak_tilt[lying] = run.tilt[lying].max(axis=1)  # the engine's counts what they have rolled
     return run
-
-
-def _laws_under(body: Placed, room: Room, factor: float) -> FloorLaws:
-    """Return the laws of the floor under a body: where a measure changes the friction, its feet have that."""
-    if body.held is None:
-        return FloorLaws.of(room_row(room))
-    own = body.held.room.floor
-    drawn = friction_factor(own, factor)
-    changed = {
-        name: drawn * value
-        for name, value in ((field.name, getattr(own, field.name)) for field in fields(own))
-        if name.endswith("friction") and value is not None and value != getattr(room.floor, name)
-    }
-    laws = FloorLaws.of(room_row(replace(room, floor=replace(own, **changed))))
-    if not {"static_friction", "kinetic_friction"} & changed.keys():
-        return laws
-    friction = laws.edge_friction
-    return laws._replace(back_friction=friction, front_friction=friction)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -20,12 +21,33 @@ from stayput.simulation.space_records import scratch_of, surface_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from stayput.motion import Motion
 
 DEEPEST = 1e-6
 """How deep a body may begin inside another or a plane, by rounding [m]."""
 
 TOUCHES = 1e-5
 """Gap up to which a body touches another or the room [m]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpaceShaking:
+    """A motion prepared for the engine in space: the floor's acceleration, shape (samples, 3), and its dt."""
+
+    acceleration: NDArray[np.float64]
+    dt: float
+
+    @classmethod
+    def of(cls, motion: Motion) -> SpaceShaking:
+        """Return a motion along x, y and z."""
+        given = motion.components
+        each = [given.get(name, np.zeros(len(motion.x))) for name in "xyz"]
+        return cls(np.stack(each, axis=1), motion.dt)
+
+    @property
+    def times(self) -> NDArray[np.float64]:
+        """The times of its samples [s]."""
+        return self.dt * np.arange(len(self.acceleration), dtype=np.float64)
 
 
 class Gaps(NamedTuple):

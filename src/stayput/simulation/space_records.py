@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, P
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
 from stayput.model.even_base import friction_ratio
-from stayput.simulation.flat_fields import WALLS_AND_CEILING
+from stayput.model.flat_fields import WALLS_AND_CEILING
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,39 +21,6 @@ if TYPE_CHECKING:
 
     from stayput.model.solid import Solid
     from stayput.simulation.standing import Standing
-
-
-class FloorLaws(NamedTuple):
-    """What a body has of the floor under it beside the friction of its flat base.
-
-    Parameters
-    ----------
-    restitution, landing_place : float
-        As of `Floor`.
-    edge_friction : tuple of float
-        Static and kinetic, on a corner or an edge alone.
-    back_friction, front_friction : tuple of float
-        Of the feet behind and before the centre of gravity, NaN for none of their own.
-    """
-
-    restitution: float
-    landing_place: float
-    edge_friction: tuple[float, float]
-    back_friction: tuple[float, float]
-    front_friction: tuple[float, float]
-
-    @classmethod
-    def of(cls, room: np.void) -> FloorLaws:
-        """Return those of a row of `CASE`."""
-        edge, back, front = (
-            (float(room[f"{part}edge_static_friction"]), float(room[f"{part}edge_kinetic_friction"]))
-            for part in ("", "left_", "right_")
-        )
-        return cls(float(room["restitution"]), float(room["landing_place"]), edge, back, front)
-
-    def own_friction(self, x: float) -> tuple[float, float]:
-        """Return static and kinetic friction of a foot at x from the centre of gravity."""
-        return self.back_friction if x < 0.0 else self.front_friction
 
 
 def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -137,7 +104,10 @@ def frames_of(standing: Sequence[Standing], attitudes: NDArray[np.float64]) -> N
 
 
 def world_of(
-    solids: Sequence[Solid], laws: Sequence[FloorLaws], planes: NDArray[np.void], between: tuple[float, float]
+    solids: Sequence[Solid],
+    floors: Sequence[np.void],
+    planes: NDArray[np.void],
+    between: tuple[float, float],
 ) -> tuple[Any, ...]:
     """Return bodies and room as `run_in_space` takes them.
 
@@ -145,8 +115,8 @@ def world_of(
     ----------
     solids : sequence of Solid
         The bodies.
-    laws : sequence of FloorLaws
-        Of the floor under each.
+    floors : sequence of CASE
+        The floor under each, with what measures change of it.
     planes : ndarray of PLANE
         The room.
     between : tuple of float
@@ -158,7 +128,7 @@ def world_of(
     faces: list[tuple[Any, ...]] = []
     loops: list[int] = []
     edges: list[tuple[int, int]] = []
-    for body, solid, floor in zip(bodies, solids, laws, strict=True):
+    for body, solid, floor in zip(bodies, solids, floors, strict=True):
         _add(body, solid, floor, points, rims, faces, loops, edges)
     pairs = [(b, a, *between, 0.0) for b in range(len(solids)) for a in range(b)]
     return (
@@ -176,7 +146,7 @@ def world_of(
 def _add(
     body: Any,
     solid: Solid,
-    floor: FloorLaws,
+    floor: np.void,
     points: list[tuple[Any, ...]],
     rims: list[tuple[Any, ...]],
     faces: list[tuple[Any, ...]],
@@ -186,6 +156,10 @@ def _add(
     """Fill in a SOLID, and add its points, rims, faces and edges."""
     moments, axes = solid.principal
     about = solid.centre_of_gravity
+    feet = {
+        side: tuple(float(floor[f"{side}_edge_{kind}_friction"]) for kind in ("static", "kinetic"))
+        for side in ("left", "right")
+    }
 
     def own(place: NDArray[np.float64]) -> NDArray[np.float64]:
         return (place - about) @ axes
@@ -201,17 +175,18 @@ def _add(
     body["r1"], body["r2"], body["r3"] = 1.0 / np.sqrt(moments)
     body["first_point"], body["hull"] = first, len(vertices)
     points += [
-        (*v, *floor.own_friction(x), int(f), int(not r))
+        (*v, *feet["left" if x < 0.0 else "right"], int(f), int(not r))
         for v, x, f, r in zip(vertices, solid.vertices[:, 0] - about[0], on_floor, on_rim, strict=True)
     ]
     if solid.feet is not None:
         stands = np.concatenate([solid.feet, _cut_off(solid.vertices[~above], solid.feet)])
         points += [
-            (*v, *floor.own_friction(x), 1, 0)
+            (*v, *feet["left" if x < 0.0 else "right"], 1, 0)
             for v, x in zip(own(stands), stands[:, 0] - about[0], strict=True)
         ]
-    body["restitution"], body["landing_place"] = floor.restitution, floor.landing_place
-    body["edge_static"], body["edge_kinetic"] = floor.edge_friction
+    body["restitution"], body["landing_place"] = floor["floor_restitution"], floor["landing_place"]
+    for kind in ("static", "kinetic"):
+        body[f"mu_{kind}"], body[f"edge_{kind}"] = floor[f"{kind}_friction"], floor[f"edge_{kind}_friction"]
     body["kappa"] = friction_ratio(solid)
     up = solid.up_at_rest
     body["ux"], body["uy"], body["uz"] = axes[2] if up is None else up @ axes
@@ -327,7 +302,7 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
     bodies, points, rims, planes, pairs, faces = world[:6]
     keys = len(planes) * (len(points) + RIM_POINTS * len(rims)) + MOST_TOUCHING * len(pairs)
     features = len(planes) * (len(points) + len(rims)) + len(pairs)
-    kept = np.zeros((3, keys, 8))
+    kept = np.zeros((3, keys, 9))
     kept[0, :, 3] = 1.0
     # of two convex faces that cut each other half as many corners are left; by rounding it may be more
     most_corners = 4 * faces["count"].max()

@@ -11,7 +11,7 @@ import xarray as xr
 from stayput.errors import InputError, list_of, word_of
 from stayput.execution import Pool
 from stayput.mechanics.runner import Shaking, trace
-from stayput.simulation.flat_fields import unit_of
+from stayput.model.flat_fields import unit_of
 from stayput.simulation.grid import make_grid
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
 from stayput.simulation.outcome import HISTORIES, QUANTITIES

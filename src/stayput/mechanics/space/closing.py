@@ -68,7 +68,7 @@ def keep(contacts, count, kept, marks):
         part = 0.0 if marks[c.a] else 1.0
         kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
         kept[c.key, 3], kept[c.key, 4] = float(c.stuck), c.when
-        kept[c.key, 5], kept[c.key, 6], kept[c.key, 7] = c.x, c.y, c.z
+        kept[c.key, 5], kept[c.key, 6], kept[c.key, 7], kept[c.key, 8] = c.x, c.y, c.z, float(c.stood)
 
 
 @inline
@@ -124,8 +124,8 @@ def _close(contacts, count, key, kept, ratio, surface):
     """Add a contact whose bodies, normal and levers are set; its impulses begin with those kept."""
     c = contacts[count]
     c.key = key
-    c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
-    c.stuck = 1 if kept[key, 3] == 1.0 else 0
+    _rub(c, surface)
+    c.stuck, c.stood = 1 if kept[key, 3] == 1.0 else 0, int(kept[key, 8])
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
     return count + 1
 
@@ -152,9 +152,9 @@ def _on_plane(c, b, lever, gap, j, plane, bent):
 
 
 @inline
-def _rub(c, static, kinetic):
-    """Set the friction of a contact."""
-    c.mu_static, c.mu_kinetic = static, kinetic
+def _rub(c, what):
+    """Give a contact the friction of a surface, or of a point or a body on the floor."""
+    c.mu_static, c.mu_kinetic = what.mu_static, what.mu_kinetic
 
 
 @inline
@@ -194,11 +194,13 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                         _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                         count = _close(contacts, count, key, kept, ratio, plane)
                         if plane.floor and points[i].mu_static >= 0.0:  # not NaN
-                            _rub(contacts[count - 1], points[i].mu_static, points[i].mu_kinetic)
+                            _rub(contacts[count - 1], points[i])
+                        elif plane.floor:
+                            _rub(contacts[count - 1], body)
             if plane.floor and touches <= 2:  # on a corner or an edge
                 for k in range(first, count):
                     if not points[contacts[k].key - j * points.shape[0]].mu_static >= 0.0:
-                        _rub(contacts[k], body.edge_static, body.edge_kinetic)
+                        contacts[k].mu_static, contacts[k].mu_kinetic = body.edge_static, body.edge_kinetic
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
                     flat = flat_within(rims[i], closed)
@@ -212,6 +214,8 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                         if gap - rise(plane_normal(plane), bent, h) <= within:
                             _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                             count = _close(contacts, count, key, kept, ratio, plane)
+                            if plane.floor:
+                                _rub(contacts[count - 1], body)
             if count > first:
                 _prepare(contacts, first, count, kept, plane, bodies, poses, h)
     if pairs.shape[0] == 0:

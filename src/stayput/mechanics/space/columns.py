@@ -28,15 +28,15 @@ SOLID = np.dtype(
     [(name, "f8") for name in ("mass", "i1", "i2", "i3", "rm", "r1", "r2", "r3")]
     + [(name, "i8") for name in ("first_point", "points", "hull", "first_rim", "rims")]
     + [(name, "i8") for name in ("first_face", "faces", "first_edge", "edges")]
-    + [(name, "f8") for name in ("radius", "restitution", "landing_place", "edge_static", "edge_kinetic")]
-    + [("kappa", "f8")]
+    + [(name, "f8") for name in ("radius", "restitution", "landing_place", "kappa")]
+    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "edge_static", "edge_kinetic")]
     + [(name, "f8") for name in ("ux", "uy", "uz")],
     align=True,
 )
 """A body: mass, principal moments of inertia, and the roots of one over each; its points, of which the first
 are the corners of its convex hull, rims, faces and edges; the radius about G of a ball around it; of the
-floor under it restitution and place of a landing, and friction on one corner or edge; where friction acts
-(`stayput.model.even_base`); and what points up at rest.
+floor under it restitution and place of a landing; where friction acts (`stayput.model.even_base`); friction
+on that floor, and on one corner or edge alone; and what points up at rest.
 """
 
 POINT = np.dtype(
@@ -44,7 +44,7 @@ POINT = np.dtype(
     + [(name, "i8") for name in ("floor", "walls")],
     align=True,
 )
-"""A point of a body in its axes: friction of its own on the floor (NaN: the floor's), whether it may touch
+"""A point of a body in its axes: friction of its own on the floor (NaN: the body's), whether it may touch
 the floor, and walls and ceiling.
 """
 
@@ -65,7 +65,10 @@ PLANE = np.dtype(
     + [("floor", "i8")],
     align=True,
 )
-"""A plane n·x = offset of the room, its normal into the room: the floor, a wall, the ceiling."""
+"""A plane n·x = offset of the room, its normal into the room: the floor, a wall, the ceiling.
+
+What a body has of the floor stands with the body, as measures under it change that.
+"""
 
 PAIR = np.dtype(
     [("a", "i8"), ("b", "i8"), ("mu_static", "f8"), ("mu_kinetic", "f8"), ("restitution", "f8")], align=True
@@ -85,7 +88,7 @@ the room's axes.
 """
 
 CONTACT = np.dtype(
-    [(name, "i8") for name in ("a", "b", "key", "stuck", "plane", "floor")]
+    [(name, "i8") for name in ("a", "b", "key", "stuck", "stood", "plane", "floor")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
     + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bx", "by", "bz")]
     + [(name, "f8") for name in ("fax", "fay", "faz", "fbx", "fby", "fbz")]
@@ -97,14 +100,15 @@ CONTACT = np.dtype(
     + [(name, "f8") for name in ("shift", "change", "rho", "when", "x", "y", "z")],
     align=True,
 )
-"""A closed contact: bodies a and b (−1: the room), the plane of the room (−1: none) and whether it is the
-floor, the normal towards a and two tangents, the levers about both G, its gap and the acceleration by which
-free flight opens it, the levers of friction about both G, coefficients of friction, the normal velocity
-before, its restitution (0: it does not bounce) and the velocity wanted, impulses, their changes by a step of
-Newton's method, and the inverse mass that they see; of the augmented Lagrangian the multipliers, velocities,
-their changes along the direction and by the gradient, the shift of the normal velocity and its change, and
-the penalty; when it begins or ends to slip, over the step's length (`stayput.mechanics.space.events`); and of
-two bodies where it is in the axes of body a.
+"""A closed contact: bodies a and b (−1: the room), whether it sticks, and has done so since the last step
+alone; the plane of the room (−1: none) and whether it is the floor, the normal towards a and two tangents,
+the levers about both G, its gap and the acceleration by which free flight opens it, the levers of friction
+about both G, coefficients of friction, the normal velocity before, its restitution (0: it does not bounce)
+and the velocity wanted, impulses, their changes by a step of Newton's method, and the inverse mass that they
+see; of the augmented Lagrangian the multipliers, velocities, their changes along the direction and by the
+gradient, the shift of the normal velocity and its change, and the penalty; when it begins or ends to slip,
+over the step's length (`stayput.mechanics.space.events`); and of two bodies where it is in the axes of body
+a.
 """
 
 SPRING = np.dtype(

@@ -129,11 +129,13 @@ def switch_now(contacts, count, kept, by, poses):
         c = contacts[k]
         if _switches(c, kept, by):
             c.stuck, c.when = int(kept[1, c.key, 3]), 0.0
+            c.stood = c.stuck
             stand = stand or c.stuck == 1
     for k in range(count):
         c = contacts[k]
         if stand and kept[0, c.key, 3] == 0.0 and slip_rate(c, poses) <= STANDS:
-            c.stuck, c.when = 1, 0.0
+            c.stuck = c.stood = 1
+            c.when = 0.0
 
 
 @inline

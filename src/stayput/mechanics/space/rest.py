@@ -114,7 +114,7 @@ def note_stances(world, poses, closed, stances):
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
         counts[b] = _sides(body, s, points, planes[0], closed, sides)
-        frictions[b] = planes[0].mu_static
+        frictions[b] = body.mu_static
         for i in range(body.first_point, body.first_point + body.points):
             if points[i].mu_static < frictions[b]:  # False for NaN
                 frictions[b] = points[i].mu_static

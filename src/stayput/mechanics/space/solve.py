@@ -330,10 +330,30 @@ def _in_impact(contacts, count, c):
 
 
 @inner
+def _moves_on(contacts, count, c):
+    """Give contacts of another pair that only stood as they turned back their kinetic coefficient.
+
+    Returns
+    -------
+    bool
+        Whether there was any on the bodies of a contact.
+    """
+    found = False
+    for k in range(count):
+        d = contacts[k]
+        beside = d.a == c.a or d.a == c.b or (d.b != ROOM and (d.b == c.a or d.b == c.b))
+        if beside and d.stood and d.mu > d.mu_kinetic and (d.a != c.a or d.b != c.b):
+            d.mu = d.mu_kinetic
+            found = True
+    return found
+
+
+@inner
 def _let_slip(contacts, count, poses, h):
     """Give contacts that slip by their static coefficient their kinetic one; return whether any did.
 
-    In an impact a contact that did not slip before keeps its static one.
+    In an impact a contact that did not slip before keeps its static one. Where one would slip since another
+    that turned back stands, that one goes on to slip: it has not stuck yet.
     """
     found = False
     for k in range(count):
@@ -341,7 +361,8 @@ def _let_slip(contacts, count, poses, h):
         if c.mu > c.mu_kinetic and c.pn > 0.0 and has_slipped(c, poses, h):
             if _in_impact(contacts, count, c):
                 continue
-            c.mu = c.mu_kinetic
+            if c.stood or not _moves_on(contacts, count, c):
+                c.mu = c.mu_kinetic
             found = True
     return found
 

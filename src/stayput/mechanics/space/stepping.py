@@ -149,9 +149,10 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
         c = contacts[k]
         # one that bears nothing has not slipped either where it does not move: the next step may press it
         c.stuck = 0 if has_slipped(c, after, h) else 1
+        c.stood = 1 if c.stuck == 1 and kept[c.key, 3] == 0.0 else 0
         c.when = changes_at(c, kept, ratio, before, after)
         if c.stuck == 0 and c.pn > 0.0 and turns_back(c, before, after):
-            c.stuck = 1
+            c.stuck = c.stood = 1
             if c.floor and c.mu_static > c.mu_kinetic:
                 stands = min(stands, c.when)
     for b in range(bodies.shape[0]):

@@ -13,6 +13,7 @@ from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.measures import element_rows, hold
 from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking, trace
+from stayput.model.flat_fields import case_columns
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.montecarlo.several import draws_of_several
@@ -29,9 +30,8 @@ from stayput.report.space.summary import became
 from stayput.report.verdict import svg
 from stayput.report.verdict.numbers import word
 from stayput.simulation.case import Case
-from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.run import run_of
-from stayput.simulation.space import run_held
+from stayput.simulation.space import simulate_held
 from stayput.simulation.space_run import SpaceRun
 from stayput.verification import Verdict
 from stayput.verification.words import title, title_of_several
@@ -193,7 +193,7 @@ def replay_in_space(
     """Run a member of a verdict in space again; see `replay`."""
     scenario = verdict.scenario
     held, elements = drawn_piece(verdict, option, member)
-    return run_held(held, elements, motion.scaled(scale), scenario.initial.state(), scenario.gravity)
+    return simulate_held(held, elements, motion.scaled(scale), scenario.initial.state(), scenario.gravity)
 
 
 def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:

@@ -164,11 +164,13 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
         rows["u"][:, corner], rows["v"][:, corner] = u, v
     for about in parameters(State):
         rows[about.name] = numbers[f"initial.{about.name}"]
+    rows["floor_restitution"] = rows["restitution"]
     rows["restitution"] *= landing_factor(
         numbers["room.floor.landing_place"], -foot_left * foot_right, z_g, rows["inertia"]
     )
     length = numbers["body.length"]
-    rows["length"], rows["half_base"] = length, rigid_half_base(length / 2, z_g, settlement)
+    rows["mass"], rows["length"] = m, length
+    rows["half_base"] = rigid_half_base(length / 2, z_g, settlement)
     rows["roll_inertia"], _, rows["yaw_inertia"] = moments_of_furniture(b, length, h, rows["inertia"])
     rows["base"] = numbers["body.base"]
     rows["gravity"], rows["scale"] = numbers["gravity"], numbers["motion.scale"]
@@ -194,6 +196,7 @@ def room_row(room: Room) -> np.void:
     """Return a row of `CASE` of a room without a body."""
     row = np.zeros(1, CASE)
     _fill_in_room(row, fields_of("room", room))
+    row["floor_restitution"] = row["restitution"]
     return row[0]
 
 
