@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import sys
 import time
-from functools import partial
 from pathlib import Path
 from statistics import median
 from typing import TYPE_CHECKING
@@ -19,13 +18,12 @@ from rich.table import Table
 
 import stayput as sp
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
-from stayput.montecarlo.sampling import drawn_floor
-from stayput.montecarlo.several import drawn_assembly, drawn_room, turned
+from stayput.montecarlo.several import trace_draw, turned
 from stayput.rooms.changes import measures_tried
 from stayput.rooms.runs import part_with
 from stayput.rooms.verify import question_of
 from stayput.scenario.room import read_room
-from stayput.simulation.space import results_of, trace_assembly
+from stayput.simulation.space import results_of
 from stayput.simulation.space_engine import STEP
 
 if TYPE_CHECKING:
@@ -73,16 +71,8 @@ def overturned(question: Question, part: RoomPart, step: float) -> list[bool]:
         for draw in row:
             floors = question.floors
             shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
-            own = draw.of(part.bodies)
-            traced = trace_assembly(
-                drawn_assembly(part.assembly, own),
-                drawn_room(part.assembly, part.room, own.room),
-                shaking,
-                question.scenario.gravity,
-                step,
-                own.room.strength,
-                partial(drawn_floor, draw=own.room),
-            )
+            own, gravity = draw.of(part.bodies), question.scenario.gravity
+            traced = trace_draw(part.assembly, part.room, own, shaking, gravity, step)
             outcome = results_of(traced, shaking.times)["outcome"]
             found.append(bool((outcome == OVERTURNED_OUTCOME).any()))
     return found

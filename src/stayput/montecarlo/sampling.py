@@ -23,11 +23,12 @@ from stayput.model.state import State
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator, Sequence
+    from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
     from typing import Self
 
     from numpy.typing import NDArray
 
+    from stayput.measures.measure import Held
     from stayput.montecarlo.counting import Outcomes
     from stayput.scenario import AssemblyScenario, Scenario
 
@@ -212,8 +213,11 @@ def drawn_place(room: Room, draw: Draw) -> Room:
 
 
 def _drawn_gap(gap: float, factor: NumberOrColumn) -> NumberOrColumn:
-    """Return drawn gaps [m]; where a bracket reaches the wall as stated, it does in every draw."""
-    return np.minimum(factor * gap, REACH) if gap <= REACH else factor * gap
+    """Return drawn gaps [m]: behind a piece, where a bracket reaches the wall in every draw too.
+
+    How far away other walls are is known.
+    """
+    return np.minimum(factor * gap, REACH) if gap <= REACH else gap
 
 
 def drawn_floor(floor: Floor, draw: Draw) -> Floor:
@@ -250,6 +254,19 @@ def _drawn_rebound(stated: NumberOrColumn, drawn: NumberOrColumn) -> NumberOrCol
     return np.where(np.isnan(drawn), stated, drawn)
 
 
+def drawn_held(
+    body: Body, room: Room, measures: Iterable[Measure], draw: Draw, dimensions: int = 2
+) -> tuple[Held, NDArray[np.void]]:
+    """Return a piece with its measures in place as drawn, and the rows of its devices.
+
+    The body and its place are drawn before the measures are applied, friction after them: a measure's
+    surface is as uncertain as the floor's. A product is bought for the piece as stated.
+    """
+    bought = [measure.fitted_to(body) for measure in measures]
+    held = hold(drawn_body(body, draw), drawn_place(room, draw), bought, dimensions=dimensions)
+    return replace(held, room=drawn_surfaces(held.room, draw)), element_rows(held, draw.strength)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Rows:
     """Case and element rows of one piece with one set of measures, by motion and by sample within it.
@@ -278,10 +295,7 @@ def rows_of(
     initial: State | None = None,
     dimensions: int = 2,
 ) -> Rows:
-    """Return the rows of a piece under all draws.
-
-    The body and its place are drawn before the measures are applied, friction after them: a measure's
-    surface is as uncertain as the floor's. A product is bought for the piece as stated.
+    """Return the rows of a piece under all draws; see `drawn_held`.
 
     Parameters
     ----------
@@ -303,8 +317,8 @@ def rows_of(
     """
     columns = {name: column.ravel() for name, column in drawn.columns.items()}
     count = len(columns["mass"])
-    measures = tuple(measure.fitted_to(body) for measure in measures)
-    held = hold(body, room, measures, dimensions=dimensions)
+    bought = tuple(measure.fitted_to(body) for measure in measures)
+    held = hold(body, room, bought, dimensions=dimensions)
     numbers: dict[str, NumberOrColumn] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
     if not held.elements and held.body == body:
         # Nothing but numbers changes with the draw, so that all rows are made at once: far faster than one by
@@ -324,31 +338,22 @@ def rows_of(
             wall = getattr(room, name)
             if wall is not None and wall == getattr(held.room, name):  # a measure's own gap is as it says
                 numbers[f"room.{name}.gap"] = _drawn_gap(wall.gap, columns["wall_gap"])
-        elements = no_elements(0, count)
-    else:
-        by_draw = [draw for row in drawn for draw in row]
-        held_each = [
-            hold(drawn_body(body, draw), drawn_place(room, draw), measures, dimensions=dimensions)
-            for draw in by_draw
-        ]
-        leaf_rows = [
-            {**fields_of("body", drawn.body), **fields_of("room", drawn.room)} for drawn in held_each
-        ]
-        numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
-        masses = np.array([drawn_held.body.mass for drawn_held in held_each])
-        strengths = (draw.strength for draw in by_draw)
-        elements = np.stack([element_rows(*pair) for pair in zip(held_each, strengths, strict=True)])
-    friction = friction_factor(held.room.floor, columns["friction"])
-    for path in numbers:
-        if path.startswith("room.floor.") and path.endswith("friction"):
-            numbers[path] = friction * numbers[path]
-    for name in ("restitution", "landing_place", "settlement"):
-        numbers[f"room.floor.{name}"] = columns[name] * numbers[f"room.floor.{name}"]
-    numbers["room.floor.settlement"] = np.minimum(numbers["room.floor.settlement"], MOST_SETTLEMENT)
-    for name in WALLS_AROUND:
-        if getattr(held.room, name) is not None:
-            path = f"room.{name}.restitution"
-            numbers[path] = _drawn_rebound(numbers[path], columns["wall_restitution"])
+        friction = friction_factor(held.room.floor, columns["friction"])
+        for path in numbers:
+            if path.startswith("room.floor.") and path.endswith("friction"):
+                numbers[path] = np.minimum(friction * numbers[path], FRICTION_RANGE[1])
+        for name in ("restitution", "landing_place", "settlement"):
+            numbers[f"room.floor.{name}"] = columns[name] * numbers[f"room.floor.{name}"]
+        numbers["room.floor.settlement"] = np.minimum(numbers["room.floor.settlement"], MOST_SETTLEMENT)
+        for name in WALLS_AROUND:
+            if getattr(held.room, name) is not None:
+                path = f"room.{name}.restitution"
+                numbers[path] = _drawn_rebound(numbers[path], columns["wall_restitution"])
+        return Rows(case_rows(numbers, count), no_elements(0, count), masses)
+    each = [drawn_held(body, room, measures, draw, dimensions) for row in drawn for draw in row]
+    leaf_rows = [{**fields_of("body", one.body), **fields_of("room", one.room)} for one, _ in each]
+    numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
+    masses, elements = np.array([one.body.mass for one, _ in each]), np.stack([rows for _, rows in each])
     return Rows(case_rows(numbers, count), elements, masses)
 
 

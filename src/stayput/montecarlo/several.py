@@ -20,7 +20,7 @@ from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor, drawn_place, drawn_surfaces
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.space import AssemblyTrace, results_of, run_of_assembly, trace_assembly
-from stayput.simulation.space_engine import SpaceShaking
+from stayput.simulation.space_engine import STEP, SpaceShaking
 from stayput.simulation.standing import STRENGTH_RANGE, Assembly, Piece, Standing
 from stayput.uncertainty import USUAL, Uncertainty, Uniform
 
@@ -160,15 +160,14 @@ def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:
     """Return the room as drawn; where a bracket reaches the wall from a piece as stated, it does as drawn."""
     drawn = drawn_place(room, draw)
     for name in WALLS_AROUND:
-        wall = getattr(drawn, name)
-        if wall is None:
+        wall, stated = getattr(drawn, name), getattr(room, name)
+        if wall is None or stated.gap > REACH:
             continue
-        stated = getattr(room, name).gap
         alone = replace(room, **{other: None for other in WALLS_AROUND if other != name})
         planes = planes_around(assembly.members, alone)
         seen = [room_seen(one, alone, planes) for one in assembly.members if isinstance(one, Piece)]
         behind = [one.left_wall.gap for one in seen if one.left_wall is not None]
-        most = min((REACH - (gap - stated) for gap in behind if gap <= REACH), default=math.inf)
+        most = min((REACH - (gap - stated.gap) for gap in behind if gap <= REACH), default=math.inf)
         drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})
     return drawn_surfaces(drawn, draw)
 
@@ -242,9 +241,8 @@ def run_several(
 
     def run(option: int, motion: int, sample: int) -> None:
         draw, place = drawn[motion][sample], (option, motion, sample)
-        shaking = shaking_of(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
-        around = drawn_room(assemblies[option], room, draw.room)
-        traced = trace_draw(assemblies[option], around, draw, shaking, gravity)
+        shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
+        traced = trace_draw(assemblies[option], room, draw, shaking, gravity)
         trace = traced.trace
         results[place] = results_of(traced, shaking.times)
         devices[place] = trace.devices, utilisation(trace.springs, trace.devices)
@@ -259,11 +257,6 @@ def run_several(
     ]
 
 
-def shaking_of(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float) -> SpaceShaking:
-    """Return the motion of a floor under one draw, which leans along x; see `turned` and `leaning`."""
-    return leaning(turned(motion, scale, draw.direction), draw.room.lean, 0.0, gravity)
-
-
 def turned(motion: Motion, scale: float, direction: float) -> SpaceShaking:
     """Return the motion of a floor times a scale, its x turned in plan from x towards y [rad]."""
     acceleration = scale * SpaceShaking.of(motion).acceleration
@@ -274,7 +267,7 @@ def turned(motion: Motion, scale: float, direction: float) -> SpaceShaking:
     return SpaceShaking(acceleration, motion.dt)
 
 
-def leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float) -> SpaceShaking:
+def _leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float) -> SpaceShaking:
     """Return the motion of a floor that leans: by a small angle it is shaken by −g sin(lean) as well.
 
     Parameters
@@ -295,16 +288,22 @@ def leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float) 
 
 
 def trace_draw(
-    assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+    assembly: Assembly,
+    room: Room,
+    draw: DrawOfSeveral,
+    shaking: SpaceShaking,
+    gravity: float,
+    step: float = STEP,
 ) -> AssemblyTrace:
-    """Run an assembly, as stated, under one draw, in a room as drawn."""
+    """Run an assembly under one draw; the floor leans to the front of the first piece, as in the plane."""
     return trace_assembly(
         drawn_assembly(assembly, draw),
-        room,
-        shaking,
+        drawn_room(assembly, room, draw.room),
+        _leaning(shaking, draw.room.lean, assembly.members[0].heading, gravity),
         gravity,
-        strength=draw.room.strength,
-        drawn_floor=partial(drawn_floor, draw=draw.room),
+        step,
+        draw.room.strength,
+        partial(drawn_floor, draw=draw.room),
     )
 
 
@@ -320,9 +319,10 @@ def replay(
     motion, scale
         The floor's motion, and the factor on it.
     """
-    around, shaking = drawn_room(assembly, room, draw.room), shaking_of(motion, scale, draw, gravity)
-    traced = trace_draw(assembly, around, draw, shaking, gravity)
-    return run_of_assembly(traced, assembly.joints, room, motion.scaled(scale))
+    shaking = turned(motion, scale, draw.direction)
+    traced = trace_draw(assembly, room, draw, shaking, gravity)
+    around = drawn_room(assembly, room, draw.room)
+    return run_of_assembly(traced, assembly.joints, around, motion.scaled(scale))
 
 
 def _runs(

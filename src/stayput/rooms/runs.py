@@ -15,18 +15,17 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.execution import Pool
-from stayput.measures import Held, Measure, element_rows, hold
-from stayput.measures.wall import REACH, WallDevice
+from stayput.measures.wall import WallDevice
 from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.mechanics.runner import shaking as shaking_in_plane
 from stayput.mechanics.runner import trace
 from stayput.model.flat_fields import case_columns
-from stayput.model.room import SIDE_WALLS, WALLS_AROUND, Room
+from stayput.model.room import SIDE_WALLS, Room
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
-from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
-from stayput.montecarlo.several import DrawOfSeveral, drawn_room, leaning, trace_draw, turned
+from stayput.montecarlo.sampling import drawn_held
+from stayput.montecarlo.several import DrawOfSeveral, trace_draw, turned
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.placing import bare, placed_piece, planes_around, room_seen
 from stayput.simulation.space import results_of
@@ -38,6 +37,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.measures import Held, Measure
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario.room import RoomScenario
@@ -309,13 +309,8 @@ class Question(NamedTuple):
 def _run_in_space(
     part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
 ) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
-    """Return RESULT of the pieces of a part, DEVICE of what holds and joins them, forces, and their tracks.
-
-    The floor leans to the front of the first of them, as in the plane.
-    """
-    shaking = leaning(shaking, draw.room.lean, part.assembly.members[0].heading, gravity)
-    room = _far_as_stated(part.room, drawn_room(part.assembly, part.room, draw.room))
-    traced = trace_draw(part.assembly, room, draw, shaking, gravity)
+    """Return RESULT of the pieces of a part, DEVICE of what holds and joins them, forces, and tracks."""
+    traced = trace_draw(part.assembly, part.room, draw, shaking, gravity)
     results, standing = results_of(traced, shaking.times), [one.standing for one in traced.bodies]
     peaks: PeakForces = {}
     first = 0
@@ -334,11 +329,8 @@ def _run_in_plane(
     piece = part.assembly.members[0]
     assert isinstance(piece, Piece)
     seen = room_seen(piece, part.room, planes_around([piece], part.room))
-    body = drawn_body(piece.body, draw.room)
-    place = replace(_far_as_stated(seen, drawn_place(seen, draw.room)), **dict.fromkeys(SIDE_WALLS))
-    stated = hold(body, place, [measure.fitted_to(piece.body) for measure in piece.measures])
-    held = replace(stated, room=drawn_surfaces(stated.room, draw.room))
-    elements = element_rows(stated, draw.room.strength)
+    place = replace(seen, **dict.fromkeys(SIDE_WALLS))
+    held, elements = drawn_held(piece.body, place, piece.measures, draw.room)
     row = case_columns(held.body, held.room, State(), gravity)
     cos, sin = math.cos(piece.heading), math.sin(piece.heading)
     along, up = shaking.acceleration[:, :2] @ [cos, sin], shaking.acceleration[:, 2]
@@ -349,12 +341,3 @@ def _run_in_plane(
     track = track_in_plane(start, x - x[0], z - z[0], tilt)
     peaks = peak_forces(0, held, traced.devices, held.body.mass)
     return np.array([traced.result]), traced.devices, peaks, [track]
-
-
-def _far_as_stated(stated: Room, drawn: Room) -> Room:
-    """Return a room as drawn: the gaps behind pieces are not known well, those of walls further away are."""
-    walls = {}
-    for name in WALLS_AROUND:
-        own, wall = getattr(stated, name), getattr(drawn, name)
-        walls[name] = replace(wall, gap=own.gap) if own is not None and own.gap > REACH else wall
-    return replace(drawn, **walls)

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import ANY_PIECE, PIECES
-from stayput.measures import element_rows, hold
 from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
+from stayput.montecarlo.sampling import drawn_held, draws
 from stayput.montecarlo.several import draws_of_several
 from stayput.montecarlo.several import replay as run_again
 from stayput.motion.suites import Suite
@@ -178,13 +177,8 @@ def drawn_piece(verdict: Verdict, option: Option, member: Member) -> tuple[Held,
     scenario = verdict.scenario
     motions, samples, stated = member.motion + 1, member.sample + 1, scenario.uncertainty
     table = draws(motions, samples, verdict.seed, as_stated=stated.as_stated, quantities=stated.quantities)
-    drawn = table[member.motion][member.sample]
-    body = drawn_body(scenario.furniture.body(), drawn)
-    bought = [measure.fitted_to(scenario.furniture.body()) for measure in option.measures]
-    place = drawn_place(scenario.room.room(), drawn)
-    stated = hold(body, place, bought, dimensions=scenario.dimensions)
-    held = replace(stated, room=drawn_surfaces(stated.room, drawn))
-    return held, element_rows(stated, drawn.strength)
+    body, room, draw = scenario.furniture.body(), scenario.room.room(), table[member.motion][member.sample]
+    return drawn_held(body, room, option.measures, draw, scenario.dimensions)
 
 
 def replay_in_space(
