@@ -214,7 +214,8 @@ def _spread_anew(contacts, count, bodies, poses):
                 for k in range(first, end):
                     d = contacts[k]
                     _set_inverse_masses(d, bodies, poses)
-                    d.mu = d.mu_static if d.stuck else d.mu_kinetic
+                    if not d.stood:
+                        d.mu = d.mu_static if d.stuck else d.mu_kinetic
         first = end
     if moved:
         apply(contacts, count, bodies, poses, 1.0)
@@ -330,6 +331,13 @@ def _in_impact(contacts, count, c):
 
 
 @inner
+def _gives(contacts, count, c, poses, h):
+    """Return whether a contact slips by its static coefficient, and is in no impact."""
+    slips = c.mu > c.mu_kinetic and c.pn > 0.0 and has_slipped(c, poses, h)
+    return slips and not _in_impact(contacts, count, c)
+
+
+@inner
 def _moves_on(contacts, count, c):
     """Give contacts of another pair that only stood as they turned back their kinetic coefficient.
 
@@ -358,11 +366,13 @@ def _let_slip(contacts, count, poses, h):
     found = False
     for k in range(count):
         c = contacts[k]
-        if c.mu > c.mu_kinetic and c.pn > 0.0 and has_slipped(c, poses, h):
-            if _in_impact(contacts, count, c):
-                continue
-            if c.stood or not _moves_on(contacts, count, c):
-                c.mu = c.mu_kinetic
+        if not c.stood and _gives(contacts, count, c, poses, h) and _moves_on(contacts, count, c):
+            found = True
+    if found:
+        return True
+    for k in range(count):
+        if _gives(contacts, count, contacts[k], poses, h):
+            contacts[k].mu = contacts[k].mu_kinetic
             found = True
     return found
 
