@@ -71,6 +71,10 @@ def both_print(file: Path) -> str:
             "In [furniture[0]]: The unit is 'furlong'; it must be one of",
         ),
         (piece(2, width=0.1), "The piece 'vase' needs one shape"),
+        (piece(2, cg_offset=[0.0, 0.01]), "The piece 'vase' needs one shape"),
+        (piece(0, preset="chest", diameter=0.3), "The piece 'chest' needs one shape"),
+        (piece(0, shelves=[5.0], cg_offset=[0.0, 0.1]), "furniture[0].cg_offset"),
+        (piece(0, cg_offset=[0.0, 3.0]), "In [furniture[0]]: Body cg_offset"),
         (
             {"furniture": [{"name": "box", "width": 0.4, "length": 0.4, "height": 0.4}]},
             "furniture[0].mass is missing",

@@ -3,6 +3,7 @@
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -46,6 +47,34 @@ def test_the_heading_turns_the_motion_to_the_piece() -> None:
     ).motion()
     assert alone.y is not None
     np.testing.assert_allclose(alone.y, -math.tan(0.5) * alone.x, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "stated",
+    [
+        {"preset": "bookcase", "height": 2.1},
+        {"preset": "bookcase", "shelves": [20.0, 20.0, 10.0]},
+        {"preset": "chest", "cg_offset": [0.02, -0.1], "inertia": 20.0},
+        {
+            "width": 0.4,
+            "length": 0.9,
+            "height": 1.2,
+            "mass": 40.0,
+            "base_insets": [0.02, 0.05],
+            "base": "feet",
+        },
+        {"width": 0.4, "length": 0.9, "height": 1.2, "mass": 40.0, "base_heights": [0.0, -0.004]},
+    ],
+)
+def test_a_piece_of_a_list_is_what_it_is_alone(stated: dict[str, Any]) -> None:
+    """Its body, and what it does in the same room under the same motion, to the bit."""
+    shared = {"room": {"floor": "vinyl"}, "shaking": {"builtin": "near-fault"}, "dimensions": 3}
+    alone = Scenario.parse({"furniture": stated, **shared})
+    listed = AssemblyScenario.parse({"furniture": [{"name": "it", **stated}], **shared})
+    assert listed.furniture[0].body() == alone.furniture.body()
+    first, second = alone.case().run(), listed.run()
+    assert isinstance(first, sp.SpaceRun)
+    assert np.array_equal(first.place, second.place)
 
 
 def test_a_body_with_a_length_under_two_components_is_simulated_in_space() -> None:

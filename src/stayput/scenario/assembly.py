@@ -183,12 +183,10 @@ class AssemblyScenario(FromFile):
             A body that is not possible, or a mesh that cannot be read.
         """
         chosen = self.stated if option is None else option
-        # furniture sinks into a floor that settles as a Piece alone
-        as_pieces = option is not None or self.floor.settlement > 0.0
         with self.naming_pieces():
             members = [
                 Piece(piece.body(), at, heading, measures)
-                if measures or (as_pieces and piece.is_furniture)
+                if piece.is_furniture
                 else Standing(solid, at, heading)
                 for piece, (solid, at, heading), measures in zip(
                     self.furniture, self._placed(), chosen.measures, strict=True

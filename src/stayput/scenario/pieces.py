@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Field, field_validator, model_validator
 
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.body import BASES, MASS_RANGE, SIZE_RANGE, Body
-from stayput.model.parameters import parameter_of
+from stayput.model.body import SIZE_RANGE, Body
 from stayput.model.room import WALLS_AROUND
 from stayput.model.solid import Solid
 from stayput.scenario.fields import Table, Text, between, checked, named, one_of
 from stayput.scenario.measures import Samples, SingleChoice, UncertaintyTable, refuse_wrong_type
-from stayput.scenario.tables import Heading, Kind, usual_of
+from stayput.scenario.tables import FurnitureTable
 from stayput.simulation.standing import STRENGTH_RANGE, Joint
 
 if TYPE_CHECKING:
@@ -33,13 +32,9 @@ else:
     MeasuresInPlace = Annotated[list[SingleChoice], Field(min_length=1, max_length=20)]
 """Measures that are in place together."""
 
-_SIZES = ("width", "length", "height", "diameter", "bottom", "top")
-_SHAPES = {
-    "box": {"width", "length", "height"},
-    "cylinder": {"diameter", "height"},
-    "cone": {"bottom", "top", "height"},
-}
-"""Sizes of each shape."""
+_ROUND = ("diameter", "bottom", "top")
+_SHAPES = ({"mesh"}, {"diameter", "height"}, {"bottom", "top", "height"})
+"""What gives the shape of a piece that is neither a preset nor a box."""
 
 BEHIND = 0.02
 """Usual gap between a piece and the wall at its back [m]."""
@@ -58,30 +53,23 @@ def in_place(tables: Sequence[SingleChoice] | None) -> tuple[Measure, ...]:
     return tuple(one.measure() for one in tables or ())
 
 
-class StandingTable(Table):
-    """A piece and where it stands: a preset, a box, a cylinder, a cone or a mesh."""
+class StandingTable(FurnitureTable):
+    """A piece and where it stands: a preset or a box, as a lone piece is, a cylinder, a cone or a mesh."""
 
-    name: Text = Field(description="What the piece is called; others stand on it by this name.")
-    preset: Kind | None = Field(default=None, description="A common piece of furniture.")
-    width: Size | None = Field(default=None, description="Depth of a box.")
-    length: Size | None = Field(default=None, description="Length of a box, across its depth.")
-    height: Size | None = Field(default=None, description="Height of a box, a cylinder or a cone.")
+    name: Text = Field(  # pyright: ignore[reportIncompatibleVariableOverride, reportGeneralTypeIssues]
+        description="What the piece is called; others stand on it by this name."
+    )
     diameter: Size | None = Field(default=None, description="Diameter of a cylinder.")
     bottom: Size | None = Field(default=None, description="Lower diameter of a cone.")
     top: Size | None = Field(default=None, description="Upper diameter of a cone.")
     mesh: Text | None = Field(default=None, description="A mesh's file (STL, OBJ), relative to this one.")
     unit: Text | None = Field(default=None, description="Unit of the mesh's numbers: mm, cm, m, in or ft.")
-    mass: Annotated[float, between(*MASS_RANGE, "kg")] | None = Field(default=None, description="Mass.")
-    base: Annotated[str, one_of(BASES), named(BASES)] | None = Field(
-        default=None, description=parameter_of(Body, "base").meaning
-    )
     at: PlaceInPlan = Field(
         default=[0.0, 0.0],
         description="Where the middle of its base is, along x and y of the room, or of the piece that it "
         "stands on; and how high it stands above the floor.",
     )
     on: Text | None = Field(default=None, description="The piece on whose top it stands.")
-    heading: Heading = Field(default=0.0, description="Direction in which it faces: from x towards y.")
     against: Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)] | None = Field(
         default=None, description="In a room with a plan: the wall to which its back stands."
     )
@@ -102,11 +90,13 @@ class StandingTable(Table):
         refuse_wrong_type(given, "furniture.measures", nested=True)
         return given
 
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
-        given = self._sizes.keys()
-        ways = [self.preset is not None, self.mesh is not None, bool(given)]
-        if sum(ways) != 1 or (given and given not in _SHAPES.values()):
+    def refuse_no_body(self) -> None:
+        """Raise `InputError` where it has no shape or two, or where it stands in two ways."""
+        shape = {*(field.name for field in fields(Body)), *_ROUND, "mesh", "preset", "shelves"}
+        given = {key for key in shape - {"mass", "base"} if getattr(self, key) is not None}
+        if (self.is_furniture and not (self.preset or {"width", "length", "height"} <= given)) or (
+            not self.is_furniture and given not in _SHAPES
+        ):
             raise InputError("scenario.one_shape", "furniture", name=self.name)
         if self.mass is None and self.preset is None:
             raise InputError("scenario.no_preset", "furniture.mass", preset="preset")
@@ -119,25 +109,13 @@ class StandingTable(Table):
         if self.measures is not None and not self.is_furniture:
             raise InputError("scenario.measures_on_solid", "furniture.measures", name=self.name)
         checked("furniture", lambda: refuse_conflicts(in_place(self.measures)))
-        return self
+        if self.is_furniture:
+            super().refuse_no_body()
 
     @property
     def is_furniture(self) -> bool:
         """Whether measures can hold it: a preset or a box."""
-        return self.preset is not None or self._sizes.keys() == _SHAPES["box"]
-
-    def body(self) -> Body:
-        """Make a preset or a box as a body that measures can hold."""
-        return Body(**self._shape)
-
-    @property
-    def _sizes(self) -> dict[str, float]:
-        return {size: getattr(self, size) for size in _SIZES if getattr(self, size) is not None}
-
-    @property
-    def _shape(self) -> dict[str, Any]:
-        own = {name: value for name in ("mass", "base") if (value := getattr(self, name)) is not None}
-        return usual_of(self.preset) | self._sizes | own
+        return self.mesh is None and all(getattr(self, size) is None for size in _ROUND)
 
     def solid(self, folder: Path) -> Solid:
         """Make the body.
@@ -147,11 +125,14 @@ class StandingTable(Table):
         InputError
             A body that is not possible, or a mesh that cannot be read.
         """
-        shape = self._shape
+        if self.is_furniture:
+            return Solid.of(self.body())
+        own = {"mass": self.mass} | ({} if self.base is None else {"base": self.base})
         if self.mesh is not None:
-            return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", **shape)
-        kind = next(kind for kind, sizes in _SHAPES.items() if sizes == shape.keys() - {"mass", "base"})
-        return getattr(Solid, kind)(**shape)
+            return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", **own)
+        if self.diameter is not None:
+            return Solid.cylinder(self.diameter, self.height, **own)
+        return Solid.cone(self.bottom or 0.0, self.top or 0.0, self.height, **own)
 
 
 class JointTable(Table):

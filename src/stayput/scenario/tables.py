@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, replace
+from dataclasses import asdict, fields, replace
 from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Field, ModelWrapValidatorHandler, PrivateAttr, Tag, model_validator
@@ -68,6 +68,11 @@ class FurnitureTable(ValueTable):
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
+        self.refuse_no_body()
+        return self
+
+    def refuse_no_body(self) -> None:
+        """Raise `InputError` where it makes no body."""
         for key in () if self.preset else ("width", "height", "mass"):
             if getattr(self, key) is None:
                 raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
@@ -77,7 +82,6 @@ class FurnitureTable(ValueTable):
         if self.shelves and self.mass is None and usual_of(self.preset, loaded=False)["mass"] is None:
             raise InputError("scenario.no_carcass", "furniture.mass")
         checked("furniture", self.body)
-        return self
 
     @property
     def title(self) -> str:
@@ -87,7 +91,7 @@ class FurnitureTable(ValueTable):
     def body(self) -> Body:
         """Make the body."""
         values = usual_of(self.preset, loaded=not self.shelves)
-        values |= self.model_dump(exclude={"name", "preset", "shelves", "heading"}, exclude_none=True)
+        values |= self.model_dump(include={field.name for field in fields(Body)}, exclude_none=True)
         for key in ("cg_offset", "base_heights", "base_insets"):
             if key in values:
                 values[key] = tuple(values[key])
