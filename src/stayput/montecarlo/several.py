@@ -15,7 +15,6 @@ from stayput.measures.wall import REACH
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, HOLDS
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
-from stayput.model.solid import Solid
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor, drawn_place, drawn_surfaces
 from stayput.simulation.placing import planes_around, room_seen
@@ -137,23 +136,12 @@ def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
 def _drawn_member(member: Standing | Piece, draw: Draw) -> Standing | Piece:
     """Return a member as drawn. The floor's lean is the room's; feet matter on the floor alone."""
     if isinstance(member, Standing):
-        return replace(member, solid=_heavier(member.solid, draw.mass))
+        mass, inertia = draw.mass * member.solid.mass, draw.mass * member.solid.inertia
+        return replace(member, solid=replace(member.solid, mass=mass, inertia=inertia))
     inset = draw if member.at[2] == 0.0 else replace(draw, back_inset=0.0, front_inset=0.0)
     body = drawn_body(member.body, replace(inset, lean=0.0))
     measures = [measure.fitted_to(member.body) for measure in member.measures]
     return Piece(body, member.at, member.heading, measures)
-
-
-def _heavier(solid: Solid, factor: float) -> Solid:
-    """Return a body of another mass, distributed alike."""
-    return Solid(
-        solid.vertices,
-        factor * solid.mass,
-        centre_of_gravity=solid.centre_of_gravity,
-        inertia=factor * solid.inertia,
-        feet=solid.feet,
-        rims=solid.rims,
-    )
 
 
 def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:

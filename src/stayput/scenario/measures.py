@@ -5,7 +5,16 @@ from __future__ import annotations
 from functools import reduce
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self, cast
 
-from pydantic import BaseModel, Discriminator, Field, PrivateAttr, Tag, create_model, model_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    Discriminator,
+    Field,
+    PrivateAttr,
+    Tag,
+    create_model,
+    model_validator,
+)
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown
@@ -97,7 +106,7 @@ def table_of(measure: Measure) -> dict[str, Any]:
 
 
 def _tag(value: object) -> str:
-    """Return the tag of a measure's table; `refuse_wrong_type` has refused what has none."""
+    """Return the tag of a measure's table; `of_known_type` has refused what has none."""
     table = value.__dict__ if isinstance(value, BaseModel) else cast("dict[str, object]", value)
     return f"<{COMBINE}>" if COMBINE in table else f"<{table['type']}>"
 
@@ -141,7 +150,25 @@ else:
 """A measure, or several together."""
 
 
-def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = False) -> None:
+def of_known_type(place: str = "measures", *, nested: bool = False) -> BeforeValidator:
+    """Return what refuses measures without a known type before the tables check the rest.
+
+    Parameters
+    ----------
+    place : str
+        The list's key.
+    nested : bool
+        Whether none of them may combine several.
+    """
+
+    def check(given: object) -> object:
+        _refuse_wrong_type(given, place, nested=nested)
+        return given
+
+    return BeforeValidator(check)
+
+
+def _refuse_wrong_type(given: object, place: str, *, nested: bool) -> None:
     """Refuse a measure of no type, or of one that there is not; the tables check the rest.
 
     Raises
@@ -160,7 +187,7 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
         if COMBINE in table and not nested:
             if "type" in table:
                 raise InputError("scenario.only_one", of_type, other=f"{name}.{COMBINE}")
-            refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
+            _refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
         elif table.get("type") is None:
             known = phrase("scenario.one_of", names=", ".join(MEASURES))
             raise InputError("scenario.missing", of_type, allowed=known)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
 from typing import TYPE_CHECKING, Annotated, Self
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
@@ -14,7 +14,7 @@ from stayput.model.body import SIZE_RANGE, Body
 from stayput.model.room import WALLS_AROUND
 from stayput.model.solid import Solid
 from stayput.scenario.fields import Table, Text, between, checked, named, one_of
-from stayput.scenario.measures import Samples, SingleChoice, UncertaintyTable, refuse_wrong_type
+from stayput.scenario.measures import Samples, SingleChoice, UncertaintyTable, of_known_type
 from stayput.scenario.tables import FurnitureTable
 from stayput.simulation.standing import STRENGTH_RANGE, Joint
 
@@ -40,12 +40,9 @@ BEHIND = 0.02
 """Usual gap between a piece and the wall at its back [m]."""
 
 Size = Annotated[float, between(*SIZE_RANGE, "m")]
-PlaceInPlan = Annotated[
-    list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=2, max_length=3)
-]
-PointOfRoom = Annotated[
-    list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=3, max_length=3)
-]
+Coordinate = Annotated[float, between(-100.0, 100.0, "m")]
+PlaceInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=3)]
+PointOfRoom = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
 
 
 def in_place(tables: Sequence[SingleChoice] | None) -> tuple[Measure, ...]:
@@ -79,16 +76,10 @@ class StandingTable(FurnitureTable):
     gap: Annotated[float, between(0.0, 100.0, "m")] = Field(
         default=BEHIND, description="Between its back and that wall."
     )
-    measures: MeasuresInPlace | None = Field(
+    measures: Annotated[MeasuresInPlace | None, of_known_type("furniture.measures", nested=True)] = Field(
         default=None,
         description="Measures that hold it, each a table with its type: those of a preset or a box.",
     )
-
-    @field_validator("measures", mode="before")
-    @classmethod
-    def _typed(cls, given: object) -> object:
-        refuse_wrong_type(given, "furniture.measures", nested=True)
-        return given
 
     def refuse_no_body(self) -> None:
         """Raise `InputError` where it has no shape or two, or where it stands in two ways."""
@@ -192,13 +183,9 @@ class HeldPieceTable(Table):
     """Measures on one of the pieces."""
 
     name: Text = Field(description="The piece.")
-    measures: MeasuresInPlace = Field(description="The measures on it, each a table with its type.")
-
-    @field_validator("measures", mode="before")
-    @classmethod
-    def _typed(cls, given: object) -> object:
-        refuse_wrong_type(given, "options.pieces.measures", nested=True)
-        return given
+    measures: Annotated[MeasuresInPlace, of_known_type("options.pieces.measures", nested=True)] = Field(
+        description="The measures on it, each a table with its type."
+    )
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:

@@ -23,9 +23,9 @@ from stayput.model.floor_plan import (
 )
 from stayput.model.room import WALLS_AROUND, Room, Wall
 from stayput.scenario.assembly import AssemblyScenario
-from stayput.scenario.fields import Table, Text, ValueTable, between, fields_of, named, of, one_of
+from stayput.scenario.fields import Table, Text, ValueTable, fields_of, named, of, one_of
 from stayput.scenario.measures import Samples  # noqa: TC001 - pydantic reads the annotations
-from stayput.scenario.pieces import AssemblyUncertaintyTable
+from stayput.scenario.pieces import AssemblyUncertaintyTable, Coordinate
 from stayput.scenario.tables import (
     CeilingTable,  # noqa: TC001 - pydantic reads the annotations
     FloorChoice,  # noqa: TC001 - pydantic reads the annotations
@@ -48,9 +48,7 @@ if TYPE_CHECKING:
     from stayput.simulation.standing import Assembly
 
 WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
-PointInPlan = Annotated[
-    list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=2, max_length=2)
-]
+PointInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
 
 
 @fields_of(FloorPlan)

@@ -6,14 +6,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import Field, PrivateAttr, field_validator, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
 from stayput.errors import InputError
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.scenario.fields import between, refuse_same_names
-from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
+from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, of_known_type
 from stayput.scenario.origin import FromFile, Gravity, Title
 from stayput.scenario.pieces import NOTHING
 from stayput.scenario.shaking import ShakingTable
@@ -60,7 +60,9 @@ class Scenario(FromFile):
     everyday: EverydayTable = Field(
         default_factory=EverydayTable, description="What people do to it without an earthquake."
     )
-    measure_tables: Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None = Field(
+    measure_tables: Annotated[
+        Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None, of_known_type()
+    ] = Field(
         default=None, alias="measures", description="What may hold the furniture; each is verified by itself."
     )
     contents_table: ContentsTable | None = Field(
@@ -71,12 +73,6 @@ class Scenario(FromFile):
     uncertainty: UncertaintyTable = Field(
         default_factory=UncertaintyTable, description="How much of what is not known is tried out."
     )
-
-    @field_validator("measure_tables", mode="before")
-    @classmethod
-    def _typed(cls, given: object) -> object:
-        refuse_wrong_type(given)
-        return given
 
     @model_validator(mode="after")
     def _possible_in_space(self) -> Self:

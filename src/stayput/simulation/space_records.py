@@ -104,10 +104,7 @@ def frames_of(standing: Sequence[Standing], attitudes: NDArray[np.float64]) -> N
 
 
 def world_of(
-    solids: Sequence[Solid],
-    floors: Sequence[np.void],
-    planes: NDArray[np.void],
-    between: tuple[float, float],
+    solids: Sequence[Solid], floors: Sequence[np.void], planes: NDArray[np.void], between: tuple[float, float]
 ) -> tuple[Any, ...]:
     """Return bodies and room as `run_in_space` takes them.
 

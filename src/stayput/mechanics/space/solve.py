@@ -82,6 +82,9 @@ ASIDE = 1e-9
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
 
+SLIPS_ON = 2
+"""Instead of 1 for a contact that stood in the last step, and in this one slips on."""
+
 MOST_SWEEPS = 24
 """Sweeps after which the augmented Lagrangian takes over."""
 
@@ -214,7 +217,7 @@ def _spread_anew(contacts, count, bodies, poses):
                 for k in range(first, end):
                     d = contacts[k]
                     _set_inverse_masses(d, bodies, poses)
-                    if not d.stood:
+                    if d.stood == 0 or (d.b == ROOM and d.stood != SLIPS_ON):
                         d.mu = d.mu_static if d.stuck else d.mu_kinetic
         first = end
     if moved:
@@ -351,7 +354,7 @@ def _moves_on(contacts, count, c):
         d = contacts[k]
         beside = d.a == c.a or d.a == c.b or (d.b != ROOM and (d.b == c.a or d.b == c.b))
         if beside and d.stood and d.mu > d.mu_kinetic and (d.a != c.a or d.b != c.b):
-            d.mu = d.mu_kinetic
+            d.mu, d.stood = d.mu_kinetic, SLIPS_ON
             found = True
     return found
 
