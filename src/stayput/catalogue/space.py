@@ -30,8 +30,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}は揺れ始めから{time:.1f}秒後に転倒しました。",
     ),
     "failed": (
-        "The run could not be followed to its end, so it says nothing about what stands.",
-        "最後まで計算できませんでした。倒れるかどうかは分かりません。",
+        "The run was given up, as contact forces were too rough or took too much work: nothing is known of it.",
+        "接触力が収束しないか計算量が多すぎるため、計算を打ち切りました。結果は不明です。",
     ),
     "none_fell": (
         "None of the {count} bodies overturned or fell off.",

@@ -307,8 +307,7 @@ def replay(
     motion, scale
         The floor's motion, and the factor on it.
     """
-    shaking = turned(motion, scale, draw.direction)
-    traced = trace_draw(assembly, room, draw, shaking, gravity)
+    traced = trace_draw(assembly, room, draw, turned(motion, scale, draw.direction), gravity)
     around = drawn_room(assembly, room, draw.room)
     return run_of_assembly(traced, assembly.joints, around, motion.scaled(scale))
 

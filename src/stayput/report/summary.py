@@ -213,8 +213,9 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
 
 
 def outcome_named(outcome: Outcome, language: str) -> str:
-    """Return an outcome in a word: in English by its own name, as `Run.outcome` has it."""
-    return outcome.value if language == "en" else say(OUTCOMES[outcome.value], language)
+    """Return an outcome in a word: in English as `Run.outcome` has it, but that of a failed run."""
+    own = language == "en" and outcome is not Outcome.FAILED
+    return outcome.value if own else say(OUTCOMES[outcome.value], language)
 
 
 def place_called(device: DeviceResult, members: Sequence[str], language: str = "en") -> str:

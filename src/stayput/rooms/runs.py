@@ -313,12 +313,8 @@ def _run_in_space(
     traced = trace_draw(part.assembly, part.room, draw, shaking, gravity)
     results, standing = results_of(traced, shaking.times), [one.standing for one in traced.bodies]
     peaks: PeakForces = {}
-    first = 0
-    for place, one in enumerate(traced.bodies):
-        if one.held is not None:
-            last = first + len(one.springs)
-            peaks |= peak_forces(place, one.held, traced.trace.devices[first:last], 1.0)
-            first = last
+    for place, held, own in traced.held():
+        peaks |= peak_forces(place, held, traced.trace.devices[own], 1.0)
     return results, traced.trace.devices, peaks, tracks_of(standing, traced.trace, shaking.dt)
 
 

@@ -33,7 +33,7 @@ from stayput.scenario.pieces import (
     in_place,
 )
 from stayput.scenario.shaking import ShakingTable
-from stayput.scenario.tables import RoomTable, floor_of
+from stayput.scenario.tables import RoomTable
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import QUANTITIES, fill_columns
 from stayput.simulation.space import results_of, trace_assembly
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from stayput.model.room import Floor, Room
+    from stayput.model.room import Room
     from stayput.model.solid import Solid
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Joint
@@ -184,13 +184,10 @@ class AssemblyScenario(FromFile):
         """
         chosen = self.stated if option is None else option
         with self.naming_pieces():
+            each = zip(self.furniture, self._placed(), chosen.measures, strict=True)
             members = [
-                Piece(piece.body(), at, heading, measures)
-                if piece.is_furniture
-                else Standing(solid, at, heading)
-                for piece, (solid, at, heading), measures in zip(
-                    self.furniture, self._placed(), chosen.measures, strict=True
-                )
+                Piece(piece.body(), at, faces, measures) if piece.is_furniture else Standing(solid, at, faces)
+                for piece, (solid, at, faces), measures in each
             ]
             joints = self._joints() if chosen.joined else []
             return Assembly(members, (self.static_friction, self.kinetic_friction), joints)
@@ -263,11 +260,6 @@ class AssemblyScenario(FromFile):
             ]
         except InputError as error:
             raise self.by_names(error) from None
-
-    @property
-    def floor(self) -> Floor:
-        """What the pieces stand on."""
-        return floor_of(self.room.floor)
 
     def surroundings(self) -> Room:
         """Make the room; the gaps of its walls are from the outermost of all pieces."""

@@ -187,11 +187,6 @@ class HeldPieceTable(Table):
         description="The measures on it, each a table with its type."
     )
 
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
-        checked("options.pieces", lambda: refuse_conflicts(in_place(self.measures)))
-        return self
-
 
 class OptionTable(Table):
     """One way to hold the pieces, which a verification compares with the others."""

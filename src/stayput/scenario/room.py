@@ -27,10 +27,11 @@ from stayput.scenario.fields import Table, Text, ValueTable, fields_of, named, o
 from stayput.scenario.measures import Samples  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.pieces import AssemblyUncertaintyTable, Coordinate
 from stayput.scenario.tables import (
-    CeilingTable,  # noqa: TC001 - pydantic reads the annotations
-    FloorChoice,  # noqa: TC001 - pydantic reads the annotations
-    Heading,  # noqa: TC001 - pydantic reads the annotations
-    WallConstruction,  # noqa: TC001 - pydantic reads the annotations
+    CeilingTable,
+    FloorChoice,
+    Heading,
+    WallConstruction,
+    floor_of,
 )
 from stayput.simulation.convex import inside_each_other
 from stayput.simulation.placing import bare
@@ -217,7 +218,7 @@ class RoomScenario(AssemblyScenario):
         low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
         gaps = self.floor_plan().distances(low, high)
         walls = {name: Wall(max(0.0, gap), construction=self.room.walls) for name, gap in gaps.items()}
-        return Room(self.floor, ceiling=ceiling, **walls)
+        return Room(floor_of(self.room.floor), ceiling=ceiling, **walls)
 
 
 def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:

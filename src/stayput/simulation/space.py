@@ -23,7 +23,7 @@ from stayput.simulation.space_run import Hit, SpaceRun
 from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
@@ -73,6 +73,14 @@ class AssemblyTrace(NamedTuple):
     bodies: tuple[Placed, ...]
     planes: NDArray[np.void]
     trace: SpaceTrace
+
+    def held(self) -> Iterator[tuple[int, Held, slice]]:
+        """Yield the numbers of the pieces of furniture, their measures, and where their devices are."""
+        first = 0
+        for number, one in enumerate(self.bodies):
+            if one.held is not None:
+                yield number, one.held, slice(first, first + len(one.springs))
+            first += len(one.springs)
 
 
 def trace_assembly(
@@ -253,14 +261,10 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
     """
     bodies, planes, trace = traced
     devices: list[DeviceResult] = []
-    first = 0
-    for number, one in enumerate(bodies):
-        own = slice(first, first + len(one.springs))
-        if one.held is not None:
-            found = trace.springs[own], trace.devices[own], trace.forces[:, own]
-            devices += device_results(one.held, *found, mass=1.0, member=number)
-        first = own.stop
-    between = slice(first, None)
+    for number, one, own in traced.held():
+        found = trace.springs[own], trace.devices[own], trace.forces[:, own]
+        devices += device_results(one, *found, mass=1.0, member=number)
+    between = slice(len(trace.springs) - len(joints), None)
     devices += joint_results(joints, trace.springs[between], trace.devices[between], trace.forces[:, between])
     standing, held = tuple(one.standing for one in bodies), tuple(one.held for one in bodies)
     surfaces = [surface_of(plane) for plane in planes]

@@ -13,6 +13,7 @@ from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS, PIECES
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
 from stayput.rooms.events import CELL, PASSAGE
+from stayput.scenario.tables import floor_of
 from stayput.verification.options import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
@@ -231,7 +232,7 @@ def _pieces(scenario: AssemblyScenario) -> Iterator[Assumption]:
 
 def settlement_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
     """Yield for which pieces the sinking into a soft floor is left out, or less than it may be."""
-    if scenario.floor.settlement == 0.0:
+    if floor_of(scenario.room.floor).settlement == 0.0:
         return
     pieces, limit = scenario.furniture, phrase("several.limit_settlement")
     if any(piece.on is None and not piece.is_furniture for piece in pieces):
