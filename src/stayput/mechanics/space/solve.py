@@ -341,22 +341,14 @@ def _gives(contacts, count, c, poses, h):
 
 
 @inner
-def _moves_on(contacts, count, c):
-    """Give contacts of another pair that only stood as they turned back their kinetic coefficient.
-
-    Returns
-    -------
-    bool
-        Whether there was any on the bodies of a contact.
-    """
-    found = False
+def _gives_beside(contacts, count, d, poses, h):
+    """Return whether a contact of another pair gives way on one of the bodies of a contact."""
     for k in range(count):
-        d = contacts[k]
+        c = contacts[k]
         beside = d.a == c.a or d.a == c.b or (d.b != ROOM and (d.b == c.a or d.b == c.b))
-        if beside and d.stood and d.mu > d.mu_kinetic and (d.a != c.a or d.b != c.b):
-            d.mu, d.stood = d.mu_kinetic, SLIPS_ON
-            found = True
-    return found
+        if beside and not c.stood and (d.a != c.a or d.b != c.b) and _gives(contacts, count, c, poses, h):
+            return True
+    return False
 
 
 @inner
@@ -368,8 +360,9 @@ def _let_slip(contacts, count, poses, h):
     """
     found = False
     for k in range(count):
-        c = contacts[k]
-        if not c.stood and _gives(contacts, count, c, poses, h) and _moves_on(contacts, count, c):
+        d = contacts[k]
+        if d.stood and d.mu > d.mu_kinetic and _gives_beside(contacts, count, d, poses, h):
+            d.mu, d.stood = d.mu_kinetic, SLIPS_ON
             found = True
     if found:
         return True
