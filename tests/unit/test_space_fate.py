@@ -209,7 +209,7 @@ def test_a_stack_whose_impulses_do_not_converge_is_given_up():
     assert run.unconverged > 0.02 * run.steps
     assert run.given_up
     assert set(run.outcomes) == {sp.Outcome.FAILED}
-    assert "could not be followed" in told(run, ["low", "high"])[0]
+    assert "given up" in told(run, ["low", "high"])[0]
     assert np.isfinite(run.place).all()
     assert not np.isfinite(run.overturn_time).any()
 
