@@ -63,7 +63,8 @@ class FurnitureTable(ValueTable):
         default=None, description="Load on each shelf from the lowest up; mass, centre and inertia follow."
     )
     heading: Heading = Field(
-        default=0.0, description="Direction in which it faces: from the motion's x towards its y."
+        default=0.0,
+        description="Direction in which it faces: from x towards y, which for a lone piece are the motion's.",
     )
 
     @model_validator(mode="after")

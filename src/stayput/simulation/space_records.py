@@ -153,10 +153,10 @@ def _add(
     """Fill in a SOLID, and add its points, rims, faces and edges."""
     moments, axes = solid.principal
     about = solid.centre_of_gravity
-    feet = {
-        side: tuple(float(floor[f"{side}_edge_{kind}_friction"]) for kind in ("static", "kinetic"))
+    back, front = (
+        tuple(float(floor[f"{side}_edge_{kind}_friction"]) for kind in ("static", "kinetic"))
         for side in ("left", "right")
-    }
+    )
 
     def own(place: NDArray[np.float64]) -> NDArray[np.float64]:
         return (place - about) @ axes
@@ -172,13 +172,13 @@ def _add(
     body["r1"], body["r2"], body["r3"] = 1.0 / np.sqrt(moments)
     body["first_point"], body["hull"] = first, len(vertices)
     points += [
-        (*v, *feet["left" if x < 0.0 else "right"], int(f), int(not r))
+        (*v, *(back if x < 0.0 else front), int(f), int(not r))
         for v, x, f, r in zip(vertices, solid.vertices[:, 0] - about[0], on_floor, on_rim, strict=True)
     ]
     if solid.feet is not None:
         stands = np.concatenate([solid.feet, _cut_off(solid.vertices[~above], solid.feet)])
         points += [
-            (*v, *feet["left" if x < 0.0 else "right"], 1, 0)
+            (*v, *(back if x < 0.0 else front), 1, 0)
             for v, x in zip(own(stands), stands[:, 0] - about[0], strict=True)
         ]
     body["restitution"], body["landing_place"] = floor["floor_restitution"], floor["landing_place"]

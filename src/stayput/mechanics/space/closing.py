@@ -55,7 +55,7 @@ ENTERS_BODIES = 1e-5
 
 @inner
 def keep(contacts, count, kept, marks):
-    """Note impulses, what sticks, when that changed, and where it is, by contact, for the next step.
+    """Note impulses, what sticks, when that changed, where it is, and whether it only stood, by contact.
 
     Impulses of impacts say nothing of those of the next step, which begins without.
     """

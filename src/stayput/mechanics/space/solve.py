@@ -217,6 +217,7 @@ def _spread_anew(contacts, count, bodies, poses):
                 for k in range(first, end):
                     d = contacts[k]
                     _set_inverse_masses(d, bodies, poses)
+                    # with its static one, what stood on another body would hold again while that slips
                     if d.stood == 0 or (d.b == ROOM and d.stood != SLIPS_ON):
                         d.mu = d.mu_static if d.stuck else d.mu_kinetic
         first = end
