@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.errors import within
+from stayput.errors import InputError, within
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
 from stayput.model.inertia import moments_of_furniture
@@ -133,7 +133,15 @@ def _word(about: Parameter, place: float) -> str:
 
 
 def flat_fields(body: Body, room: Room, start: State, gravity: float) -> dict[str, float]:
-    """Return all numbers of a case by their dotted paths; the factor on the motion is 1."""
+    """Return all numbers of a case by their dotted paths; the factor on the motion is 1.
+
+    Raises
+    ------
+    InputError
+        A body of another shape than its section has.
+    """
+    if body.shape is not None:
+        raise InputError("model.another_shape", "body")
     return {
         **fields_of("body", body),
         **fields_of("room", room),

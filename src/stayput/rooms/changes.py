@@ -21,9 +21,8 @@ from stayput.rooms.runs import RoomPart, group_of, part_with, with_measures
 from stayput.rooms.tracks import Track, outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.convex import inside_each_other
-from stayput.simulation.placing import bare, placed
+from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
-from stayput.simulation.standing import Assembly, Piece, Standing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -32,6 +31,7 @@ if TYPE_CHECKING:
 
     from stayput.rooms.events import Ways
     from stayput.scenario.room import RoomScenario
+    from stayput.simulation.standing import Assembly, Standing
 
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""
@@ -171,8 +171,6 @@ def held_part(
     scenario: RoomScenario, whole: Assembly, body: int, measures: Sequence[Measure]
 ) -> RoomPart | None:
     """Return a piece with further measures, and what runs with it; None where they cannot be put there."""
-    if not isinstance(whole.members[body], Piece):
-        return None
     group = group_of(scenario, body)
     try:
         part = part_with(scenario, group, with_measures(whole, body, measures))
@@ -209,7 +207,7 @@ def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
     wall_behind = held.room.left_wall
     if wall_behind is None or wall_behind.gap > REACH:
         return False
-    member = bare(part.assembly.members[place])
+    member = part.assembly.members[place]
     wall = wall_faced(member.heading)
     axis = 1 if wall in ("left_wall", "right_wall") else 0
     across = (-math.sin(member.heading), math.cos(member.heading))[axis]
@@ -257,9 +255,9 @@ def places_at_walls(
     floor : FreeFloor
         Where it may be put.
     """
-    member, plan = bare(whole.members[body]), floor.plan
-    half_depth, half_length = (0.5 * np.ptp(member.solid.vertices[:, :2], axis=0)).tolist()
-    height = float(member.solid.vertices[:, 2].max())
+    solid, plan = whole.members[body].standing.solid, floor.plan
+    half_depth, half_length = (0.5 * np.ptp(solid.vertices[:, :2], axis=0)).tolist()
+    height = float(solid.vertices[:, 2].max())
     for wall, heading in FACING.items():
         if half_length > 0.5 * plan.side(wall):
             continue

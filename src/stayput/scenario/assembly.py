@@ -38,7 +38,7 @@ from stayput.simulation.case import simulate
 from stayput.simulation.outcome import QUANTITIES, fill_columns
 from stayput.simulation.space import results_of, trace_assembly
 from stayput.simulation.space_engine import SpaceShaking
-from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
+from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, friction_between
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -47,8 +47,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
+    from stayput.model.body import Body
     from stayput.model.room import Room
-    from stayput.model.solid import Solid
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Joint
 
@@ -184,10 +184,9 @@ class AssemblyScenario(FromFile):
         """
         chosen = self.stated if option is None else option
         with self.naming_pieces():
-            each = zip(self.furniture, self._placed(), chosen.measures, strict=True)
             members = [
-                Piece(piece.body(), at, faces, measures) if piece.is_furniture else Standing(solid, at, faces)
-                for piece, (solid, at, faces), measures in each
+                Piece(body, at, faces, measures)
+                for (body, at, faces), measures in zip(self._placed(), chosen.measures, strict=True)
             ]
             joints = self._joints() if chosen.joined else []
             return Assembly(members, (self.static_friction, self.kinetic_friction), joints)
@@ -207,14 +206,14 @@ class AssemblyScenario(FromFile):
             except InputError as error:
                 raise self.by_names(error) from None
 
-    def stands(self, piece: StandingTable, solid: Solid) -> tuple[tuple[float, float, float], float]:
+    def stands(self, piece: StandingTable, body: Body) -> tuple[tuple[float, float, float], float]:
         """Return where a piece stands, by its own table, and what it faces.
 
         Parameters
         ----------
         piece : StandingTable
             The piece.
-        solid : Solid
+        body : Body
             Its body.
         """
         if piece.against is not None:
@@ -226,15 +225,15 @@ class AssemblyScenario(FromFile):
         x, y, *up = piece.at
         return (x, y, up[0] if up else 0.0), piece.heading
 
-    def _placed(self) -> list[tuple[Solid, tuple[float, float, float], float]]:
+    def _placed(self) -> list[tuple[Body, tuple[float, float, float], float]]:
         """Return each body, where the middle of its base is [m], and what it faces."""
-        placed: dict[str, tuple[Solid, tuple[float, float, float], float]] = {}
+        placed: dict[str, tuple[Body, tuple[float, float, float], float]] = {}
         for number, piece in enumerate(self.furniture):
-            solid = checked(f"furniture[{number}]", partial(piece.solid, self._folder))
-            (x, y, z), heading = self.stands(piece, solid)
+            body = checked(f"furniture[{number}]", partial(piece.body_in, self._folder))
+            (x, y, z), heading = self.stands(piece, body)
             if piece.on is not None:
                 below, (x_below, y_below, z_below), faces = placed[piece.on]
-                plan = Standing(below, heading=faces)
+                plan = Piece(below, heading=faces).standing
                 (low_x, high_x), (low_y, high_y) = plan.along((1.0, 0.0, 0.0)), plan.along((0.0, 1.0, 0.0))
                 if not (low_x <= x <= high_x and low_y <= y <= high_y):
                     raise InputError(
@@ -248,8 +247,8 @@ class AssemblyScenario(FromFile):
                         low_y=low_y,
                         high_y=high_y,
                     )
-                x, y, z = x + x_below, y + y_below, z_below + float(below.vertices[:, 2].max())
-            placed[piece.name] = solid, (x, y, z), heading
+                x, y, z = x + x_below, y + y_below, z_below + float(below.solid.vertices[:, 2].max())
+            placed[piece.name] = body, (x, y, z), heading
         return list(placed.values())
 
     def _joints(self) -> list[Joint]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
 from typing import TYPE_CHECKING, Annotated, Self
 
@@ -10,9 +10,9 @@ from pydantic import Field, model_validator
 
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.body import SIZE_RANGE, Body
+from stayput.model.body import Body
+from stayput.model.parameters import SIZE_RANGE, parameters
 from stayput.model.room import WALLS_AROUND
-from stayput.model.solid import Solid
 from stayput.scenario.fields import Table, Text, between, checked, named, one_of
 from stayput.scenario.measures import Samples, SingleChoice, UncertaintyTable, of_known_type
 from stayput.scenario.tables import FurnitureTable
@@ -83,7 +83,7 @@ class StandingTable(FurnitureTable):
 
     def refuse_no_body(self) -> None:
         """Raise `InputError` where it has no shape or two, or where it stands in two ways."""
-        shape = {*(field.name for field in fields(Body)), *_ROUND, "mesh", "preset", "shelves"}
+        shape = {*(about.name for about in parameters(Body)), *_ROUND, "mesh", "preset", "shelves"}
         given = {key for key in shape - {"mass", "base"} if getattr(self, key) is not None}
         if (self.is_furniture and not (self.preset or {"width", "length", "height"} <= given)) or (
             not self.is_furniture and given not in _SHAPES
@@ -108,8 +108,8 @@ class StandingTable(FurnitureTable):
         """Whether measures can hold it: a preset or a box."""
         return self.mesh is None and all(getattr(self, size) is None for size in _ROUND)
 
-    def solid(self, folder: Path) -> Solid:
-        """Make the body.
+    def body_in(self, folder: Path) -> Body:
+        """Make the body, of a mesh in a folder.
 
         Raises
         ------
@@ -117,13 +117,13 @@ class StandingTable(FurnitureTable):
             A body that is not possible, or a mesh that cannot be read.
         """
         if self.is_furniture:
-            return Solid.of(self.body())
+            return self.body()
         own = {"mass": self.mass} | ({} if self.base is None else {"base": self.base})
         if self.mesh is not None:
-            return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", **own)
+            return Body.mesh(folder / self.mesh, unit=self.unit or "", **own)
         if self.diameter is not None:
-            return Solid.cylinder(self.diameter, self.height, **own)
-        return Solid.cone(self.bottom or 0.0, self.top or 0.0, self.height, **own)
+            return Body.cylinder(self.diameter, self.height, **own)
+        return Body.cone(self.bottom or 0.0, self.top or 0.0, self.height, **own)
 
 
 class JointTable(Table):

@@ -34,19 +34,18 @@ from stayput.scenario.tables import (
     floor_of,
 )
 from stayput.simulation.convex import inside_each_other
-from stayput.simulation.placing import bare
 from stayput.simulation.space_engine import DEEPEST
-from stayput.simulation.standing import Standing
+from stayput.simulation.standing import Piece
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from os import PathLike
 
-    from stayput.model.solid import Solid
+    from stayput.model.body import Body
     from stayput.motion import Motion
     from stayput.scenario.pieces import StandingTable
     from stayput.simulation.space_run import SpaceRun
-    from stayput.simulation.standing import Assembly
+    from stayput.simulation.standing import Assembly, Standing
 
 WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
 PointInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
@@ -170,12 +169,12 @@ class RoomScenario(AssemblyScenario):
         places = [table.place() for table in self.places]
         return FloorPlan(self.plan.width, self.plan.length, doors, windows, places)
 
-    def stands(self, piece: StandingTable, solid: Solid) -> tuple[tuple[float, float, float], float]:
+    def stands(self, piece: StandingTable, body: Body) -> tuple[tuple[float, float, float], float]:
         """Return where a piece stands and what it faces: with its back to a wall where it says so."""
         if piece.against is None or piece.along is None:
-            return super().stands(piece, solid)
+            return super().stands(piece, body)
         heading = FACING[piece.against]
-        behind = -Standing(solid).along((1.0, 0.0, 0.0))[0]
+        behind = -Piece(body).standing.along((1.0, 0.0, 0.0))[0]
         x, y = self.floor_plan().on_wall(piece.against, piece.along, piece.gap + behind)
         return (x, y, 0.0), heading
 
@@ -196,14 +195,14 @@ class RoomScenario(AssemblyScenario):
 
     def surroundings(self) -> Room:
         """Make the room around all pieces; the gaps of its walls are from the outermost of them."""
-        return self.around([bare(one) for one in self.assembly().members])
+        return self.around(self.assembly().members)
 
-    def around(self, standing: Sequence[Standing]) -> Room:
+    def around(self, pieces: Sequence[Piece]) -> Room:
         """Make the room as some of the pieces see it: the gaps of its walls are from the outermost of them.
 
         Parameters
         ----------
-        standing : sequence of Standing
+        pieces : sequence of Piece
             The pieces.
 
         Raises
@@ -213,7 +212,8 @@ class RoomScenario(AssemblyScenario):
         """
         ceiling = self.room.ceiling and self.room.ceiling.ceiling()
         x, y = (
-            np.array([one.along(axis) for one in standing]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+            np.array([one.standing.along(axis) for one in pieces])
+            for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
         )
         low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
         gaps = self.floor_plan().distances(low, high)
@@ -223,7 +223,7 @@ class RoomScenario(AssemblyScenario):
 
 def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
     """Raise `InputError` where a piece stands in floor, wall, ceiling, another, or where a person is."""
-    names, standing_all = scenario.names, [bare(member) for member in whole.members]
+    names, standing_all = scenario.names, [member.standing for member in whole.members]
     sides = np.array([plan.width, plan.length])
     for number, standing in enumerate(standing_all):
         corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)

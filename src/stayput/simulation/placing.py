@@ -1,4 +1,4 @@
-"""Pieces and solids where they stand, with what holds or joins them, as the engine in space reads it."""
+"""Pieces where they stand, with what holds or joins them, as the engine in space reads it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from stayput.model.room import WALLS_AROUND, Floor, Room
 from stayput.model.solid import Solid
 from stayput.model.state import State
 from stayput.simulation.space_records import NORMALS, planes_of, pose_of, surface_of
-from stayput.simulation.standing import Piece, Standing, rotation_by
+from stayput.simulation.standing import Standing, rotation_by
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from stayput.measures.measure import Measure
     from stayput.model.room import Wall
-    from stayput.simulation.standing import Joint
+    from stayput.simulation.standing import Joint, Piece
 
 
 JOINT = "joint"
@@ -229,18 +229,13 @@ def held_body(
     )
 
 
-def bare(member: Standing | Piece) -> Standing:
-    """Return a member without its measures."""
-    return member.standing if isinstance(member, Piece) else member
-
-
-def planes_around(members: Sequence[Standing | Piece], room: Room) -> NDArray[np.void]:
+def planes_around(members: Sequence[Piece], room: Room) -> NDArray[np.void]:
     """Return the room of an assembly as the engine reads it: PLANE; see `planes_of`."""
-    return planes_of([bare(member) for member in members], room_row(room))
+    return planes_of([member.standing for member in members], room_row(room))
 
 
 def placed(
-    members: Sequence[Standing | Piece],
+    members: Sequence[Piece],
     room: Room,
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
@@ -249,7 +244,7 @@ def placed(
 
     Parameters
     ----------
-    members : sequence of Standing or Piece
+    members : sequence of Piece
         The members.
     room : Room
         Where they stand.
@@ -267,9 +262,8 @@ def placed(
     none = np.zeros(0, SPRING)
     bodies: list[Placed] = []
     for number, member in enumerate(members):
-        if isinstance(member, Standing):
-            pose = pose_of(member.solid, member.turn, member.place, member.velocity, member.rotation_rate)
-            bodies.append(Placed(member, pose, floor, none))
+        if member.body.shape is not None and not member.measures:
+            bodies.append(Placed(member.standing, _first_pose(member, member.standing), floor, none))
             continue
         try:
             held = hold_piece(member, room, planes)
@@ -277,8 +271,17 @@ def placed(
             raise error.at(f"members[{number}]") from None
         under = _drawn(held.room.floor, room.floor, drawn_floor)
         held = replace(held, room=replace(held.room, floor=under))
-        bodies.append(placed_piece(member, held, element_rows(held, strength), number))
+        body = placed_piece(member, held, element_rows(held, strength), number)
+        if not member.starts_at_rest:
+            tilted = replace(member.standing, solid=body.standing.solid)
+            body = body._replace(standing=tilted, pose=_first_pose(member, tilted))
+        bodies.append(body)
     return tuple(bodies)
+
+
+def _first_pose(piece: Piece, standing: Standing) -> NDArray[np.void]:
+    """Return where a piece is and how it moves at first: a POSE."""
+    return pose_of(standing.solid, standing.turn, standing.place, piece.velocity, piece.rotation_rate)
 
 
 def _drawn(floor: Floor, stated: Floor, drawn_floor: Callable[[Floor], Floor]) -> Floor:

@@ -1,4 +1,4 @@
-"""Bodies in space under one motion: assemblies of solids, and a piece of furniture with measures."""
+"""Bodies in space under one motion: assemblies of pieces, and a piece of furniture with measures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
 from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_records import NORMALS, frames_of, matrices, planes_of, surface_of, world_of
 from stayput.simulation.space_run import Hit, SpaceRun
-from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -41,9 +40,9 @@ ON_FLOOR_WITHIN = 1e-6
 
 
 def warn_of_settlement(assembly: Assembly, room: Room) -> None:
-    """Warn where solids stand on a floor that settles: only pieces of furniture have the base for that."""
-    solids = (one for one in assembly.members if isinstance(one, Standing))
-    if room.floor.settlement and any(one.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for one in solids):
+    """Warn where bodies of another shape stand on a floor that settles: only boxes have the base for that."""
+    shaped = (piece.standing for piece in assembly.members if piece.body.shape is not None)
+    if room.floor.settlement and any(one.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for one in shaped):
         warn(InputWarning("simulation.settles", value=room.floor.settlement))
 
 
@@ -55,10 +54,10 @@ def checked_step(step: float | None) -> float:
 def simulate_assembly(
     assembly: Assembly, room: Room, motion: Motion, gravity: float, step: float | None = None
 ) -> SpaceRun:
-    """Simulate solids in space; see `stayput.simulate`.
+    """Simulate pieces in space; see `stayput.simulate`.
 
     The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of
-    furniture: for solids on the floor it is left out, and warned of.
+    boxes: for bodies of another shape on the floor it is left out, and warned of.
     """
     warn_of_settlement(assembly, room)
     traced = trace_assembly(

@@ -71,8 +71,8 @@ class Hit:
     --------
     >>> import stayput as sp
     >>> shaking = sp.sine(amplitude=0.0, frequency=1.0, duration=1.0)
-    >>> box = sp.Solid.box(width=0.3, length=0.3, height=0.3, mass=10.0)
-    >>> run = sp.simulate(sp.Assembly([sp.Standing(box, at=(0.0, 0.0, 0.02))]), sp.Room(), shaking)
+    >>> box = sp.Body.box(width=0.3, length=0.3, height=0.3, mass=10.0)
+    >>> run = sp.simulate(sp.Piece(box, at=(0.0, 0.0, 0.02)), sp.Room(), shaking)
     >>> first = run.hits[0]
     >>> print(first.surface, round(first.speed, 2))
     floor 0.63
@@ -139,7 +139,7 @@ class SpaceRun(InNetcdf):
     Examples
     --------
     >>> import stayput as sp
-    >>> box = sp.Solid.box(width=0.3, length=0.5, height=1.5, mass=30.0)
+    >>> box = sp.Body.box(width=0.3, length=0.5, height=1.5, mass=30.0)
     >>> run = sp.simulate(box, sp.Room(), sp.near_fault().scaled(0.2))
     >>> run.outcomes, run.place.shape[1:]
     ((<Outcome.RESTED: 'rested'>,), (3001, 3))
