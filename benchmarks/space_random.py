@@ -86,7 +86,7 @@ def kinetic(run: sp.SpaceRun) -> Array:
 
 def energies(run: sp.SpaceRun) -> Array:
     """Return the energy of all bodies at the samples [J]."""
-    masses = np.array([one.solid.mass for one in run.standing])
+    masses = np.array([one.body.mass for one in run.standing])
     return kinetic(run) + GRAVITY * masses @ run.place[:, :, 2]
 
 
@@ -96,7 +96,7 @@ def momentum_off(run: sp.SpaceRun, keeps: str) -> float:
     In flight gravity adds M g t, and M (r₀ t + v₀ t²/2) × g; on a floor without friction what is in its
     plane, and the moment about the vertical, stay.
     """
-    time, mass = run.time[:, np.newaxis], np.array([one.solid.mass for one in run.standing])
+    time, mass = run.time[:, np.newaxis], np.array([one.body.mass for one in run.standing])
     linear = np.einsum("b,bsi->si", mass, run.velocity)
     moment = np.einsum("b,bsi->si", mass, np.cross(run.place, run.velocity))
     for body in range(len(mass)):
@@ -154,7 +154,7 @@ def run_one(case: Thrown, step: float = STEP) -> Found:
     seconds = time.process_time() - began
     arrays = run.place, run.attitude, run.velocity, run.rotation_rate
     made = lost = momentum = math.nan
-    masses = [one.solid.mass for one in case.bodies]
+    masses = [one.body.mass for one in case.bodies]
     if not case.motion.x.any() and not run.given_up:
         total = energies(run)
         made = float((total - np.minimum.accumulate(total)).max() / abs(total[0]))

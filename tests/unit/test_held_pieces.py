@@ -134,8 +134,8 @@ def test_bodies_that_are_no_pieces() -> None:
 
 
 def test_members_without_measures_keep_their_bits() -> None:
-    solid = sp.Solid.box(0.4, 0.9, 1.8, 100.0)
-    run = sp.simulate(sp.Assembly([sp.Standing(solid)]), ROOM, SHAKEN.scaled(0.3))
+    solid = sp.Body.box(0.4, 0.9, 1.8, 100.0)
+    run = sp.simulate(sp.Assembly([sp.Piece(solid)]), ROOM, SHAKEN.scaled(0.3))
     again = sp.simulate(solid, ROOM, SHAKEN.scaled(0.3))
     assert np.array_equal(run.place, again.place)
     assert run.held == (None,)

@@ -24,7 +24,7 @@ from stayput.simulation.standing import Standing
 
 
 def placed(rng: np.random.Generator, reach: float) -> Standing:
-    solid = sp.Solid.box(*rng.uniform(0.2, 1.0, 3).tolist(), 10.0)
+    solid = sp.Body.box(*rng.uniform(0.2, 1.0, 3).tolist(), 10.0).solid
     at, tilt = rng.uniform(-reach, reach, 3), rng.uniform(-2.0, 2.0, 3)
     return Standing(solid, tuple(at.tolist()), float(rng.uniform(-3, 3)), tuple(tilt.tolist()))
 
@@ -59,7 +59,7 @@ def test_separating_axes_of_cylinders_agree_with_linear_programmes() -> None:
     for _ in range(40):
         tilt = tuple(rng.uniform(-2.0, 2.0, 3).tolist())
         at = tuple(rng.uniform(-0.5, 0.5, 3).tolist())
-        one = Standing(sp.Solid.cone(0.4, 0.2, 0.8, 10.0), at, 0.0, tilt)
+        one = Standing(sp.Body.cone(0.4, 0.2, 0.8, 10.0).solid, at, 0.0, tilt)
         other = placed(rng, 0.4)
         expected = linear_programme_overlaps(corners_of(one), corners_of(other))
         assert (inside_each_other(one, other) > 0.0) == expected
@@ -103,7 +103,7 @@ def toppling(heading: float) -> tuple[Track, sp.Run]:
     dt, room = 1e-3, sp.Room(sp.Floor(2.0, 2.0))
     still, start = sp.Motion(dt=dt, x=np.zeros(4000)), sp.State(tilt=START, tilt_rate=0.0)
     run = sp.simulate(BOX, room, still, dimensions=2, initial=start)
-    upright = at_rest(Standing(sp.Solid.of(BOX), heading=heading), dt)
+    upright = at_rest(Standing(BOX.solid, heading=heading), dt)
     # relative to how it stands upright, with the middle of its base at the origin
     return track_in_plane(upright, run.x, run.z - H, run.tilt), run
 
@@ -149,7 +149,7 @@ def test_it_touches_first_with_the_rate_of_the_fall() -> None:
 @pytest.mark.parametrize(("into", "hits"), [(0.03, False), (0.07, True)])
 def test_who_is_nudged_is_not_hit(into: float, hits: bool) -> None:
     """A box that slides upright a little way into a bed's edge, and back, is no blow."""
-    start = at_rest(Standing(sp.Solid.box(0.6, 1.2, 1.9, 60.0), (-0.301, 0.0, 0.0)), 0.01)
+    start = at_rest(Standing(sp.Body.box(0.6, 1.2, 1.9, 60.0).solid, (-0.301, 0.0, 0.0)), 0.01)
     x = into * np.sin(np.pi * np.linspace(0.0, 1.0, 101))
     place = sp.PersonPlace("bed", (0.5, 0.0), 1.0, 2.0, 0.0, 0.5)
     assert (contact_with_place(track_in_plane(start, x, 0.0 * x, 0.0 * x), place) is not None) is hits
@@ -157,7 +157,7 @@ def test_who_is_nudged_is_not_hit(into: float, hits: bool) -> None:
 
 def test_the_speed_within_a_place_is_the_largest_of_all_samples() -> None:
     # it falls slowly, then fast, then lies there and trembles: the fastest sample is neither first nor last
-    shape = at_rest(Standing(sp.Solid.box(0.4, 0.9, 1.8, 100.0)), 0.01)
+    shape = at_rest(Standing(sp.Body.box(0.4, 0.9, 1.8, 100.0).solid), 0.01)
     time = np.linspace(0.0, 3.0, 301)
     tilt = np.where(
         time < 2.0, 0.5 * np.pi * (0.5 * time) ** 6, 0.5 * np.pi - 0.01 * np.sin(40.0 * time) ** 2
@@ -176,7 +176,7 @@ def test_the_speed_within_a_place_is_the_largest_of_all_samples() -> None:
 
 
 def test_two_pieces_meet_where_their_tracks_cross() -> None:
-    solid = sp.Solid.box(0.4, 0.4, 1.0, 20.0)
+    solid = sp.Body.box(0.4, 0.4, 1.0, 20.0).solid
     one = at_rest(Standing(solid), 0.01)
     steps = np.arange(101)
     x = 0.5 * 0.01 * steps  # 0.5 m/s

@@ -81,10 +81,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is of a Body by itself that is made by its section; here it must be left out.",
         "{name}は、断面で作ったBodyを単独で計算するときだけに指定できます。ここでは省いてください。",
     ),
-    "pieces_in_the_plane": (
-        "{kind} cannot be simulated in 2 dimensions; leave them out, or give a Body.",
-        "{kind}は2次元では計算できません。次元の指定を省くか、Bodyを指定してください。",
-    ),
     # Quick estimates
     "tie_height": ("Height of the tie", "取付け高さ"),
     "peak_acceleration": ("Peak acceleration", "最大加速度"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, finite, instance_of, list_of, numbers, within
@@ -74,7 +74,7 @@ class Part(Brief):
 class Body(Shapes, Brief):
     """A rigid body: a piece of furniture by its section in the plane of shaking, or any convex shape.
 
-    `hull`, `box`, `cylinder`, `cone`, `prism` and `mesh` make bodies of a shape of their own. These move in
+    `hull`, `box`, `cylinder`, `cone` and `mesh` make bodies of a shape of their own. These move in
     space; in the plane they are the box around them.
 
     Parameters
@@ -176,11 +176,13 @@ class Body(Shapes, Brief):
     shape: Solid | None = None
 
     def __post_init__(self) -> None:
-        if self.shape is not None:
-            for name, value in section_of(instance_of("shape", self.shape, Solid)).items():
-                if getattr(self, name) != value:
-                    raise InputError("model.not_of_its_shape", name, name=name)
         check_fields(self, but=("cg_offset", "inertia", "base_heights", "base_insets"))
+        if self.shape is not None:
+            section = section_of(instance_of("shape", self.shape, Solid))
+            for about, value in zip(fields(self), section, strict=True):
+                if getattr(self, about.name) != value:
+                    raise InputError("model.not_of_its_shape", about.name, name=about.name)
+            return
         for name in ("cg_offset", "base_heights", "base_insets"):
             numbers(parameter_of(Body, name).label, getattr(self, name), name, count=2)
         label = parameter_of(Body, "cg_offset").label

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, TypedDict, cast
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
 from stayput.errors import InputError, within
 from stayput.model.inertia import inertia_of, uniform_cone
-from stayput.model.polyhedron import check_filled, check_size, enclosed_volume, triangulated
+from stayput.model.polyhedron import enclosed_volume, triangulated
 from stayput.model.solid import Solid
-from stayput.model.solid_fields import checked_mass, numbers, read_convex_mesh, side
+from stayput.model.solid_fields import checked_mass, read_convex_mesh, side
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,28 +30,30 @@ DENSITY_RANGE = (1.0, 25_000.0)
 class OwnFields(TypedDict, total=False):
     """What a shape may have in place of what follows from filling it evenly; see `Shapes.hull`."""
 
-    centre_of_gravity: ArrayLike | None
-    inertia: ArrayLike | None
-    feet: ArrayLike | None
-    base: str | None
+    centre_of_gravity: ArrayLike
+    inertia: ArrayLike
+    feet: ArrayLike
+    base: str
 
 
-def section_of(shape: Solid) -> dict[str, Any]:
-    """Return the fields of a `stayput.Body` that follow from its shape: those of the box around it."""
+def section_of(shape: Solid) -> tuple[Any, ...]:
+    """Return the fields of a `stayput.Body` of a shape, in their order: those of the box around it."""
     low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
     width, length, height = (high - low).tolist()
     x, _, z = (shape.centre_of_gravity - (low + high) / 2).tolist()
-    return {
-        "width": width,
-        "height": height,
-        "mass": shape.mass,
-        "cg_offset": (x, z),
-        "inertia": float(shape.inertia[1, 1]),
-        "base_heights": (0.0, 0.0),
-        "base_insets": (0.0, 0.0),
-        "length": length,
-        "base": shape.base,
-    }
+    level = 0.0, 0.0
+    return (
+        width,
+        height,
+        shape.mass,
+        (x, z),
+        float(shape.inertia[1, 1]),
+        level,
+        level,
+        length,
+        shape.base,
+        shape,
+    )
 
 
 class Shapes:
@@ -66,7 +68,7 @@ class Shapes:
     def of_shape(cls, shape: Solid) -> Self:
         """Make the body of a solid."""
         make: Any = cls
-        return make(**section_of(shape), shape=shape)
+        return make(*section_of(shape))
 
     @classmethod
     def hull(
@@ -122,8 +124,9 @@ class Shapes:
         sides = np.array([side("width", width), side("length", length), side("height", height)])
         corners = np.array([(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])
         mass = checked_mass(mass)
-        filled = _filled(sides[2] / 2, mass * inertia_of(np.diag(sides**2) / 12.0), own)
-        return cls.hull(sides * corners, mass, **filled)
+        inertia = mass * inertia_of(np.diag(sides**2) / 12.0)
+        filled: OwnFields = {"centre_of_gravity": (0.0, 0.0, sides[2] / 2), "inertia": inertia}
+        return cls.hull(sides * corners, mass, **(filled | own))
 
     @classmethod
     def cylinder(cls, diameter: float, height: float, mass: float, **own: Unpack[OwnFields]) -> Self:
@@ -162,37 +165,11 @@ class Shapes:
         R, r, h = side("bottom", bottom) / 2, side("top", top) / 2, side("height", height)
         z_g, second_moments = uniform_cone(R, r, h)
         mass = checked_mass(mass)
-        filled = _filled(z_g, mass * inertia_of(second_moments), own)
+        inertia = mass * inertia_of(second_moments)
+        filled: OwnFields = {"centre_of_gravity": (0.0, 0.0, z_g), "inertia": inertia}
         ends = [np.column_stack((radius * _circle(), np.full(SIDES, z))) for radius, z in ((R, 0.0), (r, h))]
         rims = [(0.0, 0.0, 0.0, 0.0, 0.0, -1.0, R), (0.0, 0.0, h, 0.0, 0.0, 1.0, r)]
-        return cls.hull(np.concatenate(ends), mass, rims=rims, **filled)
-
-    @classmethod
-    def prism(cls, outline: ArrayLike, height: float, mass: float, **own: Unpack[OwnFields]) -> Self:
-        """Make an upright prism, by default filled evenly.
-
-        Parameters
-        ----------
-        outline : array_like, shape (k, 2)
-            The corners of its convex base in order, either way round: x and y [m]. The middle of the
-            rectangle around them becomes the origin.
-        height : float
-            Height [m].
-        mass : float
-            Mass [kg].
-        **own
-            As for `hull`.
-        """
-        corners = numbers("outline", outline, (None, 2))
-        corners = corners - (corners.min(axis=0) + corners.max(axis=0)) / 2
-        h = side("height", height)
-        points = np.concatenate([np.column_stack((corners, np.full(len(corners), z))) for z in (0.0, h)])
-        check_size(points, "outline")
-        made = Solid(points, mass, **own)
-        x, y = corners.T
-        area = abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2.0
-        check_filled(area * h, enclosed_volume(made.vertices, triangulated(made.faces)), "outline")
-        return cls.of_shape(made)
+        return cls.hull(np.concatenate(ends), mass, rims=rims, **(filled | own))
 
     @classmethod
     def mesh(
@@ -241,13 +218,6 @@ class Shapes:
         low, high = vertices.min(axis=0), vertices.max(axis=0)
         origin = np.array([*(low + high)[:2] / 2, low[2]])
         return cls.hull(vertices - origin, mass, **own)
-
-
-def _filled(z_g: float, inertia: NDArray[np.float64], own: OwnFields) -> OwnFields:
-    """Return the fields of an evenly filled body with G on its axis, and in their place those of its own."""
-    filled: OwnFields = {"centre_of_gravity": (0.0, 0.0, z_g), "inertia": inertia}
-    given = cast("OwnFields", {name: value for name, value in own.items() if value is not None})
-    return filled | given
 
 
 def _circle() -> NDArray[np.float64]:

@@ -208,7 +208,12 @@ def simulate(
 
     start, asked = State() if initial is None else initial, list_of("measures", measures, Measure)
     if not isinstance(body, Body) or (body.shape is not None and dimensions != 2):
-        return _simulate_pieces(body, room, motion, asked, dimensions, contact, start, gravity, step)
+        from stayput.simulation.space import simulate_assembly
+
+        of_a_body = {"measures": bool(asked), "initial": start != State(), "contact": contact != "coulomb"}
+        assembly = _assembly_of(body, **of_a_body, dimensions=dimensions not in (None, 3))
+        instance_of("room", room, Room)
+        return simulate_assembly(assembly, room, Motion.given(motion), gravity, step)
     given = Case(body, room, motion, contact, start, gravity, asked, dimensions)
     body = given.body
     refuse_bad_start(body, room, start)
@@ -231,36 +236,19 @@ def simulate(
     return run_of(case, traced, held, results, most_events)
 
 
-def _simulate_pieces(
-    what: object,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure],
-    dimensions: Dimensions | None,
-    contact: str,
-    initial: State,
-    gravity: float,
-    step: float | None,
-) -> SpaceRun:
-    """Simulate pieces in space; raise `InputError` for what only a `Body` by its section has."""
-    from stayput.simulation.space import simulate_assembly
+def _assembly_of(what: object, **asked: bool) -> Assembly:
+    """Return what stands as an assembly; raise `InputError` for what only a `Body` by its section has."""
     from stayput.simulation.standing import Assembly, Piece
 
     given = instance_of("body", what, (Body, Piece, Assembly))
-    instance_of("room", room, Room)
-    Motion.given(motion)
-    for name, value, usual in (
-        ("measures", measures, ()),
-        ("initial", instance_of("initial", initial, State), State()),
-        ("contact", contact, "coulomb"),
-    ):
-        if value != usual:
+    for name in asked:
+        if asked[name]:
             raise InputError("model.of_a_body", name, name=name)
-    if dimensions is not None and whole_within("model.dimensions", dimensions, 2, 3, "", "dimensions") == 2:
-        raise InputError("model.pieces_in_the_plane", "dimensions", kind=type(given).__name__)
-    if not isinstance(given, Assembly):
-        given = Assembly([Piece(given) if isinstance(given, Body) else given])
-    return simulate_assembly(given, room, motion, gravity, step)
+    return (
+        given
+        if isinstance(given, Assembly)
+        else Assembly([Piece(given) if isinstance(given, Body) else given])
+    )
 
 
 def law_number(contact: str) -> int:

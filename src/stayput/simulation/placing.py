@@ -272,7 +272,7 @@ def placed(
         under = _drawn(held.room.floor, room.floor, drawn_floor)
         held = replace(held, room=replace(held.room, floor=under))
         body = placed_piece(member, held, element_rows(held, strength), number)
-        if not member.starts_at_rest:
+        if any((*member.tilt, *member.velocity, *member.rotation_rate)):
             tilted = replace(member.standing, solid=body.standing.solid)
             body = body._replace(standing=tilted, pose=_first_pose(member, tilted))
         bodies.append(body)

@@ -205,11 +205,6 @@ class Piece:
         standing = Standing(self.body.solid, self.at, self.heading, self.tilt)
         object.__setattr__(self, "standing", standing)
 
-    @property
-    def starts_at_rest(self) -> bool:
-        """Whether it stands on its base and does not move at first."""
-        return not any((*self.tilt, *self.velocity, *self.rotation_rate))
-
 
 def rotation_by(vector: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the rotation about a vector by its length [rad] (Rodrigues), shape (3, 3)."""
