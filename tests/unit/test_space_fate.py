@@ -20,11 +20,11 @@ OVERTURNED, FELL_OFF, LEANING = sp.Outcome.OVERTURNED, sp.Outcome.FELL_OFF, sp.O
 STOOD = (sp.Outcome.RESTED, sp.Outcome.SLID, sp.Outcome.ROCKED)
 
 
-def tipped(solid: sp.Body, at: tuple[float, float, float], rate: float, edge: float) -> sp.Piece:
+def tipped(body: sp.Body, at: tuple[float, float, float], rate: float, edge: float) -> sp.Piece:
     """Return a body that turns about its lower edge at x = edge in its frame [rad/s]."""
-    arm = solid.centre_of_gravity - np.array([edge, 0.0, 0.0])
+    arm = body.solid.centre_of_gravity - np.array([edge, 0.0, 0.0])
     velocity = np.cross([0.0, rate, 0.0], arm)
-    return sp.Piece(solid, at, rotation_rate=(0.0, rate, 0.0), velocity=tuple(velocity.tolist()))
+    return sp.Piece(body, at, rotation_rate=(0.0, rate, 0.0), velocity=tuple(velocity.tolist()))
 
 
 def became(

@@ -74,7 +74,7 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
         | {"initial": None, "dimensions": None, "step": None}
         | GRAVITY,
     ),
-    fields(sp.Piece, solid=SOLID),
+    fields(sp.Piece, body=SOLID),
     fields(sp.Assembly, members=[sp.Piece(SOLID), sp.Piece(SOLID)]),
     fields(sp.Joint, first=0, second=1, at=(0.0, 0.0, 0.0)),
     (sp.simulate, {"body": SOLID, "room": ROOM, "motion": MOTION, "step": 1e-3} | GRAVITY),
