@@ -69,7 +69,7 @@ def shapes(rng: Rng, count: int) -> list[sp.Body]:
 def raised(standing: sp.Piece, level: float) -> sp.Piece:
     """Return a body whose lowest point is at a level."""
     x, y, z = standing.at
-    return replace(standing, at=(x, y, z + level - standing.standing.along((0.0, 0.0, 1.0))[0]))
+    return replace(standing, at=(x, y, z + level - standing.along((0.0, 0.0, 1.0))[0]))
 
 
 def turned(rng: Rng) -> tuple[float, float, float]:
@@ -165,9 +165,9 @@ def on_an_edge(rng: Rng) -> Thrown:
         over = np.array([length, width, 0.0]) / reach
     tilt = rng.uniform(0.5, 0.9) * math.atan(reach / height) * over
     body = raised(sp.Piece(solid, tilt=tuple(tilt)), 0.0)
-    corners = body.at + solid.solid.vertices @ body.standing.turn.T
+    corners = body.at + solid.solid.vertices @ body.turn.T
     spin = rng.uniform(0.0, 0.5) * over
-    lever = body.standing.place - corners[np.argmin(corners[:, 2])]
+    lever = body.place - corners[np.argmin(corners[:, 2])]
     body = replace(body, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
     return Thrown((body,), sp.Room(sp.Floor(5.0, 5.0)), still(DURATION), (0.0, 0.0), ROCKS)
 
@@ -292,7 +292,7 @@ def pile_of(rng: Rng, solids: Iterable[sp.Body], across: int, duration: float) -
         body = flung(rng, solid, 0.2, 0.5)
         near = rng.uniform(-0.04, 0.04, 2) + 0.65 * np.array([x, y])
         bodies.append(
-            raised(replace(body, at=(*(near - (body.standing.place - body.at)[:2]), 0.0)), 0.02 + 0.7 * layer)
+            raised(replace(body, at=(*(near - (body.place - body.at)[:2]), 0.0)), 0.02 + 0.7 * layer)
         )
     static, between, e = rng.uniform((0.2, 0.1, 0.0), (0.7, 0.6, 0.3))
     room = sp.Room(sp.Floor(static, 0.8 * static, normal_restitution=rng.choice([0.0, e])))

@@ -92,7 +92,7 @@ class Histories:
 def run_in_mujoco(scene: Scene, step: float) -> Histories:
     """Run a scene in MuJoCo's own loop, on this thread."""
     standing, motion = scene.standing(), scene.motion
-    places = [one.standing.place for one in standing]
+    places = [one.place for one in standing]
     bodies = "".join(
         f'<body pos="{at[0]} {at[1]} {at[2]}"><freejoint/><geom type="box" mass="{mass}"'
         f' size="{width / 2} {length / 2} {height / 2}"/></body>'
@@ -130,7 +130,7 @@ def run_in_mujoco(scene: Scene, step: float) -> Histories:
     poses = states[:, 1 : 1 + 7 * n].reshape(-1, n, 7)
     rates = states[:, 1 + 7 * n :].reshape(-1, n, 6)
     tilts = np.arccos(np.clip(1.0 - 2.0 * (poses[..., 4] ** 2 + poses[..., 5] ** 2), -1.0, 1.0))
-    inertia = np.stack([np.diag(one.body.solid.inertia) for one in standing])
+    inertia = np.stack([np.diag(one.solid.inertia) for one in standing])
     energies = 0.5 * (
         masses * (rates[..., :3] ** 2).sum(axis=2) + (inertia * rates[..., 3:] ** 2).sum(axis=2)
     )
@@ -144,8 +144,8 @@ def run_in_stayput(scene: Scene, step: float) -> Histories:
     start = time.process_time()
     run = sp.simulate(assembly, room, scene.motion, step=step)
     seconds = time.process_time() - start
-    inertia = np.stack([np.diag(one.body.solid.inertia) for one in run.standing])
-    masses = np.array([one.solid.mass for one in run.standing])
+    inertia = np.stack([np.diag(one.solid.inertia) for one in run.pieces])
+    masses = np.array([one.solid.mass for one in run.pieces])
     own = np.einsum("bsij,bsi->bsj", run.turn, run.rotation_rate)
     linear = masses[:, np.newaxis] * (run.velocity**2).sum(axis=2)
     energies = 0.5 * (linear + np.einsum("bj,bsj->bs", inertia, own**2))

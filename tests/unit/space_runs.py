@@ -33,15 +33,15 @@ def apart(count: int) -> Gaps:
 
 def _made(pieces: list[sp.Piece], places: list[np.ndarray], attitudes: list[np.ndarray]) -> SpaceRun:
     """Return a run from the ways of the origins of the bodies' frames and their attitudes."""
-    attitude, standing = np.stack(attitudes), [piece.standing for piece in pieces]
-    offsets = np.array([one.solid.centre_of_gravity for one in standing])
+    attitude = np.stack(attitudes)
+    offsets = np.array([one.solid.centre_of_gravity for one in pieces])
     place = np.stack(places) + np.einsum("bsij,bj->bsi", matrices(attitude), offsets)
-    still, count = np.zeros(place.shape), len(standing)
+    still, count = np.zeros(place.shape), len(pieces)
     return SpaceRun(
-        standing=tuple(standing),
+        pieces=tuple(pieces),
         room=ROOM,
         motion=SHAKE,
-        planes=planes_of(standing, room_row(ROOM)),
+        planes=planes_of(pieces, room_row(ROOM)),
         time=TIME,
         place=place,
         attitude=attitude,
@@ -66,7 +66,7 @@ def falling() -> SpaceRun:
     fallen = _about((0.0, 1.0, 0.0), angle)
     heading = sp.Piece(BOX, heading=0.2)
     turned = way.copy()
-    turned[:, :2] = way[:, :2] @ heading.standing.turn[:2, :2].T
+    turned[:, :2] = way[:, :2] @ heading.turn[:2, :2].T
     return _made([heading], [turned], [product(_about((0.0, 0.0, 1.0), np.full(201, 0.2)), fallen)])
 
 

@@ -72,7 +72,7 @@ def made(**changed):
     for n, member in enumerate(scenario.assembly(scenario.stated).members):
         fell = np.zeros((round(plan.width / CELL), round(plan.length / CELL)))
         fell[10 * n : 10 * n + 5, 4:6] = 0.35
-        standing, own = member.standing, {event: next(left) for event in EVENTS}
+        standing, own = member, {event: next(left) for event in EVENTS}
         outline = rectangle(standing.at[:2], 0.3, 0.8, standing.heading)
         slide, risk = Quantiles(0.021 + n, 0.043 + n), 0.123 - 0.1 * n
         pieces.append(RoomPiece(names[n], n == 0, own, slide, fell, 0.0 * fell, outline, risk))

@@ -61,7 +61,7 @@ def test_a_cylinder_at_a_wall_touches_it_with_its_circle(heading: float) -> None
     room = sp.Room(left_wall=flush, right_wall=flush, near_side_wall=flush, far_side_wall=flush)
     standing = sp.Piece(DRUM, heading=heading)
     for direction in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (math.sqrt(0.5), math.sqrt(0.5), 0.0)):
-        np.testing.assert_allclose(standing.standing.along(direction), (-0.2, 0.2), atol=1e-12)
+        np.testing.assert_allclose(standing.along(direction), (-0.2, 0.2), atol=1e-12)
     run = sp.simulate(standing, room, STILL)
     assert np.abs(run.slide).max() < 1e-12
 

@@ -158,7 +158,7 @@ def test_a_drum_lies_on_its_circles(turned: float) -> None:
         [[math.cos(tilt), 0.0, math.sin(tilt)], [0.0, 1.0, 0.0], [-math.sin(tilt), 0.0, math.cos(tilt)]]
     )
     place = np.array([[0.0, 0.0, 0.2], [0.0, 0.0, 0.21]])
-    assert lies_on_floor(drum.standing, place, np.stack([over @ about_z] * 2)).tolist() == [True, False]
+    assert lies_on_floor(drum, place, np.stack([over @ about_z] * 2)).tolist() == [True, False]
 
 
 def test_a_piece_on_uneven_feet_has_not_overturned() -> None:
@@ -193,7 +193,7 @@ def test_samples_at_which_nothing_moves_are_told_like_all_others() -> None:
     still, push = np.zeros(50), np.full(40, 6.0)
     motion = sp.Motion(dt=0.01, x=np.concatenate([still, push, -push, still, still]))
     run = sp.simulate(sp.Piece(sp.Body.box(0.6, 0.6, 0.5, 10.0)), sp.Room(sp.Floor(0.3, 0.25)), motion)
-    (fate,) = fates_of(run.standing, run.place, run.turn, run.gaps)
+    (fate,) = fates_of(run.pieces, run.place, run.turn, run.gaps)
     assert fate.way[-1] == fate.way[-40] > 0.01
     assert fate.tilt.tobytes() == run.tilt[0].tobytes()
     assert fate.way.tobytes() == np.linalg.norm(run.slide[0], axis=1).tobytes()

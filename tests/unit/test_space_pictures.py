@@ -35,11 +35,11 @@ def unpacked(text: str) -> Any:
 
 
 def part(run: SpaceRun, *, bodies: slice = slice(None), samples: slice = slice(None)) -> SpaceRun:
-    standing = run.standing[bodies]
+    pieces = run.pieces[bodies]
     return dataclasses.replace(
         run,
-        standing=standing,
-        gaps=(apart(len(standing)), apart(len(standing))),
+        pieces=pieces,
+        gaps=(apart(len(pieces)), apart(len(pieces))),
         time=run.time[samples],
         place=run.place[bodies, samples],
         attitude=run.attitude[bodies, samples],
@@ -84,9 +84,9 @@ def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
     assert {name: len(unpacked(text)) for name, text in accelerations.items()} == dict.fromkeys("xyz", 201)
     assert data["floor"]["dt_s"] == DT
     assert [plane[:3] for plane in data["planes"]] == [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]
-    assert data["planes"][0][3] == pytest.approx(run.standing[0].along((1.0, 0.0, 0.0))[0] - 0.1)
+    assert data["planes"][0][3] == pytest.approx(run.pieces[0].along((1.0, 0.0, 0.0))[0] - 0.1)
     foot = np.array(body["footprint_m"])
-    assert np.ptp(foot @ run.standing[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
+    assert np.ptp(foot @ run.pieces[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
     vertices = np.array(body["shape"]["vertices_m"])
     lowest = place[-1][2] + ((vertices - body["centre_of_gravity_m"]) @ matrices(attitude[-1])[2]).min()
     assert lowest == pytest.approx(0.0, abs=1e-5)
@@ -155,7 +155,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
     for order in ([0, 1, 2], [2, 1, 0], [1, 0, 2]):
         mixed = dataclasses.replace(
             run,
-            standing=tuple(run.standing[b] for b in order),
+            pieces=tuple(run.pieces[b] for b in order),
             place=run.place[order],
             attitude=run.attitude[order],
         )
@@ -183,7 +183,7 @@ def test_what_became_of_the_bodies() -> None:
     run, other = falling(), spinning()
     both = dataclasses.replace(
         run,
-        standing=(*run.standing, *other.standing),
+        pieces=(*run.pieces, *other.pieces),
         place=np.concatenate([run.place, other.place]),
         attitude=np.concatenate([run.attitude, other.attitude]),
         gaps=(apart(4), apart(4)),
@@ -230,7 +230,7 @@ def test_bodies_of_one_colour_have_other_dashes_and_long_titles_are_wrapped() ->
         for name in ("place", "attitude", "velocity", "rotation_rate", "peak_tilt")
     }
     apart_by = (apart(count), apart(count))
-    run = dataclasses.replace(one, standing=count * one.standing, gaps=apart_by, **repeated)
+    run = dataclasses.replace(one, pieces=count * one.pieces, gaps=apart_by, **repeated)
     names = [f"a piece with a long name, number {b}" for b in range(count)]
     figure = plot_space_run(run, names=names, title=say(became(run, names)))
     first, *_, last = figure.legends[0].get_lines()[:count]

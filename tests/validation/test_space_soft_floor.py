@@ -111,7 +111,7 @@ def test_a_piece_on_another_stands_on_wood() -> None:
     threshold = G * 0.15 / 0.6
     assert falls(members, "x", 0.98 * threshold) == [False, False]
     assert falls(members, "x", 1.02 * threshold)[1]
-    assert sp.Piece(upper, at=(0.0, 0.0, 0.3)).standing.solid.feet is None
+    assert sp.Piece(upper, at=(0.0, 0.0, 0.3)).solid.feet is None
 
 
 def test_solids_do_not_sink_and_only_they_are_warned_of() -> None:

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from stayput.rooms.events import Ways
     from stayput.scenario import Scenario
-    from stayput.simulation.standing import Assembly, Standing
+    from stayput.simulation.standing import Assembly, Piece
 
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""
@@ -81,12 +81,12 @@ class FreeFloor:
     ----------
     plan : FloorPlan
         The room.
-    standing : sequence of Standing
+    pieces : sequence of Piece
         The pieces as they stand.
     """
 
     plan: FloorPlan
-    standing: tuple[Standing, ...]
+    pieces: Sequence[Piece]
 
     def fits(
         self,
@@ -114,7 +114,7 @@ class FreeFloor:
         """
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
-        others = (one for number, one in enumerate(self.standing) if number != but_piece)
+        others = (one for number, one in enumerate(self.pieces) if number != but_piece)
         taken = [outline_of((one.solid.vertices @ one.turn.T) + np.asarray(one.at)) for one in others]
         taken += [place.corners for place in self.plan.places if place.name != but_place]
         taken += [
@@ -195,9 +195,9 @@ def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
         all_placed = placed(part.assembly.members, part.room)
     except InputError:  # no wall behind, no ceiling known
         return False
-    standing, held = [one.standing for one in all_placed], all_placed[place].held
+    pieces, held = [one.piece for one in all_placed], all_placed[place].held
     assert held is not None
-    if any(inside_each_other(*pair) > DEEPEST for pair in combinations(standing, 2)):
+    if any(inside_each_other(*pair) > DEEPEST for pair in combinations(pieces, 2)):
         return False  # a wedge leans it into what stands on it
     on_wall = {measure.kind for measure in held.measures if isinstance(measure, WallDevice)}
     if not on_wall:
@@ -253,7 +253,7 @@ def places_at_walls(
     floor : FreeFloor
         Where it may be put.
     """
-    solid, plan = whole.members[body].standing.solid, floor.plan
+    solid, plan = whole.members[body].solid, floor.plan
     half_depth, half_length = (0.5 * np.ptp(solid.vertices[:, :2], axis=0)).tolist()
     height = float(solid.vertices[:, 2].max())
     for wall, heading in FACING.items():

@@ -224,7 +224,7 @@ def moves_of(question: Question, state: RoomState, harmful: Collection[int]) -> 
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
     as_it_is, ways = state.as_it_is, state.ends.ways
-    floor = FreeFloor(plan, tuple(one.standing for one in whole.members))
+    floor = FreeFloor(plan, whole.members)
     struck = [number for number in range(len(plan.places)) if as_it_is.events.hit(number).any()]
     over = _swept_by_any(as_it_is, ways) if struck else None
     for number in struck:

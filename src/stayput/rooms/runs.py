@@ -311,11 +311,11 @@ def _run_in_space(
 ) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
     """Return RESULT of the pieces of a part, DEVICE of what holds and joins them, forces, and tracks."""
     traced = trace_draw(part.assembly, part.room, draw, shaking, gravity)
-    results, standing = results_of(traced, shaking.times), [one.standing for one in traced.bodies]
+    results, pieces = results_of(traced, shaking.times), [one.piece for one in traced.bodies]
     peaks: PeakForces = {}
     for place, held, own in traced.held():
         peaks |= peak_forces(place, held, traced.trace.devices[own], 1.0)
-    return results, traced.trace.devices, peaks, tracks_of(standing, traced.trace, shaking.dt)
+    return results, traced.trace.devices, peaks, tracks_of(pieces, traced.trace, shaking.dt)
 
 
 def _run_in_plane(
@@ -330,7 +330,7 @@ def _run_in_plane(
     cos, sin = math.cos(piece.heading), math.sin(piece.heading)
     along, up = shaking.acceleration[:, :2] @ [cos, sin], shaking.acceleration[:, 2]
     traced = trace(row[0], shaking_in_plane(along, up, shaking.dt, 0), elements)
-    start = at_rest(placed_piece(piece, held, elements[:0]).standing, shaking.dt)
+    start = at_rest(placed_piece(piece, held, elements[:0]).piece, shaking.dt)
     history = traced.history
     x, z, tilt = (history[:, column] for column in (H_X, H_Z, H_TILT))
     track = track_in_plane(start, x - x[0], z - z[0], tilt)

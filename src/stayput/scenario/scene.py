@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
 
     from stayput.model.body import Body
-    from stayput.simulation.standing import Joint, Standing
+    from stayput.simulation.standing import Joint
 
 
 def _several_or_one(value: object) -> str:
@@ -224,7 +224,7 @@ class SceneTables(FromFile):
         if piece.against is None or piece.along is None:
             x, y, *up = piece.at
             return (x, y, up[0] if up else 0.0), piece.heading
-        behind = -Piece(body).standing.along((1.0, 0.0, 0.0))[0]
+        behind = -Piece(body).along((1.0, 0.0, 0.0))[0]
         x, y = self.floor_plan().on_wall(piece.against, piece.along, piece.gap + behind)
         return (x, y, 0.0), FACING[piece.against]
 
@@ -236,7 +236,7 @@ class SceneTables(FromFile):
             (x, y, z), heading = self._stands(piece, body)
             if piece.on is not None:
                 below = placed[piece.on]
-                plan = replace(below, at=(0.0, 0.0, 0.0)).standing
+                plan = replace(below, at=(0.0, 0.0, 0.0))
                 (low_x, high_x), (low_y, high_y) = plan.along((1.0, 0.0, 0.0)), plan.along((0.0, 1.0, 0.0))
                 if not (low_x <= x <= high_x and low_y <= y <= high_y):
                     raise InputError(
@@ -286,8 +286,7 @@ class SceneTables(FromFile):
         if self.plan is None:
             return self.room.room()
         x, y = (
-            np.array([piece.standing.along(axis) for piece in pieces])
-            for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+            np.array([piece.along(axis) for piece in pieces]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
         )
         low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
         gaps = self.floor_plan().distances(low, high)
@@ -298,10 +297,10 @@ class SceneTables(FromFile):
 
 def refuse_what_stands_wrong(scenario: SceneTables, plan: FloorPlan, whole: Assembly) -> None:
     """Raise `InputError` where a piece stands in floor, wall, ceiling, another, or where a person is."""
-    names, standing_all = scenario.names, [member.standing for member in whole.members]
+    names = scenario.names
     sides = np.array([plan.width, plan.length])
-    for number, standing in enumerate(standing_all):
-        corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)
+    for number, piece in enumerate(whole.members):
+        corners = piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)
         low, high = corners.min(axis=0), corners.max(axis=0)
         name = f"{scenario.key_of(number)}.at"
         called = repr(names[number])
@@ -317,11 +316,11 @@ def refuse_what_stands_wrong(scenario: SceneTables, plan: FloorPlan, whole: Asse
         if ceiling is not None and high[2] > ceiling.height + 1e-6:
             values = {"high": float(high[2]), "height": ceiling.height}
             raise InputError("rooms.in_the_ceiling", scenario.key_of(number), name=called, **values)
-        others: list[tuple[Standing | PersonPlace, str]] = [
-            (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
+        others: list[tuple[Piece | PersonPlace, str]] = [
+            (other, repr(names[before])) for before, other in enumerate(whole.members[:number])
         ]
         others += [(place, repr(place.name)) for place in plan.places]
         for other, what in others:
-            depth = inside_each_other(standing, other)
+            depth = inside_each_other(piece, other)
             if depth > DEEPEST:
                 raise InputError("rooms.in_another", name, name=called, other=what, depth=depth)

@@ -22,7 +22,7 @@ from stayput.model.room import WALLS_AROUND, Floor, Room
 from stayput.model.solid import Solid
 from stayput.model.state import State
 from stayput.simulation.space_records import NORMALS, planes_of, pose_of, surface_of
-from stayput.simulation.standing import Standing, rotation_by
+from stayput.simulation.standing import Piece, rotation_by
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from stayput.measures.measure import Measure
     from stayput.model.room import Wall
-    from stayput.simulation.standing import Joint, Piece
+    from stayput.simulation.standing import Joint
 
 
 JOINT = "joint"
@@ -71,11 +71,11 @@ def _set_vectors(springs: NDArray[np.void] | np.void, **vectors: NDArray[np.floa
             springs[f"{name}{axis}"] = values[..., number]
 
 
-def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDArray[np.void]:
+def joint_springs(pieces: Sequence[Piece], joints: Sequence[Joint]) -> NDArray[np.void]:
     """Return what joins the members of an assembly, as they stand at first, in newtons."""
     springs = np.zeros(len(joints), SPRING)
     for spring, joint in zip(springs, joints, strict=True):
-        first, second = standing[joint.first], standing[joint.second]
+        first, second = pieces[joint.first], pieces[joint.second]
         at = np.asarray(joint.at)
         to = at if joint.to is None else np.asarray(joint.to)
         spring["body"], spring["other"] = joint.first, joint.second
@@ -129,7 +129,7 @@ class Placed(NamedTuple):
 
     Parameters
     ----------
-    standing : Standing
+    piece : Piece
         The body, with what its measures change of it: one that is held as it rests.
     pose : ndarray of POSE, shape ()
         Where it is and how it moves at first.
@@ -141,7 +141,7 @@ class Placed(NamedTuple):
         Its measures in place; None of a body that is no piece of furniture.
     """
 
-    standing: Standing
+    piece: Piece
     pose: NDArray[np.void]
     floor: np.void
     springs: NDArray[np.void]
@@ -221,7 +221,7 @@ def held_body(
     for name in IN_NEWTONS:
         springs[name] *= case["mass"]
     return Placed(
-        Standing(solid, (x, y, z), heading, (0.0, _lean(case), 0.0)),
+        Piece(Body.of_shape(solid), (x, y, z), heading, tilt=(0.0, _lean(case), 0.0)),
         pose_of(solid, facing @ first.turn, base + facing @ first.place, *moves),
         case,
         springs,
@@ -231,7 +231,7 @@ def held_body(
 
 def planes_around(members: Sequence[Piece], room: Room) -> NDArray[np.void]:
     """Return the room of an assembly as the engine reads it: PLANE; see `planes_of`."""
-    return planes_of([member.standing for member in members], room_row(room))
+    return planes_of(members, room_row(room))
 
 
 def placed(
@@ -263,7 +263,7 @@ def placed(
     bodies: list[Placed] = []
     for number, member in enumerate(members):
         if member.body.shape is not None and not member.measures:
-            bodies.append(Placed(member.standing, _first_pose(member, member.standing), floor, none))
+            bodies.append(Placed(member, _first_pose(member), floor, none))
             continue
         try:
             held = hold_piece(member, room, planes)
@@ -273,15 +273,15 @@ def placed(
         held = replace(held, room=replace(held.room, floor=under))
         body = placed_piece(member, held, element_rows(held, strength), number)
         if any((*member.tilt, *member.velocity, *member.rotation_rate)):
-            tilted = replace(member.standing, solid=body.standing.solid)
-            body = body._replace(standing=tilted, pose=_first_pose(member, tilted))
+            tilted = replace(member, body=body.piece.body, measures=())
+            body = body._replace(piece=tilted, pose=_first_pose(tilted))
         bodies.append(body)
     return tuple(bodies)
 
 
-def _first_pose(piece: Piece, standing: Standing) -> NDArray[np.void]:
+def _first_pose(piece: Piece) -> NDArray[np.void]:
     """Return where a piece is and how it moves at first: a POSE."""
-    return pose_of(standing.solid, standing.turn, standing.place, piece.velocity, piece.rotation_rate)
+    return pose_of(piece.solid, piece.turn, piece.place, piece.velocity, piece.rotation_rate)
 
 
 def _drawn(floor: Floor, stated: Floor, drawn_floor: Callable[[Floor], Floor]) -> Floor:
@@ -350,14 +350,13 @@ def room_seen(piece: Piece, room: Room, planes: NDArray[np.void]) -> Room:
 
     A wall that none of its sides faces is left out.
     """
-    standing = piece.standing
     seen: dict[str, Wall | None] = dict.fromkeys(WALLS_AROUND)
     for plane in planes[1:]:
         name = surface_of(plane)
-        own = standing.turn.T @ NORMALS[name]
+        own = piece.turn.T @ NORMALS[name]
         for side in WALLS_AROUND:
             if np.dot(own, NORMALS[side]) > 1.0 - ALONG:
                 # to a picometre, so that a gap is to the bit what it is for a piece alone
-                gap = round(standing.along(NORMALS[name])[0] - float(plane["offset"]), 12)
+                gap = round(piece.along(NORMALS[name])[0] - float(plane["offset"]), 12)
                 seen[side] = replace(getattr(room, name), gap=max(0.0, gap))
     return replace(room, **seen)  # pyright: ignore[reportArgumentType]

@@ -62,25 +62,76 @@ class RoundSide(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
-    """A body in a room as the engine has it, with what measures change of it.
+class Piece:
+    """A body where it stands in a room, with the measures that hold it to that.
 
     Parameters
     ----------
-    solid : Solid
-        The body.
+    body : Body
+        The body, with a length.
     at : tuple of float
-        Where the origin of its frame is: along x, across y, up z [m].
+        Where the middle of its base is, of a body with a shape of its own the origin of its frame: along x,
+        across y, up z [m].
     heading : float
-        By what it is turned about the vertical, from x towards y [rad].
+        By what it is turned about the vertical, from x towards y [rad]. Its back is at −x of its own frame.
+    measures : sequence of Measure
+        What holds a body that is made by its section: to the wall that its back faces, to the ceiling, and to
+        the floor where it stands on that.
     tilt : tuple of float
-        By what it is turned before that: a rotation vector along the axes of its frame [rad].
+        By what it is turned before that: a rotation vector along the axes of its frame [rad]; (0, 0.1, 0)
+        tilts it to its front. A box that rests on feet of unequal height leans by itself.
+    velocity, rotation_rate : tuple of float
+        Of its centre of gravity [m/s], and of itself [rad/s], along x, y and z of the room, at first.
+
+    Attributes
+    ----------
+    solid : Solid
+        Its shape and mass in space.
+
+    Raises
+    ------
+    InputError
+        A body without a length, a number out of range, or two measures for one place.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.measures import LBracket
+    >>> body, room = sp.Body(width=0.3, height=1.8, mass=80.0, length=0.9), sp.Room(left_wall=sp.Wall(0.02))
+    >>> for measures in ([], [LBracket()]):
+    ...     print(sp.simulate(sp.Piece(body, measures=measures), room, sp.near_fault()).outcomes[0])
+    overturned
+    rocked
+
+    Let go on its front edge; atan(0.4/1.8) is 0.219 rad:
+
+    >>> from math import sin
+    >>> shelf = sp.Body(width=0.4, length=0.9, height=1.8, mass=60.0)
+    >>> still = sp.sine(amplitude=0.0, frequency=1.0, duration=3.0)
+    >>> for tilt in (0.19, 0.24):
+    ...     tilted = sp.Piece(shelf, at=(0.0, 0.0, 0.2 * sin(tilt)), tilt=(0.0, tilt, 0.0))
+    ...     print(tilt, *sp.simulate(tilted, sp.Room(), still).outcomes)
+    0.19 rocked
+    0.24 overturned
     """
 
-    solid: Solid
+    body: Body
     at: tuple[float, float, float] = (0.0, 0.0, 0.0)
     heading: float = 0.0
+    measures: Sequence[Measure] = ()
     tilt: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    rotation_rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    solid: Solid = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        instance_of("body", self.body, Body)
+        object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
+        refuse_conflicts(self.measures)
+        for name, most, unit in _VECTORS:
+            object.__setattr__(self, name, _vector(name, getattr(self, name), most, unit))
+        within("simulation.heading", self.heading, -2.0 * math.pi, 2.0 * math.pi, "rad", "heading")
+        object.__setattr__(self, "solid", self.body.solid)
 
     @property
     def turn(self) -> NDArray[np.float64]:
@@ -130,80 +181,6 @@ class Standing:
         centres = rims[:, :3] @ own
         ends = place + np.concatenate([self.solid.vertices @ own, centres - reach, centres + reach])
         return float(ends.min()), float(ends.max())
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """A body where it stands in a room, with the measures that hold it to that.
-
-    Parameters
-    ----------
-    body : Body
-        The body, with a length.
-    at : tuple of float
-        Where the middle of its base is, of a body with a shape of its own the origin of its frame: along x,
-        across y, up z [m].
-    heading : float
-        By what it is turned about the vertical, from x towards y [rad]. Its back is at −x of its own frame.
-    measures : sequence of Measure
-        What holds a body that is made by its section: to the wall that its back faces, to the ceiling, and to
-        the floor where it stands on that.
-    tilt : tuple of float
-        By what it is turned before that: a rotation vector along the axes of its frame [rad]; (0, 0.1, 0)
-        tilts it to its front. A box that rests on feet of unequal height leans by itself.
-    velocity, rotation_rate : tuple of float
-        Of its centre of gravity [m/s], and of itself [rad/s], along x, y and z of the room, at first.
-
-    Attributes
-    ----------
-    standing : Standing
-        The piece without its measures.
-
-    Raises
-    ------
-    InputError
-        A body without a length, a number out of range, or two measures for one place.
-
-    Examples
-    --------
-    >>> import stayput as sp
-    >>> from stayput.measures import LBracket
-    >>> body, room = sp.Body(width=0.3, height=1.8, mass=80.0, length=0.9), sp.Room(left_wall=sp.Wall(0.02))
-    >>> for measures in ([], [LBracket()]):
-    ...     print(sp.simulate(sp.Piece(body, measures=measures), room, sp.near_fault()).outcomes[0])
-    overturned
-    rocked
-
-    Let go on its front edge; atan(0.4/1.8) is 0.219 rad:
-
-    >>> from math import sin
-    >>> shelf = sp.Body(width=0.4, length=0.9, height=1.8, mass=60.0)
-    >>> still = sp.sine(amplitude=0.0, frequency=1.0, duration=3.0)
-    >>> for tilt in (0.19, 0.24):
-    ...     tilted = sp.Piece(shelf, at=(0.0, 0.0, 0.2 * sin(tilt)), tilt=(0.0, tilt, 0.0))
-    ...     print(tilt, *sp.simulate(tilted, sp.Room(), still).outcomes)
-    0.19 rocked
-    0.24 overturned
-    """
-
-    body: Body
-    at: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    heading: float = 0.0
-    measures: Sequence[Measure] = ()
-    tilt: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    rotation_rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    standing: Standing = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        instance_of("body", self.body, Body)
-        object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
-        refuse_conflicts(self.measures)
-        for name, most, unit in _VECTORS:
-            object.__setattr__(self, name, _vector(name, getattr(self, name), most, unit))
-        within("simulation.heading", self.heading, -2.0 * math.pi, 2.0 * math.pi, "rad", "heading")
-        standing = Standing(self.body.solid, self.at, self.heading, self.tilt)
-        object.__setattr__(self, "standing", standing)
 
 
 def rotation_by(vector: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -349,9 +326,9 @@ class Assembly:
                     "simulation.joint_member", f"joints[{number}]", number=last, last=len(members) - 1
                 )
             for member, at in ((joint.first, joint.at), (joint.second, joint.to or joint.at)):
-                standing = members[member].standing
-                reach = 2.0 * float(np.linalg.norm(np.ptp(standing.solid.vertices, axis=0)))
-                apart = float(np.linalg.norm(np.asarray(at) - standing.place))
+                piece = members[member]
+                reach = 2.0 * float(np.linalg.norm(np.ptp(piece.solid.vertices, axis=0)))
+                apart = float(np.linalg.norm(np.asarray(at) - piece.place))
                 if apart > reach:
                     name, holds = f"joints[{number}]", f"members[{member}]"
                     raise InputError(
