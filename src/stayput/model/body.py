@@ -235,13 +235,9 @@ class Body(Shapes, Brief):
         InputError
             No length.
         """
-        from stayput.model.flat_fields import case_columns
-        from stayput.model.room import Room
-        from stayput.model.state import State
+        from stayput.model.flat_fields import row_alone
 
-        if self.shape is not None:
-            return self.shape
-        return Solid.of_case(case_columns(self, Room(), State(), STANDARD_GRAVITY)[0])
+        return self.shape or Solid.of_case(row_alone(self))
 
     @property
     def uniform_inertia(self) -> float:

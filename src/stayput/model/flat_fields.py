@@ -11,7 +11,7 @@ from stayput.errors import InputError, within
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
 from stayput.model.inertia import moments_of_furniture
-from stayput.model.parameters import GRAVITY, Parameter, parameters
+from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY, Parameter, parameters
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.soft_base import landing_factor, narrower_base, rigid_half_base
 from stayput.model.state import State, refuse_bad_start
@@ -211,3 +211,8 @@ def room_row(room: Room) -> np.void:
 def case_columns(body: Body, room: Room, start: State, gravity: float) -> NDArray[np.void]:
     """Return one row of `CASE`, shape [1]; the factor on the motion is 1."""
     return case_rows(flat_fields(body, room, start, gravity), 1)
+
+
+def row_alone(body: Body) -> np.void:
+    """Return the row of `CASE` of a body at rest on a floor that does not give way, far from walls."""
+    return case_columns(body, Room(), State(), STANDARD_GRAVITY)[0]

@@ -124,14 +124,7 @@ def simulate(
     **options: Unpack[_Options],
 ) -> SpaceRun: ...
 @overload
-def simulate(
-    body: Piece | Assembly,
-    room: Room,
-    motion: Motion,
-    *,
-    dimensions: Literal[3] = ...,
-    **options: Unpack[_Options],
-) -> SpaceRun: ...
+def simulate(body: Piece | Assembly, room: Room, motion: Motion, **options: Unpack[_Options]) -> SpaceRun: ...
 @overload
 def simulate(
     body: Body,
