@@ -35,11 +35,11 @@ def unpacked(text: str) -> Any:
 
 
 def part(run: SpaceRun, *, bodies: slice = slice(None), samples: slice = slice(None)) -> SpaceRun:
-    standing = run.standing[bodies]
+    pieces = run.pieces[bodies]
     return dataclasses.replace(
         run,
-        standing=standing,
-        gaps=(apart(len(standing)), apart(len(standing))),
+        pieces=pieces,
+        gaps=(apart(len(pieces)), apart(len(pieces))),
         time=run.time[samples],
         place=run.place[bodies, samples],
         attitude=run.attitude[bodies, samples],
@@ -84,9 +84,9 @@ def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
     assert {name: len(unpacked(text)) for name, text in accelerations.items()} == dict.fromkeys("xyz", 201)
     assert data["floor"]["dt_s"] == DT
     assert [plane[:3] for plane in data["planes"]] == [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]
-    assert data["planes"][0][3] == pytest.approx(run.standing[0].along((1.0, 0.0, 0.0))[0] - 0.1)
+    assert data["planes"][0][3] == pytest.approx(run.pieces[0].along((1.0, 0.0, 0.0))[0] - 0.1)
     foot = np.array(body["footprint_m"])
-    assert np.ptp(foot @ run.standing[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
+    assert np.ptp(foot @ run.pieces[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
     vertices = np.array(body["shape"]["vertices_m"])
     lowest = place[-1][2] + ((vertices - body["centre_of_gravity_m"]) @ matrices(attitude[-1])[2]).min()
     assert lowest == pytest.approx(0.0, abs=1e-5)
@@ -132,7 +132,7 @@ def test_lines_that_go_behind_the_camera_are_cut_and_the_others_are_whole() -> N
 
 
 def test_a_box_has_sharp_edges_and_a_round_body_a_smooth_side() -> None:
-    box, drum = shape_of(BOX), shape_of(DRUM)
+    box, drum = shape_of(BOX.solid), shape_of(DRUM.solid)
     assert (len(box.edges), box.curved.any()) == (12, False)
     assert (len(drum.edges), int(drum.curved.sum())) == (64, 32)
     panel, arrow = box.marks
@@ -155,7 +155,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
     for order in ([0, 1, 2], [2, 1, 0], [1, 0, 2]):
         mixed = dataclasses.replace(
             run,
-            standing=tuple(run.standing[b] for b in order),
+            pieces=tuple(run.pieces[b] for b in order),
             place=run.place[order],
             attitude=run.attitude[order],
         )
@@ -183,7 +183,7 @@ def test_what_became_of_the_bodies() -> None:
     run, other = falling(), spinning()
     both = dataclasses.replace(
         run,
-        standing=(*run.standing, *other.standing),
+        pieces=(*run.pieces, *other.pieces),
         place=np.concatenate([run.place, other.place]),
         attitude=np.concatenate([run.attitude, other.attitude]),
         gaps=(apart(4), apart(4)),
@@ -195,7 +195,7 @@ def test_what_became_of_the_bodies() -> None:
     )
     still = part(other, bodies=slice(1))
     assert became(still, ["box"])[0] == "The box stayed put: it neither slid nor rocked."
-    landed = sp.simulate(sp.Standing(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
+    landed = sp.simulate(sp.Piece(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
     assert became(landed, ["box"])[0].startswith("The box did not overturn; it tilted by less than 0.1°")
 
 
@@ -230,7 +230,7 @@ def test_bodies_of_one_colour_have_other_dashes_and_long_titles_are_wrapped() ->
         for name in ("place", "attitude", "velocity", "rotation_rate", "peak_tilt")
     }
     apart_by = (apart(count), apart(count))
-    run = dataclasses.replace(one, standing=count * one.standing, gaps=apart_by, **repeated)
+    run = dataclasses.replace(one, pieces=count * one.pieces, gaps=apart_by, **repeated)
     names = [f"a piece with a long name, number {b}" for b in range(count)]
     figure = plot_space_run(run, names=names, title=say(became(run, names)))
     first, *_, last = figure.legends[0].get_lines()[:count]
@@ -257,9 +257,9 @@ def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
     np.testing.assert_allclose(brackets[:, 0], brackets[:, 1], atol=1e-9)
     np.testing.assert_allclose(poles[:, :, 2], [[1.8, 2.4]] * 2)
     np.testing.assert_allclose(sorted(poles[:, 0, 1]), [-0.225, 0.225])
-    lower, upper = sp.Solid.box(0.4, 0.8, 0.9, 40.0), sp.Solid.box(0.3, 0.8, 0.9, 20.0)
+    lower, upper = sp.Body.box(0.4, 0.8, 0.9, 40.0), sp.Body.box(0.3, 0.8, 0.9, 20.0)
     joint = sp.Joint(1, 0, (-0.1, 0.3, 0.9), strength=1.0)
-    stack = sp.Assembly([sp.Standing(lower), sp.Standing(upper, (0.0, 0.0, 0.9))], joints=[joint])
+    stack = sp.Assembly([sp.Piece(lower), sp.Piece(upper, (0.0, 0.0, 0.9))], joints=[joint])
     run = sp.simulate(stack, sp.Room(), sp.near_fault())
     (tie,) = space_scene(run, ("lower", "upper")).ties
     assert (tie.body, tie.other) == (1, 0)

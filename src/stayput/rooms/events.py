@@ -337,7 +337,7 @@ class RunInRoom(NamedTuple):
 def happens_in(run: SpaceRun, scenario: Scenario) -> RunInRoom:
     """Return what happens in a run of a room."""
     plan = scenario.floor_plan()
-    tracks = tracks_of(run.standing, run, run.motion.dt)
+    tracks = tracks_of(run.pieces, run, run.motion.dt)
     events = events_of(EndOfRuns(plan), [[track] for track in tracks])
     return RunInRoom(
         tuple(

@@ -1,4 +1,4 @@
-"""Bodies in space under one motion: assemblies of solids, and a piece of furniture with measures."""
+"""Bodies in space under one motion: assemblies of pieces, and a piece of furniture with measures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
 from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_records import NORMALS, frames_of, matrices, planes_of, surface_of, world_of
 from stayput.simulation.space_run import Hit, SpaceRun
-from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -41,9 +40,9 @@ ON_FLOOR_WITHIN = 1e-6
 
 
 def warn_of_settlement(assembly: Assembly, room: Room) -> None:
-    """Warn where solids stand on a floor that settles: only pieces of furniture have the base for that."""
-    solids = (one for one in assembly.members if isinstance(one, Standing))
-    if room.floor.settlement and any(one.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for one in solids):
+    """Warn where bodies of another shape stand on a floor that settles: only boxes have the base for that."""
+    shaped = (piece for piece in assembly.members if piece.body.shape is not None)
+    if room.floor.settlement and any(one.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for one in shaped):
         warn(InputWarning("simulation.settles", value=room.floor.settlement))
 
 
@@ -55,10 +54,10 @@ def checked_step(step: float | None) -> float:
 def simulate_assembly(
     assembly: Assembly, room: Room, motion: Motion, gravity: float, step: float | None = None
 ) -> SpaceRun:
-    """Simulate solids in space; see `stayput.simulate`.
+    """Simulate pieces in space; see `stayput.simulate`.
 
     The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of
-    furniture: for solids on the floor it is left out, and warned of.
+    boxes: for bodies of another shape on the floor it is left out, and warned of.
     """
     warn_of_settlement(assembly, room)
     traced = trace_assembly(
@@ -116,7 +115,7 @@ def trace_assembly(
     """
     planes = planes_around(assembly.members, room)
     bodies = placed(assembly.members, room, strength, drawn_floor)
-    joints = joint_springs([one.standing for one in bodies], assembly.joints)
+    joints = joint_springs([one.piece for one in bodies], assembly.joints)
     return _traced(bodies, planes, joints, assembly.friction, shaking, gravity, step)
 
 
@@ -150,14 +149,12 @@ def trace_case(
     InputError
         A case without a length, or one that begins in a wall or the ceiling.
     """
-    piece = held_body(case, elements, held=held)
+    body = held_body(case, elements, held=held)
     room = case.copy()  # a piece as high as the room that leans as drawn reaches no farther
-    room["ceiling_distance"] = max(
-        float(case["ceiling_distance"]), -piece.standing.along(NORMALS["ceiling"])[0]
-    )
-    planes, none = planes_of([piece.standing], room), joint_springs([piece.standing], ())
+    room["ceiling_distance"] = max(float(case["ceiling_distance"]), -body.piece.along(NORMALS["ceiling"])[0])
+    planes, none = planes_of([body.piece], room), joint_springs([body.piece], ())
     shaken = SpaceShaking(float(case["scale"]) * shaking.acceleration, shaking.dt)
-    return _traced((piece,), planes, none, (0.0, 0.0), shaken, float(case["gravity"]), step, lies)
+    return _traced((body,), planes, none, (0.0, 0.0), shaken, float(case["gravity"]), step, lies)
 
 
 def _traced(
@@ -171,7 +168,7 @@ def _traced(
     lies: float = math.inf,
 ) -> AssemblyTrace:
     """Run bodies in a room, with the springs of their joints; the rest as of `run_world` and `world_of`."""
-    world = world_of([one.standing.solid for one in bodies], [one.floor for one in bodies], planes, between)
+    world = world_of([one.piece.solid for one in bodies], [one.floor for one in bodies], planes, between)
     poses, springs = np.stack([one.pose for one in bodies]), [*(one.springs for one in bodies), joints]
     acceleration, dt = shaking.acceleration, shaking.dt
     trace = run_world(world, poses, np.concatenate(springs), acceleration, dt, step, gravity, lies)
@@ -188,10 +185,10 @@ def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.v
     time : ndarray, shape (samples,)
         Time [s].
     """
-    trace, standing = traced.trace, [one.standing for one in traced.bodies]
-    turns = matrices(frames_of(standing, trace.attitude))
-    results = np.zeros(len(standing), RESULT)
-    fates = fates_of(standing, trace.place, turns, trace.gaps, trace.given_up)
+    trace, pieces = traced.trace, [one.piece for one in traced.bodies]
+    turns = matrices(frames_of(pieces, trace.attitude))
+    results = np.zeros(len(pieces), RESULT)
+    fates = fates_of(pieces, trace.place, turns, trace.gaps, trace.given_up)
     for body, (result, fate) in enumerate(zip(results, fates, strict=True)):
         falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
         end = min(falls, default=len(time) - 1)
@@ -199,7 +196,7 @@ def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.v
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
         result["end"] = time[end]
-        seen = falls or standing[body].round_side is not None  # the engine's tilt counts what it has rolled
+        seen = falls or pieces[body].round_side is not None  # the engine's tilt counts what it has rolled
         result["peak_tilt"] = fate.tilt[: end + 1].max() if seen else trace.peak_tilt[body]
         result["peak_slide"] = fate.way[: end + 1].max()
         result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
@@ -266,7 +263,7 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
         devices += device_results(one, *found, mass=1.0, member=number)
     between = slice(len(trace.springs) - len(joints), None)
     devices += joint_results(joints, trace.springs[between], trace.devices[between], trace.forces[:, between])
-    standing, held = tuple(one.standing for one in bodies), tuple(one.held for one in bodies)
+    pieces, held = tuple(one.piece for one in bodies), tuple(one.held for one in bodies)
     surfaces = [surface_of(plane) for plane in planes]
     hits = tuple(
         Hit(
@@ -280,13 +277,13 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
         for hit in trace.hits
     )
     run = SpaceRun(
-        standing,
+        pieces,
         room,
         motion,
         planes,
         motion.dt * np.arange(len(motion.x), dtype=np.float64),
         trace.place,
-        frames_of(standing, trace.attitude),
+        frames_of(pieces, trace.attitude),
         trace.velocity,
         trace.rotation_rate,
         trace.pressing,
@@ -302,6 +299,6 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
         held,
         trace.given_up,
     )
-    if lying := [b for b, one in enumerate(standing) if one.round_side is not None]:
+    if lying := [b for b, one in enumerate(pieces) if one.round_side is not None]:
         run.peak_tilt[lying] = run.tilt[lying].max(axis=1)  # the engine's counts what they have rolled
     return run

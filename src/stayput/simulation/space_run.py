@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from stayput.simulation.outcome import Outcome
     from stayput.simulation.space_engine import Gaps
     from stayput.simulation.space_fate import Fate
-    from stayput.simulation.standing import Standing
+    from stayput.simulation.standing import Piece
 
 SpaceDrawing = Literal["tilt", "yaw", "plan", "acceleration"]
 """What `SpaceRun.plot` draws."""
@@ -71,8 +71,8 @@ class Hit:
     --------
     >>> import stayput as sp
     >>> shaking = sp.sine(amplitude=0.0, frequency=1.0, duration=1.0)
-    >>> box = sp.Solid.box(width=0.3, length=0.3, height=0.3, mass=10.0)
-    >>> run = sp.simulate(sp.Assembly([sp.Standing(box, at=(0.0, 0.0, 0.02))]), sp.Room(), shaking)
+    >>> box = sp.Body.box(width=0.3, length=0.3, height=0.3, mass=10.0)
+    >>> run = sp.simulate(sp.Piece(box, at=(0.0, 0.0, 0.02)), sp.Room(), shaking)
     >>> first = run.hits[0]
     >>> print(first.surface, round(first.speed, 2))
     floor 0.63
@@ -92,7 +92,7 @@ class SpaceRun(InNetcdf):
 
     Parameters
     ----------
-    standing : tuple of Standing
+    pieces : tuple of Piece
         The bodies, as they stood at first.
     room : Room
         Where they stood.
@@ -139,13 +139,13 @@ class SpaceRun(InNetcdf):
     Examples
     --------
     >>> import stayput as sp
-    >>> box = sp.Solid.box(width=0.3, length=0.5, height=1.5, mass=30.0)
+    >>> box = sp.Body.box(width=0.3, length=0.5, height=1.5, mass=30.0)
     >>> run = sp.simulate(box, sp.Room(), sp.near_fault().scaled(0.2))
     >>> run.outcomes, run.place.shape[1:]
     ((<Outcome.RESTED: 'rested'>,), (3001, 3))
     """
 
-    standing: tuple[Standing, ...]
+    pieces: tuple[Piece, ...]
     room: Room
     motion: Motion
     planes: NDArray[np.void]
@@ -173,7 +173,7 @@ class SpaceRun(InNetcdf):
             f"{outcome.value} (slide {slide:.3g} m, tilt {tilt:.3g} rad)"
             for outcome, slide, tilt in zip(self.outcomes[:4], self.peak_slide, self.peak_tilt, strict=False)
         )
-        more = f", and {len(self.standing) - 4} more" if len(self.standing) > 4 else ""
+        more = f", and {len(self.pieces) - 4} more" if len(self.pieces) > 4 else ""
         return f"SpaceRun({became}{more}; {len(self.time)} samples)"
 
     def _repr_html_(self) -> str:
@@ -188,7 +188,7 @@ class SpaceRun(InNetcdf):
 
     @property
     def _unrolled(self) -> list[NDArray[np.float64]]:
-        return [unrolled(one, turn) for one, turn in zip(self.standing, self.turn, strict=True)]
+        return [unrolled(one, turn) for one, turn in zip(self.pieces, self.turn, strict=True)]
 
     @property
     def tilt(self) -> NDArray[np.float64]:
@@ -196,7 +196,7 @@ class SpaceRun(InNetcdf):
 
         Of a body that lies on its round side, without what it has rolled.
         """
-        each = zip(self.standing, self._unrolled, strict=True)
+        each = zip(self.pieces, self._unrolled, strict=True)
         return np.stack([tilts(one.rest, turn) for one, turn in each])
 
     @property
@@ -205,13 +205,13 @@ class SpaceRun(InNetcdf):
 
         Of a body that is tilted by more than 60°, as those that lie and roll, the last before.
         """
-        each = zip(self.standing, self._unrolled, strict=True)
+        each = zip(self.pieces, self._unrolled, strict=True)
         return np.stack([upright_yaws(one.rest, turn) for one, turn in each])
 
     @property
     def slide(self) -> NDArray[np.float64]:
         """How far the bases have slid or rolled in plan, shape (bodies, samples, 2) [m]."""
-        each = zip(self.standing, self.place, self._unrolled, strict=True)
+        each = zip(self.pieces, self.place, self._unrolled, strict=True)
         return np.stack([slides(one, place, turn) for one, place, turn in each])
 
     @property
@@ -247,7 +247,7 @@ class SpaceRun(InNetcdf):
 
     @property
     def _fates(self) -> list[Fate]:
-        return fates_of(self.standing, self.place, self.turn, self.gaps, self.given_up)
+        return fates_of(self.pieces, self.place, self.turn, self.gaps, self.given_up)
 
     @property
     def outcomes(self) -> tuple[Outcome, ...]:

@@ -133,7 +133,7 @@ class SpacePainter:
     def _state(self, time: float) -> str:
         """Return how the first body stands at a time [s], where it is the only one; else nothing."""
         run = self._film.scene.run
-        if len(run.standing) > 1:
+        if len(run.pieces) > 1:
             return ""
         tilt, slide = at_time(time, run, np.degrees(run.tilt[0])), at_time(time, run, 100.0 * slid(run)[0])
         return say("space.state", self._film.language, tilt=tilt, slide=slide)

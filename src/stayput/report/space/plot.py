@@ -196,7 +196,7 @@ def _draw_plan(axis: Axes, run: SpaceRun, names: Sequence[str], language: str) -
     style(axis, zero=False)
     turns = matrices(run.attitude)
     for b, name in enumerate(names):
-        solid, colour = run.standing[b].solid, body_colour(b)
+        solid, colour = run.pieces[b].solid, body_colour(b)
         arms = solid.vertices - solid.centre_of_gravity
         for sample, dashes in ((0, "--"), (-1, "-")):
             seen = run.place[b, sample, :2] + arms @ turns[b, sample, :2].T

@@ -143,7 +143,7 @@ class SpaceScene:
         self, body: int, turn: NDArray[np.float64], place: NDArray[np.float64]
     ) -> NDArray[np.float64]:
         """Return the corners of a body in a pose, shape (vertices, 3) [m]."""
-        solid = self.run.standing[body].solid
+        solid = self.run.pieces[body].solid
         return place + (solid.vertices - solid.centre_of_gravity) @ turn.T
 
     def pose(self, time: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -202,7 +202,7 @@ class SpaceScene:
                     "attitude": packed(self.attitude[b]),
                     **{key: packed(self._at_poses(values[b])) for key, values in histories.items()},
                 }
-                for b, one in enumerate(run.standing)
+                for b, one in enumerate(run.pieces)
             ],
             "still": [one.data() for one in self.still],
             "ties": [
@@ -225,7 +225,7 @@ class SpaceScene:
         def seen(body: int | None, point: NDArray[np.float64]) -> NDArray[np.float64]:
             if body is None:
                 return point
-            solid = self.run.standing[body].solid
+            solid = self.run.pieces[body].solid
             return places[body] + turns[body] @ (point - solid.centre_of_gravity)
 
         return np.stack([seen(tie.body, tie.point), seen(tie.other, tie.anchor)])
@@ -280,7 +280,7 @@ def space_scene(run: SpaceRun, names: tuple[str, ...], beside: Sequence[SpaceRun
     largest = float(np.linalg.norm(ground, axis=1).max())
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
-    shapes = tuple(shape_of(one.solid) for one in run.standing)
+    shapes = tuple(shape_of(one.solid) for one in run.pieces)
     return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
 
 
@@ -288,7 +288,7 @@ def _ties(run: SpaceRun) -> tuple[DrawnTie, ...]:
     """Return the devices and joints of a run."""
 
     def in_frame(body: int, spring: np.void, names: tuple[str, str, str]) -> NDArray[np.float64]:
-        solid = run.standing[body].solid
+        solid = run.pieces[body].solid
         return solid.centre_of_gravity + solid.principal[1] @ [float(spring[name]) for name in names]
 
     found: list[DrawnTie] = []
@@ -334,7 +334,7 @@ def _outermost(run: SpaceRun) -> tuple[NDArray[np.float64], float]:
     """Return the outermost points of the bodies over time, near the start, and their size at first [m]."""
     some = np.linspace(0, len(run.time) - 1, min(len(run.time), _POSES_VIEWED)).astype(np.intp)
     found: list[NDArray[np.float64]] = []
-    for b, one in enumerate(run.standing):
+    for b, one in enumerate(run.pieces):
         arms = one.solid.vertices - one.solid.centre_of_gravity
         turns = np.swapaxes(matrices(run.attitude[b, some]), 1, 2)
         found.append(run.place[b, some, np.newaxis] + arms @ turns)

@@ -59,7 +59,7 @@ def space_rows(
             "overturned": _seconds(times[b]),
             "fell_off": _seconds(falls[b]),
             "tilt": f"{math.degrees(tilts[b]):.2f}°",
-            "way" if len(run.standing[b].solid.rims) else "slide": f"{100.0 * slides[b]:.2f} cm",
+            "way" if len(run.pieces[b].solid.rims) else "slide": f"{100.0 * slides[b]:.2f} cm",
             "yaw": f"{math.degrees(np.abs(yaws[b]).max()):.1f}°",
             "floor": str(run.hit_numbers[b, 0]),
             "walls" if run.room.ceiling is None else "walls_and_ceiling": str(run.hit_numbers[b, 1]),
@@ -147,7 +147,7 @@ def names_of(run: SpaceRun, names: Sequence[str] | None, language: str) -> tuple
     InputError
         Names that are no texts, or not one for each body.
     """
-    count = len(run.standing)
+    count = len(run.pieces)
     if names is None:
         if count == 1:
             return (say("runs.body", language),)
