@@ -78,11 +78,8 @@ class Scenario(FromFile):
     def _possible_in_space(self) -> Self:
         if self.dimensions == 2:
             self.room.room().refuse_side_walls()
-        else:
-            if self.contents_table is not None:
-                raise InputError("scenario.contents_in_space", "contents")
-            if self.furniture.body().length is None:
-                raise InputError("scenario.no_length", "furniture.length", other="dimensions")
+        elif self.furniture.body().length is None:
+            raise InputError("scenario.no_length", "furniture.length", other="dimensions")
         return self
 
     @model_validator(mode="after")
