@@ -5,8 +5,9 @@ A point of the body at u to its front and v above its centre of gravity G, in th
     P = G + u f + v n,  f = cos θ e − sin θ m,  n = sin θ e + cos θ m
 
 in the frame of the floor. f and n are the body's own x and z; θ is its pitch, by which it is turned about its
-own y. e is the horizontal direction that it faces, and m is perpendicular to e and to its own y; in the plane
-they are right and up. Things on a shelf feel, along it to the front and perpendicular to it,
+own y. e is the direction that it faces, horizontal and perpendicular to its own y, and m is perpendicular to
+both; in the plane they are right and up. Things on a shelf feel, along it to the front and perpendicular to
+it,
 
     a = (ẍ_G + P̈ + g z) · f',  n = (ẍ_G + P̈ + g z) · n'
 
