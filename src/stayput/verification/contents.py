@@ -35,7 +35,7 @@ OPEN = 0.5
 
 
 MOTIONS = 40
-"""Most motions under which contents are followed, the first ones: a run takes some 10 ms.
+"""Most motions under which contents are followed, the first ones: a run takes some 10 ms, in space 50.
 
 It is the size of the usual suite, whose kinds of earthquakes follow each other in turn.
 """
