@@ -21,7 +21,7 @@ from stayput.report.animation import animate_run
 from stayput.report.history import history
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.words import names_in
-from stayput.scenario import AssemblyScenario
+from stayput.scenario import Scenario
 from stayput.scenario.shaking import RECORD_FILES
 from stayput.simulation.run import Run
 
@@ -56,12 +56,12 @@ def attachment(content: str | bytes, name: str) -> Response:
     return Response(content, headers=headers)
 
 
-def scene_toml(scenario: Scenario | AssemblyScenario, motions: Motions) -> str:
+def scene_toml(scenario: Scenario, motions: Motions) -> str:
     """Return a scene as a scenario file; an uploaded record goes by its own file's name.
 
     Parameters
     ----------
-    scenario : Scenario or AssemblyScenario
+    scenario : Scenario
         The scene.
     motions : Motions
         The uploaded motions, whose names replace their ids.
@@ -75,7 +75,7 @@ def scene_toml(scenario: Scenario | AssemblyScenario, motions: Motions) -> str:
     return note + scenario.model_copy(update={"shaking": changed}).to_toml()
 
 
-def run_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
+def run_csv(scenario: Scenario, *, held: bool) -> str:
     """Return the histories of a run as a table, one line for each sample of the record.
 
     In space there is one line for each body and sample, with the floor's acceleration.
@@ -85,7 +85,7 @@ def run_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
 
     Parameters
     ----------
-    scenario : Scenario or AssemblyScenario
+    scenario : Scenario
         The scene.
     held : bool
         Whether the user's measures are in place.
@@ -145,7 +145,7 @@ def film_kinds() -> tuple[str, ...]:
 
 
 def film(
-    scenario: Scenario | AssemblyScenario,
+    scenario: Scenario,
     kind: str,
     language: Language,
     limits: Limits,
@@ -160,7 +160,7 @@ def film(
 
     Parameters
     ----------
-    scenario : Scenario or AssemblyScenario
+    scenario : Scenario
         The scene.
     kind : str
         "html", "gif" or "mp4".
@@ -198,11 +198,9 @@ def film(
         return path.read_bytes()
 
 
-def _shown(
-    scenario: Scenario | AssemblyScenario, *, held: bool
-) -> tuple[Run | SpaceRun, Callable[[Language], tuple[str, ...]]]:
+def _shown(scenario: Scenario, *, held: bool) -> tuple[Run | SpaceRun, Callable[[Language], tuple[str, ...]]]:
     """Return the run of a scene, and what its bodies are called in a language."""
-    if isinstance(scenario, AssemblyScenario):
+    if not scenario.alone:
         return pieces_run(scenario), lambda language: names_in(scenario, language)
     run = run_of(scenario, scenario.motion(), own_measures(scenario) if held else ())
     return run, lambda language: (name_in(scenario, language),)

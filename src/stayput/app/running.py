@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -23,8 +23,7 @@ from stayput.report.space.summary import became, piece_became, space_summary
 from stayput.report.summary import device_results, number, piece_name, piece_sentences, place_called
 from stayput.rooms.events import happens_in
 from stayput.rooms.words import names_in
-from stayput.scenario import AssemblyScenario
-from stayput.scenario.room import RoomScenario
+from stayput.scenario import Scenario
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.run import Run
@@ -77,7 +76,7 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
     """
     try:
         return simulate(
-            scenario.furniture.body(),
+            scenario.piece.body(),
             scenario.room.room(),
             motion,
             measures,
@@ -90,7 +89,7 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
         raise RefusedError(422, error.about("measures" if measures else "scene")) from None
 
 
-def pieces_run(scenario: AssemblyScenario) -> SpaceRun:
+def pieces_run(scenario: Scenario) -> SpaceRun:
     """Run several pieces.
 
     Raises
@@ -99,13 +98,13 @@ def pieces_run(scenario: AssemblyScenario) -> SpaceRun:
         Pieces that are not possible.
     """
     try:
-        return scenario.run()
+        return cast("SpaceRun", scenario.run())
     except InputError as error:
         raise RefusedError(422, error.about("scene")) from None
 
 
 def simulated(
-    scenario: Scenario | AssemblyScenario,
+    scenario: Scenario,
 ) -> run_replies.SimulateReply | run_replies.SpaceSimulateReply:
     """Run a scene: one piece without and with the user's measures, or several pieces.
 
@@ -115,9 +114,9 @@ def simulated(
         As `run_of` and `pieces_run`.
     """
     ground, motion = ground_and_floor(scenario)
-    if isinstance(scenario, AssemblyScenario):
+    if not scenario.alone:
         return _pieces_reply(scenario, ground)
-    measures, piece = own_measures(scenario), scenario.furniture
+    measures, piece = own_measures(scenario), scenario.piece
     runs = [run_of(scenario, motion, in_place) for in_place in ([(), measures] if measures else [()])]
     if plane := [run for run in runs if isinstance(run, Run)]:
         return _plane_reply(scenario, plane, ground)
@@ -147,7 +146,7 @@ def _run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> run_replie
     """Return a run as arrays for a picture: its data in a scene, and what happened."""
     return run_replies.RunReply(
         **data,
-        sentence=Words.of(piece_sentences(run, scenario.furniture.preset, scenario.furniture.name)),
+        sentence=Words.of(piece_sentences(run, scenario.piece.preset, scenario.piece.name)),
         events=[
             run_replies.EventReply(
                 time_s=round(event.time, TIME_DIGITS), kind=event.kind.value, mode=event.mode.value
@@ -159,7 +158,7 @@ def _run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> run_replie
     )
 
 
-def ground_and_floor(scenario: Scenario | AssemblyScenario) -> tuple[Motion, Motion]:
+def ground_and_floor(scenario: Scenario) -> tuple[Motion, Motion]:
     """Return the motions of the ground and under the piece, along the axes of the piece."""
     shaking = scenario.shaking
     if shaking.building is None:
@@ -218,16 +217,16 @@ def _shift(motion: Motion, times: NDArray[np.float64], scale: float) -> list[flo
 
 def name_in(scenario: Scenario, language: str) -> str:
     """Return what the piece of a scene is called in pictures."""
-    piece = scenario.furniture
+    piece = scenario.piece
     english, japanese = piece_name(piece.preset, piece.name)
     return japanese if language == "ja" else english
 
 
-def _pieces_reply(scenario: AssemblyScenario, ground: Motion) -> run_replies.SpaceSimulateReply:
+def _pieces_reply(scenario: Scenario, ground: Motion) -> run_replies.SpaceSimulateReply:
     run = pieces_run(scenario)
     told = became(run, names_in(scenario, "en"))[0], became(run, names_in(scenario, "ja"))[1]
     reply = _space_reply(scenario, [space_scene(run, scenario.names)], [told], ground)
-    if isinstance(scenario, RoomScenario):
+    if scenario.plan is not None:
         hits, blocked, shut_in = happens_in(run, scenario)
         each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
         reply.in_room = run_replies.RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
@@ -235,7 +234,7 @@ def _pieces_reply(scenario: AssemblyScenario, ground: Motion) -> run_replies.Spa
 
 
 def _space_reply(
-    scenario: Scenario | AssemblyScenario,
+    scenario: Scenario,
     scenes: Sequence[SpaceScene],
     sentences: Sequence[Phrase],
     ground: Motion,
@@ -298,7 +297,7 @@ def _first(time: NDArray[np.float64], moves: NDArray[np.bool_]) -> float:
     return float(time[moves.argmax()]) if moves.any() else math.nan
 
 
-def shaking_reply(scenario: Scenario | AssemblyScenario) -> ShakingReply:
+def shaking_reply(scenario: Scenario) -> ShakingReply:
     """Return how strongly the ground shakes in a scene.
 
     Raises

@@ -54,22 +54,19 @@ def simulate(
 ) -> None:
     """Run ``stayput simulate``."""
     from stayput.report.summary import piece_name, rows, sentences, summary
-    from stayput.scenario import Scenario
     from stayput.simulation.run import Run
 
     _check_targets(plot, animate)
     checked = opened(scenario, said, (plot, animate), of_one={"--measure": measure})
-    if isinstance(checked, Scenario):
-        with checked.naming_file(), compiling():
-            run = checked.case(chosen_measures(checked, measure or [])).run()
-        piece = checked.furniture
+    with compiling():
+        run = checked.run(chosen_measures(checked, measure or []))
+    if checked.alone:
+        piece = checked.piece
         name = (piece.title, piece_name(piece.preset, piece.name)[1])
         names = (name[LANGUAGES.index(lang)],)
     else:
         from stayput.rooms.words import names_in
 
-        with compiling():
-            run = checked.run()
         name, names = ("", ""), checked.names if json else names_in(checked, lang)
     from stayput.report.animation import animate_run
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Probability
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
-    from stayput.scenario import AssemblyScenario
+    from stayput.scenario import Scenario
 
 TOLD = 0.005
 """From this share on something is told in the verdict's sentence."""
@@ -85,7 +85,7 @@ def piece_within(name: str) -> Phrase:
     return phrase("rooms.a_numbered_piece" if found[1] else "rooms.the_piece", name=piece_name(name))
 
 
-def names_in(scenario: AssemblyScenario, language: str) -> tuple[str, ...]:
+def names_in(scenario: Scenario, language: str) -> tuple[str, ...]:
     """Return what the pieces of a scene are called in a language."""
     return tuple(say(piece_name(name), language) for name in scenario.names)
 

@@ -149,7 +149,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     in_space = scenario.dimensions == 3
     pairs = () if in_space else pairs_of(verdict, ground)
     modes = mode_looks(language)
-    scenes = {"modes": modes, "pairs": [pair.data(scenario.furniture) for pair in pairs]}
+    scenes = {"modes": modes, "pairs": [pair.data(scenario.piece) for pair in pairs]}
     return {
         **_of_a_ranking(verdict, "report", word("report", language), assumptions(verdict), language),
         "headline": verdict.sentence(language),
@@ -214,7 +214,7 @@ def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str
 
 
 def _pair(verdict: Verdict, pair: RunPair, language: str) -> dict[str, Any]:
-    piece, scene = verdict.scenario.furniture, pair.scene
+    piece, scene = verdict.scenario.piece, pair.scene
     labels = [title(option, verdict, language) for option in pair.options]
     said = [say(piece_sentences(run, piece.preset, piece.name), language) for run in scene.runs]
     sides = [{"label": label, "outcome": one} for label, one in zip(labels, said, strict=True)]

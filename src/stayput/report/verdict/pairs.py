@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from stayput.measures import Held
     from stayput.montecarlo.counting import Member
     from stayput.motion import Motion
-    from stayput.scenario.tables import FurnitureTable
+    from stayput.scenario.pieces import PieceTable
     from stayput.simulation.run import Run
     from stayput.verification import AssemblyVerdict
     from stayput.verification.options import Option
@@ -94,12 +94,12 @@ class RunPair:
         largest = np.abs(bare.tilt) if np.abs(bare.tilt).max() > MOVED else np.abs(bare.slide)
         return min(max(float(bare.time[int(largest.argmax())]), self.scene.start), self.scene.end)
 
-    def data(self, look: FurnitureTable) -> dict[str, Any]:
+    def data(self, look: PieceTable) -> dict[str, Any]:
         """Return the scene for the report's script, as plain values.
 
         Parameters
         ----------
-        look : FurnitureTable
+        look : PieceTable
             The piece, whose kind and shelves are drawn on it.
 
         Returns
@@ -177,7 +177,7 @@ def drawn_piece(verdict: Verdict, option: Option, member: Member) -> tuple[Held,
     scenario = verdict.scenario
     motions, samples, stated = member.motion + 1, member.sample + 1, scenario.uncertainty
     table = draws(motions, samples, verdict.seed, as_stated=stated.as_stated, quantities=stated.quantities)
-    body, room, draw = scenario.furniture.body(), scenario.room.room(), table[member.motion][member.sample]
+    body, room, draw = scenario.piece.body(), scenario.room.room(), table[member.motion][member.sample]
     return drawn_held(body, room, option.measures, draw, scenario.dimensions)
 
 
@@ -248,7 +248,7 @@ def space_pairs(verdict: Verdict, ground: Suite, language: str) -> list[dict[str
     language : str
         "en" or "ja".
     """
-    piece, options = verdict.scenario.furniture, shown_options(verdict)
+    piece, options = verdict.scenario.piece, shown_options(verdict)
     names = [piece.name or say(PIECES.get(piece.preset or "", ANY_PIECE), language)]
     labels = [title(option, verdict, language) for option in options]
 
