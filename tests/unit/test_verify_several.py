@@ -137,12 +137,17 @@ def test_what_a_file_may_not_say(changed: dict[str, Any], said: str) -> None:
         Scenario.parse({**DRESSER, "joints": [], **changed})
 
 
-def test_draws_are_those_of_one_piece_and_more() -> None:
+def test_draws_of_a_piece_depend_on_its_name_alone() -> None:
     single = draws(2, 3, seed=1)
-    several = draws_of_several("abc", 2, 3, seed=1)
+    several, others = (draws_of_several(names, 2, 3, seed=1) for names in ("abc", "xbz"))
     for motion, row in enumerate(several):
         for sample, draw in enumerate(row):
-            assert draw.room == single[motion][sample]
+            assert draw.pieces[1] == others[motion][sample].pieces[1]
+            assert draw.pieces[0] != others[motion][sample].pieces[0]
+            shared = {
+                name: getattr(single[motion][sample], name) for name in ("friction", "lean", "wall_gap")
+            }
+            assert {name: getattr(draw.room, name) for name in shared} == shared
             assert len({piece.mass for piece in draw.pieces}) == 3
             assert len({piece.friction for piece in draw.pieces}) == 1
     stated = draws_of_several("abc", 2, 3, seed=1, as_stated=["mass", "friction"])

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, NamedTuple
 
+from stayput.saved import InJson
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
@@ -234,7 +236,7 @@ class TypicalRun(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class RoomVerdict:
+class RoomVerdict(InJson):
     """Result of `stayput.verify_room`.
 
     Parameters

@@ -130,10 +130,9 @@ def question_of(scenario: Scenario, threads: int | None) -> Question:
         settings.samples,
         settings.seed,
         as_stated=settings.as_stated,
-        any_direction=room.direction is None,
+        quantities=settings.quantities,
+        direction=room.direction,
     )
-    if room.direction is not None:
-        drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
     return Question(room, plan, whole, drawn, floors, threads)
 
 

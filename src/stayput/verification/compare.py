@@ -348,7 +348,13 @@ def verify_several(
     warn_of_settlement(assemblies[0], room)
     total = len(ground) * settings.samples * len(options)
     draw = partial(
-        draws_of_several, scenario.names, settings.motions, seed=settings.seed, as_stated=settings.as_stated
+        draws_of_several,
+        scenario.names,
+        settings.motions,
+        seed=settings.seed,
+        as_stated=settings.as_stated,
+        quantities=settings.quantities,
+        direction=scenario.direction or 0.0,
     )
     with tally(total, "progress.verifying", progress, on_progress) as count:
         floors = hazard.stated_by(scenario, threads)

@@ -139,7 +139,7 @@ class OptionVerdict(RankedOption):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False, kw_only=True)
-class Ranking(Generic[RankedT]):
+class Ranking(InJson, Generic[RankedT]):
     """What is known of any verification, whether of one piece or of several; see `Verdict`."""
 
     intensity: float
@@ -167,7 +167,7 @@ class Ranking(Generic[RankedT]):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class Verdict(Ranking[OptionVerdict], InJson):
+class Verdict(Ranking[OptionVerdict]):
     """The outcome of a verification.
 
     Parameters

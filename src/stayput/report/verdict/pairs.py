@@ -309,10 +309,16 @@ def _pairs(
 def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> SpaceRun:
     """Run a member of an option again, with its histories."""
     scenario = verdict.scenario
-    hazard, stated = Hazard.of(scenario), scenario.uncertainty.as_stated
+    hazard, stated = Hazard.of(scenario), scenario.uncertainty
     floors = hazard.stated_by(scenario)
     drawn = draws_of_several(
-        scenario.names, len(hazard.ground), verdict.samples, verdict.seed, as_stated=stated
+        scenario.names,
+        len(hazard.ground),
+        verdict.samples,
+        verdict.seed,
+        as_stated=stated.as_stated,
+        quantities=stated.quantities,
+        direction=scenario.direction or 0.0,
     )
     return run_again(
         scenario.assembly(result.option),
