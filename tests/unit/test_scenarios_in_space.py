@@ -158,12 +158,8 @@ def test_sweeps_over_side_walls() -> None:
 
 def test_what_is_refused() -> None:
     own = {"width": 0.4, "height": 1.8, "mass": 100.0}
-    for data, said in (
-        ({"furniture": own, "dimensions": 3}, "needs its length"),
-        ({**BOOKCASE, "contents": {"kind": "books"}}, "alone"),
-    ):
-        with pytest.raises(sp.InputError, match=said):
-            Scenario.parse(data)
+    with pytest.raises(sp.InputError, match="needs its length"):
+        Scenario.parse({"furniture": own, "dimensions": 3})
 
 
 def test_flags_beside_a_file_of_several_pieces() -> None:

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation.placing import Placed
     from stayput.simulation.space_engine import SpaceTrace
+    from stayput.simulation.space_fate import Fate
     from stayput.simulation.standing import Assembly, Joint
 
 ON_FLOOR_WITHIN = 1e-6
@@ -67,11 +68,18 @@ def simulate_assembly(
 
 
 class AssemblyTrace(NamedTuple):
-    """Bodies as the engine ran them: bodies, room, and what became of them and what holds them."""
+    """Bodies as the engine ran them: bodies, room, what became of them and what holds them, and g [m/s²]."""
 
     bodies: tuple[Placed, ...]
     planes: NDArray[np.void]
     trace: SpaceTrace
+    gravity: float
+
+    def turns_and_fates(self) -> tuple[NDArray[np.float64], list[Fate]]:
+        """Return the rotations of the bodies' frames, shape (bodies, samples, 3, 3), and their fates."""
+        pieces, trace = [body.piece for body in self.bodies], self.trace
+        turns = matrices(frames_of(pieces, trace.attitude))
+        return turns, fates_of(pieces, trace.place, turns, trace.gaps, trace.given_up)
 
     def held(self) -> Iterator[tuple[int, Held, slice]]:
         """Yield the numbers of the pieces of furniture, their measures, and where their devices are."""
@@ -172,7 +180,7 @@ def _traced(
     poses, springs = np.stack([one.pose for one in bodies]), [*(one.springs for one in bodies), joints]
     acceleration, dt = shaking.acceleration, shaking.dt
     trace = run_world(world, poses, np.concatenate(springs), acceleration, dt, step, gravity, lies)
-    return AssemblyTrace(bodies, planes, trace)
+    return AssemblyTrace(bodies, planes, trace, gravity)
 
 
 def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
@@ -185,11 +193,9 @@ def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.v
     time : ndarray, shape (samples,)
         Time [s].
     """
-    trace, pieces = traced.trace, [one.piece for one in traced.bodies]
-    turns = matrices(frames_of(pieces, trace.attitude))
+    trace, pieces = traced.trace, [body.piece for body in traced.bodies]
     results = np.zeros(len(pieces), RESULT)
-    fates = fates_of(pieces, trace.place, turns, trace.gaps, trace.given_up)
-    for body, (result, fate) in enumerate(zip(results, fates, strict=True)):
+    for body, (result, fate) in enumerate(zip(results, traced.turns_and_fates()[1], strict=True)):
         falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
         end = min(falls, default=len(time) - 1)
         # the mechanics know of no body that another bears
@@ -256,7 +262,7 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
     room, motion
         Where the bodies stood, and how the floor moved.
     """
-    bodies, planes, trace = traced
+    bodies, planes, trace, gravity = traced
     devices: list[DeviceResult] = []
     for number, one, own in traced.held():
         found = trace.springs[own], trace.devices[own], trace.forces[:, own]
@@ -298,6 +304,7 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
         trace.error,
         held,
         trace.given_up,
+        gravity=gravity,
     )
     if lying := [b for b, one in enumerate(pieces) if one.round_side is not None]:
         run.peak_tilt[lying] = run.tilt[lying].max(axis=1)  # the engine's counts what they have rolled

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, overload
 
 import numpy as np
 
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.saved import InNetcdf
 from stayput.simulation.space_fate import fates_of, slides, tilts, unrolled, upright_yaws
 from stayput.simulation.space_records import matrices
@@ -135,6 +136,8 @@ class SpaceRun(InNetcdf):
         Whether it took too much work: bodies stay where they were then, and what became of them is not known.
     plan : FloorPlan, optional
         The room's places, doors and windows, which pictures show; nothing of them moves or holds anything.
+    gravity : float
+        Acceleration of gravity g [m/s²].
 
     Examples
     --------
@@ -167,6 +170,7 @@ class SpaceRun(InNetcdf):
     held: tuple[Held | None, ...] = ()
     given_up: bool = False
     plan: FloorPlan | None = None
+    gravity: float = STANDARD_GRAVITY
 
     def __repr__(self) -> str:
         became = ", ".join(
@@ -221,7 +225,7 @@ class SpaceRun(InNetcdf):
         It has where it is tilted by 90°, touches the floor with more than its base, or, from when on it stays
         tilted by more than 45°, ends touching another body.
         """
-        return self._times([fate.overturned for fate in self._fates])
+        return self._times([fate.overturned for fate in self.fates])
 
     @property
     def overturned(self) -> NDArray[np.bool_]:
@@ -234,7 +238,7 @@ class SpaceRun(InNetcdf):
 
         It has where it left that for the floor, or ends lower than it stood and touches none of it.
         """
-        return self._times([fate.fell_off for fate in self._fates])
+        return self._times([fate.fell_off for fate in self.fates])
 
     @property
     def fell_off(self) -> NDArray[np.bool_]:
@@ -246,13 +250,14 @@ class SpaceRun(InNetcdf):
         return np.array([math.nan if sample is None else self.time[sample] for sample in samples])
 
     @property
-    def _fates(self) -> list[Fate]:
+    def fates(self) -> list[Fate]:
+        """What became of each body, when, and how far it tilted and slid."""
         return fates_of(self.pieces, self.place, self.turn, self.gaps, self.given_up)
 
     @property
     def outcomes(self) -> tuple[Outcome, ...]:
         """What became of each body."""
-        return tuple(fate.outcome for fate in self._fates)
+        return tuple(fate.outcome for fate in self.fates)
 
     @property
     def outcome(self) -> Outcome:
