@@ -1,7 +1,7 @@
 """Drawn scenes of one piece under one component along its depth, in the plane and in space.
 
-Half of the motions are sines, half the built-in near-fault motion; of nine pieces one is free and the others are
-held by the usual measures with their default parameters, each device in space by itself.
+Half of the motions are sines, half the built-in near-fault motion; of nine pieces one is free and the others
+are held by the usual measures with their default parameters, each device in space by itself.
 """
 
 from __future__ import annotations
