@@ -136,7 +136,7 @@ def spill(of: Run | SpaceRun | Case, contents: Contents, piece: int | None = Non
     ------
     InputError
         The paper's contact law; loads that are heavier than the piece; a run that was given up, whose samples
-        are too far apart, or whose body is a `Solid`.
+        are too far apart, or whose body has a shape of its own.
 
     Examples
     --------
