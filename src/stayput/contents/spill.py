@@ -178,7 +178,7 @@ def _in_run(run: SpaceRun, piece: int) -> tuple[Carrier, Body]:
 
     held = run.held[piece] if run.held else None
     if held is None:
-        raise InputError("contents.of_a_solid", "piece", piece=piece)
+        raise InputError("model.another_shape", "piece")
     if run.motion.dt > STEP * (1.0 + 1e-9):
         raise InputError("contents.samples_apart", "motion.dt", dt=run.motion.dt, most=STEP)
     body, shaken = held.body, SpaceShaking.of(run.motion)
