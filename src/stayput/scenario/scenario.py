@@ -100,9 +100,9 @@ class Scenario(SceneTables):
 
     @model_validator(mode="after")
     def _possible(self) -> Self:
-        stated = {field.alias or name: name in self.model_fields_set for name, field in _FIELDS.items()}
-        for key in OF_PIECES if self.alone else OF_A_LONE_PIECE:
-            if stated[key]:
+        for name, field in Scenario.model_fields.items():
+            key = field.alias or name
+            if key in (OF_PIECES if self.alone else OF_A_LONE_PIECE) and self.says(name):
                 raise InputError("scenario.of_pieces" if self.alone else "scenario.of_a_lone_piece", key)
         if self.alone:
             self._check_lone_piece()
@@ -313,9 +313,6 @@ class Scenario(SceneTables):
         with self.naming_pieces():
             run = simulate(whole, self.surroundings(), self.motion(), gravity=self.gravity)
         return replace(run, plan=plan)
-
-
-_FIELDS = Scenario.model_fields
 
 
 def _turned(motion: Motion, turn: float) -> Motion:
