@@ -229,7 +229,7 @@ def _fallen_in_space(
     for row, (level, *_) in enumerate(OBSERVED.values()):
         for place, motion in enumerate(suite):
             scaled = motion.scaled(float(10.0 ** (0.5 * level) * factors[place]))
-            fell[row, place] = [simulate(s, room, scaled, step=SPACE_STEP).overturned[0] for s in solids]
+            fell[row, place] = [simulate(s, room, scaled, step=SPACE_STEP).overturned for s in solids]
     return fell
 
 

@@ -49,6 +49,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The loads of the shelves are {loads:g} kg in all; they must be less than the mass of the furniture with them, {mass:g} kg.",
         "棚の荷重の合計が{loads:g} kgになっています。家具の質量（収納物を含む、{mass:g} kg）より小さくしてください。",
     ),
+    "in_space": (
+        "The run is one in space; what is in furniture is followed in the plane, with dimensions=2.",
+        "立体の計算結果です。収納物は平面内で計算します（dimensions=2）。",
+    ),
     "needs_coulomb": (
         "The contact is '{contact}'; following what is in furniture needs 'coulomb'.",
         "接触モデル（contact）が「{contact}」です。収納物の計算には「coulomb」を指定してください。",

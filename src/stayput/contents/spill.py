@@ -128,7 +128,8 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     Raises
     ------
     InputError
-        The paper's contact law; loads that are heavier than the piece; a run that was given up.
+        The paper's contact law; a run in space; loads that are heavier than the piece; a run that was given
+        up.
 
     Examples
     --------
@@ -143,8 +144,9 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     instance_of("contents", contents, Contents)
     if of.contact != "coulomb":
         raise InputError("contents.needs_coulomb", "contact", contact=of.contact)
-    held = of.held if isinstance(of, Run) else None
-    held = hold(of.body, of.room, of.measures) if held is None else held
+    if of.initial is None:
+        raise InputError("contents.in_space", "of")
+    held = (isinstance(of, Run) and of.held) or hold(of.body, of.room, of.measures)
     case = case_columns(held.body, held.room, of.initial, of.gravity)[0]
     shaken = shaking(of.motion.x, of.motion.z, of.motion.dt, col.COULOMB)
     carrier = Carrier.of(case, element_rows(held), shaken.floor, held.body.height)

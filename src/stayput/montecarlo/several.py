@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion import Motion
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
 
 OWN = ("mass", "gravity_height", "back_inset", "front_inset")
 """Quantities of `Draw` that each piece has of its own; the others are the room's."""
@@ -297,7 +297,7 @@ def trace_draw(
 
 def replay(
     assembly: Assembly, room: Room, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float
-) -> SpaceRun:
+) -> Run:
     """Run an assembly under one draw again, with its histories.
 
     Parameters

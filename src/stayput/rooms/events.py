@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.scenario.room import RoomScenario
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
 
 _images: Any = ndimage  # its results depend on its arguments, which its types do not tell
 
@@ -334,7 +334,7 @@ class RunInRoom(NamedTuple):
     shut_in: tuple[str, ...]
 
 
-def happens_in(run: SpaceRun, scenario: RoomScenario) -> RunInRoom:
+def happens_in(run: Run, scenario: RoomScenario) -> RunInRoom:
     """Return what happens in a run of a room."""
     plan = scenario.floor_plan()
     tracks = tracks_of(run.standing, run, run.motion.dt)

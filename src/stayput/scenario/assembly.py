@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 
     from stayput.model.room import Room
     from stayput.model.solid import Solid
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
     from stayput.simulation.standing import Joint
 
 
@@ -76,7 +76,7 @@ class AssemblyScenario(FromFile):
     --------
     >>> import stayput as sp
     >>> scenario = sp.read_assembly("examples/television.toml")
-    >>> print(scenario.title, *zip(scenario.names, map(str, scenario.run().outcomes)))
+    >>> print(scenario.title, *zip(scenario.names, [str(piece.outcome) for piece in scenario.run().pieces]))
     Television on a stand ('stand', 'rocked') ('television', 'rocked')
     """
 
@@ -265,11 +265,12 @@ class AssemblyScenario(FromFile):
         """Make the room; the gaps of its walls are from the outermost of all pieces."""
         return self.room.room()
 
-    def run(self) -> SpaceRun:
+    def run(self) -> Run:
         """Simulate the pieces as the file states them."""
         assembly, motion = self.assembly(), self.motion()
         with self.naming_pieces():
-            return simulate(assembly, self.surroundings(), motion, gravity=self.gravity)
+            run = simulate(assembly, self.surroundings(), motion, gravity=self.gravity)
+        return run.named(self.names)
 
     def sweep(
         self, axes: Mapping[str, Any], *, threads: int | None = None, progress: bool | None = None

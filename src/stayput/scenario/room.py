@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from stayput.model.solid import Solid
     from stayput.motion import Motion
     from stayput.scenario.pieces import StandingTable
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
     from stayput.simulation.standing import Assembly
 
 WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
@@ -187,7 +187,7 @@ class RoomScenario(AssemblyScenario):
         y = np.zeros_like(motion.x) if motion.y is None else motion.y
         return replace(motion, y=y).rotated(-self.direction)
 
-    def run(self) -> SpaceRun:
+    def run(self) -> Run:
         """Simulate the pieces as the file states them, in a room with its places, doors and windows."""
         plan = self.floor_plan()
         with self.naming_file():
