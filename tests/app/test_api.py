@@ -75,8 +75,8 @@ def test_a_run_is_the_simulation_s(client: httpx.Client) -> None:
     ):
         reply = found[key]
         assert reply["outcome"] == run.outcome.value
-        assert reply["peak_tilt_rad"] == run.peak_tilt
-        assert reply["peak_slide_m"] == run.peak_slide
+        assert reply["pieces"][0]["peak_tilt_rad"] == run.peak_tilt
+        assert reply["pieces"][0]["peak_slide_m"] == run.peak_slide
         shown = history(run)
         assert reply["time_s"][-1] == pytest.approx(shown.end, abs=1e-4)
         steps = [b - a for a, b in zip(reply["time_s"][:-2], reply["time_s"][1:-1], strict=True)]

@@ -184,7 +184,7 @@ def test_dollars_in_names_are_no_mathematics():
     curve = sp.fragility_curve(CURVE.trials, HOSTILE)
     shown = (run, motion, curve, sp.Suite((motion,), HOSTILE), falling())
     assert all("data:image/png" in one._repr_html_() for one in shown)
-    for figure in (run.figure(HOSTILE), motion.figure(HOSTILE), falling().figure(HOSTILE, names=[HOSTILE])):
+    for figure in (run.figure(HOSTILE), motion.figure(HOSTILE), falling().named([HOSTILE]).figure(HOSTILE)):
         figure.draw_without_rendering()
         assert figure.get_suptitle().replace(r"\$", "$").replace("\n", " ") == HOSTILE
     axes = curve.plot(Figure().subplots())

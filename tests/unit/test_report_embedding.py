@@ -52,8 +52,8 @@ def test_an_inline_module_has_no_imports_and_no_exports() -> None:
 @pytest.mark.parametrize(
     ("run", "names"), [*((falling(), [name]) for name in HOSTILE), (spinning(), HOSTILE[:3])]
 )
-def test_a_player_stands_alone_and_holds_any_name(run: sp.Run | sp.SpaceRun, names: list[str]) -> None:
-    page = player_page(film_of(run, names), 1.0, 1.0)
+def test_a_player_stands_alone_and_holds_any_name(run: sp.Run, names: list[str]) -> None:
+    page = player_page(film_of(run.named(names)), 1.0, 1.0)
     assert not re.search(r"https?:|src=|@import|url\(", page)
     assert (page.count("<script"), page.count("</script>")) == (2, 2)
     found = re.search(r'<script id="run" type="application/json">(.*?)</script>', page, re.DOTALL)

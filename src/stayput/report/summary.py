@@ -123,7 +123,7 @@ def piece_results(run: Run) -> list[dict[str, Any]]:
     A number that does not exist is None. ``wall_impacts`` counts the hits on the walls and the ceiling, and
     ``impacts_on_bodies`` those on other pieces. ``place_m`` and ``attitude`` are those at the end.
     """
-    lost = run.given_up
+    lost, plane = run.given_up, run.engine == "plane"
     return [
         {
             "name": name,
@@ -135,7 +135,10 @@ def piece_results(run: Run) -> list[dict[str, Any]]:
             "peak_tilt_rad": number(one.peak_tilt),
             "peak_slide_m": number(one.peak_slide),
             "residual_tilt_rad": number(one.residual_tilt),
-            "residual_slide_m": [number(way) for way in one.slide_in_plan[-1].tolist()],
+            "residual_slide_m": [
+                number(way)
+                for way in ((one.residual_slide, 0.0) if plane else one.slide_in_plan[-1].tolist())
+            ],
             "residual_yaw_rad": number(one.yaw[-1]),
             "place_m": [number(part) for part in place[-1].tolist()],
             "attitude": [number(part) for part in attitude[-1].tolist()],
