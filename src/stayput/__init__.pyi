@@ -76,6 +76,7 @@ from .simulation.outcome import EventKind as EventKind
 from .simulation.outcome import Hit as Hit
 from .simulation.outcome import Mode as Mode
 from .simulation.outcome import Outcome as Outcome
+from .simulation.run import PieceRun as PieceRun
 from .simulation.run import Run as Run
 from .simulation.standing import Assembly as Assembly
 from .simulation.standing import Joint as Joint

@@ -93,8 +93,6 @@ def test_without_ffmpeg_an_mp4_is_refused_in_a_sentence(tmp_path: Path, monkeypa
                 ("a.gif", {"width": 10}, "width is 10"),
             )
         ),
-        ("space", "a.html", {"names": ["a", "b"]}, "2 names for 1 bodies"),
-        ("space", "a.html", {"names": "a"}, "must be a list"),
     ],
 )
 def test_what_is_refused_leaves_nothing(

@@ -138,7 +138,7 @@ def test_members_without_measures_keep_their_bits() -> None:
     run = sp.simulate(sp.Assembly([sp.Standing(solid)]), ROOM, SHAKEN.scaled(0.3))
     again = sp.simulate(solid, ROOM, SHAKEN.scaled(0.3))
     assert np.array_equal(run.place, again.place)
-    assert run.held == (None,)
+    assert run.held is None
 
 
 @pytest.mark.parametrize("insets", [(0.1, 0.0), (0.0, 0.1), (0.05, 0.05)])

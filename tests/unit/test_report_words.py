@@ -7,7 +7,9 @@ import math
 import numpy as np
 import pytest
 from report_runs import changed, falling, rocking
+from space_runs import spinning
 
+from stayput.errors import InputError
 from stayput.model.room import Room
 from stayput.report.summary import outcome_named, rows, sentence, summary
 from stayput.simulation.outcome import EventKind, Outcome
@@ -91,4 +93,29 @@ def test_the_dataset_has_every_history_and_event_with_its_unit():
     assert data.peak_tilt.item() == run.peak_tilt
     assert data.outcome.values.tolist() == ["overturned"]
     assert rocking().to_dataset().sizes["event"] == 0
-    assert math.isnan(rocking().to_dataset().overturn_time)
+    assert math.isnan(rocking().to_dataset().overturn_time.item())
+
+
+@pytest.mark.parametrize(
+    ("ask", "told"),
+    [
+        (lambda run: run.named(["a", "b"]), "2 names for 3 pieces"),
+        (lambda run: run.named("abc"), "must be a list"),
+        (lambda run: run["body 4"], "no piece body 4 in the run; its pieces are body 1, body 2, body 3"),
+        (lambda run: run.peak_tilt, "several pieces"),
+        (lambda run: run[0].body, "is a solid"),
+    ],
+)
+def test_what_a_run_does_not_know_is_refused(ask, told):
+    with pytest.raises(InputError, match=told):
+        ask(spinning())
+
+
+def test_a_run_has_the_same_fields_whichever_engine_followed_it():
+    for run, shape in ((rocking(), (1, 401)), (spinning(), (3, 201))):
+        assert run.place.shape == run.velocity.shape == run.rotation_rate.shape == (*shape, 3)
+        assert run.attitude.shape == (*shape, 4)
+        assert all(one.tilt.shape == one.slide.shape == one.yaw.shape == shape[1:] for one in run.pieces)
+        assert all(one.slide_in_plan.shape == (*shape[1:], 2) for one in run.pieces)
+        assert run[run.names[-1]] is run.pieces[-1] is run[-1]
+    assert (rocking().engine, spinning().engine) == ("plane", "space")

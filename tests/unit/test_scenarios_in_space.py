@@ -73,7 +73,7 @@ def test_a_piece_of_a_list_is_what_it_is_alone(stated: dict[str, Any]) -> None:
     listed = AssemblyScenario.parse({"furniture": [{"name": "it", **stated}], **shared})
     assert listed.furniture[0].body() == alone.furniture.body()
     first, second = alone.case().run(), listed.run()
-    assert isinstance(first, sp.Run)
+    assert first.engine == "space"
     assert np.array_equal(first.place, second.place)
 
 
@@ -81,10 +81,10 @@ def test_a_body_with_a_length_under_two_components_is_simulated_in_space() -> No
     motion, room = sp.near_fault().scaled(0.3), sp.Room()
     body = sp.Body(0.4, 1.8, 100.0)
     long = sp.Body(0.4, 1.8, 100.0, length=0.9)
-    assert isinstance(sp.simulate(body, room, motion), sp.Run)
-    assert isinstance(sp.simulate(long, room, motion), sp.Run)
-    assert isinstance(sp.simulate(long, room, motion, dimensions=2), sp.Run)
-    assert isinstance(sp.simulate(long, room, sp.sine(1.0, 1.0, 2.0)), sp.Run)
+    assert sp.simulate(body, room, motion).engine == "plane"
+    assert sp.simulate(long, room, motion).engine == "space"
+    assert sp.simulate(long, room, motion, dimensions=2).engine == "plane"
+    assert sp.simulate(long, room, sp.sine(1.0, 1.0, 2.0)).engine == "plane"
     with pytest.raises(sp.InputError, match="length"):
         sp.simulate(body, room, motion, dimensions=3)
     solid = sp.Solid.of(long)

@@ -91,7 +91,7 @@ def test_faces_of_many_corners_touch() -> None:
 
 def test_the_dataset() -> None:
     data = sp.simulate(BOX, sp.Room(), STILL).to_dataset()
-    assert dict(data.sizes) == {"body": 1, "time": 5, "axis": 3, "part": 4, "by": 2, "level_axis": 2}
+    assert dict(data.sizes) == {"piece": 1, "time": 5, "axis": 3, "part": 4, "by": 2, "level_axis": 2}
     assert data.place.attrs["units"] == "m"
     assert float(data.tilt.max()) == 0.0
 

@@ -130,7 +130,7 @@ def test_a_piece_turns_about_the_bracket_that_holds() -> None:
     )
     room = sp.Room(sp.Floor(0.15, 0.12), sp.Wall(0.02))
     run = sp.simulate(BODY, room, motion, [MEASURES["l_bracket_board"]()])
-    assert isinstance(run, sp.Run)
+    assert run.engine == "space"
     left, right = run.devices
     assert {left.place, right.place} == {"left", "right"}
     assert left.failed

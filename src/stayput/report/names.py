@@ -1,4 +1,4 @@
-"""Names of presets, pieces, places of devices, motions, suites, targets, buildings and floors, by language."""
+"""Names of presets, pieces, places of devices, motions, suites, targets, buildings, floors, by language."""
 
 from __future__ import annotations
 

@@ -100,6 +100,16 @@ class PieceRun:
         Turn about the vertical from how it stood [rad]; while it is tilted by more than 60° the last before.
     held : Held or None
         The measures in place, and what they made of body and room; None of what is no piece of furniture.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> upper = sp.Standing(sp.Solid.box(0.3, 0.9, 0.9, 20.0), at=(0.0, 0.0, 0.9))
+    >>> both = sp.Assembly([sp.Standing(sp.Solid.box(0.4, 0.9, 0.9, 60.0)), upper])
+    >>> run = sp.simulate(both, sp.Room(), sp.near_fault()).named(["chest", "upper part"])
+    >>> piece = run["upper part"]
+    >>> print(piece.outcome, piece.fell_off)
+    fell off True
     """
 
     outcome: Outcome
