@@ -121,9 +121,9 @@ def test_a_table_of_a_run_has_the_floor_and_the_devices(client: httpx.Client) ->
     assert len(rows) == len(run.time)
     for name, values in (
         ("tilt_rad", run.tilt),
-        ("floor_acceleration_m_s2", case.motion.x),
-        ("floor_velocity_m_s", case.motion.velocity),
-        ("floor_displacement_m", case.motion.displacement),
+        ("floor_x_acceleration_m_s2", case.motion.x),
+        ("floor_x_velocity_m_s", case.motion.velocity),
+        ("floor_x_displacement_m", case.motion.displacement),
         ("device_1_l_bracket_pull_n", run.devices[0].pull),
         (f"device_3_gel_mats_{places[2]}_shear_n", run.devices[2].shear),
     ):

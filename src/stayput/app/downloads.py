@@ -75,7 +75,7 @@ def scene_toml(scenario: Scenario | AssemblyScenario, motions: Motions) -> str:
 def run_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
     """Return the histories of a run as a table, one line for each piece and sample.
 
-    The floor's acceleration stands beside them, and the forces of each device: pull along its normal,
+    The floor's motion stands beside them, and the forces of each device: pull along its normal,
     negative where it pushes, and shear along its tangent; in the plane also how the piece moves.
 
     Parameters
@@ -111,8 +111,14 @@ def _of_piece(run: Run, number: int) -> dict[str, NDArray[np.float64]]:
         "slide_x_m": piece.slide_in_plan[:, 0],
         "slide_y_m": piece.slide_in_plan[:, 1],
         **{
-            f"floor_{axis}_acceleration_m_s2": np.interp(run.time, motion.time, values)
-            for axis, values in motion.components.items()
+            f"floor_{axis}_{what}": np.interp(run.time, motion.time, values)
+            for axis in motion.components
+            for part in [motion.component(axis)]
+            for what, values in (
+                ("acceleration_m_s2", part.x),
+                ("velocity_m_s", part.velocity),
+                ("displacement_m", part.displacement),
+            )
         },
         **_forces(run),
     }

@@ -104,8 +104,8 @@ class PieceRun:
     Examples
     --------
     >>> import stayput as sp
-    >>> upper = sp.Standing(sp.Solid.box(0.3, 0.9, 0.9, 20.0), at=(0.0, 0.0, 0.9))
-    >>> both = sp.Assembly([sp.Standing(sp.Solid.box(0.4, 0.9, 0.9, 60.0)), upper])
+    >>> upper = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, 30.0), at=(0.0, 0.0, 0.9))
+    >>> both = sp.Assembly([sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, 40.0)), upper])
     >>> run = sp.simulate(both, sp.Room(), sp.near_fault()).named(["chest", "upper part"])
     >>> piece = run["upper part"]
     >>> print(piece.outcome, piece.fell_off)
