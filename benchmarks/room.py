@@ -22,7 +22,7 @@ from stayput.montecarlo.several import trace_draw, turned
 from stayput.rooms.changes import measures_tried
 from stayput.rooms.runs import part_with
 from stayput.rooms.verify import question_of
-from stayput.scenario.room import read_room
+from stayput.scenario import read_scenario
 from stayput.simulation.space import results_of
 from stayput.simulation.space_engine import STEP
 
@@ -35,7 +35,7 @@ BEDROOM = Path(__file__).parents[1] / "examples" / "bedroom.toml"
 
 def ranked(turns: int) -> Table:
     """Time the first verdict and the whole ranking, in turns of one thread and of two."""
-    room = read_room(BEDROOM)
+    room = read_scenario(BEDROOM)
     sp.verify_room(room, progress=False)  # compiles, and makes the motions
     spent: dict[int, list[tuple[float, ...]]] = {1: [], 2: []}
     changes = 0
@@ -80,7 +80,7 @@ def overturned(question: Question, part: RoomPart, step: float) -> list[bool]:
 
 def held() -> Table:
     """Time runs of pieces held to a wall beside those of the same pieces free, and halve their steps."""
-    question = question_of(read_room(BEDROOM), 1)
+    question = question_of(read_scenario(BEDROOM), 1)
     table = Table(title=f"held in space, one thread, step {1e3 * STEP:g} ms", title_justify="left")
     for heading in ("piece", "measure", "ms a run", "to the plane", "overturned", "half step", "differ"):
         table.add_column(heading, justify="right")

@@ -167,7 +167,7 @@ def grid(scenario: Scenario) -> Grid:
     ground = shaking.ground(scenario.folder)
     hazard = Hazard.of(scenario, ground=ground)
     draw = draws(len(ground), SAMPLES, scenario.uncertainty.seed)
-    body, room = scenario.furniture.body(), scenario.room.room()
+    body, room = scenario.piece.body(), scenario.room.room()
     rows = [rows_of(body, room, option.measures, draw, scenario.gravity) for option in options]
     by_level = [run_level(rows, hazard.at(float(level))) for level in LEVELS]
 

@@ -113,7 +113,9 @@ def _table(name: str, about: dict[str, Any], schema: dict[str, Any]) -> list[str
         needed = key in about.get("required", ())
         rows.append([f"`{key}`", words, _default(node, needed), node.get("description", "")])
         dotted = f"{name}.{key}" if name else key
-        inner += [(dotted, kind) for kind in allowed if kind.get("properties")]
+        items = [item for kind in allowed for item in kinds(kind.get("items", kind), schema)]
+        known = {id(table): table for table in items if table.get("properties")}
+        inner += [(dotted, table) for table in known.values()]
     head = f"## `[{name}]`" if name else "## Top level"
     text = about.get("description", "") if name else ""
     parts = [
@@ -127,18 +129,6 @@ def _table(name: str, about: dict[str, Any], schema: dict[str, Any]) -> list[str
 def scenario() -> str:
     """Return the reference of the scenario file, from its JSON Schema."""
     schema = sp.Scenario.model_json_schema()
-    return "\n".join(_table("", schema, schema))
-
-
-def assembly() -> str:
-    """Return the reference of the file of several pieces."""
-    schema = sp.AssemblyScenario.model_json_schema()
-    return "\n".join(_table("", schema, schema))
-
-
-def room() -> str:
-    """Return the reference of the file of a room."""
-    schema = sp.RoomScenario.model_json_schema()
     return "\n".join(_table("", schema, schema))
 
 
@@ -180,8 +170,6 @@ def write(folder: Path) -> None:
         surfaces,
         furniture,
         scenario,
-        assembly,
-        room,
         scenario_files,
         tolerances,
         quantities,

@@ -17,8 +17,8 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.motion import sine
 from stayput.report.palette import ALARM, INK
+from stayput.scenario.sweep import sweep
 from stayput.simulation.case import Case
-from stayput.simulation.sweep import sweep
 from studies.study import Quantity, Study, panels
 
 if TYPE_CHECKING:

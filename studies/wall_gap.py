@@ -19,10 +19,10 @@ from stayput.model.body import Body
 from stayput.model.room import Floor, Room, Wall
 from stayput.motion import sine
 from stayput.report.palette import ALARM, INK
+from stayput.scenario.sweep import sweep
 from stayput.simulation.case import Case
 from stayput.simulation.outcome import OUTCOMES, Outcome
 from stayput.simulation.run import LAWS
-from stayput.simulation.sweep import sweep
 from studies.study import Quantity, Study, label_edges, panels, span
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ from matplotlib.patches import Rectangle
 
 from stayput.motion import near_fault
 from stayput.report.palette import ALARM, INK
+from stayput.scenario.sweep import sweep
 from stayput.simulation.run import LAWS
-from stayput.simulation.sweep import sweep
 from studies.study import COLOURS, Quantity, Study, label_edges, panels
 from studies.wall_gap import DURATION, FALLEN, RATIO, WALLS, coordinates, table_4_2, turnover
 

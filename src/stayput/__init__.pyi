@@ -60,12 +60,9 @@ from .rooms import ActionPlan as ActionPlan
 from .rooms import RoomVerdict as RoomVerdict
 from .rooms import action_plan as action_plan
 from .rooms import verify_room as verify_room
-from .scenario import AssemblyScenario as AssemblyScenario
-from .scenario import RoomScenario as RoomScenario
 from .scenario import Scenario as Scenario
-from .scenario import read_assembly as read_assembly
-from .scenario import read_room as read_room
 from .scenario import read_scenario as read_scenario
+from .scenario.sweep import sweep as sweep
 from .simulation.boundary import overturning_map as overturning_map
 from .simulation.boundary import trace_boundary as trace_boundary
 from .simulation.case import Case as Case
@@ -82,7 +79,6 @@ from .simulation.standing import Assembly as Assembly
 from .simulation.standing import Joint as Joint
 from .simulation.standing import Piece as Piece
 from .simulation.standing import Standing as Standing
-from .simulation.sweep import sweep as sweep
 from .standards import ac156 as ac156
 from .standards import ac156_motion as ac156_motion
 from .standards import anchor_tension as anchor_tension

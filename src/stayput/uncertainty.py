@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import zlib
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -208,7 +209,7 @@ class Uncertainty:
         return Uncertainty, (dict(self.marginals),)  # a view of a mapping cannot be pickled
 
     def sample(
-        self, n: int, seed: int, *, motions: int | None = None, start: int = 0
+        self, n: int, seed: int, *, motions: int | None = None, start: int = 0, stream: str = ""
     ) -> dict[str, NDArray[np.float64]]:
         """Draw values, evenly spread: Sobol's points, with a random digital shift for each motion.
 
@@ -222,6 +223,8 @@ class Uncertainty:
             Draw for each of so many motions, independently of the others.
         start : int
             Draws to skip, so that a later call can add more to those of an earlier one.
+        stream : str
+            Draws of one name are independent of those of another, and of those without.
 
         Returns
         -------
@@ -244,7 +247,11 @@ class Uncertainty:
         streams = 1 if motions is None else int(within("verification.motions", motions, 1, 100_000))
         within("common.seed", seed, 0, 2**63)
         names = list(self.marginals)
-        shares = _sobol(count, len(names), seed, streams, first) if names else np.empty((streams, count, 0))
+        shares = (
+            _sobol(count, len(names), seed, streams, first, stream)
+            if names
+            else np.empty((streams, count, 0))
+        )
         if motions is None:
             shares = shares[0]
         return {name: self.marginals[name].quantile(shares[..., i]) for i, name in enumerate(names)}
@@ -253,17 +260,25 @@ class Uncertainty:
 _BITS = 32
 
 
-def _sobol(n: int, d: int, seed: int, streams: int, start: int) -> NDArray[np.float64]:
-    """Return Sobol's points, each stream's coordinates with a random digital shift, shape (streams, n, d).
+def _sobol(n: int, d: int, seed: int, motions: int, start: int, stream: str) -> NDArray[np.float64]:
+    """Return Sobol's points, each motion's coordinates with a random digital shift, shape (motions, n, d).
 
     The shift (an exclusive or of the bits) keeps how evenly they are spread and makes each uniform
-    (Owen 1998, Matoušek 1998).
+    (Owen 1998, Matoušek 1998). Of a named stream the points come in an order of its own: shifts alone would
+    leave two streams the same distances from point to point. The order changes within the points from 2^k to
+    2^(k+1), so that more points leave the first as they are.
     """
     from scipy.stats import qmc  # takes its time to load
 
     engine = qmc.Sobol(d, scramble=False, bits=_BITS)
-    places = np.ldexp(engine.random_base2(max(start + n - 1, 1).bit_length())[start : start + n], _BITS)
-    raw = [[random_bits(seed, m, j).random_raw() for j in range(d)] for m in range(streams)]
+    octaves = max(start + n - 1, 1).bit_length()
+    points, key = engine.random_base2(octaves), (zlib.crc32(stream.encode()),) if stream else ()
+    if stream:
+        bits = random_bits(seed, *key)
+        orders = (2**k + np.argsort(bits.random_raw(2**k), kind="stable") for k in range(octaves))
+        points = points[np.concatenate([[0], *orders])]
+    places = np.ldexp(points[start : start + n], _BITS)
+    raw = [[random_bits(seed, m, j, *key).random_raw() for j in range(d)] for m in range(motions)]
     shift = np.array(raw, np.uint64) >> np.uint64(64 - _BITS)
     moved = places.astype(np.uint64)[np.newaxis] ^ shift[:, np.newaxis]
     return np.ldexp(moved.astype(np.float64) + 0.5, -_BITS)

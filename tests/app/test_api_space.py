@@ -16,7 +16,7 @@ from test_api import finished, simulated
 
 import stayput as sp
 from stayput.app.limits import Limits
-from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario import Scenario
 
 if TYPE_CHECKING:
     import httpx
@@ -151,7 +151,7 @@ def test_a_gif_that_would_take_too_long(client: httpx.Client) -> None:
 
 def test_several_pieces(client: httpx.Client) -> None:
     answer = simulated(client, PIECES)
-    run = AssemblyScenario.parse(PIECES).run()
+    run = Scenario.parse(PIECES).run()
     told = answer["without"]
     assert [one["name"] for one in told["pieces"]] == ["lower", "upper"]
     assert [one["peak_tilt_rad"] for one in told["pieces"]] == [piece.peak_tilt for piece in run.pieces]
@@ -196,7 +196,7 @@ def test_the_server_prints_no_warning_of_what_it_is_asked(
     drum = {"name": "drum", "diameter": 0.4, "height": 0.9, "mass": 20.0, "at": [0.0, 3.0]}
     scene = {"furniture": [*PIECES["furniture"], drum], "room": {"floor": floor}, "shaking": sine}
     with pytest.warns(sp.InputWarning, match="The floor settles by"):
-        AssemblyScenario.parse(scene).run()  # which tells it in Python
+        Scenario.parse(scene).run()  # which tells it in Python
     recwarn.clear()
     assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200
     assert [one for one in recwarn if issubclass(one.category, sp.InputWarning)] == []

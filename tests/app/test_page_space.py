@@ -198,8 +198,8 @@ def test_the_scene_and_its_films_can_be_kept(browser: Browser, server: Running) 
             it.page.click("#toml")
         scenario = Scenario.parse(tomllib.loads(Path(found.value.path()).read_text(encoding="utf-8")))
         assert scenario.dimensions == 3
-        assert scenario.furniture.length == 0.7
-        assert scenario.furniture.heading == pytest.approx(np.pi / 6)
+        assert scenario.piece.length == 0.7
+        assert scenario.piece.heading == pytest.approx(np.pi / 6)
         assert it.page.locator("#html-with").is_disabled()
         with it.page.expect_download() as found:
             it.page.click("#html-without")

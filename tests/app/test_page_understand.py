@@ -120,7 +120,7 @@ def test_what_is_kept(verified: tuple[Opened, dict]) -> None:
     name, text = saved(it, "#toml")
     scenario = Scenario.parse(tomllib.loads(text))
     assert name == "scenario.toml"
-    assert scenario.furniture.preset == "bookcase"
+    assert scenario.piece.preset == "bookcase"
     assert scenario.shaking.intensity == 6.25
     name, text = saved(it, "#report")
     assert name.endswith(".html")

@@ -52,7 +52,7 @@ def job(room_client: httpx.Client) -> dict[str, Any]:
 
 def test_a_verdict_is_that_of_the_library(room_client: httpx.Client, job: dict[str, Any]) -> None:
     result = job["result"]
-    verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), progress=False)
+    verdict = sp.verify_room(sp.Scenario.parse(ROOM), progress=False)
     assert result["complete"] is True
     data = room_data(verdict)
     for key in ("verdict", "best", "hit", "shut_in", "doors", "places", "runs", "seed", "jma_intensity"):
@@ -97,9 +97,7 @@ def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client, j
     moved = next(one for one in changes if one["table"] == "furniture" and one["at_m"])
     (piece,) = ROOM["furniture"]
     other = {**piece, "measures": fixed["measures"]}
-    found = sp.verify_room(
-        sp.RoomScenario.parse({**ROOM, "furniture": [other]}), changes=False, progress=False
-    )
+    found = sp.verify_room(sp.Scenario.parse({**ROOM, "furniture": [other]}), changes=False, progress=False)
     assert found.hit.estimate == pytest.approx(fixed["hit"]["estimate"])
     other = {"name": piece["name"], "preset": piece["preset"], "at": moved["at_m"]}
     scene = {**ROOM, "furniture": [{**other, "heading": moved["heading_rad"]}]}

@@ -11,8 +11,8 @@ from room_editing import ROOM, editing
 import stayput as sp
 from long_cases import long
 from stayput.fragility.probabilities import percent
-from stayput.scenario.pieces import StandingTable
-from stayput.scenario.room import DoorTable, PlaceTable, WindowTable
+from stayput.scenario.pieces import PieceTable
+from stayput.scenario.plan import DoorTable, PlaceTable, WindowTable
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -108,7 +108,7 @@ def test_measures_that_fit_are_put_on_a_piece(editor: Editor) -> None:
         "l_bracket",
         "anti_slip_sheet",
     ]
-    sp.RoomScenario.parse(editor.room())
+    sp.Scenario.parse(editor.room())
     editor.select("furniture-1")
     assert inspector.get_by_label("Screwed L-brackets", exact=True).is_disabled()
     assert "This needs a wall behind the piece." in inspector.inner_text()
@@ -142,7 +142,7 @@ def test_a_verdict_is_drawn_in_layers(editor: Editor) -> None:
 
 
 def test_defaults_of_the_page_are_those_of_the_scenario(editor: Editor) -> None:
-    tables = {"furniture": StandingTable, "places": PlaceTable, "doors": DoorTable, "windows": WindowTable}
+    tables = {"furniture": PieceTable, "places": PlaceTable, "doors": DoorTable, "windows": WindowTable}
     found = editor.page.evaluate("import('/room/kinds.js').then((one) => one.DEFAULTS)")
     for name, table in tables.items():
         assert found[name] == {key: table.model_fields[key].default for key in found[name]}, name

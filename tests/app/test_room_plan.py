@@ -297,7 +297,7 @@ def test_a_press_in_the_palette_puts_things_into_free_spots(editor: Editor, serv
     editor.page.click("#palette [data-table=windows]")
     room = editor.room()
     assert len({one.get("name", "door") for one in room["doors"]}) == 2
-    sp.RoomScenario.parse(room)  # the server takes it as it is
+    sp.Scenario.parse(room)  # the server takes it as it is
 
 
 def test_a_kind_is_dragged_from_the_palette_to_where_it_shall_stand(editor: Editor) -> None:
@@ -403,7 +403,7 @@ def test_nothing_is_dragged_out_of_the_room(editor: Editor) -> None:
     assert room["places"][0]["at"] == pytest.approx([3.5, 1.0])
     window = room["windows"][0]
     assert window["start"] + window["width"] <= (4.0 if "side" in window["wall"] else 3.0) + 1e-9
-    sp.RoomScenario.parse(room)
+    sp.Scenario.parse(room)
 
 
 def test_what_stands_in_something_else_is_said_at_once(editor: Editor) -> None:

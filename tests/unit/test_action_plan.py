@@ -38,16 +38,16 @@ if TYPE_CHECKING:
     from stayput.rooms.steps import Fix
 
 
-def room(**tables: Any) -> sp.RoomScenario:
-    return sp.RoomScenario.parse({**ROOM, **tables})
+def room(**tables: Any) -> sp.Scenario:
+    return sp.Scenario.parse({**ROOM, **tables})
 
 
-def alone(**shaking: Any) -> sp.RoomScenario:
+def alone(**shaking: Any) -> sp.Scenario:
     """Return the room with the bookcase only, and other shaking."""
     return room(furniture=ROOM["furniture"][:1], shaking={**ROOM["shaking"], **shaking})
 
 
-def planned(scenario: sp.RoomScenario, **home: Any) -> sp.ActionPlan:
+def planned(scenario: sp.Scenario, **home: Any) -> sp.ActionPlan:
     return sp.action_plan(sp.verify_room(scenario, changes=False, progress=False), progress=False, **home)
 
 

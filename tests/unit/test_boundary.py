@@ -146,7 +146,7 @@ def test_a_run_that_is_given_up_does_not_stand(monkeypatch):
         data["outcome"][0] = list(sp.Outcome).index(sp.Outcome.FAILED)
         return data
 
-    monkeypatch.setattr(boundary, "sweep", gives_up)
+    monkeypatch.setattr(boundary, "sweep_case", gives_up)
     data = overturning_map(CASE, [0.2, 0.3, 0.5])
     assert data["overturned"].values.tolist() == [False, False, True]
     assert data["failed"].values.tolist() == [True, False, False]

@@ -25,13 +25,13 @@ MOVE = Change("bookcase", at=(3.43, 2.2), heading=math.pi)
 MOVED = {"name": "bookcase", "preset": "bookcase", "against": "right_wall", "along": 2.2}
 
 
-def room(*furniture: dict[str, Any], **tables: Any) -> sp.RoomScenario:
-    return sp.RoomScenario.parse(
+def room(*furniture: dict[str, Any], **tables: Any) -> sp.Scenario:
+    return sp.Scenario.parse(
         {**ROOM, "furniture": [*furniture, *ROOM["furniture"][len(furniture) :]], **tables}
     )
 
 
-def verified(scenario: sp.RoomScenario) -> sp.RoomVerdict:
+def verified(scenario: sp.Scenario) -> sp.RoomVerdict:
     return sp.verify_room(scenario, changes=False, progress=False)
 
 
@@ -118,7 +118,7 @@ def test_what_cannot_be_decided_is_refused(verdict: sp.RoomVerdict, changes: lis
 
 def test_what_stands_on_another_stays_there():
     box = {"name": "box", "preset": "television", "on": "chest", "at": [0.0, 0.0], "heading": math.pi / 2}
-    scenario = sp.RoomScenario.parse({**ROOM, "furniture": [*ROOM["furniture"], box]})
+    scenario = sp.Scenario.parse({**ROOM, "furniture": [*ROOM["furniture"], box]})
     with pytest.raises(sp.InputError, match="stands on or is joined"):
         decided(verified(scenario), Change("chest", at=(1.8, 0.3)))
 
@@ -135,7 +135,7 @@ CONNECTORS = [{"first": "up", "second": "low", "at": [0.05, y, 0.9]} for y in (1
 def test_measures_on_pieces_that_stand_on_each_other_act_together(joints: list[dict[str, Any]]):
     tables: dict[str, Any] = {"joints": joints} if joints else {}
     tables["shaking"] = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 2}}
-    bare = sp.RoomScenario.parse({**ROOM, "furniture": STACKED, **tables})
+    bare = sp.Scenario.parse({**ROOM, "furniture": STACKED, **tables})
     plan = decided(verified(bare), Change("up", Belt()), Change("low", LBracket()))
     held = {
         step.what: [{"type": one.measure.kind, "count": one.count} for one in step.fix.purchases]
@@ -143,7 +143,7 @@ def test_measures_on_pieces_that_stand_on_each_other_act_together(joints: list[d
         if step.fix is not None
     }
     tried = [{**piece, "measures": held[piece["name"]]} for piece in STACKED]
-    there = verified(sp.RoomScenario.parse({**ROOM, "furniture": tried, **tables}))
+    there = verified(sp.Scenario.parse({**ROOM, "furniture": tried, **tables}))
     assert plan.together is not None
     assert plan.together.hit.estimate == there.hit.estimate
     assert [one.estimate for one in plan.together.overturned] == [falls(there)["low"], falls(there)["up"]]
@@ -152,7 +152,7 @@ def test_measures_on_pieces_that_stand_on_each_other_act_together(joints: list[d
 def test_a_plan_is_made_where_a_piece_carries_another():
     """A wedge would lean the lower one into the upper one, and is not tried."""
     once = {"shaking": {"intensity": "6-upper", "builtin": "near-fault"}, "uncertainty": {"samples": 1}}
-    plan = decided(verified(sp.RoomScenario.parse({**ROOM, **once, "furniture": STACKED})))
+    plan = decided(verified(sp.Scenario.parse({**ROOM, **once, "furniture": STACKED})))
     low = [step.fix for step in plan.steps if step.what == "low" and step.fix is not None]
     assert all("wedge_stopper" not in fix.kinds for fix in low)
     assert plan.steps or plan.unsolved

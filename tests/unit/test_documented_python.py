@@ -100,10 +100,8 @@ SEVERAL, ROOMS = {"dresser", "television"}, {"bedroom"}
 
 @pytest.mark.parametrize("file", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
 def test_scenario_file(file):
-    if file.stem in ROOMS:
-        run = sp.read_room(file).run()
-    elif file.stem in SEVERAL:
-        run = sp.read_assembly(file).run()
+    if file.stem in ROOMS or file.stem in SEVERAL:
+        run = sp.read_scenario(file).run()
     else:
         run = sp.read_scenario(file).case().run()
     assert run.outcome is not sp.Outcome.FAILED

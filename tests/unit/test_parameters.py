@@ -136,7 +136,7 @@ def keys() -> Iterator[tuple[str, Any, Parameter]]:
 
 KEYS = [pytest.param(*key, id=key[0]) for key in keys()]
 SCHEMA = Scenario.schema()
-OF_A_ROOM = sp.RoomScenario.model_json_schema()
+OF_A_ROOM = sp.Scenario.model_json_schema()
 
 
 def node_of(dotted: str) -> dict[str, Any]:

@@ -31,7 +31,7 @@ from stayput.rooms.changes import Change
 from stayput.rooms.events import CELL
 from stayput.rooms.verdict import ChangeVerdict, DoorVerdict, HitVerdict, PlaceVerdict, RoomPiece, RoomVerdict
 from stayput.rooms.words import change_label, sentence_of_room
-from stayput.scenario.room import RoomScenario
+from stayput.scenario import Scenario
 from stayput.simulation.placing import bare
 
 HOSTILE = "<script>alert('&')</script>"
@@ -65,7 +65,7 @@ NEVER = probability(np.zeros((MOTIONS, SAMPLES), np.bool_))
 
 def made(**changed):
     """Return a verdict made by hand, in which each number differs from the others."""
-    scenario = RoomScenario.parse({**SCENARIO, **changed})
+    scenario = Scenario.parse({**SCENARIO, **changed})
     plan, names = scenario.floor_plan(), scenario.names
     chance = [probability(shares(0.05 + 0.04 * n, n)) for n in range(22)]
     left = iter(chance)

@@ -52,8 +52,8 @@ BEDROOM: dict[str, Any] = {
 }
 
 
-def changed(**tables: Any) -> sp.RoomScenario:
-    return sp.RoomScenario.parse({**BEDROOM, **tables})
+def changed(**tables: Any) -> sp.Scenario:
+    return sp.Scenario.parse({**BEDROOM, **tables})
 
 
 def piece(**keys: Any) -> list[dict[str, Any]]:
@@ -117,7 +117,7 @@ def test_what_is_wrong_is_refused_with_the_value(tables: dict[str, Any], told: s
 
 def test_against_is_refused_without_a_plan():
     with pytest.raises(sp.InputError, match=r"furniture\[0\].against .* must be"):
-        sp.AssemblyScenario.parse({"furniture": piece()}).assembly()
+        sp.Scenario.parse({"furniture": piece()}).assembly()
 
 
 def test_pieces_on_or_joined_to_each_other_run_together():
@@ -356,7 +356,7 @@ def test_a_verdict_of_one_record_is_not_of_earthquakes(tmp_path: Path):
     sp.near_fault().write(tmp_path / "own.csv")
     shaking = {"record": "own.csv", "intensity": "6-upper"}
     tables = {"furniture": piece(name="Bookcase 2"), "shaking": shaking, "uncertainty": {"samples": 4}}
-    alone = sp.verify_room(sp.RoomScenario.parse({**BEDROOM, **tables}, tmp_path), progress=False)
+    alone = sp.verify_room(sp.Scenario.parse({**BEDROOM, **tables}, tmp_path), progress=False)
     english, japanese = (alone.sentence(language) for language in LANGUAGES)
     assert "runs of this record bookcase 2 hits whoever is in bed" in english
     assert "この記録による計算" in japanese

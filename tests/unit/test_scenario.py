@@ -26,6 +26,7 @@ NEEDED = {  # what must stand beside a key so that only that key is wrong
     "shaking.earthquake": {"magnitude": 7.0, "distance": 20.0},
     "shaking.sa": {"period": 0.3, "value": 8.0},
     "furniture": {"preset": "bookcase"},
+    "plan": {"width": 3.0, "length": 3.0},
 }
 
 
@@ -214,4 +215,4 @@ def test_a_file_that_is_refused(tmp_path, content, message):
 def test_a_file_with_a_byte_order_mark_is_read(tmp_path):
     file = tmp_path / "s.toml"
     file.write_bytes(b"\xef\xbb\xbf[furniture]\npreset = 'chest'\n")
-    assert read_scenario(file).furniture.title == "chest"
+    assert read_scenario(file).piece.title == "chest"

@@ -20,6 +20,7 @@ PIECES: dict[str, Any] = {
         {"name": "shelf", **BOX, "on": "chest"},
         {"name": "vase", "diameter": 0.1, "height": 0.3, "mass": 1.0, "at": [2.0, 0.0]},
     ],
+    "room": {"floor": {}},
     "shaking": STILL,
 }
 ONE: dict[str, Any] = {"furniture": {"preset": "chest"}, "shaking": STILL}
@@ -101,7 +102,7 @@ def test_a_file_of_several_pieces(tmp_path: Path, changed: dict[str, Any], said:
 def test_a_sweep_names_the_pieces_too(tmp_path: Path) -> None:
     file = written(tmp_path, PIECES | piece(2, at=[0.1, 0.0]) | joint())
     with pytest.raises(sp.InputError, match="'chest' and 'vase' begin") as caught:
-        sp.read_assembly(file).sweep({"gravity": [9.8]}, progress=False)
+        sp.sweep(sp.read_scenario(file), {"gravity": [9.8]}, progress=False)
     assert "「" not in caught.value.told("ja")
     assert "'chest'と'vase'" in caught.value.told("ja")
 
@@ -110,7 +111,10 @@ def test_a_sweep_names_the_pieces_too(tmp_path: Path) -> None:
     ("changed", "said"),
     [
         ({"room": {"floor": {"static_friction": 0.1}}}, "In [room.floor]: Floor kinetic friction is 0.3"),
-        ({"furniture": {"preset": "chest", "unit": "furlong"}}, "furniture.unit is unknown"),
+        (
+            {"furniture": {"preset": "chest", "unit": "furlong"}},
+            "furniture.unit is given without furniture.mesh",
+        ),
         ({"shaking": {"record": "none.csv", "unit": "furlong"}}, "In [shaking]: The unit of acceleration"),
         ({"shaking": {"suite": "none"}}, "In [shaking]: The suite"),
         ({"room": {"ceiling": {"height": 0.5}}}, "The body stands"),
@@ -134,12 +138,53 @@ def test_what_a_flag_gets_wrong_is_not_the_files(tmp_path: Path) -> None:
     assert printed(damaged, "--set", "shaking.scale=2").startswith("room.toml: gravity is 0.0")
 
 
+BESIDE_A_LONE_PIECE: list[tuple[dict[str, Any], str]] = [
+    ({"joints": [{"first": "chest", "second": "it", "at": [0.0, 0.0, 0.5]}]}, "joints"),
+    ({"static_friction": 0.5}, "static_friction is of several pieces"),
+    ({"options": [{"name": "x"}]}, "options is of several pieces"),
+    ({"doors": []}, "doors is given without plan"),
+    ({"room": {"walls": "concrete"}}, "room.walls is given without plan"),
+]
+BESIDE_PIECES: list[tuple[dict[str, Any], str]] = [
+    ({"initial": {"tilt": 0.1}}, "initial is of a single piece"),
+    ({"everyday": {"drawers": 1}}, "everyday is of a single piece"),
+    ({"contents": {}}, "contents is of a single piece"),
+    ({"measures": [{"type": "belt"}]}, "measures is of a single piece"),
+    ({"dimensions": 2}, "dimensions is 2; several pieces"),
+    ({"uncertainty": {"installation": 0.5}}, "uncertainty.installation is given for several pieces"),
+    ({"plan": {"width": 3.0, "length": 3.0}, "room": {"left_wall": {"gap": 0.1}}}, "room.left_wall is given"),
+    (
+        {"plan": {"width": 3.0, "length": 3.0}, "room": {}, "options": [{"name": "x"}]},
+        "options is given beside",
+    ),
+]
+
+
 @pytest.mark.parametrize(
-    ("file", "told"), [("bedroom.toml", "read_room where there is a"), ("television.toml", "read_assembly")]
+    ("given", "changed", "said"),
+    [*((ONE, *case) for case in BESIDE_A_LONE_PIECE), *((PIECES, *case) for case in BESIDE_PIECES)],
 )
-def test_a_file_of_several_pieces_names_what_reads_it(file: str, told: str, tmp_path: Path):
-    path = EXAMPLES / file
-    with pytest.raises(sp.InputError, match=told):
-        sp.read_scenario(path)
-    done = cli("verify", path, "--curves", tmp_path / "out")
+def test_what_a_scene_has_no_use_for(given: dict[str, Any], changed: dict[str, Any], said: str) -> None:
+    with pytest.raises(sp.InputError, match=f"^{said}"):
+        sp.Scenario.parse(given | changed)
+
+
+def test_one_reader_takes_every_file(tmp_path: Path) -> None:
+    assert [
+        sp.read_scenario(EXAMPLES / f"{name}.toml").alone for name in ("verify", "television", "bedroom")
+    ] == [
+        True,
+        False,
+        False,
+    ]
+    done = cli("verify", EXAMPLES / "television.toml", "--curves", tmp_path / "out")
     assert done.stderr.startswith("--curves is of one piece")
+    with pytest.raises(sp.InputError, match="furniture is a list of pieces"):
+        sp.read_scenario(EXAMPLES / "television.toml").case()
+
+
+def test_a_table_in_a_room_is_a_list_of_one() -> None:
+    table = {"preset": "chest", "against": "left_wall", "along": 1.0}
+    room: dict[str, Any] = {"plan": {"width": 3.0, "length": 3.0}, "shaking": STILL}
+    runs = [sp.Scenario.parse({"furniture": stated, **room}).run() for stated in (table, [table])]
+    assert runs[0].place.tobytes() == runs[1].place.tobytes()

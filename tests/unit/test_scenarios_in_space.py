@@ -12,7 +12,7 @@ from commands import cli
 import stayput as sp
 from stayput.report.verdict.html import write_report
 from stayput.report.verdict.pairs import floor_motion, replay_in_space
-from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario import Scenario
 from stayput.simulation.case import Case
 
 BOOKCASE = {
@@ -70,8 +70,8 @@ def test_a_piece_of_a_list_is_what_it_is_alone(stated: dict[str, Any]) -> None:
     """Its body, and what it does in the same room under the same motion, to the bit."""
     shared = {"room": {"floor": "vinyl"}, "shaking": {"builtin": "near-fault"}, "dimensions": 3}
     alone = Scenario.parse({"furniture": stated, **shared})
-    listed = AssemblyScenario.parse({"furniture": [{"name": "it", **stated}], **shared})
-    assert listed.furniture[0].body() == alone.furniture.body()
+    listed = Scenario.parse({"furniture": [{"name": "it", **stated}], **shared})
+    assert listed.piece.body() == alone.piece.body()
     first, second = alone.case().run(), listed.run()
     assert first.engine == "space"
     assert np.array_equal(first.place, second.place)
@@ -111,7 +111,7 @@ SIDES = {"near_side_wall": {"gap": 0.01, "restitution": 0.1}, "far_side_wall": {
 
 def test_side_walls_of_scenarios_and_of_the_command_line() -> None:
     box = {"name": "box", "width": 0.4, "length": 0.4, "height": 0.4, "mass": 5.0}
-    several = AssemblyScenario.parse({"furniture": [box], "room": SIDES})
+    several = Scenario.parse({"furniture": [box], "room": SIDES})
     alone = Scenario.parse({**BOOKCASE, "room": SIDES})
     for scenario in (several, alone):
         room = scenario.room.room()
@@ -162,7 +162,6 @@ def test_what_is_refused() -> None:
     for data, said in (
         ({"furniture": own, "dimensions": 3}, "needs its length"),
         ({**BOOKCASE, "contents": {"kind": "books"}}, "alone"),
-        ({"furniture": [{"preset": "chest"}]}, "several pieces"),
     ):
         with pytest.raises(sp.InputError, match=said):
             Scenario.parse(data)
@@ -194,7 +193,7 @@ def test_the_table_of_several_pieces() -> None:
 
 
 def test_the_file_of_several_pieces() -> None:
-    scenario = sp.read_assembly(DRESSER)
+    scenario = sp.read_scenario(DRESSER)
     assembly = scenario.assembly()
     assert scenario.names == ("lower part", "upper part", "vase", "chest")
     assert assembly.members[1].at == pytest.approx((-0.05, 0.0, 0.9))

@@ -114,7 +114,7 @@ def test_doors_of_walls_that_are_seen_from_outside_are_drawn_over_the_bodies(
 
 
 def test_a_room_is_run_with_its_plan() -> None:
-    scenario = sp.RoomScenario.parse(
+    scenario = sp.Scenario.parse(
         {
             "plan": {"width": 2.0, "length": 2.0},
             "places": [{"at": [1.0, 1.3], "kind": "cot"}],

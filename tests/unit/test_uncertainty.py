@@ -86,6 +86,24 @@ def test_usual_ranges_are_tagged() -> None:
     assert Uncertainty().sample(4, 1) == {}
 
 
+def test_streams_are_independent_and_each_evenly_spread():
+    known = Uncertainty({"mass": Uniform(0.0, 1.0)})
+    columns = {name: known.sample(256, 1, motions=40, stream=name)["mass"] for name in ("", "a", "b")}
+    for values in columns.values():
+        assert (np.sort(values, axis=1) * 256 // 1 == np.arange(256)).all()
+    for first, second in (("", "a"), ("a", "b")):
+        rank = [np.corrcoef(*pair)[0, 1] for pair in zip(columns[first], columns[second], strict=True)]
+        assert np.mean(np.abs(rank)) < 0.1  # of independent ones 0.8/sqrt(256) = 0.05
+        few = [
+            np.corrcoef(*pair)[0, 1]
+            for pair in zip(columns[first][:, :8], columns[second][:, :8], strict=True)
+        ]
+        assert abs(np.mean(few)) < 0.25
+    more = known.sample(300, 1, motions=40, stream="a")["mass"]
+    assert (more[:, :256] == columns["a"]).all()
+    assert (known.sample(44, 1, motions=40, start=256, stream="a")["mass"] == more[:, 256:]).all()
+
+
 @pytest.mark.parametrize(
     ("call", "part"),
     [

@@ -232,8 +232,8 @@ def test_several_pieces_and_rooms_say_it_too(folder):
     given = {"furniture": pieces, "shaking": shaking, "uncertainty": {"samples": 3}}
     with pytest.warns(sp.InputWarning):
         verdicts = [
-            sp.verify(sp.AssemblyScenario.parse(given), progress=False),
-            sp.verify_room(sp.RoomScenario.parse({**BEDROOM, **given}), changes=False, progress=False),
+            sp.verify(sp.Scenario.parse(given), progress=False),
+            sp.verify_room(sp.Scenario.parse({**BEDROOM, **given}), changes=False, progress=False),
         ]
     for verdict, data in zip(verdicts, (several_data, room_data), strict=True):
         assert data(verdict)["motion_floor"] == "floor 6"

@@ -158,7 +158,7 @@ def test_a_replay_is_the_run_that_was_counted(initial):
     scenario = verdict.scenario
     ground = scenario.shaking.ground(scenario.folder)
     floors = Hazard(ground, vertical=True).stated(None, scenario.shaking.scale, verdict.seed)
-    body, room = scenario.furniture.body(), scenario.room.room()
+    body, room = scenario.piece.body(), scenario.room.room()
     drawn = draws(1, 3, verdict.seed)
     start = scenario.initial.state()
     rows = [

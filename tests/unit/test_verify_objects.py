@@ -66,7 +66,7 @@ def test_body_and_room_are_those_that_were_given(floor: sp.Floor):
     room = sp.Room(floor, left_wall=sp.Wall(0.02, 0.4, construction="concrete"), right_wall=sp.Wall(1.0))
     body = sp.Body(0.4, 1.5, 100.0, base_heights=(0.0, -0.005), base_insets=(0.01, 0.02), inertia=30.0)
     made = sp.verify(body, room, shaking=sp.near_fault(), measures=[LBracket()], **FEW).scenario
-    assert made.furniture.body() == body
+    assert made.piece.body() == body
     assert made.room.room() == room
     assert made.room.room().floor.surface == floor.surface
 

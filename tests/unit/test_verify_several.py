@@ -18,7 +18,7 @@ from stayput.montecarlo.sampling import draws
 from stayput.montecarlo.several import drawn_assembly, drawn_room, draws_of_several
 from stayput.report.verdict.assumptions import settlement_assumptions
 from stayput.report.verdict.pairs import replay_of_several
-from stayput.scenario import AssemblyScenario
+from stayput.scenario import Scenario
 from stayput.simulation.placing import placed
 from stayput.verification.options import label, options_of_several
 
@@ -58,8 +58,8 @@ def option(name: str, piece: str, measure: str) -> dict[str, Any]:
     return {"name": name, "pieces": [{"name": piece, "measures": [{"type": measure}]}]}
 
 
-def parsed(**changed: Any) -> AssemblyScenario:
-    return AssemblyScenario.parse({**DRESSER, **changed})
+def parsed(**changed: Any) -> Scenario:
+    return Scenario.parse({**DRESSER, **changed})
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +96,7 @@ def test_the_usual_options() -> None:
     assert not bracket.joined
     assert label(bracket, parsed().names)[0] == "Screwed L-brackets on upper"
     without = {key: value for key, value in DRESSER.items() if key != "joints"}
-    unjoined, _ = options_of_several(AssemblyScenario.parse(without))
+    unjoined, _ = options_of_several(Scenario.parse(without))
     assert [option.name for option in unjoined] == ["none", *kinds]
 
 
@@ -116,7 +116,7 @@ def test_measures_of_a_piece_are_in_place_as_stated() -> None:
     scenario = parsed(furniture=furniture)
     assert [option.name for option in options_of_several(scenario)[0]] == ["none", "joined", "as stated"]
     assert {device.kind for device in scenario.run().devices} == {"l_bracket", "joint"}
-    assert AssemblyScenario.parse(DRESSER | {"furniture": furniture}).to_toml() == scenario.to_toml()
+    assert Scenario.parse(DRESSER | {"furniture": furniture}).to_toml() == scenario.to_toml()
 
 
 @pytest.mark.parametrize(
@@ -134,15 +134,20 @@ def test_measures_of_a_piece_are_in_place_as_stated() -> None:
 )
 def test_what_a_file_may_not_say(changed: dict[str, Any], said: str) -> None:
     with pytest.raises(sp.InputError, match=said):
-        AssemblyScenario.parse({**DRESSER, "joints": [], **changed})
+        Scenario.parse({**DRESSER, "joints": [], **changed})
 
 
-def test_draws_are_those_of_one_piece_and_more() -> None:
+def test_draws_of_a_piece_depend_on_its_name_alone() -> None:
     single = draws(2, 3, seed=1)
-    several = draws_of_several("abc", 2, 3, seed=1)
+    several, others = (draws_of_several(names, 2, 3, seed=1) for names in ("abc", "xbz"))
     for motion, row in enumerate(several):
         for sample, draw in enumerate(row):
-            assert draw.room == single[motion][sample]
+            assert draw.pieces[1] == others[motion][sample].pieces[1]
+            assert draw.pieces[0] != others[motion][sample].pieces[0]
+            shared = {
+                name: getattr(single[motion][sample], name) for name in ("friction", "lean", "wall_gap")
+            }
+            assert {name: getattr(draw.room, name) for name in shared} == shared
             assert len({piece.mass for piece in draw.pieces}) == 3
             assert len({piece.friction for piece in draw.pieces}) == 1
     stated = draws_of_several("abc", 2, 3, seed=1, as_stated=["mass", "friction"])

@@ -50,7 +50,7 @@ def test_a_floor_by_what_people_call_it(word, surface):
     for floor in (word, {"surface": word}):
         scenario = sp.Scenario.parse({"furniture": {"preset": "本棚"}, "room": {"floor": floor}})
         assert scenario.room.room().floor.surface == surface
-    assert scenario.furniture.preset == "bookcase"
+    assert scenario.piece.preset == "bookcase"
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,7 @@ from stayput.uncertainty import USUAL
 WIDTH, LENGTH, HEIGHT, MASS, G = 0.3, 0.8, 1.8, 100.0, 9.80665
 
 
-def room(acceleration: float) -> sp.RoomScenario:
+def room(acceleration: float) -> sp.Scenario:
     size = {"width": WIDTH, "length": LENGTH, "height": HEIGHT, "mass": MASS}
     scene: dict[str, Any] = {
         "plan": {"width": 3.6, "length": 2.7},
@@ -31,7 +31,7 @@ def room(acceleration: float) -> sp.RoomScenario:
         "shaking": {"sine": {"amplitude": acceleration, "frequency": 0.1, "duration": 20.0}},
         "uncertainty": {"samples": 1, "as_stated": list(USUAL)},
     }
-    return sp.RoomScenario.parse(scene)
+    return sp.Scenario.parse(scene)
 
 
 @pytest.mark.parametrize("acceleration", [2.0, 2.5, 3.0])

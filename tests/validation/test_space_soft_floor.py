@@ -146,7 +146,7 @@ def test_a_piece_of_a_room_falls_as_often_in_space_as_in_the_plane(
 
     def fell(settles: float, in_plane: bool) -> NDArray[np.bool_]:
         monkeypatch.setattr(RoomPart, "in_plane", in_plane)
-        given = sp.RoomScenario.parse({**room, "room": {"floor": {**floor, "settlement": settles}}})
+        given = sp.Scenario.parse({**room, "room": {"floor": {**floor, "settlement": settles}}})
         question = question_of(given, 1)
         (found,) = question.run([part_with(given, (0,), question.whole)])
         return found.of_body(0).overturned

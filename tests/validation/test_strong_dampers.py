@@ -59,7 +59,7 @@ def test_a_bracket_in_a_corner_bears_what_it_bears_elsewhere(gap: float):
     """A piece that touches a side wall is shaken against it: its brackets then bear no hundred times more."""
 
     def needed(along: float) -> tuple[float, ...]:
-        scenario = sp.RoomScenario.parse(
+        scenario = sp.Scenario.parse(
             {
                 "plan": {"width": 3.6, "length": 2.7},
                 "furniture": [

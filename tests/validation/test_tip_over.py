@@ -120,7 +120,7 @@ def test_the_scenario_s_table_and_the_verdict_s_line():
     assert note.startswith("Without an earthquake, 40 kg on one of its 4 drawers with all of them open tips ")
     assert "not a certificate" in note
     assert "地震がなくても" in tips.notes("ja")[-1]
-    furniture, everyday = stays.scenario.furniture, stays.scenario.everyday
+    furniture, everyday = stays.scenario.piece, stays.scenario.everyday
     margin = min(one.margin for one in sp.tip_over(furniture.body(), everyday.everyday("chest")))
     note = stays.notes()[-1]
     assert "the piece withstands 0 kg on one of its 4 drawers" in note

@@ -21,7 +21,7 @@ from stayput.app.turns import StoppedError
 from stayput.app.verdict_replies import EverydayReply, JobReply
 from stayput.app.verification import everyday_reply, runs_of, with_everyday, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
-from stayput.scenario import AssemblyScenario
+from stayput.scenario import Scenario
 from stayput.scenario.toml import table_of_toml
 from stayput.spreadsheets import CSV_ENCODING
 from stayput.verification import Verdict, verify
@@ -67,7 +67,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
         """Return a scene as a scenario file."""
 
         def work() -> Response:
-            scenario = service.stated(body.scene, body.measures)
+            scenario = service.scene(body.scene, body.measures)
             return attachment(scene_toml(scenario, service.motions), "scenario.toml")
 
         return await service.workers.run(work)
@@ -78,8 +78,8 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
         def work() -> Response:
             scene = table_of_toml(body.toml, Path(body.name))
-            checked = service.stated(scene, [])
-            pieces = checked.names if isinstance(checked, AssemblyScenario) else ()
+            checked = service.scene(scene)
+            pieces = () if checked.alone else checked.names
             return json_response(replies.SceneReply(scene=scene, pieces=list(pieces)))
 
         return await service.workers.run(work)
@@ -150,7 +150,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post("/shaking", response_model=replies.ShakingReply, responses=problems(*OF_BODY))
     async def strength(body: requests.ShakingRequest) -> Response:
         """Return how strongly the ground shakes in a scene, as a JMA intensity with its scatter."""
-        return await service.workers.run(lambda: json_response(shaking_reply(service.shaken(body.scene, []))))
+        return await service.workers.run(lambda: json_response(shaking_reply(service.shaken(body.scene))))
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:
@@ -159,7 +159,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         """Begin a verification: it goes on as a job."""
 
         def prepare() -> tuple[Scenario, list[float], int]:
-            scenario = service.scene(body.scene, body.measures)
+            scenario = service.lone_piece(body.scene, body.measures)
             extended = with_options(scenario, body.scene, body.compare_usual)
             levels = [float(level) for level in curve_levels(extended.dimensions) if body.curves]
             return extended, levels, runs_of(extended, service.limits, len(levels))
@@ -197,7 +197,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def put_everyday(name: requests.Name, body: requests.EverydayRequest) -> Response:
         """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
         service.verdict(name)
-        scenario = await service.workers.run(service.scene, body.scene, [])
+        scenario = await service.workers.run(service.lone_piece, body.scene)
         job, verdict = service.verdict(name)
         changed = with_everyday(verdict, scenario.everyday)
         job.verdict, job.reports = changed, {}

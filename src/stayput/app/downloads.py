@@ -20,7 +20,7 @@ from stayput.app.running import own_measures, pieces_run, run_of
 from stayput.report.animation import animate_run
 from stayput.report.names import names_of
 from stayput.rooms.verdict import RoomVerdict
-from stayput.scenario import AssemblyScenario
+from stayput.scenario import Scenario
 from stayput.scenario.shaking import RECORD_FILES
 
 if TYPE_CHECKING:
@@ -53,12 +53,12 @@ def attachment(content: str | bytes, name: str) -> Response:
     return Response(content, headers=headers)
 
 
-def scene_toml(scenario: Scenario | AssemblyScenario, motions: Motions) -> str:
+def scene_toml(scenario: Scenario, motions: Motions) -> str:
     """Return a scene as a scenario file; an uploaded record goes by its own file's name.
 
     Parameters
     ----------
-    scenario : Scenario or AssemblyScenario
+    scenario : Scenario
         The scene.
     motions : Motions
         The uploaded motions, whose names replace their ids.
@@ -72,7 +72,7 @@ def scene_toml(scenario: Scenario | AssemblyScenario, motions: Motions) -> str:
     return note + scenario.model_copy(update={"shaking": changed}).to_toml()
 
 
-def run_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
+def run_csv(scenario: Scenario, *, held: bool) -> str:
     """Return the histories of a run as a table, one line for each piece and sample.
 
     The floor's motion stands beside them, and the forces of each device: pull along its normal,
@@ -80,7 +80,7 @@ def run_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
 
     Parameters
     ----------
-    scenario : Scenario or AssemblyScenario
+    scenario : Scenario
         The scene.
     held : bool
         Whether the user's measures are in place.
@@ -135,7 +135,7 @@ def film_kinds() -> tuple[str, ...]:
 
 
 def film(
-    scenario: Scenario | AssemblyScenario,
+    scenario: Scenario,
     kind: str,
     language: Language,
     limits: Limits,
@@ -150,7 +150,7 @@ def film(
 
     Parameters
     ----------
-    scenario : Scenario or AssemblyScenario
+    scenario : Scenario
         The scene.
     kind : str
         "html", "gif" or "mp4".
@@ -188,9 +188,9 @@ def film(
         return path.read_bytes()
 
 
-def _shown(scenario: Scenario | AssemblyScenario, *, held: bool) -> Run:
+def _shown(scenario: Scenario, *, held: bool) -> Run:
     """Return the run of a scene."""
-    if isinstance(scenario, AssemblyScenario):
+    if not scenario.alone:
         return pieces_run(scenario)
     return run_of(scenario, scenario.motion(), own_measures(scenario) if held else ())
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from stayput.app.limits import Limits
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
     from stayput.verification import Verdict
 
     AnyVerdict = Verdict | RoomVerdict
@@ -59,7 +59,7 @@ class Job:
         Pages that were made of the verdict, by their names.
     plan_runs : dict of int
         Runs made for plans to buy and do, by what the home is like.
-    before : RoomScenario or None
+    before : Scenario or None
         The room before the changes that are tried in it, where some are.
     """
 
@@ -77,7 +77,7 @@ class Job:
     last_used: float = field(default_factory=time.monotonic)
     reports: dict[str, bytes] = field(default_factory=dict[str, bytes])
     plan_runs: dict[str, int] = field(default_factory=dict[str, int])
-    before: RoomScenario | None = None
+    before: Scenario | None = None
     stop: Stop = field(default_factory=Stop)
     turn: Turn = field(init=False)
 
@@ -121,7 +121,7 @@ class Jobs:
         total: int,
         motions: frozenset[str] = frozenset(),
         lease: float | None = None,
-        before: RoomScenario | None = None,
+        before: Scenario | None = None,
     ) -> Job:
         """Begin a job, now or when it is its turn.
 
@@ -136,7 +136,7 @@ class Jobs:
             The uploaded motions that it reads.
         lease : float, optional
             How long it goes on without being asked for [s].
-        before : RoomScenario, optional
+        before : Scenario, optional
             The room before the changes that are tried in it.
 
         Raises

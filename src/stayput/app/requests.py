@@ -12,9 +12,8 @@ from fastapi import UploadFile
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, WithJsonSchema
 
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario import Scenario
 from stayput.scenario.measures import MeasureTable, SingleChoice
-from stayput.scenario.room import RoomScenario
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -26,12 +25,6 @@ STANDS_FOR = "x-stands-for"
 
 SceneData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Scenario"})]
 """A scene as it came: it is checked by `stayput.app.scenes`, off the event loop."""
-
-AnySceneData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "AnyScene"})]
-"""A scene of one piece or of several, as it came."""
-
-RoomData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "RoomScenario"})]
-"""A room as it came."""
 
 SlideLimit = Annotated[float, Field(ge=0.0, le=100.0, description="Slide that counts as too far.")]
 
@@ -62,14 +55,14 @@ class Request(BaseModel):
 class SimulateRequest(Request):
     """One scene, run without and with measures; of several pieces without."""
 
-    scene: AnySceneData
+    scene: SceneData
     measures: Measures
 
 
 class ShakingRequest(Request):
     """A scene of which only the shaking is looked at."""
 
-    scene: AnySceneData
+    scene: SceneData
 
 
 class VerifyRequest(Request):
@@ -86,9 +79,9 @@ class VerifyRequest(Request):
 class RoomRequest(Request):
     """A room to be verified."""
 
-    scene: RoomData
+    scene: SceneData
     before: Annotated[
-        RoomData | None,
+        SceneData | None,
         Field(
             description="The same room before the changes that are tried in it: a plan to buy and do begins "
             "there, and has them as steps."
@@ -115,7 +108,7 @@ class ReadRequest(Request):
 class TomlRequest(Request):
     """A scene to be written as a scenario file."""
 
-    scene: AnySceneData
+    scene: SceneData
     measures: Measures
 
 
@@ -149,18 +142,8 @@ def described(app: FastAPI) -> Callable[[], dict[str, Any]]:
     def description() -> dict[str, Any]:
         document = generate()
         schemas = document["components"]["schemas"]
-        found = {
-            "AssemblyScenario": AssemblyScenario.model_json_schema(ref_template=REFERENCE),
-            "Scenario": Scenario.schema(ref_template=REFERENCE),
-            "RoomScenario": RoomScenario.model_json_schema(ref_template=REFERENCE),
-        }
-        for name, schema in found.items():
-            schemas |= {**schema.pop("$defs"), name: schema}
-        either = [
-            {"$ref": REFERENCE.format(model=name)}
-            for name in ("Scenario", "AssemblyScenario", "RoomScenario")
-        ]
-        schemas["AnyScene"] = {"anyOf": either}
+        scene = Scenario.schema(ref_template=REFERENCE)
+        schemas |= {**scene.pop("$defs"), "Scenario": scene}
         measure = TypeAdapter[MeasureTable](SingleChoice).json_schema(ref_template=REFERENCE)
         measure.pop("$defs", None)
         schemas["Measure"] = measure

@@ -11,7 +11,7 @@ from starlette.responses import Response
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.requests import Name, RoomRequest  # noqa: TC001 - FastAPI reads the annotations
-from stayput.app.scenes import motions_of, read_room_scene, refusal
+from stayput.app.scenes import motions_of, refusal
 from stayput.app.service import OF_BODY, OF_JOB, json_response, of_file, problems
 from stayput.app.turns import Turn
 from stayput.app.verdict_replies import JobReply, PlanProgressReply
@@ -24,7 +24,7 @@ from stayput.rooms.runs import groups_of
 from stayput.rooms.steps import Home
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.verify import verify_room
-from stayput.scenario.room import refuse_what_stands_wrong
+from stayput.scenario.scene import refuse_what_stands_wrong
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from stayput.app.service import Service
     from stayput.execution import Stop
     from stayput.rooms.steps import ActionPlan
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
 
 
 def _asked_home(
@@ -60,8 +60,8 @@ def add_rooms(router: APIRouter, service: Service) -> None:
     async def start(body: RoomRequest) -> Response:
         """Begin the verification of a room: it goes on as a job, whose result gets better while it runs."""
 
-        def prepare() -> tuple[RoomScenario, int, RoomScenario | None]:
-            scenario = read_room_scene(body.scene, service.limits, service.motions)
+        def prepare() -> tuple[Scenario, int, Scenario | None]:
+            scenario = service.room(body.scene)
             return scenario, _checked(scenario, service.limits), _before(body, scenario, service)
 
         scenario, runs, before = await service.workers.run(prepare)
@@ -121,7 +121,7 @@ def add_rooms(router: APIRouter, service: Service) -> None:
         return json_response(PlanProgressReply(made=made, runs=job.plan_runs.get(str(home), 0)))
 
 
-def _before(body: RoomRequest, scenario: RoomScenario, service: Service) -> RoomScenario | None:
+def _before(body: RoomRequest, scenario: Scenario, service: Service) -> Scenario | None:
     """Return the room before the changes that are tried in it.
 
     Raises
@@ -132,7 +132,7 @@ def _before(body: RoomRequest, scenario: RoomScenario, service: Service) -> Room
     if body.before is None:
         return None
     try:
-        before = read_room_scene(body.before, service.limits, service.motions)
+        before = service.room(body.before)
     except RefusedError as refused_scene:
         error = refused_scene.error
         field = error.field and error.field.replace("scene", "before", 1)
@@ -144,7 +144,7 @@ def _before(body: RoomRequest, scenario: RoomScenario, service: Service) -> Room
     return before
 
 
-def _unchanged(scenario: RoomScenario) -> dict[str, object]:
+def _unchanged(scenario: Scenario) -> dict[str, object]:
     """Return what changes leave as it is: all but where pieces and people are, and measures."""
     moved = {"at", "heading", "against", "along", "gap", "measures"}
     same = scenario.model_dump(exclude={"title": True, "places": True, "furniture": {"__all__": moved}})
@@ -152,7 +152,7 @@ def _unchanged(scenario: RoomScenario) -> dict[str, object]:
     return {**same, "places": places}
 
 
-def _checked(scenario: RoomScenario, limits: Limits) -> int:
+def _checked(scenario: Scenario, limits: Limits) -> int:
     """Return how many simulations of the room as it is there are.
 
     Raises
@@ -165,7 +165,7 @@ def _checked(scenario: RoomScenario, limits: Limits) -> int:
     except InputError as error:
         raise refusal(error) from None
     motions = motions_of(scenario.shaking)
-    runs = len(groups_of(scenario)) * motions * max(1, -(-scenario.uncertainty.samples // motions))
+    runs = len(groups_of(scenario)) * motions * max(1, -(-scenario.samples // motions))
     if runs > limits.runs_of_room:
         raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=limits.runs_of_room)
     return runs

@@ -28,8 +28,6 @@ from stayput.report.summary import (
     sentences_of_piece,
 )
 from stayput.rooms.events import happens_in
-from stayput.scenario import AssemblyScenario
-from stayput.scenario.room import RoomScenario
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.space_fate import ROCKED, SLID
@@ -79,7 +77,7 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
     RefusedError
         Measures that cannot be applied, or what the simulation refuses.
     """
-    piece = scenario.furniture
+    piece = scenario.piece
     try:
         run = simulate(
             piece.body(),
@@ -96,7 +94,7 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
     return run.named([piece.name or piece.preset or ANY_PIECE[0]])
 
 
-def pieces_run(scenario: AssemblyScenario) -> Run:
+def pieces_run(scenario: Scenario) -> Run:
     """Run several pieces.
 
     Raises
@@ -111,7 +109,7 @@ def pieces_run(scenario: AssemblyScenario) -> Run:
 
 
 def simulated(
-    scenario: Scenario | AssemblyScenario,
+    scenario: Scenario,
 ) -> run_replies.SimulateReply | run_replies.SpaceSimulateReply:
     """Run a scene: one piece without and with the user's measures, or several pieces.
 
@@ -121,7 +119,7 @@ def simulated(
         As `run_of` and `pieces_run`.
     """
     ground, motion = ground_and_floor(scenario)
-    if isinstance(scenario, AssemblyScenario):
+    if not scenario.alone:
         return _pieces_reply(scenario, ground)
     measures = own_measures(scenario)
     runs = [run_of(scenario, motion, in_place) for in_place in ([(), measures] if measures else [()])]
@@ -176,7 +174,7 @@ def _fate(run: Run, sentence: Phrase) -> dict[str, Any]:
     }
 
 
-def ground_and_floor(scenario: Scenario | AssemblyScenario) -> tuple[Motion, Motion]:
+def ground_and_floor(scenario: Scenario) -> tuple[Motion, Motion]:
     """Return the motions of the ground and under the piece, along the axes of the piece."""
     shaking = scenario.shaking
     if shaking.building is None:
@@ -233,10 +231,10 @@ def _shift(motion: Motion, times: NDArray[np.float64], scale: float) -> list[flo
     return rounded(scale * np.interp(times, motion.time, ground_displacement(motion)))
 
 
-def _pieces_reply(scenario: AssemblyScenario, ground: Motion) -> run_replies.SpaceSimulateReply:
+def _pieces_reply(scenario: Scenario, ground: Motion) -> run_replies.SpaceSimulateReply:
     run = pieces_run(scenario)
     reply = _space_reply(scenario, [space_scene(run, scenario.names)], [sentences(run)], ground)
-    if isinstance(scenario, RoomScenario):
+    if scenario.plan is not None:
         hits, blocked, shut_in = happens_in(run, scenario)
         each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
         reply.in_room = run_replies.RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
@@ -244,7 +242,7 @@ def _pieces_reply(scenario: AssemblyScenario, ground: Motion) -> run_replies.Spa
 
 
 def _space_reply(
-    scenario: Scenario | AssemblyScenario,
+    scenario: Scenario,
     scenes: Sequence[SpaceScene],
     sentences: Sequence[Phrase],
     ground: Motion,
@@ -302,7 +300,7 @@ def _first(time: NDArray[np.float64], moves: NDArray[np.bool_]) -> float:
     return float(time[moves.argmax()]) if moves.any() else math.nan
 
 
-def shaking_reply(scenario: Scenario | AssemblyScenario) -> ShakingReply:
+def shaking_reply(scenario: Scenario) -> ShakingReply:
     """Return how strongly the ground shakes in a scene.
 
     Raises

@@ -5,14 +5,13 @@ from __future__ import annotations
 import json
 import math
 import re
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
 from stayput.model.parameters import parameter_of
 from stayput.motion import sine
-from stayput.scenario import AssemblyScenario, Scenario
-from stayput.scenario.room import RoomScenario
+from stayput.scenario import Scenario
 from stayput.scenario.shaking import RECORD_FILES, SuiteTable
 from stayput.verification.options import YOURS
 
@@ -23,21 +22,14 @@ if TYPE_CHECKING:
     from stayput.app.motions import Motions
     from stayput.scenario.shaking import ShakingTable
 
-AnyAssembly = TypeVar("AnyAssembly", bound=AssemblyScenario)
-AnyScenario = TypeVar("AnyScenario", Scenario, AssemblyScenario, RoomScenario)
-
-TABLES = frozenset(
-    field.alias or name
-    for kind in (Scenario, AssemblyScenario, RoomScenario)
-    for name, field in kind.model_fields.items()
-)
+TABLES = frozenset(field.alias or name for name, field in Scenario.model_fields.items())
 """Keys of a scene."""
 
 
 def read_scene(
     data: Mapping[str, Any], measures: Sequence[Mapping[str, Any]], limits: Limits, motions: Motions
 ) -> Scenario:
-    """Make a scenario of a scene.
+    """Make a scenario of a scene: of one piece, of several, or of a room with a plan.
 
     Parameters
     ----------
@@ -59,7 +51,19 @@ def read_scene(
     if measures:
         scene["measures"] = [{"name": YOURS, "combine": [dict(measure) for measure in measures]}]
     _few_entries(scene.get("measures"), "measures", limits.options)
-    return _few_samples(_parsed(Scenario, scene, limits, motions, own=bool(measures)), limits)
+    _refuse_half_characters(scene)
+    _check_shaking(_table(scene.get("shaking")), limits, motions)
+    try:
+        scenario = Scenario.parse(scene, motions.folder)
+    except InputError as error:
+        raise refusal(error, bool(measures)) from None
+    for number, piece in enumerate(scenario.pieces):
+        if piece.mesh is not None:
+            raise refused(422, "app.no_mesh", f"scene.{scenario.key_of(number)}.mesh", name=piece.title)
+    _few_entries([*scenario.pieces], "furniture", limits.pieces)
+    if scenario.samples > limits.samples:
+        raise _too_many("uncertainty.samples", scenario.samples, limits.samples)
+    return scenario
 
 
 def several_pieces(data: Mapping[str, Any]) -> bool:
@@ -67,20 +71,17 @@ def several_pieces(data: Mapping[str, Any]) -> bool:
     return isinstance(data.get("furniture"), list)
 
 
-def read_pieces(
-    data: Mapping[str, Any], measures: Sequence[Mapping[str, Any]], limits: Limits, motions: Motions
-) -> AssemblyScenario:
-    """Make a scenario of a scene of several pieces, in a room with a plan or not, to be run once.
+def short_enough(scenario: Scenario, limits: Limits) -> Scenario:
+    """Return a scenario that is to be run once, if its motion is not too long for its pieces.
 
     Raises
     ------
     RefusedError
-        What is wrong with it; see `read_scene`.
+        It is too long, or its record cannot be read.
     """
-    if measures:
-        raise refused(422, "app.pieces_and_measures", "measures")
-    scenario = _several(RoomScenario if "plan" in data else AssemblyScenario, data, limits, motions)
-    count = len(scenario.furniture)
+    if scenario.alone:
+        return scenario
+    count = len(scenario.pieces)
     try:
         motion = scenario.motion()
     except InputError as error:
@@ -93,17 +94,6 @@ def read_pieces(
     return scenario
 
 
-def read_room_scene(data: Mapping[str, Any], limits: Limits, motions: Motions) -> RoomScenario:
-    """Make a scenario of a room of a scene, to be verified.
-
-    Raises
-    ------
-    RefusedError
-        What is wrong with it; see `read_scene`.
-    """
-    return _few_samples(_several(RoomScenario, data, limits, motions), limits)
-
-
 def motions_of(shaking: ShakingTable) -> int:
     """Return how many motions a verification takes."""
     if not shaking.of_a_suite:
@@ -112,18 +102,7 @@ def motions_of(shaking: ShakingTable) -> int:
     return made.count
 
 
-def _several(
-    kind: type[AnyAssembly], data: Mapping[str, Any], limits: Limits, motions: Motions
-) -> AnyAssembly:
-    scenario = _parsed(kind, dict(data), limits, motions)
-    for number, piece in enumerate(scenario.furniture):
-        if piece.mesh is not None:
-            raise refused(422, "app.no_mesh", f"scene.furniture[{number}].mesh", name=piece.name)
-    _few_entries([*scenario.furniture], "furniture", limits.pieces)
-    return scenario
-
-
-def uploaded_motions(scenario: Scenario | AssemblyScenario) -> frozenset[str]:
+def uploaded_motions(scenario: Scenario) -> frozenset[str]:
     """Return the uploaded motions that a scene reads."""
     shaking = scenario.shaking
     return frozenset(name for key in RECORD_FILES if isinstance(name := getattr(shaking, key), str))
@@ -138,24 +117,6 @@ def refusal(error: InputError, own: bool = False) -> RefusedError:
         known = error.renamed("measures[0].combine", "measures").anywhere()
         return RefusedError(422, known)
     return RefusedError(422, error.about(f"scene.{field}"))
-
-
-def _parsed(
-    kind: type[AnyScenario], scene: dict[str, Any], limits: Limits, motions: Motions, *, own: bool = False
-) -> AnyScenario:
-    """Make a scenario of a scene whose texts and shaking are looked at first; ``own``: see `refusal`."""
-    _refuse_half_characters(scene)
-    _check_shaking(_table(scene.get("shaking")), limits, motions)
-    try:
-        return kind.parse(scene, motions.folder)
-    except InputError as error:
-        raise refusal(error, own) from None
-
-
-def _few_samples(scenario: AnyScenario, limits: Limits) -> AnyScenario:
-    if scenario.uncertainty.samples > limits.samples:
-        raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
-    return scenario
 
 
 def _refuse_half_characters(scene: dict[str, Any]) -> None:

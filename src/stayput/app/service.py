@@ -13,22 +13,21 @@ from stayput.app.jobs import Jobs
 from stayput.app.motions import Motions, Readers
 from stayput.app.refusals import refused
 from stayput.app.replies import Problem, Reply
-from stayput.app.scenes import read_pieces, read_room_scene, read_scene, several_pieces, uploaded_motions
+from stayput.app.scenes import read_scene, short_enough, uploaded_motions
 from stayput.app.turns import StoppedError, Turns, Workers
 from stayput.app.verification import job_reply
 from stayput.execution import Stop
 from stayput.rooms.verdict import RoomVerdict
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from starlette.requests import Request
 
     from stayput.app.jobs import AnyVerdict, Job, JobWork
     from stayput.app.limits import Limits
     from stayput.app.verdict_replies import JobReply
-    from stayput.scenario import AssemblyScenario, Scenario
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
     from stayput.verification import Verdict
 
 POLL_INTERVAL = 0.5
@@ -142,15 +141,35 @@ class Service:
         finally:
             watcher.cancel()
 
-    def scene(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario:
-        """Make a scenario of a scene."""
+    def scene(self, data: dict[str, Any], measures: Sequence[dict[str, Any]] = ()) -> Scenario:
+        """Make a scenario of a scene of one piece, of several, or of a room."""
         return read_scene(data, measures, self.limits, self.motions)
 
-    def stated(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario | AssemblyScenario:
-        """Make a scenario of a scene of one piece, of several, or of a room, that need not run here."""
-        if "plan" in data and not measures:
-            return read_room_scene(data, self.limits, self.motions)
-        return self.shaken(data, measures)
+    def lone_piece(self, data: dict[str, Any], measures: Sequence[dict[str, Any]] = ()) -> Scenario:
+        """Make a scenario of a scene of one piece.
+
+        Raises
+        ------
+        RefusedError
+            It is of several, or of a room.
+        """
+        scenario = self.scene(data, measures)
+        if not scenario.alone:
+            raise refused(422, "scenario.of_several", "scene.furniture")
+        return scenario
+
+    def room(self, data: dict[str, Any]) -> Scenario:
+        """Make a scenario of a room.
+
+        Raises
+        ------
+        RefusedError
+            It has no plan.
+        """
+        scenario = self.scene(data)
+        if scenario.plan is None:
+            raise refused(422, "rooms.no_plan", "scene.plan")
+        return scenario
 
     def reply_of(self, job: Job) -> JobReply:
         """Return how a job stands."""
@@ -160,9 +179,9 @@ class Service:
         self,
         work: JobWork,
         runs: int,
-        scenario: Scenario | AssemblyScenario,
+        scenario: Scenario,
         lease: float | None,
-        before: RoomScenario | None = None,
+        before: Scenario | None = None,
     ) -> Response:
         """Begin a job, and return where it stands and where to look for it; see `Jobs.start`."""
         job = self.jobs.start(work, runs, uploaded_motions(scenario), lease, before)
@@ -194,10 +213,9 @@ class Service:
             raise refused(409, "app.of_a_room")
         return job, verdict
 
-    def shaken(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario | AssemblyScenario:
-        """Make a scenario of a scene of one piece or several."""
-        read = read_pieces if several_pieces(data) else read_scene
-        return read(data, measures, self.limits, self.motions)
+    def shaken(self, data: dict[str, Any], measures: Sequence[dict[str, Any]] = ()) -> Scenario:
+        """Make a scenario of a scene that is to be run once."""
+        return short_enough(self.scene(data, measures), self.limits)
 
 
 def json_response(reply: Reply, status: int = 200, headers: dict[str, str] | None = None) -> Response:

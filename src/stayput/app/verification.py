@@ -68,7 +68,7 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     tables: list[dict[str, Any]] = [{"name": YOURS, "combine": [table_of(measure) for measure in own]}]
     seen = {own}
     alone = [(measure,) for measure in own]
-    body, room = scenario.furniture.body(), scenario.room.room()
+    body, room = scenario.piece.body(), scenario.room.room()
     for measures in (own, *alone):
         hold(body, room, measures)
     for measures in (*alone, *(option.measures for option in usual() if compare_usual)):
@@ -97,7 +97,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     (compared, _), shaking = compared_options(scenario), scenario.shaking
     options = len(compared)
     motions = motions_of(shaking)
-    most = max(1, -(-scenario.uncertainty.samples // motions))
+    most = max(1, -(-scenario.samples // motions))
     badly = 1 if scenario.uncertainty.badly(1.0) > 0.0 else 0
     runs = options * motions * most * (1 + badly + levels)
     if scenario.contents is not None:

@@ -61,6 +61,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "options is given beside [plan]; it must be left out, as in a room measures are tried one by one on each piece.",
         "[plan]のあるファイルにoptionsがあります。部屋では家具ごとに対策を1つずつ試すため、optionsは省いてください。",
     ),
+    "no_plan": (
+        "plan is missing; a room must have a [plan] with its width and length.",
+        "planがありません。部屋には幅と奥行きを示す[plan]が必要です。",
+    ),
     "against_without_plan": (
         "{name} is {value} in a file without a plan; it must be left out, or a [plan] must be given.",
         "{name}が{value}ですが、[plan]がありません。省くか、[plan]を指定してください。",

@@ -67,14 +67,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value}になっていますが、その名前の家具がありません。",
     ),
     "of_several": (
-        (
-            "furniture is a list of several pieces; it must be one table, or be read with read_assembly, or with "
-            "read_room where there is a [plan]; of the commands, simulate and verify take such a file."
-        ),
-        (
-            "furnitureが複数の家具のリストになっています。1つのテーブルにするか、read_assembly（[plan]があれば"
-            "read_room）で読み込んでください。コマンドではsimulateとverifyで扱えます。"
-        ),
+        "furniture is a list of pieces or stands in a [plan]; here it must be one table without a plan.",
+        "furnitureが家具のリストか、[plan]のある部屋になっています。ここでは[plan]なしの1つのテーブルにしてください。",
     ),
     "measures_on_solid": (
         "The piece {name!r} has measures; what they hold must be a preset or a box.",
@@ -89,8 +83,24 @@ TEXTS: dict[str, tuple[str, str]] = {
         "複数の家具にuncertainty.installationが指定されています。'well'にするか、省いてください。",
     ),
     "no_length": (
-        "{name} is missing; where {other} is 3 the piece needs its length across the depth [m].",
-        "{name}がありません。{other}が3の場合は、奥行きと直角な方向の幅 [m] が必要です。",
+        "{name} is missing; in space the piece needs its length across the depth [m].",
+        "{name}がありません。立体で計算するには、奥行きと直角な方向の幅 [m] が必要です。",
+    ),
+    "of_a_lone_piece": (
+        "{name} is of a single piece in no [plan]; with several pieces or a plan it must be left out.",
+        "{name}は[plan]のない1つの家具だけの指定です。家具が複数あるか[plan]がある場合は省いてください。",
+    ),
+    "of_pieces": (
+        "{name} is of several pieces; it must be left out, or furniture must be a list: [[furniture]].",
+        "{name}は複数の家具のための指定です。省くか、furnitureをリスト（[[furniture]]）にしてください。",
+    ),
+    "pieces_in_the_plane": (
+        "dimensions is 2; several pieces and rooms are in space, so it must be 3 or left out.",
+        "dimensionsが2ですが、複数の家具や部屋は立体で計算します。3にするか、省いてください。",
+    ),
+    "sweep_of_a_case": (
+        "{name} is given for a sweep of a scenario; it must be left out, or a Case be given.",
+        "シナリオのsweepに{name}が指定されています。省くか、Caseを渡してください。",
     ),
     "flag_of_one": (
         "{flag} is of one piece, and must not be given with a file of several.",

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from stayput.measures import Measure
     from stayput.motion import Motion
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import Scenario
 
 
 def words(listed: str) -> Callable[[str], list[str]]:
@@ -320,7 +320,7 @@ def _from_here(key: str, value: Any, flag: str, path: Path | None) -> Any:
 
 def opened(
     path: Path | None, said: FlagValues, outputs: Sequence[Path | None], *, of_one: Mapping[str, object]
-) -> Scenario | AssemblyScenario:
+) -> Scenario:
     """Return the scenario, assembly or room of a file, or of the built-in example, under the flags.
 
     A body of one's own does not stand before the example's wall. What the file by itself gets wrong is
@@ -343,7 +343,7 @@ def opened(
         A value that is not allowed.
     """
     from stayput.files import check_apart
-    from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
+    from stayput.scenario import Scenario
     from stayput.scenario.toml import read_toml
 
     given = {"shaking": EXAMPLE["shaking"]} if "body" in said else EXAMPLE
@@ -356,15 +356,15 @@ def opened(
     data = changed(given, said, path)
     read = [*motion_files(given, path), *motion_files(data, path)]
     check_apart(outputs, read if path is None else [path, *read])
-    kind: type[Scenario | AssemblyScenario] = AssemblyScenario if several else Scenario
-    kind = RoomScenario if "plan" in data else kind
     own = path is not None and motion_files(data) == motion_files(given)
     try:
-        return kind.parse(data, Path() if path is None else path.parent, called(path) if path and own else "")
+        return Scenario.parse(
+            data, Path() if path is None else path.parent, called(path) if path and own else ""
+        )
     except InputError as error:
         if path is not None:
             try:
-                kind.parse(given)
+                Scenario.parse(given)
             except InputError as alone:
                 if str(alone) == str(error):
                     raise error.at(called(path)) from None

@@ -55,16 +55,11 @@ def simulate(
     from stayput.report.animation import animate_run
     from stayput.report.plot import plot_run
     from stayput.report.summary import rows, sentences, summary
-    from stayput.scenario import Scenario
 
     _check_targets(plot, animate)
     checked = opened(scenario, said, (plot, animate), of_one={"--measure": measure})
-    if isinstance(checked, Scenario):
-        with checked.naming_file(), compiling():
-            run = checked.case(chosen_measures(checked, measure or [])).run().named([checked.furniture.title])
-    else:
-        with compiling():
-            run = checked.run()
+    with compiling():
+        run = checked.run(chosen_measures(checked, measure or []))
     sentence = say(sentences(run), lang)
     if plot is not None:
         plot_run(run, plot, title=sentence, language=lang)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import IntensityMeasure
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import Scenario
     from stayput.verification import AssemblyVerdict, Verdict
 
 
@@ -76,7 +76,6 @@ def verify(
     from stayput.files import check_target
     from stayput.montecarlo.counting import SLIDE_LIMIT
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.scenario import RoomScenario, Scenario
     from stayput.verification import Verdict
 
     for page in (report, plan):
@@ -101,9 +100,9 @@ def verify(
     over = _over(curves, im)
     of_one = {"--measure": measure, "--curves": curves}
     checked = opened(scenario, said, (report, markdown, csv, plan), of_one=of_one)
-    if plan is not None and not isinstance(checked, RoomScenario):
+    if plan is not None and checked.plan is None:
         raise InputError("cli.plan_of_a_room", "--plan").at(called(scenario))
-    if measure and isinstance(checked, Scenario):
+    if measure:
         checked = _only(checked, measure)
     verdict = _verified(checked, over, limit, every_run, threads)
     if json:
@@ -167,18 +166,17 @@ def _only(scenario: Scenario, names: list[str]) -> Scenario:
 
 
 def _verified(
-    scenario: Scenario | AssemblyScenario,
+    scenario: Scenario,
     over: list[IntensityMeasure],
     slide_limit: float,
     every_run: bool,
     threads: int | None,
 ) -> Verdict | AssemblyVerdict | RoomVerdict:
     from stayput.rooms.verify import verify_room
-    from stayput.scenario import RoomScenario
     from stayput.verification import verify as compare
 
     with scenario.naming_file(), compiling():
-        if isinstance(scenario, RoomScenario):
+        if scenario.plan is not None:
             return verify_room(scenario, slide_limit=slide_limit, threads=threads)
         options: dict[str, Any] = {"intensity_measures": over} if over else {}
         return compare(scenario, slide_limit=slide_limit, every_run=every_run, threads=threads, **options)

@@ -35,7 +35,7 @@ from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import WALLS, Floor, Wall
 from stayput.model.state import State, refuse_bad_start
 from stayput.scenario import Scenario
-from stayput.scenario.tables import FurnitureTable
+from stayput.scenario.pieces import PieceTable
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Mapping
@@ -290,7 +290,7 @@ def body_of(cells: Mapping[str, Cell]) -> Body:
         if name in stated:
             within(name, stated[name], low, high, unit, name)
     try:
-        return FurnitureTable.model_validate(stated).body()
+        return PieceTable.model_validate(stated).body()
     except ValidationError:
         try:
             Scenario.parse({"furniture": stated})

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import Scenario
     from stayput.scenario.tables import BuildingTable
 
 
@@ -255,7 +255,7 @@ class Hazard:
     @classmethod
     def of(
         cls,
-        scenario: Scenario | AssemblyScenario,
+        scenario: Scenario,
         further: tuple[IntensityMeasure, ...] = (),
         ground: Suite | None = None,
     ) -> Hazard:
@@ -311,9 +311,7 @@ class Hazard:
         """Return the motions at so many times the shaking that a scenario states; see `Ground.stated`."""
         return self._with(times * self._scaled.stated(strength, scale, seed), threads)
 
-    def stated_by(
-        self, scenario: Scenario | AssemblyScenario, threads: int | None = None, times: float = 1.0
-    ) -> FloorMotions:
+    def stated_by(self, scenario: Scenario, threads: int | None = None, times: float = 1.0) -> FloorMotions:
         """Return the same as a scenario states it, refused with its file's name."""
         shaking, seed = scenario.shaking, scenario.uncertainty.seed
         with scenario.naming_file("shaking"):

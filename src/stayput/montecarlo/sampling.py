@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from stayput.measures.measure import Held
     from stayput.montecarlo.counting import Outcomes
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import Scenario
 
 INSETS = ("back_inset", "front_inset")
 
@@ -71,10 +71,10 @@ class Settings:
     quantities: Uncertainty = QUANTITIES
 
     @classmethod
-    def of(cls, scenario: Scenario | AssemblyScenario, motions: int, slide_limit: float) -> Self:
+    def of(cls, scenario: Scenario, motions: int, slide_limit: float) -> Self:
         """Return the settings of a scenario, its samples spread evenly over a number of motions."""
         stated = scenario.uncertainty
-        samples = max(1, -(-stated.samples // motions))
+        samples = max(1, -(-scenario.samples // motions))
         return cls(
             motions,
             samples,

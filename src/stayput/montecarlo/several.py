@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -21,7 +21,7 @@ from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.space import AssemblyTrace, results_of, run_of_assembly, trace_assembly
 from stayput.simulation.space_engine import STEP, SpaceShaking
 from stayput.simulation.standing import STRENGTH_RANGE, Assembly, Piece, Standing
-from stayput.uncertainty import USUAL, Uncertainty, Uniform
+from stayput.uncertainty import QUANTITIES, Uncertainty, Uniform
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterator, Sequence
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion import Motion
     from stayput.simulation.run import Run
+    from stayput.uncertainty import Marginal
 
 OWN = ("mass", "gravity_height", "back_inset", "front_inset")
 """Quantities of `Draw` that each piece has of its own; the others are the room's."""
@@ -77,49 +78,63 @@ def draws_of_several(
     start: int = 0,
     *,
     as_stated: Collection[str] = (),
-    any_direction: bool = False,
+    quantities: Uncertainty = QUANTITIES,
+    direction: float | None = 0.0,
 ) -> list[list[DrawOfSeveral]]:
-    """Return the draws of every motion, which do not depend on the order of the pieces.
+    """Return the draws of every motion; those of a piece depend on its name, and on no other piece.
 
     Parameters
     ----------
     names : sequence of str
-        Names of the pieces; the first by the alphabet has the draws of a single piece.
-    motions, samples, seed, start, as_stated
+        Names of the pieces.
+    motions, samples, seed, start, as_stated, quantities
         As for `stayput.montecarlo.sampling.draws`.
-    any_direction : bool
-        Whether the direction of the motion is drawn too.
+    direction : float, optional
+        Where the motion's x points in plan [rad]; None draws it.
     """
-    bodies = len(names)
-    by_name = sorted(range(bodies), key=lambda body: names[body])
-    rank = [by_name.index(body) for body in range(bodies)]
-    own = {f"{name} {body}": USUAL[name] for body in range(1, bodies) for name in OWN}
-    like = {name: USUAL[other] for name, other in LIKE.items()}
-    turned = {"direction": Uniform(0.0, 2.0 * math.pi)} if any_direction else {}
-    drawn = Uncertainty({**USUAL, **like, **own, **turned}).sample(
-        samples, seed, motions=motions, start=start
-    )
-    for name in drawn:
-        quantity = LIKE.get(name, name.partition(" ")[0])
-        if quantity in as_stated:
-            drawn[name] = np.full((motions, samples), getattr(AS_STATED, quantity))
+    usual = quantities.marginals
+    like = {name: usual[quantity] for name, quantity in LIKE.items()}
+    turned = Uniform(0.0, 2.0 * math.pi)
 
-    def one(motion: int, sample: int) -> DrawOfSeveral:
-        values = {name: float(column[motion, sample]) for name, column in drawn.items()}
-        first = Draw(**{field.name: values[field.name] for field in fields(Draw)})
-        others = (
-            replace(first, **{name: values[f"{name} {body}"] for name in OWN}) for body in range(1, bodies)
+    def drawn(distributions: dict[str, Marginal], stream: str = "") -> list[list[dict[str, float]]]:
+        columns = Uncertainty(distributions).sample(
+            samples, seed, motions=motions, start=start, stream=stream
         )
-        each = (first, *others)
-        pieces = tuple(each[number] for number in rank)
-        return DrawOfSeveral(pieces, *(values[name] for name in (*LIKE, *turned)))
+        for name in columns:
+            if LIKE.get(name, name) in as_stated:
+                columns[name] = np.full((motions, samples), getattr(AS_STATED, LIKE.get(name, name)))
+        rows = zip(*(column.ravel().tolist() for column in columns.values()), strict=True)
+        each = [dict(zip(columns, row, strict=True)) for row in rows]
+        return [each[motion * samples : (motion + 1) * samples] for motion in range(motions)]
 
-    return [[one(motion, sample) for sample in range(samples)] for motion in range(motions)]
+    shared = drawn({**usual, **like, "direction": turned})
+    of_pieces = [drawn({name: usual[name] for name in OWN}, piece) for piece in names]
+
+    def draw(motion: int, sample: int) -> DrawOfSeveral:
+        values = dict(shared[motion][sample])
+        between, joints, towards = (values.pop(name) for name in (*LIKE, "direction"))
+        pieces = tuple(Draw(**values | columns[motion][sample]) for columns in of_pieces)
+        return DrawOfSeveral(pieces, between, joints, towards if direction is None else direction)
+
+    return [[draw(motion, sample) for sample in range(samples)] for motion in range(motions)]
+
+
+def leans_alone(assembly: Assembly) -> bool:
+    """Whether it is a single piece of furniture on the floor, which leans on its own feet, as in the plane.
+
+    Several lean together, as on a floor that leans.
+    """
+    (first, *others) = assembly.members
+    return not others and isinstance(first, Piece) and first.at[2] == 0.0
 
 
 def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
     """Return an assembly as drawn; its products were bought for the pieces as stated."""
-    members = [_drawn_member(one, own) for one, own in zip(assembly.members, draw.pieces, strict=True)]
+    if not leans_alone(assembly):
+        draw = draw._replace(pieces=tuple(replace(piece, lean=0.0) for piece in draw.pieces))
+    members = [
+        _drawn_member(member, piece) for member, piece in zip(assembly.members, draw.pieces, strict=True)
+    ]
     static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in assembly.friction)
     low, high = STRENGTH_RANGE
 
@@ -134,12 +149,12 @@ def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
 
 
 def _drawn_member(member: Standing | Piece, draw: Draw) -> Standing | Piece:
-    """Return a member as drawn. The floor's lean is the room's; feet matter on the floor alone."""
+    """Return a member as drawn; feet matter on the floor alone."""
     if isinstance(member, Standing):
         mass, inertia = draw.mass * member.solid.mass, draw.mass * member.solid.inertia
         return replace(member, solid=replace(member.solid, mass=mass, inertia=inertia))
     inset = draw if member.at[2] == 0.0 else replace(draw, back_inset=0.0, front_inset=0.0)
-    body = drawn_body(member.body, replace(inset, lean=0.0))
+    body = drawn_body(member.body, inset)
     measures = [measure.fitted_to(member.body) for measure in member.measures]
     return Piece(body, member.at, member.heading, measures)
 
@@ -283,11 +298,13 @@ def trace_draw(
     gravity: float,
     step: float = STEP,
 ) -> AssemblyTrace:
-    """Run an assembly under one draw; the floor leans to the front of the first piece, as in the plane."""
+    """Run an assembly under one draw; what several stand on leans to the front of the first piece."""
+    if not leans_alone(assembly):
+        shaking = _leaning(shaking, draw.room.lean, assembly.members[0].heading, gravity)
     return trace_assembly(
         drawn_assembly(assembly, draw),
         drawn_room(assembly, room, draw.room),
-        _leaning(shaking, draw.room.lean, assembly.members[0].heading, gravity),
+        shaking,
         gravity,
         step,
         draw.room.strength,

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.rooms.events import Ways
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
 
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""
@@ -148,12 +148,12 @@ def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
     return True
 
 
-def measures_tried(scenario: RoomScenario, whole: Assembly, body: int) -> Iterator[tuple[Change, RoomPart]]:
+def measures_tried(scenario: Scenario, whole: Assembly, body: int) -> Iterator[tuple[Change, RoomPart]]:
     """Yield the measures that can be put on a piece, with those that run together as it is then held.
 
     Parameters
     ----------
-    scenario : RoomScenario
+    scenario : Scenario
         The room.
     whole : Assembly
         All pieces, as stated.
@@ -167,9 +167,7 @@ def measures_tried(scenario: RoomScenario, whole: Assembly, body: int) -> Iterat
             yield Change(scenario.names[body], measure), part
 
 
-def held_part(
-    scenario: RoomScenario, whole: Assembly, body: int, measures: Sequence[Measure]
-) -> RoomPart | None:
+def held_part(scenario: Scenario, whole: Assembly, body: int, measures: Sequence[Measure]) -> RoomPart | None:
     """Return a piece with further measures, and what runs with it; None where they cannot be put there."""
     if not isinstance(whole.members[body], Piece):
         return None
@@ -242,13 +240,13 @@ def _in_an_opening(plan: FloorPlan, wall: str, along: float, height: float) -> b
 
 
 def places_at_walls(
-    scenario: RoomScenario, whole: Assembly, body: int, floor: FreeFloor
+    scenario: Scenario, whole: Assembly, body: int, floor: FreeFloor
 ) -> Iterator[tuple[str, list[tuple[float, float]]]]:
     """Yield the walls to which a piece may stand, and where its middle may be.
 
     Parameters
     ----------
-    scenario : RoomScenario
+    scenario : Scenario
         The room.
     whole : Assembly
         All pieces, as stated.

@@ -9,7 +9,7 @@ from stayput.errors import InputError, instance_of
 from stayput.rooms.changes import Change
 from stayput.rooms.effects import Answer, Move, OtherTracks
 from stayput.rooms.runs import Question, groups_of, moved_to, placed_elsewhere, with_member
-from stayput.scenario.room import refuse_what_stands_wrong
+from stayput.scenario.scene import refuse_what_stands_wrong
 from stayput.simulation.placing import bare
 from stayput.simulation.standing import Piece, Standing
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from stayput.measures import Measure
     from stayput.model.floor_plan import PersonPlace
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
 
 
 class Decisions(NamedTuple):
@@ -104,7 +104,7 @@ def moved_as_decided(question: Question, as_it_is: Answer, change: Change) -> Mo
     return Move(change, plan, OtherTracks.of(part, runs))
 
 
-def changes_between(before: RoomScenario, after: RoomScenario) -> tuple[Change, ...]:
+def changes_between(before: Scenario, after: Scenario) -> tuple[Change, ...]:
     """Return the changes that make one room of another with the same pieces and places.
 
     A piece that stands on or is joined to another in either counts as not moved.

@@ -237,7 +237,7 @@ def moves_of(question: Question, state: RoomState, harmful: Collection[int]) -> 
             yield Move(change, plan.with_places({number: other}), OtherTracks({}, as_it_is.missing))
     for part in state.parts:
         (body, *others) = part.bodies
-        if others or body not in harmful or not scenario.furniture[body].is_furniture:
+        if others or body not in harmful or not scenario.pieces[body].is_furniture:
             continue
         for wall, middles in places_at_walls(scenario, whole, body, floor):
             moved = _best_at_wall(question, state, body, wall, middles)

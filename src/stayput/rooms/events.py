@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
     from stayput.simulation.run import Run
 
 _images: Any = ndimage  # its results depend on its arguments, which its types do not tell
@@ -334,7 +334,7 @@ class RunInRoom(NamedTuple):
     shut_in: tuple[str, ...]
 
 
-def happens_in(run: Run, scenario: RoomScenario) -> RunInRoom:
+def happens_in(run: Run, scenario: Scenario) -> RunInRoom:
     """Return what happens in a run of a room."""
     plan = scenario.floor_plan()
     tracks = tracks_of(run.standing, run, run.motion.dt)

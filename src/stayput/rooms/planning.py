@@ -103,7 +103,7 @@ def action_plan(
     Examples
     --------
     >>> import stayput as sp
-    >>> scenario = sp.RoomScenario.parse({
+    >>> scenario = sp.Scenario.parse({
     ...     "plan": {"width": 2.4, "length": 2.0},
     ...     "furniture": [{"name": "shelf", "preset": "bookcase", "against": "left_wall", "along": 1.0}],
     ...     "places": [{"kind": "desk", "at": [1.3, 1.0]}],

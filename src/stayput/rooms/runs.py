@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from stayput.measures import Held, Measure
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
     from stayput.simulation.space_engine import SpaceShaking
 
 
@@ -117,10 +117,10 @@ class RoomPart(NamedTuple):
         )
 
 
-def groups_of(scenario: RoomScenario) -> tuple[tuple[int, ...], ...]:
+def groups_of(scenario: Scenario) -> tuple[tuple[int, ...], ...]:
     """Return which pieces stand on or are joined to one another, in the order of the first of each group."""
     names, group = scenario.names, list(range(len(scenario.names)))
-    bonds = [(number, names.index(one.on)) for number, one in enumerate(scenario.furniture) if one.on]
+    bonds = [(number, names.index(one.on)) for number, one in enumerate(scenario.pieces) if one.on]
     bonds += [(names.index(one.first), names.index(one.second)) for one in scenario.joints]
     for first, second in bonds:
         kept, gone = sorted((group[first], group[second]))
@@ -128,12 +128,12 @@ def groups_of(scenario: RoomScenario) -> tuple[tuple[int, ...], ...]:
     return tuple(tuple(i for i, own in enumerate(group) if own == number) for number in sorted(set(group)))
 
 
-def group_of(scenario: RoomScenario, body: int) -> tuple[int, ...]:
+def group_of(scenario: Scenario, body: int) -> tuple[int, ...]:
     """Return the pieces that run together with one of them."""
     return next(group for group in groups_of(scenario) if body in group)
 
 
-def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) -> RoomPart:
+def part_with(scenario: Scenario, bodies: tuple[int, ...], whole: Assembly) -> RoomPart:
     """Return some of the members of an assembly of all pieces."""
     members = [whole.members[body] for body in bodies]
     joints = [
@@ -166,7 +166,7 @@ def moved_to(member: Piece | Standing, at: tuple[float, float], heading: float) 
 
 
 def placed_elsewhere(
-    scenario: RoomScenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
+    scenario: Scenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
 ) -> RoomPart:
     """Return a piece by itself, moved to another place of the plan."""
     moved = moved_to(whole.members[body], at, heading)
@@ -217,7 +217,7 @@ class Question(NamedTuple):
 
     Parameters
     ----------
-    scenario : RoomScenario
+    scenario : Scenario
         The room.
     plan : FloorPlan
         Its plan.
@@ -233,7 +233,7 @@ class Question(NamedTuple):
         Called with the number of runs just done; an exception that it raises stops the work.
     """
 
-    scenario: RoomScenario
+    scenario: Scenario
     plan: FloorPlan
     whole: Assembly
     drawn: list[list[DrawOfSeveral]]

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from stayput.rooms.effects import OtherTracks
     from stayput.rooms.runs import Question
     from stayput.rooms.verdict import RoomEffect, RoomVerdict
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
     from stayput.verification.options import Input
 
 SETS = (("l_bracket",), ("belt",), ("tension_pole",), ("gel_mats",), COMBINED, ("gel_mats", "tension_pole"))
@@ -188,7 +188,7 @@ class Home:
         """Return whether measures of some kinds may be used in this home."""
         return not (self.no_drilling and any(MEASURES[kind].drilled for kind in kinds))
 
-    def of(self, scenario: RoomScenario) -> RoomScenario:
+    def of(self, scenario: Scenario) -> Scenario:
         """Return a room as it is in this home."""
         room = scenario.room
         changed: dict[str, Any] = {}
@@ -332,7 +332,7 @@ class ActionPlan:
     Examples
     --------
     >>> import stayput as sp
-    >>> scenario = sp.RoomScenario.parse({
+    >>> scenario = sp.Scenario.parse({
     ...     "plan": {"width": 3.0, "length": 2.5},
     ...     "furniture": [{"name": "cupboard", "preset": "cupboard", "against": "left_wall", "along": 1.0}],
     ...     "places": [{"kind": "bed", "at": [1.6, 1.0], "heading": 1.5708}],

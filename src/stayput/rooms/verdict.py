@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, NamedTuple
 
+from stayput.saved import InJson
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.montecarlo.counting import Quantiles
     from stayput.rooms.changes import Change
-    from stayput.scenario.room import RoomScenario
+    from stayput.scenario import Scenario
 
 DAY_HOURS = 16.0
 """Hours of the day, those of the night being the rest of 24."""
@@ -234,12 +236,12 @@ class TypicalRun(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class RoomVerdict:
+class RoomVerdict(InJson):
     """Result of `stayput.verify_room`.
 
     Parameters
     ----------
-    scenario : RoomScenario
+    scenario : Scenario
         What was verified.
     plan : FloorPlan
         Its plan.
@@ -277,13 +279,13 @@ class RoomVerdict:
     Examples
     --------
     >>> import stayput as sp
-    >>> room = sp.read_room("examples/bedroom.toml")
+    >>> room = sp.read_scenario("examples/bedroom.toml")
     >>> verdict = sp.verify_room(room, changes=False, progress=False)
     >>> [piece.name for piece in verdict.pieces]
     ['bookcase', 'chest', 'wardrobe']
     """
 
-    scenario: RoomScenario
+    scenario: Scenario
     plan: FloorPlan
     intensity: float
     hit: Probability

@@ -27,7 +27,8 @@ from stayput.rooms.verdict import (
     RoomVerdict,
     TypicalRun,
 )
-from stayput.scenario.room import RoomScenario, refuse_what_stands_wrong
+from stayput.scenario import Scenario
+from stayput.scenario.scene import refuse_what_stands_wrong
 from stayput.simulation.placing import bare, placed
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
 
 
 def verify_room(
-    scenario: RoomScenario,
+    scenario: Scenario,
     *,
     changes: bool = True,
     slide_limit: float = SLIDE_LIMIT,
@@ -54,7 +55,7 @@ def verify_room(
 
     Parameters
     ----------
-    scenario : RoomScenario
+    scenario : Scenario
         The room.
     changes : bool
         Whether single changes are tried: a measure on each piece that does harm, another place for it, and
@@ -80,7 +81,7 @@ def verify_room(
     Examples
     --------
     >>> import stayput as sp
-    >>> scenario = sp.RoomScenario.parse({
+    >>> scenario = sp.Scenario.parse({
     ...     "plan": {"width": 3.0, "length": 2.5},
     ...     "furniture": [{"name": "shelf", "preset": "bookcase", "against": "left_wall", "along": 1.2}],
     ...     "places": [{"kind": "bed", "at": [1.4, 1.2], "heading": 1.5708}],
@@ -108,7 +109,7 @@ def verify_room(
     return replace(last, complete=True)
 
 
-def question_of(scenario: RoomScenario, threads: int | None) -> Question:
+def question_of(scenario: Scenario, threads: int | None) -> Question:
     """Return a room with its motions and draws; nothing has run yet, and nobody hears of progress.
 
     Raises
@@ -116,7 +117,7 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     InputError
         A piece that stands in a wall, in another or where a person is; a record that cannot be read.
     """
-    room = instance_of("scenario", scenario, RoomScenario)
+    room = instance_of("scenario", scenario, Scenario)
     plan, whole = room.floor_plan(), room.assembly(room.stated)
     refuse_what_stands_wrong(room, plan, whole)
     with room.naming_pieces():
@@ -129,14 +130,13 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
         settings.samples,
         settings.seed,
         as_stated=settings.as_stated,
-        any_direction=room.direction is None,
+        quantities=settings.quantities,
+        direction=room.direction,
     )
-    if room.direction is not None:
-        drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
     return Question(room, plan, whole, drawn, floors, threads)
 
 
-def floors_of(room: RoomScenario, threads: int | None, times: float = 1.0) -> FloorMotions:
+def floors_of(room: Scenario, threads: int | None, times: float = 1.0) -> FloorMotions:
     """Return the motions under the furniture of a room, with those of the ground times a factor."""
     return Hazard.of(room).stated_by(room, threads, times)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from stayput.scenario.assembly import AssemblyScenario, read_assembly
-from stayput.scenario.room import RoomScenario, read_room
 from stayput.scenario.scenario import Scenario, read_scenario
 
-__all__ = ["AssemblyScenario", "RoomScenario", "Scenario", "read_assembly", "read_room", "read_scenario"]
+__all__ = ["Scenario", "read_scenario"]

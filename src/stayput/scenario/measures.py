@@ -212,7 +212,11 @@ DrawnQuantity = Annotated[str, one_of(USUAL), named(USUAL)]
 class UncertaintyTable(Table):
     """How much of what is not known is tried out."""
 
-    samples: Samples = Field(default=400, description="Most samples of each set of measures.")
+    samples: Samples | None = Field(
+        default=None,
+        description="Most samples of each set of measures: by default 400 of a lone piece, 20 of several, "
+        "60 of a room.",
+    )
     seed: Annotated[int, between(0, 2**53)] = Field(default=1, description="Seed of the draws.")
     precision: Annotated[float, between(0.001, 0.5)] | None = Field(
         default=None,

@@ -1,4 +1,4 @@
-"""What all kinds of scenario have in common: how one is read and written, and the motions of its floor."""
+"""How a scenario is read from a file and written to one."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from functools import cache
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import tomli_w
 from pydantic import Field, PrivateAttr, ValidationError
@@ -14,26 +14,18 @@ from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of
-from stayput.motion.suites import Suite
-from stayput.scenario.fields import Table, Text, between
+from stayput.scenario.fields import Table, Text
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.toml import read_toml
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Mapping
 
-    from stayput.motion import Motion
-    from stayput.scenario.shaking import ShakingTable
-
-Title = Annotated[Text | None, Field(description="What the scenario is about.")]
-Gravity = Annotated[float, between(0.1, 100.0, "m/s²", description="Acceleration of gravity.")]
-
 
 class FromFile(Table):
     """A scenario that may come from a file."""
 
-    if TYPE_CHECKING:
-        shaking: ShakingTable
+    title: Text | None = Field(default=None, description="What the scenario is about.")
 
     _folder: Path = PrivateAttr(default=Path())
     _file: str = PrivateAttr(default="")
@@ -117,33 +109,6 @@ class FromFile(Table):
                 raise
             in_table = error.at(phrase("scenario.in_table", table=table)) if table else error
             raise in_table.at(self._file) from None
-
-    def motion(self) -> Motion:
-        """Make the motion of the floor, along the axes of a lone piece: of a suite, that of its ``member``.
-
-        Raises
-        ------
-        InputError
-            The record cannot be read, or the suite has no such member.
-        """
-        with self.naming_file("shaking"):
-            return self._turned(self.shaking.motion(self._folder))
-
-    def ground(self) -> Suite:
-        """Make the motions of the ground along the same axes, not scaled, with all components.
-
-        Raises
-        ------
-        InputError
-            A record cannot be read.
-        """
-        with self.naming_file("shaking"):
-            given = self.shaking.ground(self._folder)
-        return Suite(tuple(self._turned(motion) for motion in given), given.name)
-
-    def _turned(self, motion: Motion) -> Motion:
-        """Return a motion along the axes of what stands."""
-        return motion
 
 
 @cache

@@ -1,8 +1,8 @@
-"""The tables of a file of several pieces: where each stands, what joins two, and what may hold them."""
+"""The tables of the pieces: what each is and where it stands, what joins two, and what may hold them."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
 from typing import TYPE_CHECKING, Annotated, Self
 
@@ -13,9 +13,9 @@ from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import SIZE_RANGE, Body
 from stayput.model.room import WALLS_AROUND
 from stayput.model.solid import Solid
-from stayput.scenario.fields import Table, Text, between, checked, named, one_of
-from stayput.scenario.measures import Samples, SingleChoice, UncertaintyTable, of_known_type
-from stayput.scenario.tables import FurnitureTable
+from stayput.scenario.fields import Table, Text, ValueTable, between, checked, fields_of, named, one_of
+from stayput.scenario.measures import SingleChoice, of_known_type
+from stayput.scenario.tables import Heading, Kind, Loads, usual_of
 from stayput.simulation.standing import STRENGTH_RANGE, Joint
 
 if TYPE_CHECKING:
@@ -50,11 +50,25 @@ def in_place(tables: Sequence[SingleChoice] | None) -> tuple[Measure, ...]:
     return tuple(one.measure() for one in tables or ())
 
 
-class StandingTable(FurnitureTable):
-    """A piece and where it stands: a preset or a box, as a lone piece is, a cylinder, a cone or a mesh."""
+@fields_of(
+    Body, optional=("width", "height", "mass", "base"), mass="Mass; with shelves, that of the empty carcass."
+)
+class PieceTable(ValueTable):
+    """A piece and where it stands: a preset with other fields or not, a box, a cylinder, a cone or a mesh."""
 
-    name: Text = Field(  # pyright: ignore[reportIncompatibleVariableOverride, reportGeneralTypeIssues]
-        description="What the piece is called; others stand on it by this name."
+    name: Text | None = Field(
+        default=None,
+        description="What the piece is called, default its preset; others stand on it by this name.",
+    )
+    preset: Kind | None = Field(
+        default=None, description="A common piece of furniture; a default, not a citation."
+    )
+    shelves: Loads | None = Field(
+        default=None, description="Load on each shelf from the lowest up; mass, centre and inertia follow."
+    )
+    heading: Heading = Field(
+        default=0.0,
+        description="Direction in which it faces: from x towards y, which for a lone piece are the motion's.",
     )
     diameter: Size | None = Field(default=None, description="Diameter of a cylinder.")
     bottom: Size | None = Field(default=None, description="Lower diameter of a cone.")
@@ -81,35 +95,62 @@ class StandingTable(FurnitureTable):
         description="Measures that hold it, each a table with its type: those of a preset or a box.",
     )
 
-    def refuse_no_body(self) -> None:
-        """Raise `InputError` where it has no shape or two, or where it stands in two ways."""
-        shape = {*(field.name for field in fields(Body)), *_ROUND, "mesh", "preset", "shelves"}
-        given = {key for key in shape - {"mass", "base"} if getattr(self, key) is not None}
-        if (self.is_furniture and not (self.preset or {"width", "length", "height"} <= given)) or (
-            not self.is_furniture and given not in _SHAPES
-        ):
-            raise InputError("scenario.one_shape", "furniture", name=self.name)
-        if self.mass is None and self.preset is None:
-            raise InputError("scenario.no_preset", "furniture.mass", preset="preset")
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        self._check_shape()
         if (self.mesh is None) != (self.unit is None):
             name, other = "furniture.unit", "furniture.mesh"
             name, other = (name, other) if self.mesh is None else (other, name)
             raise InputError("scenario.needs_both", name, other=other)
         if self.on is not None and len(self.at) == 3:
-            raise InputError("scenario.on_and_height", "furniture.at", name=self.name)
+            raise InputError("scenario.on_and_height", "furniture.at", name=self.title)
         if self.measures is not None and not self.is_furniture:
-            raise InputError("scenario.measures_on_solid", "furniture.measures", name=self.name)
+            raise InputError("scenario.measures_on_solid", "furniture.measures", name=self.title)
         checked("furniture", lambda: refuse_conflicts(in_place(self.measures)))
-        if self.is_furniture:
-            super().refuse_no_body()
+        return self
+
+    def _check_shape(self) -> None:
+        """Raise `InputError` where it has no shape, or two."""
+        shape = {*(field.name for field in fields(Body)), *_ROUND, "mesh", "preset", "shelves"}
+        given = {key for key in shape - {"mass", "base"} if getattr(self, key) is not None}
+        if not self.is_furniture and given not in _SHAPES:
+            raise InputError("scenario.one_shape", "furniture", name=self.title)
+        for key in () if self.preset else ("width", "height", "mass"):
+            if getattr(self, key) is None and (self.is_furniture or key == "mass"):
+                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
+        if not self.is_furniture:
+            return
+        for key in ("cg_offset", "inertia") if self.shelves else ():
+            if getattr(self, key) is not None:
+                raise InputError("scenario.only_one", f"furniture.{key}", other="furniture.shelves")
+        if self.shelves and self.mass is None and usual_of(self.preset, loaded=False)["mass"] is None:
+            raise InputError("scenario.no_carcass", "furniture.mass")
+        checked("furniture", self.body)
+
+    @property
+    def title(self) -> str:
+        """What the piece is called."""
+        return self.name or self.preset or "body"
 
     @property
     def is_furniture(self) -> bool:
         """Whether measures can hold it: a preset or a box."""
         return self.mesh is None and all(getattr(self, size) is None for size in _ROUND)
 
+    def body(self) -> Body:
+        """Make the body of a preset or a box."""
+        values = usual_of(self.preset, loaded=not self.shelves)
+        values |= self.model_dump(include={field.name for field in fields(Body)}, exclude_none=True)
+        for key in ("cg_offset", "base_heights", "base_insets"):
+            if key in values:
+                values[key] = tuple(values[key])
+        if self.shelves is None:
+            return Body(**values)
+        width, height, mass = (values.pop(key) for key in ("width", "height", "mass"))
+        return replace(Body.bookcase(width, height, mass, self.shelves), **values)
+
     def solid(self, folder: Path) -> Solid:
-        """Make the body.
+        """Make the body in space.
 
         Raises
         ------
@@ -200,15 +241,3 @@ class OptionTable(Table):
     def on(self, name: str) -> tuple[Measure, ...]:
         """Make the measures on a piece."""
         return tuple(one for held in self.pieces if held.name == name for one in in_place(held.measures))
-
-
-class AssemblyUncertaintyTable(UncertaintyTable):
-    """How much of what is not known is tried out; runs of several pieces take long."""
-
-    samples: Samples = Field(default=20, description="Most samples of each option.")
-
-    @model_validator(mode="after")
-    def _well_installed(self) -> Self:
-        if self.badly(1.0) > 0.0:
-            raise InputError("scenario.installed_well", "uncertainty.installation")
-        return self

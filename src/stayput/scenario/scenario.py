@@ -1,24 +1,27 @@
-"""`Scenario`: the whole file as a value, the case it makes, and `read_scenario`."""
+"""`Scenario`: the content of a file as a value, and the case, the assembly and the run that it makes."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
+from functools import partial
+from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
+import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
 from stayput.errors import InputError
-from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.scenario.fields import between, refuse_same_names
+from stayput.measures.measure import refuse_conflicts
+from stayput.motion.suites import Suite
+from stayput.scenario.fields import between, checked, refuse_same_names
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, of_known_type
-from stayput.scenario.origin import FromFile, Gravity, Title
-from stayput.scenario.pieces import NOTHING
+from stayput.scenario.pieces import NOTHING, AssemblyOption, OptionTable
+from stayput.scenario.scene import SceneTables, refuse_what_stands_wrong
 from stayput.scenario.shaking import ShakingTable
-from stayput.scenario.tables import ContentsTable, EverydayTable, FurnitureTable, InitialTable, RoomTable
-from stayput.simulation.case import Case
+from stayput.scenario.tables import ContentsTable, EverydayTable, Heading, InitialTable
+from stayput.simulation.case import Case, simulate
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
@@ -27,11 +30,17 @@ if TYPE_CHECKING:
     from stayput.contents import Contents
     from stayput.measures import Measure
     from stayput.motion import Motion
-    from stayput.motion.suites import Suite
+    from stayput.simulation.run import Run
+
+OF_A_LONE_PIECE = ("initial", "everyday", "measures", "contents")
+"""Keys of a piece that stands alone."""
+
+OF_PIECES = ("joints", "static_friction", "kinetic_friction", "options")
+"""Keys of several pieces."""
 
 
-class Scenario(FromFile):
-    """What stands where, and how it is shaken: the content of a scenario file.
+class Scenario(SceneTables):
+    """What stands where, how it is shaken and what is compared: the content of a scenario file.
 
     Make one with `read_scenario` or `Scenario.parse`; both refuse what is wrong with one sentence.
 
@@ -41,21 +50,32 @@ class Scenario(FromFile):
     >>> tables = {"furniture": {"preset": "bookcase"}, "room": {"back_wall": {"gap": 0.02}}}
     >>> for scale in (0.2, 1.0):
     ...     shaking = {"builtin": "near-fault", "scale": scale}
-    ...     print(scale, sp.Scenario.parse({**tables, "shaking": shaking}).case().run().outcome)
+    ...     print(scale, sp.Scenario.parse({**tables, "shaking": shaking}).run().outcome)
     0.2 rested
     1.0 overturned
+
+    Several pieces, and a room with a plan:
+
+    >>> scenario = sp.read_scenario("examples/television.toml")
+    >>> print(scenario.title, *zip(scenario.names, map(str, scenario.run().outcomes)))
+    Television on a stand ('stand', 'rocked') ('television', 'rocked')
+    >>> plan = sp.read_scenario("examples/bedroom.toml").floor_plan()
+    >>> plan.width, plan.length, [place.name for place in plan.places]  # m
+    (3.6, 2.7, ['bed'])
     """
 
-    title: Title = None
-    furniture: FurnitureTable = Field(description="What stands.")
-    room: RoomTable = Field(default_factory=RoomTable, description="Where it stands.")
     shaking: ShakingTable = Field(default_factory=ShakingTable, description="How the floor is shaken.")
-    dimensions: Annotated[int, between(2, 3)] = Field(
-        default=2,
-        description="2: in the plane of the piece's depth, under the component along it; 3: in space, under "
-        "all components.",
+    direction: Heading | None = Field(
+        default=None,
+        description="Where the motion's x points in plan, from x towards y; in a room with a plan it is "
+        "drawn by default.",
     )
-    gravity: Gravity = STANDARD_GRAVITY
+    stated_dimensions: Annotated[int, between(2, 3)] | None = Field(
+        default=None,
+        alias="dimensions",
+        description="2: in the plane of the piece's depth, under the component along it, by default for a "
+        "lone piece; 3: in space, under all components, as several pieces always are.",
+    )
     initial: InitialTable = Field(default_factory=InitialTable, description="The initial state.")
     everyday: EverydayTable = Field(
         default_factory=EverydayTable, description="What people do to it without an earthquake."
@@ -64,6 +84,9 @@ class Scenario(FromFile):
         Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None, of_known_type()
     ] = Field(
         default=None, alias="measures", description="What may hold the furniture; each is verified by itself."
+    )
+    option_tables: Annotated[list[OptionTable], Field(min_length=1, max_length=100)] | None = Field(
+        default=None, alias="options", description="What a verification compares; by default the usual."
     )
     contents_table: ContentsTable | None = Field(
         default=None,
@@ -75,29 +98,58 @@ class Scenario(FromFile):
     )
 
     @model_validator(mode="after")
-    def _possible_in_space(self) -> Self:
+    def _possible(self) -> Self:
+        stated = {field.alias or name: name in self.model_fields_set for name, field in _FIELDS.items()}
+        for key in OF_PIECES if self.alone else OF_A_LONE_PIECE:
+            if stated[key]:
+                raise InputError("scenario.of_pieces" if self.alone else "scenario.of_a_lone_piece", key)
+        if self.alone:
+            self._check_lone_piece()
+        else:
+            self._check_pieces()
+        return self
+
+    def _check_lone_piece(self) -> None:
         if self.dimensions == 2:
             self.room.room().refuse_side_walls()
         else:
             if self.contents_table is not None:
                 raise InputError("scenario.contents_in_space", "contents")
-            if self.furniture.body().length is None:
-                raise InputError("scenario.no_length", "furniture.length", other="dimensions")
-        return self
-
-    @model_validator(mode="after")
-    def _possible(self) -> Self:
+            if self.piece.body().length is None:
+                raise InputError("scenario.no_length", "furniture.length")
         if self.contents is not None:
-            emptied(self.furniture.body(), self.contents)
+            emptied(self.piece.body(), self.contents)
         _refuse_same_names(self.measures)
-        return self
 
-    @classmethod
-    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
-        """Make a scenario from the keys and values of its file; see `FromFile.parse`."""
-        if isinstance(data.get("furniture"), list):
-            raise InputError("scenario.of_several", "furniture")
-        return super().parse(data, folder, file)
+    def _check_pieces(self) -> None:
+        if self.stated_dimensions == 2:
+            raise InputError("scenario.pieces_in_the_plane", "dimensions")
+        if self.uncertainty.badly(1.0) > 0.0:
+            raise InputError("scenario.installed_well", "uncertainty.installation")
+        names, options = self.names, self.option_tables or []
+        if options and self.plan is not None:
+            raise InputError("rooms.options_in_a_room", "options")
+        taken = {NOTHING: phrase("scenario.option_of_nothing")}
+        refuse_same_names("options", [option.name for option in options], taken)
+        for number, option in enumerate(options):
+            for place, piece in enumerate(option.pieces):
+                name = f"options[{number}].pieces[{place}].name"
+                if piece.name not in names:
+                    raise InputError("scenario.no_such_piece", name, value=repr(piece.name))
+                if not self.pieces[names.index(piece.name)].is_furniture:
+                    raise InputError("scenario.measures_on_solid", name, name=piece.name)
+            for name in names:
+                checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
+
+    @property
+    def dimensions(self) -> int:
+        """2 where a lone piece is run in the plane, 3 in space."""
+        return self.stated_dimensions or (2 if self.alone else 3)
+
+    @property
+    def samples(self) -> int:
+        """Most samples of each set of measures, or runs of a room."""
+        return self.uncertainty.samples or (400 if self.alone else 20 if self.plan is None else 60)
 
     def to_toml(self) -> str:
         """Return the scenario as a file's text; what was given in Python is named in a comment."""
@@ -161,22 +213,64 @@ class Scenario(FromFile):
     def contents(self) -> Contents | None:
         """What is in the furniture; None where the file says nothing."""
         table = self.contents_table
-        return None if table is None else table.contents(self.furniture)
+        return None if table is None else table.contents(self.piece.shelves)
 
     @property
     def measures(self) -> tuple[NamedMeasures, ...]:
         """What may hold the furniture, each under its name; empty where the file says nothing."""
         if self._own_measures is not None:
             return self._own_measures
-        return tuple(NamedMeasures(one.title, one.measures()) for one in self.measure_tables or ())
+        return tuple(NamedMeasures(table.title, table.measures()) for table in self.measure_tables or ())
 
     @property
     def without_measures(self) -> bool:
         """Whether it was said in Python that no measures are compared, the usual ones neither."""
         return self._own_measures == ()
 
+    @property
+    def options(self) -> tuple[AssemblyOption, ...]:
+        """What a verification of several pieces compares; empty where the file says nothing."""
+        return tuple(
+            AssemblyOption(
+                table.name, table.joined and bool(self.joints), tuple(table.on(name) for name in self.names)
+            )
+            for table in self.option_tables or ()
+        )
+
+    def motion(self) -> Motion:
+        """Make the motion of the floor: of a suite, that of its ``member``.
+
+        It is along the axes of a lone piece, or turned to its direction in plan.
+
+        Raises
+        ------
+        InputError
+            The record cannot be read, or the suite has no such member.
+        """
+        with self.naming_file("shaking"):
+            return _turned(self.shaking.motion(self._folder), self._facing - (self.direction or 0.0))
+
+    def ground(self) -> Suite:
+        """Make the motions of the ground, not scaled, with all components.
+
+        They are along the axes of a lone piece; those of several are turned as they are drawn.
+
+        Raises
+        ------
+        InputError
+            A record cannot be read.
+        """
+        with self.naming_file("shaking"):
+            ground = self.shaking.ground(self._folder)
+        turn = self._facing - (self.direction or 0.0) if self.alone else 0.0
+        return Suite(tuple(_turned(motion, turn) for motion in ground), ground.name)
+
+    @property
+    def _facing(self) -> float:
+        return self.piece.heading if self.alone else 0.0
+
     def case(self, measures: Sequence[Measure] = ()) -> Case:
-        """Make the case: body, room, motion, initial state and gravity.
+        """Make the case of a lone piece: body, room, motion, initial state and gravity.
 
         Parameters
         ----------
@@ -186,10 +280,12 @@ class Scenario(FromFile):
         Raises
         ------
         InputError
-            The record cannot be read.
+            The record cannot be read, or there are several pieces.
         """
+        if not self.alone:
+            raise InputError("scenario.of_several", "furniture")
         return Case(
-            self.furniture.body(),
+            self.piece.body(),
             self.room.room(),
             self.motion(),
             initial=self.initial.state(),
@@ -198,22 +294,45 @@ class Scenario(FromFile):
             dimensions=3 if self.dimensions == 3 else 2,
         )
 
-    def _turned(self, motion: Motion) -> Motion:
-        """Return a motion as the piece feels it: its depth along x, wherever it faces."""
-        heading = self.furniture.heading
-        if heading == 0.0:
-            return motion
-        both = motion if motion.y is not None else replace(motion, y=0.0 * motion.x)
-        return both.rotated(heading)
+    def run(self, measures: Sequence[Measure] = ()) -> Run:
+        """Simulate what stands, as the file states it.
+
+        Parameters
+        ----------
+        measures : sequence of Measure
+            What is in place on a lone piece.
+        """
+        if self.alone:
+            with self.naming_file():
+                return self.case(measures).run().named(self.names)
+        whole, plan = self.assembly(), None
+        if self.plan is not None:
+            plan = self.floor_plan()
+            with self.naming_file():
+                refuse_what_stands_wrong(self, plan, whole)
+        with self.naming_pieces():
+            run = simulate(whole, self.surroundings(), self.motion(), gravity=self.gravity)
+        return replace(run, names=self.names, plan=plan)
+
+
+_FIELDS = Scenario.model_fields
+
+
+def _turned(motion: Motion, turn: float) -> Motion:
+    """Return a motion along axes that are turned in plan, from x towards y [rad]."""
+    if turn == 0.0:
+        return motion
+    both = motion if motion.y is not None else replace(motion, y=np.zeros_like(motion.x))
+    return both.rotated(turn)
 
 
 def _refuse_same_names(measures: Sequence[NamedMeasures]) -> None:
     taken = {NOTHING: phrase("scenario.option_of_nothing")}
-    refuse_same_names("measures", [one.name for one in measures], taken)
+    refuse_same_names("measures", [named.name for named in measures], taken)
 
 
 def read_scenario(path: str | Path) -> Scenario:
-    """Read a scenario file.
+    """Read a scenario file: of one piece, of several, or of a room with a plan.
 
     Parameters
     ----------
@@ -230,7 +349,7 @@ def read_scenario(path: str | Path) -> Scenario:
     >>> import stayput as sp
     >>> scenario = sp.read_scenario("examples/verify.toml")
     >>> for option in scenario.measures:
-    ...     run = scenario.case(option.measures).run()
+    ...     run = scenario.run(option.measures)
     ...     print(f"{option.name}: {run.outcome}")
     felt_glides: overturned
     belt: rocked

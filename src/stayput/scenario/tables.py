@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, replace
 from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Field, ModelWrapValidatorHandler, PrivateAttr, Tag, model_validator
@@ -14,7 +14,7 @@ from stayput.catalogue import phrase
 from stayput.contents.contents import CONTENTS, DOORS, DRAWERS, Contents
 from stayput.errors import InputError
 from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
-from stayput.model.body import FURNITURE, Body, Part
+from stayput.model.body import FURNITURE, Part
 from stayput.model.parameters import parameter_of
 from stayput.model.room import SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
@@ -22,7 +22,6 @@ from stayput.scenario.fields import (
     NAME,
     TABLE,
     Table,
-    Text,
     ValueTable,
     between,
     checked,
@@ -47,59 +46,6 @@ def usual_of(preset: str | None, *, loaded: bool = True) -> dict[str, Any]:
     carcass = usual.pop("carcass_mass", None)
     usual.pop("base_confidence", None)
     return usual if loaded else usual | {"mass": carcass}
-
-
-@fields_of(
-    Body, optional=("width", "height", "mass", "base"), mass="Mass; with shelves, that of the empty carcass."
-)
-class FurnitureTable(ValueTable):
-    """What stands: a preset, any field of which may be overridden, or a body of one's own."""
-
-    name: Text | None = Field(default=None, description="What the piece is called.")
-    preset: Kind | None = Field(
-        default=None, description="A common piece of furniture; a default, not a citation."
-    )
-    shelves: Loads | None = Field(
-        default=None, description="Load on each shelf from the lowest up; mass, centre and inertia follow."
-    )
-    heading: Heading = Field(
-        default=0.0,
-        description="Direction in which it faces: from x towards y, which for a lone piece are the motion's.",
-    )
-
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
-        self.refuse_no_body()
-        return self
-
-    def refuse_no_body(self) -> None:
-        """Raise `InputError` where it makes no body."""
-        for key in () if self.preset else ("width", "height", "mass"):
-            if getattr(self, key) is None:
-                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
-        for key in ("cg_offset", "inertia") if self.shelves else ():
-            if getattr(self, key) is not None:
-                raise InputError("scenario.only_one", f"furniture.{key}", other="furniture.shelves")
-        if self.shelves and self.mass is None and usual_of(self.preset, loaded=False)["mass"] is None:
-            raise InputError("scenario.no_carcass", "furniture.mass")
-        checked("furniture", self.body)
-
-    @property
-    def title(self) -> str:
-        """What the piece is called."""
-        return self.name or self.preset or "body"
-
-    def body(self) -> Body:
-        """Make the body."""
-        values = usual_of(self.preset, loaded=not self.shelves)
-        values |= self.model_dump(include={field.name for field in fields(Body)}, exclude_none=True)
-        for key in ("cg_offset", "base_heights", "base_insets"):
-            if key in values:
-                values[key] = tuple(values[key])
-        if self.shelves is None:
-            return Body(**values)
-        width, height, mass = (values.pop(key) for key in ("width", "height", "mass"))
-        return replace(Body.bookcase(width, height, mass, self.shelves), **values)
 
 
 @fields_of(
@@ -134,11 +80,11 @@ class ContentsTable(ValueTable):
         checked("contents", self.contents)
         return self
 
-    def contents(self, furniture: FurnitureTable | None = None) -> Contents:
-        """Make the contents; loads that are not given are those of the furniture's shelves."""
+    def contents(self, shelves: list[float] | None = None) -> Contents:
+        """Make the contents; loads that are not given are those of the furniture's shelves [kg]."""
         loads = self.loads
-        if loads is None and furniture is not None and not {"shelves", "mass_share"} & self.model_fields_set:
-            loads = furniture.shelves
+        if loads is None and not {"shelves", "mass_share"} & self.model_fields_set:
+            loads = shelves
         given = self.model_dump(exclude={"loads"})
         return Contents(**given, loads=None if loads is None else tuple(loads))
 
@@ -185,7 +131,7 @@ FloorChoice = Annotated[
 
 
 class RoomTable(Table):
-    """Floor, walls and ceiling."""
+    """Floor, walls and ceiling; where the walls of a room with a plan are is said by the plan."""
 
     floor: FloorChoice = Field(
         default="wood flooring", description="A surface preset or a table of coefficients."
@@ -198,6 +144,9 @@ class RoomTable(Table):
     )
     far_side_wall: WallTable | None = Field(
         default=None, description="The wall at the far side, at +y; in space alone."
+    )
+    walls: WallConstruction = Field(
+        default="stud", description="In a room with a plan: what devices on the walls are fixed to."
     )
     ceiling: CeilingTable | None = Field(default=None, description="The ceiling.")
 

@@ -19,7 +19,7 @@ from stayput.errors import InputError, instance_of, within, word_of
 from stayput.simulation.grid import Axis, Columns, Grid, finite_numbers, make_grid
 from stayput.simulation.many import run_grid
 from stayput.simulation.outcome import Outcome
-from stayput.simulation.sweep import sweep
+from stayput.simulation.sweep import sweep_case
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -94,7 +94,7 @@ def overturning_map(
     (0.5, 1.4, 1)
     """
     sampled = checked_amplitudes(amplitudes, axes)
-    data = sweep(
+    data = sweep_case(
         case, {**(axes or {}), SCALE: sampled}, threads=threads, executor=executor, progress=progress
     )
     falls = data["outcome"].isin(FALLEN)

@@ -1,9 +1,9 @@
-"""`sweep`: a case along axes as a labelled dataset, on request with the histories of every case."""
+"""A case along axes as a labelled dataset, on request with the histories of every case."""
 
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 import xarray as xr
@@ -29,7 +29,17 @@ MOST_NUMBERS = 2**27
 """Most numbers in all histories together: 1 GiB."""
 
 
-def sweep(
+class SweepOptions(TypedDict, total=False):
+    """Options of a sweep; see `stayput.sweep`."""
+
+    histories: Sequence[str]
+    threads: int | None
+    executor: Executor | None
+    chunk: int | None
+    progress: bool | None
+
+
+def sweep_case(
     case: Case,
     axes: Axes,
     *,
@@ -39,45 +49,7 @@ def sweep(
     chunk: int | None = None,
     progress: bool | None = None,
 ) -> xr.Dataset:
-    """Simulate a case along axes; the result has a dimension for each.
-
-    Parameters
-    ----------
-    case : Case
-        The base case: what no axis changes.
-    axes : mapping
-        Dotted paths and their values: ``{"body.width": [...], "room.right_wall.gap": [...]}``. The cases
-        are all combinations. A tuple of paths with a tuple of lists is one axis, along which the values
-        change together; its dimension has the name of the first. Paths are those of `simulate_many`.
-    histories : sequence of str
-        Histories to keep of every case: ``slide``, ``slide_rate``, ``tilt``, ``tilt_rate``, ``x``, ``z``;
-        over ``time``, NaN after the end of a case. They need motions of one time step.
-    threads, executor, chunk, progress
-        As for `simulate_many`.
-
-    Returns
-    -------
-    xarray.Dataset
-        Results over the axes, with units and meanings in the attributes; ``outcome`` is a flag whose
-        meanings are in its attributes.
-
-    Raises
-    ------
-    InputError
-        As for `simulate_many`, or an unknown history.
-
-    Examples
-    --------
-    >>> import stayput as sp
-    >>> case = sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(), sp.near_fault().component("x"))
-    >>> data = sp.sweep(case, {"body.width": [0.3, 0.4, 0.5], "motion.scale": [0.4, 0.6, 1.2]})
-    >>> data.overturned.to_pandas()
-    motion.scale    0.4    0.6   1.2
-    body.width
-    0.3            True   True  True
-    0.4           False   True  True
-    0.5           False  False  True
-    """
+    """Simulate a case along axes; see `stayput.sweep`."""
     grid = make_grid(case, axes)
     wanted = list_of("histories", histories, str)
     times, traced = _histories(grid, wanted, threads) if wanted else (None, {})

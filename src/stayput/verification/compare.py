@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import Scenario
     from stayput.scenario.pieces import AssemblyOption
     from stayput.simulation.standing import Assembly
 
@@ -92,7 +92,7 @@ def compare(
     ground = hazard.ground
     settings = Settings.of(scenario, len(ground), limit)
     faulty = _badly_installed(options, scenario)
-    body, room = scenario.furniture.body(), scenario.room.room()
+    body, room = scenario.piece.body(), scenario.room.room()
     held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
     with tally(total, "progress.verifying", progress, on_progress) as count:
@@ -168,7 +168,7 @@ def _rows(
     options: tuple[Option, ...], scenario: Scenario, settings: Settings, samples: int, start: int = 0
 ) -> list[Rows]:
     """Return the rows of every option, for some samples of each motion."""
-    body, room = scenario.furniture.body(), scenario.room.room()
+    body, room = scenario.piece.body(), scenario.room.room()
     drawn = draws(
         settings.motions,
         samples,
@@ -324,7 +324,7 @@ def device_summary(
 
 
 def verify_several(
-    scenario: AssemblyScenario,
+    scenario: Scenario,
     *,
     slide_limit: float,
     threads: int | None = None,
@@ -348,7 +348,13 @@ def verify_several(
     warn_of_settlement(assemblies[0], room)
     total = len(ground) * settings.samples * len(options)
     draw = partial(
-        draws_of_several, scenario.names, settings.motions, seed=settings.seed, as_stated=settings.as_stated
+        draws_of_several,
+        scenario.names,
+        settings.motions,
+        seed=settings.seed,
+        as_stated=settings.as_stated,
+        quantities=settings.quantities,
+        direction=scenario.direction or 0.0,
     )
     with tally(total, "progress.verifying", progress, on_progress) as count:
         floors = hazard.stated_by(scenario, threads)
@@ -382,7 +388,7 @@ def verify_several(
 
 
 def _verdicts_of_several(
-    scenario: AssemblyScenario,
+    scenario: Scenario,
     options: tuple[AssemblyOption, ...],
     assemblies: list[Assembly],
     runs: list[RunsOfSeveral],
@@ -407,9 +413,7 @@ def _verdicts_of_several(
     )
 
 
-def _devices(
-    scenario: AssemblyScenario, assembly: Assembly, runs: RunsOfSeveral
-) -> tuple[DeviceOfSeveral, ...]:
+def _devices(scenario: Scenario, assembly: Assembly, runs: RunsOfSeveral) -> tuple[DeviceOfSeveral, ...]:
     """Return a summary of each device and joint, in the order of the runs'."""
     names, found = scenario.names, list[DeviceOfSeveral]()
     for name, body in zip(names, placed(assembly.members, scenario.surroundings()), strict=True):

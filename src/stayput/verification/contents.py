@@ -133,7 +133,7 @@ def contents_verdicts(
     contents = scenario.contents
     if contents is None:
         return [None] * len(options)
-    body, stated = scenario.furniture.body(), scenario.uncertainty
+    body, stated = scenario.piece.body(), scenario.uncertainty
     drawn = first_draws(len(floors.motions), seed, stated.as_stated, stated.quantities)
     floors = _first(floors)
 

@@ -12,7 +12,7 @@ from stayput.fragility import IntensityMeasure, intensity_measure
 from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
+from stayput.scenario import Scenario
 from stayput.scenario.in_python import MeasureSets, StatedShaking, scenario_of, scenario_of_case
 from stayput.simulation.case import Case
 from stayput.verification.compare import compare, verify_several
@@ -52,7 +52,7 @@ class _RunsOfOne(_Runs, total=False):
 
 @overload
 def verify(
-    what: Scenario | Case | Body,
+    what: Case | Body,
     room: Room | None = ...,
     *,
     shaking: StatedShaking | None = ...,
@@ -63,17 +63,11 @@ def verify(
 
 
 @overload
-def verify(what: AssemblyScenario, **asked: Unpack[_Runs]) -> AssemblyVerdict: ...
-
-
-@overload
-def verify(
-    what: Scenario | AssemblyScenario, *, every_run: bool = ..., **asked: Unpack[_Runs]
-) -> Verdict | AssemblyVerdict: ...
+def verify(what: Scenario, **asked: Unpack[_RunsOfOne]) -> Any: ...
 
 
 def verify(
-    what: Scenario | AssemblyScenario | Case | Body,
+    what: Scenario | Case | Body,
     room: Room | None = None,
     *,
     shaking: StatedShaking | None = None,
@@ -102,7 +96,7 @@ def verify(
 
     Parameters
     ----------
-    what : Body, Case, Scenario or AssemblyScenario
+    what : Body, Case or Scenario
         What stands. A case has its room, its motion and its own measures; a scenario says everything. Of
         several pieces joints and measures on each are compared, at the scenario's own shaking alone.
     room : Room, optional
@@ -186,9 +180,7 @@ def verify(
     in_python = {"room": room, "shaking": shaking, **place, "measures": measures, "uncertainty": uncertainty}
     if isinstance(what, str | PathLike):
         raise InputError("scenario.only_a_path", "what", value=repr(str(what)))
-    given = instance_of("what", what, (Scenario, AssemblyScenario, Case, Body))
-    if isinstance(given, RoomScenario):
-        raise InputError("rooms.use_verify_room", "what")
+    given = instance_of("what", what, (Scenario, Case, Body))
     tables: dict[str, Any] = {"uncertainty": stated} if stated else {}
     match given:
         case Body():
@@ -203,7 +195,9 @@ def verify(
         case _:
             _refuse_beside(given, in_python | settings)
             scenario = given
-    if isinstance(scenario, AssemblyScenario):
+    if scenario.plan is not None:
+        raise InputError("rooms.use_verify_room", "what")
+    if not scenario.alone:
         if levels is not None and np.size(levels):
             raise InputError("several.levels", "levels")
         return verify_several(scenario, **runs)
@@ -214,7 +208,7 @@ def verify(
     )
 
 
-def _refuse_beside(what: Scenario | AssemblyScenario | Case, given: dict[str, Any]) -> None:
+def _refuse_beside(what: Scenario | Case, given: dict[str, Any]) -> None:
     """Refuse what something says already, given beside it."""
     for name, value in given.items():
         if value is not None:

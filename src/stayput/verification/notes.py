@@ -203,9 +203,9 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
 
 def _engine(scenario: Scenario) -> Iterator[Phrase]:
     """Yield that a piece was simulated in space, or that the plane may miss how it falls."""
-    body = scenario.furniture.body()
+    body = scenario.piece.body()
     if scenario.dimensions == 3:
-        yield phrase("verification.in_space", heading=math.degrees(scenario.furniture.heading))
+        yield phrase("verification.in_space", heading=math.degrees(scenario.piece.heading))
     elif body.length is not None and body.length < LONG * body.width:
         yield phrase("verification.not_long", ratio=body.length / body.width, long=LONG)
 
@@ -216,7 +216,7 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
     median = curves[PFV].capacity(0.5).estimate if curves else math.nan
     if not math.isfinite(median):
         return
-    body = verdict.scenario.furniture.body()
+    body = verdict.scenario.piece.body()
     formula = kaneko_hayashi_velocity(body)
     low = LOSS_MODEL_RATIO * formula
     yield phrase(
@@ -246,7 +246,7 @@ def _estimate(verdict: Verdict) -> Iterator[Phrase]:
 def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     """Yield what the formula leaves out of this piece where it stands."""
     scenario = verdict.scenario
-    body, room = scenario.furniture.body(), scenario.room.room()
+    body, room = scenario.piece.body(), scenario.room.room()
     walls = (
         (room.left_wall, "verification.wall_behind"),
         (room.right_wall, "verification.wall_in_front"),
@@ -285,7 +285,7 @@ def _grade(option: Option, verdict: Verdict) -> Phrase:
 
 def everyday_cases(scenario: Scenario) -> tuple[tuple[TipOverCase, Phrase], ...]:
     """Return the cases of tip-over without an earthquake, the smallest margin first, each in words."""
-    given, body = _everyday(scenario), scenario.furniture.body()
+    given, body = _everyday(scenario), scenario.piece.body()
 
     def said(case: TipOverCase) -> Phrase:
         height = min(given.pull_height, body.height)
@@ -300,12 +300,12 @@ def everyday_cases(scenario: Scenario) -> tuple[tuple[TipOverCase, Phrase], ...]
 
 def _everyday(scenario: Scenario) -> Everyday:
     """Return what people do to the piece where it stands."""
-    return scenario.everyday.everyday(scenario.furniture.preset, scenario.room.room().floor.surface)
+    return scenario.everyday.everyday(scenario.piece.preset, scenario.room.room().floor.surface)
 
 
 def everyday_note(verdict: Verdict) -> Phrase:
     """Return the case in which the piece tips over most easily without an earthquake, and its margin."""
-    furniture = verdict.scenario.furniture
+    furniture = verdict.scenario.piece
     given = _everyday(verdict.scenario)
     tags = [about.tag(getattr(given, about.name)) for about in parameters(Everyday)]
     worst, said = everyday_cases(verdict.scenario)[0]

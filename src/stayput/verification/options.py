@@ -28,8 +28,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from stayput.model.room import Room
-    from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
-    from stayput.scenario.tables import BuildingTable, FurnitureTable
+    from stayput.scenario import Scenario
+    from stayput.scenario.pieces import PieceTable
+    from stayput.scenario.tables import BuildingTable
 
 OptionT = TypeVar("OptionT")
 
@@ -136,7 +137,7 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
         A piece that stands in a wall or in the ceiling, or measures of which none can be applied there.
     """
     named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
-    body, room = scenario.furniture.body(), scenario.room.room()
+    body, room = scenario.piece.body(), scenario.room.room()
     refuse_bad_start(body, room, scenario.initial.state())
     compared = named if named or scenario.without_measures else usual()
     possible, impossible = _possible(compared, lambda option: hold(body, room, option.measures))
@@ -171,7 +172,7 @@ def label(option: AssemblyOption, names: Sequence[str] = ()) -> Phrase:
 
 
 def options_of_several(
-    scenario: AssemblyScenario,
+    scenario: Scenario,
 ) -> tuple[tuple[AssemblyOption, ...], tuple[Impossible[AssemblyOption], ...]]:
     """Return the options that a verification compares, that without anything first, and the impossible ones.
 
@@ -199,16 +200,16 @@ def options_of_several(
     return (nothing, *possible), rejected
 
 
-def _usual(scenario: AssemblyScenario) -> tuple[AssemblyOption, ...]:
+def _usual(scenario: Scenario) -> tuple[AssemblyOption, ...]:
     """Return the options where a file names none: its joints and measures, or the usual ones."""
     stated, joints = scenario.stated, bool(scenario.joints)
     found = [AssemblyOption("joined", True, ((),) * len(scenario.names))] if joints else []
     if any(stated.measures):
         return (*found, stated)
-    carried = {piece.on for piece in scenario.furniture if piece.is_furniture}
+    carried = {piece.on for piece in scenario.pieces if piece.is_furniture}
     for kinds, chosen in (
-        (ON_TOP, [piece.is_furniture and piece.name not in carried for piece in scenario.furniture]),
-        (BELOW, [piece.is_furniture and piece.on is None for piece in scenario.furniture]),
+        (ON_TOP, [piece.is_furniture and piece.title not in carried for piece in scenario.pieces]),
+        (BELOW, [piece.is_furniture and piece.on is None for piece in scenario.pieces]),
     ):
         if not any(chosen):
             continue
@@ -257,13 +258,13 @@ def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
         The furniture and where it stands.
     """
     before = scenario.room.room()
-    after = hold(scenario.furniture.body(), before, option.measures).room.floor
+    after = hold(scenario.piece.body(), before, option.measures).room.floor
     replaced = (after.static_friction, after.kinetic_friction) != (
         before.floor.static_friction,
         before.floor.kinetic_friction,
     )
     return (
-        Input(phrase("verification.size_and_mass"), furniture_tag(scenario.furniture)),
+        Input(phrase("verification.size_and_mass"), furniture_tag(scenario.piece)),
         *_around(scenario, after, replaced),
         *(one for measure in option.measures for one in _of_measure(measure)),
     )
@@ -281,19 +282,19 @@ def grade(option: Option, scenario: Scenario) -> Grade:
     return weakest(option, scenario)[0].grade
 
 
-def inputs_in_room(measures: tuple[Measure, ...], scenario: RoomScenario, number: int) -> tuple[Input, ...]:
+def inputs_in_room(measures: tuple[Measure, ...], scenario: Scenario, number: int) -> tuple[Input, ...]:
     """Return the inputs that decide what becomes of a piece of a room with measures on it.
 
     Parameters
     ----------
     measures : tuple of Measure
         The measures, which can be put in place.
-    scenario : RoomScenario
+    scenario : Scenario
         The room.
     number : int
         The piece.
     """
-    table, room = scenario.furniture[number], scenario.surroundings()
+    table, room = scenario.pieces[number], scenario.surroundings()
     known = table.preset is None or table.mass not in (None, FURNITURE[table.preset].mass)
     found = [Input(phrase("verification.size_and_mass"), GIVEN if known else Confidence.LOW.value)]
     found += _around(scenario, room.floor, any(isinstance(one, OtherFriction) for one in measures))
@@ -309,7 +310,7 @@ def inputs_in_room(measures: tuple[Measure, ...], scenario: RoomScenario, number
     return tuple(found)
 
 
-def _around(scenario: Scenario | RoomScenario, floor: Floor, replaced: bool) -> Iterator[Input]:
+def _around(scenario: Scenario | Scenario, floor: Floor, replaced: bool) -> Iterator[Input]:
     """Yield what decides of the floor, whose friction a measure may have replaced, and of the building."""
     if not replaced:
         yield Input(phrase("verification.floor_friction"), floor_tag(scenario))
@@ -331,7 +332,7 @@ def _of_measure(measure: Measure) -> Iterator[Input]:
             yield Input(label, parameter.tag(getattr(measure, parameter.name)))
 
 
-def furniture_tag(table: FurnitureTable) -> str:
+def furniture_tag(table: PieceTable) -> str:
     """Return the tag of a piece's size and mass; a preset's own value is a default."""
     preset = FURNITURE.get(table.preset or "")
     if preset is None:
@@ -344,7 +345,7 @@ def furniture_tag(table: FurnitureTable) -> str:
     return GIVEN if all(known) else Confidence.LOW.value
 
 
-def floor_tag(scenario: Scenario | AssemblyScenario) -> str:
+def floor_tag(scenario: Scenario) -> str:
     """Return the tag of the floor's friction."""
     table = scenario.room.floor
     surface = table if isinstance(table, str) else table.surface

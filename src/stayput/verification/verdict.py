@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
     from stayput.measures.measure import Grade
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import Scenario
     from stayput.scenario.pieces import AssemblyOption
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.notes import Estimates
@@ -139,7 +139,7 @@ class OptionVerdict(RankedOption):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False, kw_only=True)
-class Ranking(Generic[RankedT]):
+class Ranking(InJson, Generic[RankedT]):
     """What is known of any verification, whether of one piece or of several; see `Verdict`."""
 
     intensity: float
@@ -167,7 +167,7 @@ class Ranking(Generic[RankedT]):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class Verdict(Ranking[OptionVerdict], InJson):
+class Verdict(Ranking[OptionVerdict]):
     """The outcome of a verification.
 
     Parameters
@@ -335,7 +335,7 @@ class AssemblyOptionVerdict(RankedOption):
     rank : int
         1 for the best.
     probabilities : mapping of str to Probability
-        Of each of `EVENTS` for any of the pieces that count (`AssemblyScenario.counted`), at the
+        Of each of `EVENTS` for any of the pieces that count (`Scenario.counted`), at the
         scenario's shaking.
     change : Difference, optional
         Probability that any overturns less that without anything; none for the latter itself.
@@ -360,7 +360,7 @@ class AssemblyVerdict(Ranking[AssemblyOptionVerdict]):
 
     Parameters
     ----------
-    scenario : AssemblyScenario
+    scenario : Scenario
         The scenario.
     intensity : float
         JMA intensity of the ground.
@@ -382,7 +382,7 @@ class AssemblyVerdict(Ranking[AssemblyOptionVerdict]):
         Options that cannot be put in place here, with the reason.
     """
 
-    scenario: AssemblyScenario
+    scenario: Scenario
     rejected: tuple[Impossible[AssemblyOption], ...] = ()
 
     def __repr__(self) -> str:

@@ -182,7 +182,7 @@ def _helps(option: OptionVerdict, without: OptionVerdict) -> bool:
 
 
 def _headline(verdict: Verdict) -> Phrase:
-    what = phrase("verification.this_piece", name=verdict.scenario.furniture.title)
+    what = phrase("verification.this_piece", name=verdict.scenario.piece.title)
     if math.isnan(verdict.without.probabilities[OVERTURNED].estimate):
         return phrase("verification.no_bare_run", none=phrase("verification.none"))
     if _helps(verdict.best, verdict.without):
@@ -286,7 +286,7 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     elif shares[SLID] < SMALL and shares[OVERTURNED] < SMALL:
         parts.append(phrase("verification.stays_where_it_is"))
     scenario = verdict.scenario
-    body, room = scenario.furniture.body(), scenario.room.room()
+    body, room = scenario.piece.body(), scenario.room.room()
     cautions = (caution for measure in option.option.measures for caution in measure.cautions(body, room))
     return [*parts, *(phrase("verification.caution", caution=caution) for caution in cautions)]
 

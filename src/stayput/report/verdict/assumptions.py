@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.model.room import Ceiling, Room, Wall
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import Scenario
     from stayput.scenario.measures import UncertaintyTable
     from stayput.verification import AssemblyVerdict, Verdict
 
@@ -107,7 +107,7 @@ def _limit(key: str, **values: object) -> Assumption:
     return Assumption(phrase(key), phrase(f"{key}_text", **values), MODEL)
 
 
-def _shaking(scenario: Scenario | AssemblyScenario, count: int) -> Iterator[Assumption]:
+def _shaking(scenario: Scenario, count: int) -> Iterator[Assumption]:
     """Yield the motions, of which there are so many, how strong they are, and the building."""
     yield Assumption(_text("motions"), *motions_told(scenario, count))
     strength = scenario.shaking.strength
@@ -140,14 +140,14 @@ def _in_both(name: str) -> Phrase:
 
 def _furniture(scenario: Scenario) -> Assumption:
     """Return the size, the mass and the centre of gravity of a scenario's piece."""
-    table, body = scenario.furniture, scenario.furniture.body()
+    table, body = scenario.piece, scenario.piece.body()
     x, z = body.centre_of_gravity
     forward = _text("forward", across=x) if x else ""
     value = _text("piece_text", width=body.width, height=body.height, mass=body.mass, up=z, forward=forward)
     return Assumption(_text("piece"), value, furniture_tag(table))
 
 
-def _room(scenario: Scenario | AssemblyScenario, room: Room, *, gaps: bool = True) -> Iterator[Assumption]:
+def _room(scenario: Scenario, room: Room, *, gaps: bool = True) -> Iterator[Assumption]:
     """Yield the floor, the gaps to the walls, what devices meet in the wall behind, and the ceiling."""
     table, floor = scenario.room.floor, room.floor
     name = table if isinstance(table, str) else table.surface
@@ -189,7 +189,7 @@ def _contents(scenario: Scenario) -> Iterator[Assumption]:
         "inside_text",
         kind=CONTENTS[contents.kind],
         shelves=contents.levels,
-        mass=sum(contents.masses(scenario.furniture.body())),
+        mass=sum(contents.masses(scenario.piece.body())),
         static=static,
         kinetic=kinetic,
         lip=100.0 * contents.lip,
@@ -198,7 +198,7 @@ def _contents(scenario: Scenario) -> Iterator[Assumption]:
     yield Assumption(_text("inside"), value, contents.tag)
 
 
-def motions_told(scenario: Scenario | AssemblyScenario, count: int) -> tuple[Phrase, str]:
+def motions_told(scenario: Scenario, count: int) -> tuple[Phrase, str]:
     """Return what the motions are, of which there are so many, and how well founded that is."""
     shaking = scenario.shaking
     name = shaking.record or (shaking.suite if isinstance(shaking.suite, str) else None)
@@ -214,13 +214,13 @@ def motions_told(scenario: Scenario | AssemblyScenario, count: int) -> tuple[Phr
     return _text("motion_synthetic", name=_in_both(name)), tag
 
 
-def _pieces(scenario: AssemblyScenario) -> Iterator[Assumption]:
+def _pieces(scenario: Scenario) -> Iterator[Assumption]:
     """Yield several pieces and the friction between them."""
-    for piece in scenario.furniture:
+    for piece in scenario.pieces:
         solid = piece.solid(scenario.folder)
         width, length, height = (float(side) for side in np.ptp(solid.vertices, axis=0))
         size = phrase("several.piece_box", width=width, length=length, height=height, mass=solid.mass)
-        called = PIECES.get(piece.name, (piece.name, piece.name))
+        called = PIECES.get(piece.title, (piece.title, piece.title))
         if piece.preset is None:
             yield Assumption(called, size, GIVEN)
         else:
@@ -230,20 +230,20 @@ def _pieces(scenario: AssemblyScenario) -> Iterator[Assumption]:
     yield Assumption(phrase("several.between"), _text("frictions", surface="", **friction), GIVEN)
 
 
-def settlement_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
+def settlement_assumptions(scenario: Scenario) -> Iterator[Assumption]:
     """Yield for which pieces the sinking into a soft floor is left out, or less than it may be."""
     if floor_of(scenario.room.floor).settlement == 0.0:
         return
-    pieces, limit = scenario.furniture, phrase("several.limit_settlement")
+    pieces, limit = scenario.pieces, phrase("several.limit_settlement")
     if any(piece.on is None and not piece.is_furniture for piece in pieces):
         yield Assumption(limit, phrase("several.settlement_of_solids"), MODEL)
     if any(piece.on is not None for piece in pieces):
         yield Assumption(limit, phrase("several.settlement_of_stacks"), MODEL)
 
 
-def _rolling(scenario: AssemblyScenario) -> Iterator[Assumption]:
+def _rolling(scenario: Scenario) -> Iterator[Assumption]:
     """Yield how round pieces roll, where there are any."""
-    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.furniture):
+    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.pieces):
         yield _limit("several.rolling")
 
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Quantiles
     from stayput.report.verdict.assumptions import Assumption
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario import Scenario
     from stayput.verification import AssemblyVerdict, Verdict
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible
@@ -61,7 +61,7 @@ def shaking_data(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> dict[str, 
     }
 
 
-def _foot(scenario: Scenario | AssemblyScenario, rests_on: Iterable[Assumption]) -> dict[str, Any]:
+def _foot(scenario: Scenario, rests_on: Iterable[Assumption]) -> dict[str, Any]:
     keys = ("what", "value", "confidence")
     return {
         "assumptions": [dict(zip(keys, row, strict=True)) for row in told(rests_on, "en")],
@@ -136,7 +136,7 @@ def _estimates(estimates: Estimates) -> dict[str, Any]:
     }
 
 
-def strength_data(scenario: Scenario | AssemblyScenario, motions: int) -> dict[str, Any] | None:
+def strength_data(scenario: Scenario, motions: int) -> dict[str, Any] | None:
     """Return how strongly the ground was said to shake; None where the motions keep their own strength."""
     strength = scenario.shaking.strength
     if strength is None:

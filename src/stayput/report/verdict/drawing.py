@@ -87,8 +87,8 @@ def drawing_svg(verdict: Verdict, measures: Sequence[Measure], language: str, la
         What the measures are called.
     """
     scenario = verdict.scenario
-    held = hold(scenario.furniture.body(), scenario.room.room(), measures)
-    sheet, piece = sheet_of(held), named(scenario.furniture.title, language)
+    held = hold(scenario.piece.body(), scenario.room.room(), measures)
+    sheet, piece = sheet_of(held), named(scenario.piece.title, language)
     width, height = (f"{100.0 * size:.3g}" for size in (held.body.width, held.body.height))
     name = word("drawing_alt", language, piece=piece, width=width, height=height, label=label)
     parts = [*_room(held, sheet), *piece_svg(held, sheet.place), *_centre(held, sheet), *_sizes(held, sheet)]

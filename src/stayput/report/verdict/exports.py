@@ -91,7 +91,7 @@ def write_curves(
     if several and in_openquake(curves[0].measure) is None:
         left_out.append(say("report.no_nrml", language, measure=curves[0].measure.key))
     elif several:
-        about = say("report.overturning_of", piece=verdict.scenario.furniture.title)
+        about = say("report.overturning_of", piece=verdict.scenario.piece.title)
         texts["nrml.xml"] = nrml_xml(several, about)
     with folder_draft(folder) as unfinished:
         for name, text in texts.items():

@@ -149,7 +149,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     in_space = scenario.dimensions == 3
     pairs = () if in_space else pairs_of(verdict, ground)
     modes = mode_looks(language)
-    scenes = {"modes": modes, "pairs": [pair.data(scenario.furniture) for pair in pairs]}
+    scenes = {"modes": modes, "pairs": [pair.data(scenario.piece) for pair in pairs]}
     return {
         **_of_a_ranking(verdict, "report", word("report", language), assumptions(verdict), language),
         "headline": verdict.sentence(language),

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from stayput.measures import Held
     from stayput.montecarlo.counting import Member
     from stayput.motion import Motion
-    from stayput.scenario.tables import FurnitureTable
+    from stayput.scenario.pieces import PieceTable
     from stayput.simulation.run import Run
     from stayput.verification import AssemblyVerdict
     from stayput.verification.options import Option
@@ -92,12 +92,12 @@ class RunPair:
         largest = np.abs(bare.tilt) if np.abs(bare.tilt).max() > MOVED else np.abs(bare.slide)
         return min(max(float(bare.time[int(largest.argmax())]), self.scene.start), self.scene.end)
 
-    def data(self, look: FurnitureTable) -> dict[str, Any]:
+    def data(self, look: PieceTable) -> dict[str, Any]:
         """Return the scene for the report's script, as plain values.
 
         Parameters
         ----------
-        look : FurnitureTable
+        look : PieceTable
             The piece, whose kind and shelves are drawn on it.
 
         Returns
@@ -175,7 +175,7 @@ def drawn_piece(verdict: Verdict, option: Option, member: Member) -> tuple[Held,
     scenario = verdict.scenario
     motions, samples, stated = member.motion + 1, member.sample + 1, scenario.uncertainty
     table = draws(motions, samples, verdict.seed, as_stated=stated.as_stated, quantities=stated.quantities)
-    body, room, draw = scenario.furniture.body(), scenario.room.room(), table[member.motion][member.sample]
+    body, room, draw = scenario.piece.body(), scenario.room.room(), table[member.motion][member.sample]
     return drawn_held(body, room, option.measures, draw, scenario.dimensions)
 
 
@@ -184,10 +184,10 @@ def replay_in_space(verdict: Verdict, option: Option, member: Member, motion: Mo
     scenario = verdict.scenario
     held, elements = drawn_piece(verdict, option, member)
     run = simulate_held(held, elements, motion.scaled(scale), scenario.initial.state(), scenario.gravity)
-    return _named(run, scenario.furniture)
+    return _named(run, scenario.piece)
 
 
-def _named(run: Run, piece: FurnitureTable) -> Run:
+def _named(run: Run, piece: PieceTable) -> Run:
     return run.named([piece.name or piece.preset or ANY_PIECE[0]])
 
 
@@ -213,7 +213,7 @@ def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, sca
     case = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
     results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
     run = run_of(case, traced, held, results, most_events=2)  # the pictures need the last one
-    return _named(run, scenario.furniture)
+    return _named(run, scenario.piece)
 
 
 def motion_told(
@@ -309,10 +309,16 @@ def _pairs(
 def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> Run:
     """Run a member of an option again, with its histories."""
     scenario = verdict.scenario
-    hazard, stated = Hazard.of(scenario), scenario.uncertainty.as_stated
+    hazard, stated = Hazard.of(scenario), scenario.uncertainty
     floors = hazard.stated_by(scenario)
     drawn = draws_of_several(
-        scenario.names, len(hazard.ground), verdict.samples, verdict.seed, as_stated=stated
+        scenario.names,
+        len(hazard.ground),
+        verdict.samples,
+        verdict.seed,
+        as_stated=stated.as_stated,
+        quantities=stated.quantities,
+        direction=scenario.direction or 0.0,
     )
     run = run_again(
         scenario.assembly(result.option),

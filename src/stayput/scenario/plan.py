@@ -1,0 +1,69 @@
+"""The tables of a room's plan: its size, doors, windows, and places where people are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Annotated
+
+from pydantic import Field
+
+from stayput.model.floor_plan import (
+    HINGES,
+    OPENS,
+    PLACES,
+    Door,
+    FloorPlan,
+    PersonPlace,
+    Window,
+)
+from stayput.model.room import WALLS_AROUND
+from stayput.scenario.fields import Table, Text, ValueTable, fields_of, named, of, one_of
+from stayput.scenario.pieces import Coordinate
+
+WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
+PointInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
+
+
+@fields_of(FloorPlan)
+class PlanTable(ValueTable):
+    """The size of a room, which goes from the left wall to the right one and from the near to the far one."""
+
+
+class DoorTable(Table):
+    """A door."""
+
+    name: Text = Field(default="door", description="What it is called.")
+    wall: WallName = Field(description="The wall that it is in.")
+    start: float = of(Door, "start")
+    width: float = of(Door, "width", default=0.8)
+    hinge: Annotated[str, one_of(HINGES), named(HINGES)] = Field(
+        default="start", description="At which end of it, along the wall, the hinge is."
+    )
+    opens: Annotated[str, one_of(OPENS), named(OPENS)] = Field(default="inwards", description="How it opens.")
+    way_out: bool = Field(default=True, description="Whether it leads out.")
+
+
+class WindowTable(Table):
+    """A window: nothing that is higher than its sill is moved in front of it."""
+
+    wall: WallName = Field(description="The wall that it is in.")
+    start: float = of(Window, "start")
+    width: float = of(Window, "width", default=1.6)
+    sill: float = of(Window, "sill")
+
+
+@fields_of(PersonPlace, optional=("width", "length", "low", "high", "day", "night"))
+class PlaceTable(ValueTable):
+    """Where a person is: a bed, a desk, or a box of one's own."""
+
+    name: Text | None = Field(default=None, description="What it is called; default its kind.")
+    kind: Annotated[str, one_of(PLACES), named(PLACES)] = Field(
+        default="bed", description="What gives the sizes, heights and shares that are not given."
+    )
+    at: PointInPlan = Field(description="Its middle, along x and y.")
+
+    def place(self) -> PersonPlace:
+        """Make the place."""
+        given = self.model_dump(exclude={"name", "kind", "at", "heading"}, exclude_none=True)
+        made = PersonPlace.of(self.kind, (self.at[0], self.at[1]), self.heading, self.name)
+        return replace(made, **given)

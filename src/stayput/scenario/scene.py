@@ -1,0 +1,329 @@
+"""What stands where, as a file says it: its pieces, the room or the plan around them, and what they make."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, Self
+
+import numpy as np
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError
+from stayput.model.floor_plan import FACING, MOST_PLACES, Door, FloorPlan, PersonPlace, Window
+from stayput.model.parameters import STANDARD_GRAVITY
+from stayput.model.room import WALLS_AROUND, Room, Wall
+from stayput.scenario.fields import TABLE, between, checked, refuse_same_names
+from stayput.scenario.origin import FromFile
+from stayput.scenario.pieces import AssemblyOption, JointTable, PieceTable, in_place
+from stayput.scenario.plan import (  # noqa: TC001 - pydantic reads the annotations
+    DoorTable,
+    PlaceTable,
+    PlanTable,
+    WindowTable,
+)
+from stayput.scenario.tables import RoomTable, floor_of
+from stayput.simulation.convex import inside_each_other
+from stayput.simulation.placing import bare
+from stayput.simulation.space_engine import DEEPEST
+from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
+
+if TYPE_CHECKING:
+    from collections.abc import Generator, Sequence
+
+    from stayput.model.solid import Solid
+    from stayput.simulation.standing import Joint
+
+Stood = tuple["Solid", tuple[float, float, float], float]
+"""A body, where the middle of its base is [m], and what it faces [rad]."""
+
+
+def _several_or_one(value: object) -> str:
+    return "<list>" if isinstance(value, list) else TABLE
+
+
+if TYPE_CHECKING:
+    Furniture = PieceTable | list[PieceTable]
+else:
+    Furniture = Annotated[
+        Annotated[PieceTable, Tag(TABLE)]
+        | Annotated[Annotated[list[PieceTable], Field(min_length=1, max_length=MOST_BODIES)], Tag("<list>")],
+        Discriminator(_several_or_one),
+    ]
+"""A piece, or a list of them."""
+
+
+class SceneTables(FromFile):
+    """What stands where: the part of a scenario that shaking, measures and draws do not change."""
+
+    furniture: Furniture = Field(description="What stands: a table, or a list of them.")
+    joints: Annotated[list[JointTable], Field(max_length=10 * MOST_BODIES)] = Field(
+        default=[], description="What joins the pieces."
+    )
+    static_friction: Annotated[float, between(0.0, 10.0)] = Field(
+        default=0.4, description="Static friction between the pieces."
+    )
+    kinetic_friction: Annotated[float, between(0.0, 10.0)] = Field(
+        default=0.3, description="Kinetic friction between the pieces."
+    )
+    plan: PlanTable | None = Field(default=None, description="The size of the room.")
+    doors: Annotated[list[DoorTable], Field(min_length=0, max_length=MOST_PLACES)] = Field(
+        default=[], description="Its doors."
+    )
+    windows: Annotated[list[WindowTable], Field(min_length=0, max_length=MOST_PLACES)] = Field(
+        default=[], description="Its windows."
+    )
+    places: Annotated[list[PlaceTable], Field(min_length=0, max_length=MOST_PLACES)] = Field(
+        default=[], description="Where people are."
+    )
+    room: RoomTable = Field(
+        default_factory=RoomTable,
+        description="Floor, walls and ceiling; the gaps of walls are from the outermost of all pieces.",
+    )
+    gravity: Annotated[float, between(0.1, 100.0, "m/s²")] = Field(
+        default=STANDARD_GRAVITY, description="Acceleration of gravity."
+    )
+
+    @model_validator(mode="after")
+    def _named_apart(self) -> Self:
+        names = self.names
+        refuse_same_names("furniture", names)
+        for number, piece in enumerate(self.pieces):
+            if piece.on is not None and piece.on not in names[:number]:
+                raise InputError("scenario.stands_on", f"{self.key_of(number)}.on", value=repr(piece.on))
+            if piece.is_furniture and piece.body().length is None and not self.alone:
+                raise InputError("scenario.no_length", f"{self.key_of(number)}.length")
+        try:
+            friction_between((self.static_friction, self.kinetic_friction))
+        except InputError as error:
+            raise error.about("kinetic_friction") from None
+        for number, joint in enumerate(self.joints):
+            for key in ("first", "second"):
+                if getattr(joint, key) not in names:
+                    value = repr(getattr(joint, key))
+                    raise InputError("scenario.no_such_piece", f"joints[{number}].{key}", value=value)
+        self._joints()
+        return self
+
+    @model_validator(mode="after")
+    def _in_the_room(self) -> Self:
+        of_a_plan, of_walls = {"doors", "windows", "places"}, {*WALLS_AROUND, "back_wall"}
+        if self.plan is None:
+            stated = [*sorted(of_a_plan & self.model_fields_set)]
+            stated += ["room.walls"] if "walls" in self.room.model_fields_set else []
+            if stated:
+                raise InputError("scenario.needs_both", stated[0], other="plan")
+        elif stated := sorted(of_walls & self.room.model_fields_set):
+            raise InputError("scenario.only_one", f"room.{stated[0]}", other="plan")
+        else:
+            try:
+                self.floor_plan()
+            except InputError as error:
+                raise error.at(error.field or "plan", error.field) from None
+        for number, piece in enumerate(self.pieces):
+            if piece.against is not None and self.plan is None:
+                raise InputError(
+                    "rooms.against_without_plan",
+                    f"{self.key_of(number)}.against",
+                    value=repr(piece.against),
+                )
+            if piece.against is not None and piece.along is None:
+                raise InputError(
+                    "rooms.against_without_along", f"{self.key_of(number)}.along", wall=piece.against
+                )
+        return self
+
+    def key_of(self, number: int) -> str:
+        """Return the key of a piece in the file."""
+        return f"furniture[{number}]" if isinstance(self.furniture, list) else "furniture"
+
+    @property
+    def pieces(self) -> tuple[PieceTable, ...]:
+        """The tables of the pieces."""
+        return tuple(self.furniture) if isinstance(self.furniture, list) else (self.furniture,)
+
+    @property
+    def piece(self) -> PieceTable:
+        """The table of the first piece: of the only one where it stands `alone`."""
+        return self.pieces[0]
+
+    @property
+    def alone(self) -> bool:
+        """Whether it is a single piece of furniture without a plan, not written as a list."""
+        return not isinstance(self.furniture, list) and self.plan is None and self.furniture.is_furniture
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What the pieces are called."""
+        return tuple(piece.title for piece in self.pieces)
+
+    @property
+    def counted(self) -> tuple[int, ...]:
+        """The pieces of furniture, by whose falls a verification ranks: all pieces where there is none."""
+        furniture = tuple(number for number, piece in enumerate(self.pieces) if piece.is_furniture)
+        return furniture or tuple(range(len(self.pieces)))
+
+    @property
+    def stated(self) -> AssemblyOption:
+        """The pieces as the file states them: with its joints, and with the measures of its pieces."""
+        measures = tuple(in_place(piece.measures) for piece in self.pieces)
+        return AssemblyOption("as stated", bool(self.joints), measures)
+
+    def floor_plan(self) -> FloorPlan:
+        """Make the plan: sides, doors, windows, places.
+
+        Raises
+        ------
+        InputError
+            The file has no plan, or one that is not possible.
+        """
+        if self.plan is None:
+            raise InputError("rooms.no_plan", "plan")
+        doors = [Door(**door.model_dump()) for door in self.doors]
+        windows = [Window(**window.model_dump()) for window in self.windows]
+        places = [table.place() for table in self.places]
+        return FloorPlan(self.plan.width, self.plan.length, doors, windows, places)
+
+    def assembly(self, option: AssemblyOption | None = None) -> Assembly:
+        """Make the assembly.
+
+        Parameters
+        ----------
+        option : AssemblyOption, optional
+            What is in place; default what the file states.
+
+        Raises
+        ------
+        InputError
+            A body that is not possible, or a mesh that cannot be read.
+        """
+        chosen = self.stated if option is None else option
+        with self.naming_pieces():
+            each = zip(self.pieces, self._placed(), chosen.measures, strict=True)
+            members = [
+                Piece(piece.body(), at, faces, measures) if piece.is_furniture else Standing(solid, at, faces)
+                for piece, (solid, at, faces), measures in each
+            ]
+            joints = self._joints() if chosen.joined else []
+            return Assembly(members, (self.static_friction, self.kinetic_friction), joints)
+
+    def by_names(self, error: InputError) -> InputError:
+        """Return a refusal of its assembly with the names of the pieces in place of the members' numbers."""
+        for number, name in enumerate(self.names):
+            error = error.renamed(f"members[{number}]", repr(name))
+        return error
+
+    @contextmanager
+    def naming_pieces(self) -> Generator[None]:
+        """Refuse what is wrong with its assembly by the names of the pieces, and with the file's name."""
+        with self.naming_file():
+            try:
+                yield
+            except InputError as error:
+                raise self.by_names(error) from None
+
+    def _stands(self, piece: PieceTable, solid: Solid) -> tuple[tuple[float, float, float], float]:
+        """Return where a piece stands by its own table, and what it faces: away from the wall at its back."""
+        if piece.against is None or piece.along is None:
+            x, y, *up = piece.at
+            return (x, y, up[0] if up else 0.0), piece.heading
+        behind = -Standing(solid).along((1.0, 0.0, 0.0))[0]
+        x, y = self.floor_plan().on_wall(piece.against, piece.along, piece.gap + behind)
+        return (x, y, 0.0), FACING[piece.against]
+
+    def _placed(self) -> list[Stood]:
+        placed: dict[str, Stood] = {}
+        for number, piece in enumerate(self.pieces):
+            key = self.key_of(number)
+            solid = checked(key, partial(piece.solid, self._folder))
+            (x, y, z), heading = self._stands(piece, solid)
+            if piece.on is not None:
+                below, (x_below, y_below, z_below), faces = placed[piece.on]
+                plan = Standing(below, heading=faces)
+                (low_x, high_x), (low_y, high_y) = plan.along((1.0, 0.0, 0.0)), plan.along((0.0, 1.0, 0.0))
+                if not (low_x <= x <= high_x and low_y <= y <= high_y):
+                    raise InputError(
+                        "scenario.beside_support",
+                        f"{key}.at",
+                        name=f"{key}.at",
+                        value=piece.at,
+                        other=repr(piece.on),
+                        low_x=low_x,
+                        high_x=high_x,
+                        low_y=low_y,
+                        high_y=high_y,
+                    )
+                x, y, z = x + x_below, y + y_below, z_below + float(below.vertices[:, 2].max())
+            placed[piece.title] = solid, (x, y, z), heading
+        return list(placed.values())
+
+    def _joints(self) -> list[Joint]:
+        try:
+            return [
+                checked(f"joints[{number}]", partial(table.joint, self.names))
+                for number, table in enumerate(self.joints)
+            ]
+        except InputError as error:
+            raise self.by_names(error) from None
+
+    def surroundings(self) -> Room:
+        """Make the room around all pieces; the gaps of its walls are from the outermost of them."""
+        if self.plan is None:
+            return self.room.room()
+        return self.around([bare(member) for member in self.assembly().members])
+
+    def around(self, standing: Sequence[Standing]) -> Room:
+        """Make the room as some of the pieces see it: the gaps of its walls are from the outermost of them.
+
+        Parameters
+        ----------
+        standing : sequence of Standing
+            The pieces.
+
+        Raises
+        ------
+        InputError
+            A piece that stands in a wall.
+        """
+        if self.plan is None:
+            return self.room.room()
+        x, y = (
+            np.array([each.along(axis) for each in standing]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+        )
+        low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
+        gaps = self.floor_plan().distances(low, high)
+        walls = {name: Wall(max(0.0, gap), construction=self.room.walls) for name, gap in gaps.items()}
+        ceiling = self.room.ceiling and self.room.ceiling.ceiling()
+        return Room(floor_of(self.room.floor), ceiling=ceiling, **walls)
+
+
+def refuse_what_stands_wrong(scenario: SceneTables, plan: FloorPlan, whole: Assembly) -> None:
+    """Raise `InputError` where a piece stands in floor, wall, ceiling, another, or where a person is."""
+    names, standing_all = scenario.names, [bare(member) for member in whole.members]
+    sides = np.array([plan.width, plan.length])
+    for number, standing in enumerate(standing_all):
+        corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        name = f"{scenario.key_of(number)}.at"
+        called = repr(names[number])
+        if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
+            values: dict[str, Any] = {"width": plan.width, "length": plan.length}
+            for axis, one in enumerate("xy"):
+                values |= {f"low_{one}": float(low[axis]), f"high_{one}": float(high[axis])}
+            raise InputError("rooms.in_a_wall", name, name=called, **values)
+        if low[2] < -DEEPEST:
+            values = {"body": called, "depth": -float(low[2]), "surface": phrase("simulation.floor")}
+            raise InputError("simulation.begins_inside", name, **values)
+        ceiling = scenario.room.ceiling
+        if ceiling is not None and high[2] > ceiling.height + 1e-6:
+            values = {"high": float(high[2]), "height": ceiling.height}
+            raise InputError("rooms.in_the_ceiling", scenario.key_of(number), name=called, **values)
+        others: list[tuple[Standing | PersonPlace, str]] = [
+            (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
+        ]
+        others += [(place, repr(place.name)) for place in plan.places]
+        for other, what in others:
+            depth = inside_each_other(standing, other)
+            if depth > DEEPEST:
+                raise InputError("rooms.in_another", name, name=called, other=what, depth=depth)

@@ -1,0 +1,178 @@
+"""`sweep`: a case or a scenario along axes, as a labelled dataset."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from functools import partial
+from itertools import product
+from typing import TYPE_CHECKING, Any, Unpack, cast
+
+import numpy as np
+
+from stayput.errors import InputError, instance_of, list_of
+from stayput.execution import Pool
+from stayput.measures.element import utilisation
+from stayput.mechanics.columns import RESULT
+from stayput.mechanics.devices.columns import HOLDS
+from stayput.progress import bar
+from stayput.scenario.scenario import Scenario
+from stayput.simulation.case import Case
+from stayput.simulation.grid import make_grid
+from stayput.simulation.many import run_grid
+from stayput.simulation.outcome import QUANTITIES, fill_columns
+from stayput.simulation.space import results_of, trace_assembly
+from stayput.simulation.space_engine import SpaceShaking
+from stayput.simulation.sweep import sweep_case
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from stayput.simulation.sweep import SweepOptions
+
+_PART = re.compile(r"([^\[\]]+)(?:\[(\d+)\])?")
+"""A part of a path: a key, and which item of its list; without that, all items."""
+
+ABOUT = {column.name: column for column in QUANTITIES}
+OF_A_PIECE = (
+    *("outcome", "overturned", "overturn_time", "peak_slide", "residual_slide"),
+    *("peak_tilt", "residual_tilt", "floor_impacts", "wall_impacts"),
+)
+"""Results of each of several pieces."""
+
+
+def sweep(what: Case | Scenario, axes: Mapping[Any, Any], **options: Unpack[SweepOptions]) -> xr.Dataset:
+    """Simulate a case or a scenario along axes; the result has a dimension for each.
+
+    Parameters
+    ----------
+    what : Case or Scenario
+        What no axis changes.
+    axes : mapping
+        Dotted paths and their values; the cases are all combinations. Of a case they are those of
+        `simulate_many`: ``{"body.width": [...], "room.right_wall.gap": [...]}``; a tuple of paths with a
+        tuple of lists is one axis, along which the values change together, and its dimension has the name of
+        the first. Of a scenario they are keys of its file: ``{"shaking.scale": [...]}``;
+        ``joints.strength`` changes all joints, ``joints[0].strength`` one.
+    histories : sequence of str
+        Histories to keep of every case: ``slide``, ``slide_rate``, ``tilt``, ``tilt_rate``, ``x``, ``z``;
+        over ``time``, NaN after the end of a case. They need motions of one time step, and a case.
+    threads, executor, chunk, progress
+        As for `simulate_many`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Results over the axes, with units and meanings in the attributes; of several pieces also over
+        ``piece``. ``outcome`` is a flag whose meanings are in its attributes.
+
+    Raises
+    ------
+    InputError
+        As for `simulate_many`; an unknown history; a key that there is not, or a value that the file may not
+        have.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> case = sp.Case(sp.Body(0.4, 1.8, 100.0), sp.Room(), sp.near_fault().component("x"))
+    >>> data = sp.sweep(case, {"body.width": [0.3, 0.4, 0.5], "motion.scale": [0.4, 0.6, 1.2]})
+    >>> data.overturned.to_pandas()
+    motion.scale    0.4    0.6   1.2
+    body.width
+    0.3            True   True  True
+    0.4           False   True  True
+    0.5           False  False  True
+    """
+    if isinstance(instance_of("case", what, (Case, Scenario)), Case):
+        return sweep_case(cast("Case", what), axes, **options)
+    for name in ("histories", "executor", "chunk"):
+        if options.get(name):
+            raise InputError("scenario.sweep_of_a_case", name)
+    scenario = cast("Scenario", what)
+    return _sweep_scenario(scenario, axes, options.get("threads"), options.get("progress"))
+
+
+def _sweep_scenario(
+    scenario: Scenario, axes: Mapping[str, Any], threads: int | None, progress: bool | None
+) -> xr.Dataset:
+    import xarray as xr
+
+    instance_of("axes", axes, Mapping)
+    lists = {path: list_of(path, values) for path, values in axes.items()}
+    for path, values in lists.items():
+        if not values:
+            raise InputError("simulation.no_values", path, path=path)
+    stated = scenario.stated_keys()
+    cases = [
+        _changed(scenario, stated, dict(zip(lists, values, strict=True)))
+        for values in product(*lists.values())
+    ]
+    rows: list[dict[str, NDArray[Any]]] = [{} for _ in cases]
+
+    def run(number: int) -> None:
+        rows[number] = _results(cases[number])
+
+    with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
+        for _ in pool.as_completed(partial(run, number) for number in range(len(cases))):
+            advance(1)
+    of_pieces = not scenario.alone
+    coords: dict[str, Any] = {path: [*values] for path, values in lists.items()}
+    data = xr.Dataset(coords=coords | ({"piece": [*scenario.names]} if of_pieces else {}))
+    shape = tuple(map(len, lists.values()))
+    for name in rows[0]:
+        by_piece = of_pieces and name in OF_A_PIECE
+        values = np.stack([row[name] for row in rows]).reshape(*shape, *(-1,) * by_piece)
+        data[name] = ((*lists, *("piece",) * by_piece), values, ABOUT[name].attributes)
+    return data
+
+
+def _changed(scenario: Scenario, stated: dict[str, Any], values: dict[str, Any]) -> Scenario:
+    """Return a scenario with other values at paths."""
+    data = stated
+    for path, value in values.items():
+        data = _with(data, path.split("."), value, path)
+    return Scenario.parse(data, scenario.folder)
+
+
+def _with(node: Any, parts: list[str], value: Any, path: str) -> Any:
+    """Return a node with another value at a path below it; the node itself stays as it is."""
+    if not parts:
+        return value
+    found = _PART.fullmatch(parts[0])
+    if found is None or not isinstance(node, dict):
+        raise InputError("scenario.no_such_path", path, path=path)
+    table, (key, place) = cast("dict[str, Any]", node), found.groups()
+    below: Any = table.get(key, {} if len(parts) > 1 else None)
+    if isinstance(below, list) and (place is not None or len(parts) > 1):
+        items = cast("list[Any]", below)
+        if place is not None and int(place) >= len(items):
+            raise InputError("scenario.no_such_path", path, path=path)
+        chosen = range(len(items)) if place is None else (int(place),)
+        return {
+            **table,
+            key: [
+                _with(item, parts[1:], value, path) if number in chosen else item
+                for number, item in enumerate(items)
+            ],
+        }
+    return {**table, key: _with(below, parts[1:], value, path)}
+
+
+def _results(scenario: Scenario) -> dict[str, NDArray[Any]]:
+    """Return what became of each piece, how many devices failed, and the largest utilisation, by column."""
+    if scenario.alone:
+        return run_grid(make_grid(scenario.case(), {}), threads=1, progress=False)
+    shaking, assembly = SpaceShaking.of(scenario.motion()), scenario.assembly()
+    with scenario.naming_pieces():
+        traced = trace_assembly(assembly, scenario.surroundings(), shaking, scenario.gravity)
+    devices, results = traced.trace.devices, results_of(traced, shaking.times)
+    columns = {name: np.zeros(len(results), ABOUT[name].dtype) for name in OF_A_PIECE}
+    fill_columns(columns, 0, results.astype(RESULT))
+    used = utilisation(traced.trace.springs, devices).max(initial=0.0)
+    return {
+        **columns,
+        "device_failures": np.array((devices["failure"] != HOLDS).sum(), np.int32),
+        "device_utilisation": np.array(float(used)),
+    }
