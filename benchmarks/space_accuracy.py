@@ -137,7 +137,7 @@ def both_images(suite: list[sp.Motion], number: int) -> tuple[float, float]:
     motion = shaken(suite, number, rng, 0.0)
     image = sp.Motion(dt=motion.dt, x=motion.x, y=-motion.y, name="image")
     room = sp.Room(sp.Floor(0.5, 0.4))
-    one, other = (sp.simulate(box, room, each).peak_tilt[0] for each in (motion, image))
+    one, other = (sp.simulate(box, room, each).peak_tilt for each in (motion, image))
     return float(one), float(other)
 
 

@@ -89,8 +89,8 @@ def test_a_piece_of_furniture_between_side_walls_is_one_between_the_others_turne
     assert isinstance(planar, sp.Run)
     assert planar.wall_impacts > 1
     early = ahead.time < 0.6
-    np.testing.assert_allclose(aside.tilt[0, early], ahead.tilt[0, early], atol=2e-4)
-    np.testing.assert_allclose(aside.tilt[0, early], np.abs(planar.tilt[early]), atol=1e-3)
+    np.testing.assert_allclose(aside.tilt[early], ahead.tilt[early], atol=2e-4)
+    np.testing.assert_allclose(aside.tilt[early], np.abs(planar.tilt[early]), atol=1e-3)
 
 
 def test_side_walls_that_are_not_touched_change_no_bit() -> None:
