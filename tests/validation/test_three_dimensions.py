@@ -1,6 +1,5 @@
 """The plane beside space: what the study says of shapes holds on fewer motions too."""
 
-import numpy as np
 import pytest
 
 from stayput.simulation.case import simulate
