@@ -60,7 +60,7 @@ def shaken(suite: list[sp.Motion], number: int, rng: np.random.Generator, vertic
 def free_box(suite: list[sp.Motion], step: float, number: int) -> tuple[float, float, str]:
     """Run a box that stands free; return its peak tilt and slide, and what becomes of it."""
     rng = np.random.default_rng(1000 + number)
-    box = sp.Solid.box(rng.uniform(0.3, 0.6), rng.uniform(0.3, 1.2), rng.uniform(0.8, 2.0), 80.0)
+    box = sp.Body.box(rng.uniform(0.3, 0.6), rng.uniform(0.3, 1.2), rng.uniform(0.8, 2.0), 80.0)
     friction = float(rng.uniform(0.2, 0.9))
     motion = shaken(suite, number, rng, 0.4)
     run = sp.simulate(box, sp.Room(sp.Floor(friction, 0.8 * friction)), motion, step=step)
@@ -133,7 +133,7 @@ def mirror(folder: Path | None, processes: int) -> None:
 def both_images(suite: list[sp.Motion], number: int) -> tuple[float, float]:
     """Return the peak tilts of a box and of its mirror image."""
     rng = np.random.default_rng(number)
-    box = sp.Solid.box(rng.uniform(0.3, 0.6), rng.uniform(0.4, 1.0), rng.uniform(0.8, 1.8), 100.0)
+    box = sp.Body.box(rng.uniform(0.3, 0.6), rng.uniform(0.4, 1.0), rng.uniform(0.8, 1.8), 100.0)
     motion = shaken(suite, number, rng, 0.0)
     image = sp.Motion(dt=motion.dt, x=motion.x, y=-motion.y, name="image")
     room = sp.Room(sp.Floor(0.5, 0.4))

@@ -29,7 +29,7 @@ FLIES, SLIDES, ROCKS = "flies", "slides without friction", "rocks without a hit"
 class Thrown(NamedTuple):
     """A case: what stands where and how fast, in what room, how the floor moves, and what it keeps."""
 
-    bodies: tuple[sp.Standing, ...]
+    bodies: tuple[sp.Piece, ...]
     room: sp.Room
     motion: sp.Motion
     friction: tuple[float, float]
@@ -48,25 +48,25 @@ def shaken(rng: Rng, size: float, duration: float = DURATION) -> sp.Motion:
     return sp.Motion(dt=SAMPLE, x=x, y=y, z=0.5 * z)
 
 
-def drawn(rng: Rng, kind: str, mass: float, size: float = 1.5, aspect: float = 1.0) -> sp.Solid:
+def drawn(rng: Rng, kind: str, mass: float, size: float = 1.5, aspect: float = 1.0) -> sp.Body:
     """Draw a box, a cylinder or a hull of points; its height is stretched by ``aspect``."""
     if kind == "box":
         width, length, height = rng.uniform(0.07 * size, size, 3)
-        return sp.Solid.box(width, length, aspect * height, mass)
+        return sp.Body.box(width, length, aspect * height, mass)
     if kind == "cylinder":
         radius, half = rng.uniform(0.07, 0.5, 2) * size
-        return sp.Solid.cylinder(radius, 2.0 * aspect * half, mass)
+        return sp.Body.cylinder(radius, 2.0 * aspect * half, mass)
     points = rng.uniform(-0.27, 0.27, (rng.integers(5, 16), 3)) + 0.07 * rng.normal(size=3)
-    return sp.Solid(size * points * (1.0, 1.0, aspect), mass)
+    return sp.Body.hull(size * points * (1.0, 1.0, aspect), mass)
 
 
-def shapes(rng: Rng, count: int) -> list[sp.Solid]:
+def shapes(rng: Rng, count: int) -> list[sp.Body]:
     """Draw bodies of 1 to 200 kg."""
     kinds = ("box", "cylinder", "hull")
     return [drawn(rng, kinds[number % 3], float(rng.uniform(1.0, 200.0))) for number in range(count)]
 
 
-def raised(standing: sp.Standing, level: float) -> sp.Standing:
+def raised(standing: sp.Piece, level: float) -> sp.Piece:
     """Return a body whose lowest point is at a level."""
     x, y, z = standing.at
     return replace(standing, at=(x, y, z + level - standing.along((0.0, 0.0, 1.0))[0]))
@@ -79,9 +79,9 @@ def turned(rng: Rng) -> tuple[float, float, float]:
     return x, y, z
 
 
-def flung(rng: Rng, solid: sp.Solid, speed: float = 1.0, rate: float = 3.0, tilt: bool = True) -> sp.Standing:
+def flung(rng: Rng, solid: sp.Body, speed: float = 1.0, rate: float = 3.0, tilt: bool = True) -> sp.Piece:
     """Return a body in any attitude that moves at random."""
-    return sp.Standing(
+    return sp.Piece(
         solid,
         heading=rng.uniform(-3.0, 3.0),
         tilt=turned(rng) if tilt else (0.0, 0.0, 0.0),
@@ -121,7 +121,7 @@ def single(kind: str, slender: bool = False) -> Callable[[Rng], Thrown]:
         aspect = float(10.0 ** (rng.choice([-1.0, 1.0]) * rng.uniform(0.3, 1.1))) if slender else 1.0
         solid = drawn(rng, shape, any_mass(rng), 0.5 if slender else 1.5, aspect)
         moves = rng.random() < 0.7
-        body = flung(rng, solid, tilt=rng.random() < 0.5) if moves else sp.Standing(solid)
+        body = flung(rng, solid, tilt=rng.random() < 0.5) if moves else sp.Piece(solid)
         body = raised(body, rng.choice([0.0, 1e-3, 0.05]))
         motion = shaken(rng, rng.choice([0.0, 0.0, 8.0]))
         return Thrown((body,), sp.Room(any_floor(rng)), motion, (0.0, 0.0))
@@ -133,7 +133,7 @@ def nearly_flat(rng: Rng) -> Thrown:
     """Draw a cylinder that stands or spins nearly flat on its rim."""
     solid = drawn(rng, "cylinder", any_mass(rng), aspect=float(10.0 ** rng.uniform(-1.0, 0.3)))
     way, angle = rng.uniform(-math.pi, math.pi), 10.0 ** rng.uniform(-8.0, -1.0)
-    body = sp.Standing(
+    body = sp.Piece(
         solid,
         tilt=(angle * math.cos(way), angle * math.sin(way), 0.0),
         velocity=tuple(rng.choice([0.0, 0.3]) * rng.normal(size=3)),
@@ -158,37 +158,37 @@ def on_ice(rng: Rng) -> Thrown:
 def on_an_edge(rng: Rng) -> Thrown:
     """Draw a box that rocks on an edge or a corner, and does not land within the time."""
     width, length, height = rng.uniform((0.5, 0.5, 0.5), (1.5, 1.5, 2.0))
-    solid = sp.Solid.box(width, length, height, any_mass(rng))
+    solid = sp.Body.box(width, length, height, any_mass(rng))
     over, reach = np.array([0.0, 1.0, 0.0]), width
     if rng.random() < 0.5:
         reach = math.hypot(width, length)
         over = np.array([length, width, 0.0]) / reach
     tilt = rng.uniform(0.5, 0.9) * math.atan(reach / height) * over
-    body = raised(sp.Standing(solid, tilt=tuple(tilt)), 0.0)
-    corners = body.at + solid.vertices @ body.turn.T
+    body = raised(sp.Piece(solid, tilt=tuple(tilt)), 0.0)
+    corners = body.at + solid.solid.vertices @ body.turn.T
     spin = rng.uniform(0.0, 0.5) * over
     lever = body.place - corners[np.argmin(corners[:, 2])]
     body = replace(body, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
     return Thrown((body,), sp.Room(sp.Floor(5.0, 5.0)), still(DURATION), (0.0, 0.0), ROCKS)
 
 
-def case_of(rng: Rng, pool: list[sp.Solid]) -> Thrown:
+def case_of(rng: Rng, pool: list[sp.Body]) -> Thrown:
     """Draw a case: one body, or a stack of two or three; what is uppermost is thrown, or stands there."""
     count = int(rng.choice([1, 1, 2, 3]))
     return stack(rng, [pool[rng.integers(len(pool))] for _ in range(count)])
 
 
-def stack(rng: Rng, solids: list[sp.Solid], duration: float = DURATION, keeps: str = "") -> Thrown:
+def stack(rng: Rng, solids: list[sp.Body], duration: float = DURATION, keeps: str = "") -> Thrown:
     """Put bodies on each other, the uppermost thrown in most cases; what slides does so without friction."""
-    bodies: list[sp.Standing] = []
+    bodies: list[sp.Piece] = []
     top = 0.0
     for number, solid in enumerate(solids):
         last = number == len(solids) - 1
         gap = rng.choice([0.0, 1e-3, 0.05]) if last else 0.0
         thrown = last and rng.random() < 0.7
-        body = flung(rng, solid, tilt=False) if thrown else sp.Standing(solid, heading=rng.uniform(-3.0, 3.0))
+        body = flung(rng, solid, tilt=False) if thrown else sp.Piece(solid, heading=rng.uniform(-3.0, 3.0))
         bodies.append(raised(replace(body, at=(*rng.uniform(-0.1, 0.1, 2), 0.0)), top + gap))
-        top += gap + float(np.ptp(solid.vertices[:, 2])) + 1e-9
+        top += gap + float(np.ptp(solid.solid.vertices[:, 2])) + 1e-9
     static, between = rng.uniform(0.0, 1.0, 2)
     floor = sp.Floor(
         static, static * rng.uniform(0.5, 1.0), normal_restitution=rng.choice([0.0, rng.uniform(0, 0.8)])
@@ -199,19 +199,19 @@ def stack(rng: Rng, solids: list[sp.Solid], duration: float = DURATION, keeps: s
     return Thrown(tuple(bodies), sp.Room(floor), motion, (between, 0.8 * between), keeps)
 
 
-def tipped(solid: sp.Solid, edge: float, rate: float) -> sp.Standing:
+def tipped(solid: sp.Body, edge: float, rate: float) -> sp.Piece:
     """Return a body that turns about its base edge at x = edge."""
     spin = np.array([0.0, rate, 0.0])
-    lever = solid.centre_of_gravity - np.array([edge, 0.0, 0.0])
-    return sp.Standing(solid, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
+    lever = solid.solid.centre_of_gravity - np.array([edge, 0.0, 0.0])
+    return sp.Piece(solid, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
 
 
 def row_of(
-    count: int, solid: sp.Solid, apart: float, rate: float, floor: float, between: float, duration: float
+    count: int, solid: sp.Body, apart: float, rate: float, floor: float, between: float, duration: float
 ) -> Thrown:
     """Return bodies in a row of which the first is tipped towards the others."""
-    first = tipped(solid, float(solid.vertices[:, 0].max()), rate)
-    bodies = first, *(sp.Standing(solid, (apart * n, 0.0, 0.0)) for n in range(1, count))
+    first = tipped(solid, float(solid.solid.vertices[:, 0].max()), rate)
+    bodies = first, *(sp.Piece(solid, (apart * n, 0.0, 0.0)) for n in range(1, count))
     return Thrown(bodies, sp.Room(sp.Floor(floor, floor)), still(duration), (between, between))
 
 
@@ -220,7 +220,7 @@ def row(sides: tuple[tuple[float, float], ...], density: float, duration: float)
 
     def draw(rng: Rng) -> Thrown:
         width, length, height = (float(rng.uniform(*side)) for side in sides)
-        solid = sp.Solid.box(width, length, height, density * width * length * height)
+        solid = sp.Body.box(width, length, height, density * width * length * height)
         size = 0.5 * math.hypot(width, height)
         over = math.sqrt(1.5 * GRAVITY * (1.0 - 0.5 * height / size) / size)  # just tips it
         apart, (floor, between) = width + height * rng.uniform(0.02, 0.6), rng.uniform((0.2, 0.1), (0.8, 0.6))
@@ -240,17 +240,17 @@ def tower(most: int, least_ratio: float, ratio: float) -> Callable[[Rng], Thrown
         if least_ratio > 1.0:
             heavy, light = rng.choice(count, 2, replace=False)
             masses[heavy] = masses[light] * 10.0 ** rng.uniform(*np.log10((least_ratio, ratio)))
-        bodies: list[sp.Standing] = []
+        bodies: list[sp.Piece] = []
         top = 0.0
         for mass in masses.tolist():
             a, b, height = rng.uniform((0.3, 0.3, 0.1), (0.6, 0.6, 0.4))
             solid = (
-                sp.Solid.box(a, b, height, mass)
+                sp.Body.box(a, b, height, mass)
                 if rng.random() < 0.8
-                else sp.Solid.cylinder(a / 2, height, mass)
+                else sp.Body.cylinder(a / 2, height, mass)
             )
             at = (*rng.uniform(-0.03, 0.03, 2), top)
-            bodies.append(sp.Standing(solid, at, heading=rng.choice([0.0, rng.uniform(-3.0, 3.0)])))
+            bodies.append(sp.Piece(solid, at, heading=rng.choice([0.0, rng.uniform(-3.0, 3.0)])))
             top += height
         static, between = rng.uniform(0.1, 0.8, 2)
         motion = shaken(rng, rng.choice([0.0, 2.0, 8.0]), 2.0)
@@ -265,9 +265,9 @@ def pyramid(rng: Rng) -> Thrown:
     """Draw a pyramid of boxes that is shaken, or that a box is thrown at."""
     base, mass = int(rng.integers(2, 5)), float(rng.uniform(1.0, 50.0))
     width, length, height = rng.uniform((0.2, 0.2, 0.1), (0.5, 0.5, 0.4))
-    solid, apart = sp.Solid.box(width, length, height, mass), width * rng.uniform(1.02, 1.5)
+    solid, apart = sp.Body.box(width, length, height, mass), width * rng.uniform(1.02, 1.5)
     bodies = [
-        sp.Standing(solid, (apart * (n + 0.5 * level), 0.0, height * level))
+        sp.Piece(solid, (apart * (n + 0.5 * level), 0.0, height * level))
         for level in range(base)
         for n in range(base - level)
     ]
@@ -283,9 +283,9 @@ def pyramid(rng: Rng) -> Thrown:
     return Thrown(tuple(bodies), sp.Room(sp.Floor(friction[0], friction[0])), motion, (friction[1],) * 2)
 
 
-def pile_of(rng: Rng, solids: Iterable[sp.Solid], across: int, duration: float) -> Thrown:
+def pile_of(rng: Rng, solids: Iterable[sp.Body], across: int, duration: float) -> Thrown:
     """Drop bodies of up to 0.5 m in layers, in any attitude."""
-    bodies: list[sp.Standing] = []
+    bodies: list[sp.Piece] = []
     for number, solid in enumerate(solids):
         layer, place = divmod(number, across * across)
         x, y = divmod(place, across)
@@ -307,7 +307,7 @@ def pile(rng: Rng) -> Thrown:
 
 def in_the_air(rng: Rng) -> Thrown:
     """Draw two or three bodies that fly at each other."""
-    bodies: list[sp.Standing] = []
+    bodies: list[sp.Piece] = []
     for number in range(int(rng.integers(2, 4))):
         kind = str(rng.choice(["box", "cylinder", "hull"]))
         body = flung(rng, drawn(rng, kind, float(10.0 ** rng.uniform(0.0, 2.0)), 0.5), 0.3)
@@ -341,7 +341,7 @@ def heavy_on_light(rng: Rng) -> Thrown:
 
 
 def twenty_shelves(rng: Rng) -> Thrown:
-    return row_of(20, sp.Solid.box(0.32, 0.9, 2.1, 120.0), 0.75, 0.75, 0.4, 0.3, 10.0)
+    return row_of(20, sp.Body.box(0.32, 0.9, 2.1, 120.0), 0.75, 0.75, 0.4, 0.3, 10.0)
 
 
 def hundred_boxes(rng: Rng) -> Thrown:

@@ -65,16 +65,16 @@ class Scene:
     apart: float = 0.0
     rate: float = 0.0
 
-    def standing(self) -> list[sp.Standing]:
+    def standing(self) -> list[sp.Piece]:
         """Return the boxes."""
-        found: list[sp.Standing] = []
+        found: list[sp.Piece] = []
         level = 0.0
         for number, (width, length, height, mass) in enumerate(self.boxes):
             rate = 0.0 if number else self.rate
             velocity = 0.5 * height * rate, 0.0, 0.5 * width * rate
             at = (number * self.apart, 0.0, level)
-            solid = sp.Solid.box(width, length, height, mass)
-            found.append(sp.Standing(solid, at, velocity=velocity, rotation_rate=(0.0, rate, 0.0)))
+            solid = sp.Body.box(width, length, height, mass)
+            found.append(sp.Piece(solid, at, velocity=velocity, rotation_rate=(0.0, rate, 0.0)))
             level += 0.0 if self.apart else height
         return found
 
@@ -92,10 +92,11 @@ class Histories:
 def run_in_mujoco(scene: Scene, step: float) -> Histories:
     """Run a scene in MuJoCo's own loop, on this thread."""
     standing, motion = scene.standing(), scene.motion
+    places = [one.place for one in standing]
     bodies = "".join(
-        f'<body pos="{one.place[0]} {one.place[1]} {one.place[2]}"><freejoint/><geom type="box" mass="{mass}"'
+        f'<body pos="{at[0]} {at[1]} {at[2]}"><freejoint/><geom type="box" mass="{mass}"'
         f' size="{width / 2} {length / 2} {height / 2}"/></body>'
-        for one, (width, length, height, mass) in zip(standing, scene.boxes, strict=True)
+        for at, (width, length, height, mass) in zip(places, scene.boxes, strict=True)
     )
     floor, between = scene.friction
     text = _MODEL.format(step=step, soft=SOFTNESS * step, floor=floor, between=between, bodies=bodies)
@@ -143,8 +144,8 @@ def run_in_stayput(scene: Scene, step: float) -> Histories:
     start = time.process_time()
     run = sp.simulate(assembly, room, scene.motion, step=step)
     seconds = time.process_time() - start
-    inertia = np.stack([np.diag(one.solid.inertia) for one in run.standing])
-    masses = np.array([one.solid.mass for one in run.standing])
+    inertia = np.stack([np.diag(one.solid.inertia) for one in run.pieces])
+    masses = np.array([one.solid.mass for one in run.pieces])
     own = np.einsum("bsij,bsi->bsj", run.turn, run.rotation_rate)
     linear = masses[:, np.newaxis] * (run.velocity**2).sum(axis=2)
     energies = 0.5 * (linear + np.einsum("bj,bsj->bs", inertia, own**2))

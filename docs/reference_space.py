@@ -24,31 +24,31 @@ G = 9.80665
 STICKING = sp.Room(sp.Floor(5.0, 5.0))
 
 
-def tilted(cylinder: sp.Solid, angle: float) -> tuple[sp.Solid, NDArray[np.float64]]:
+def tilted(cylinder: sp.Body, angle: float) -> tuple[sp.Body, NDArray[np.float64]]:
     """Return an upright cylinder that begins tilted towards x, and its axis."""
     c, s = math.cos(angle), math.sin(angle)
     turn = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
-    rims = cylinder.rims
-    solid = sp.Solid(
-        cylinder.vertices @ turn.T,
+    rims = cylinder.solid.rims
+    body = sp.Body.hull(
+        cylinder.solid.vertices @ turn.T,
         cylinder.mass,
-        centre_of_gravity=turn @ cylinder.centre_of_gravity,
-        inertia=turn @ cylinder.inertia @ turn.T,
+        centre_of_gravity=turn @ cylinder.solid.centre_of_gravity,
+        inertia=turn @ cylinder.solid.inertia @ turn.T,
         rims=np.column_stack((rims[:, :3] @ turn.T, rims[:, 3:6] @ turn.T, rims[:, 6])),
     )
-    return solid, turn[:, 2]
+    return body, turn[:, 2]
 
 
 def rolled(
-    cylinder: sp.Solid, angle: float, rotation: NDArray[np.float64], duration: float, step: float
+    cylinder: sp.Body, angle: float, rotation: NDArray[np.float64], duration: float, step: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return tilts and directions [rad] of a cylinder that begins tilted on its rim and rolls at ω."""
-    solid, n = tilted(cylinder, angle)
-    r, d = float(cylinder.rims[0, 6]), float(cylinder.centre_of_gravity[2])
+    body, n = tilted(cylinder, angle)
+    r, d = float(cylinder.solid.rims[0, 6]), float(cylinder.solid.centre_of_gravity[2])
     lever = r * np.array([math.cos(angle), 0.0, -math.sin(angle)]) - d * n
     velocity = tuple(-np.cross(rotation, lever))
-    start = sp.Standing(
-        solid, (0.0, 0.0, r * math.sin(angle) + 1e-9), velocity=velocity, rotation_rate=tuple(rotation)
+    start = sp.Piece(
+        body, (0.0, 0.0, r * math.sin(angle) + 1e-9), velocity=velocity, rotation_rate=tuple(rotation)
     )
     run = sp.simulate(start, STICKING, still(duration, duration / 4000), step=step)
     axis = run.turn[0] @ n
@@ -61,8 +61,8 @@ def free_top() -> Iterator[Row]:
     A box that is thrown into the air turning about its middle axis turns over each half period of Jacobi's
     elliptic functions, 2 K(m)/rate.
     """
-    box = sp.Solid.box(0.3, 0.5, 0.9, 40.0)
-    large, middle, small = np.diag(box.inertia)
+    box = sp.Body.box(0.3, 0.5, 0.9, 40.0)
+    large, middle, small = np.diag(box.solid.inertia)
     for nudge in (0.1, 0.01):
         spin, side = 12.0, nudge * math.sqrt(small / large)
         twice = large * side**2 + middle * spin**2 + small * nudge**2
@@ -72,9 +72,7 @@ def free_top() -> Iterator[Row]:
         if m > 1.0:
             rate, m = rate * math.sqrt(m), 1.0 / m
         known = 2.0 * ellipk(m) / rate
-        start = sp.Standing(
-            box, (0.0, 0.0, 90.0), velocity=(0.0, 0.0, 30.0), rotation_rate=(side, spin, nudge)
-        )
+        start = sp.Piece(box, (0.0, 0.0, 90.0), velocity=(0.0, 0.0, 30.0), rotation_rate=(side, spin, nudge))
         run = sp.simulate(start, sp.Room(), still(2.2 * known), step=5e-4)
         own = np.einsum("si,si->s", run.turn[0, :, :, 1], run.rotation_rate[0])
         k = np.flatnonzero(np.diff(np.sign(own)))[:2]
@@ -93,7 +91,7 @@ def circular_shaking() -> Iterator[Row]:
     t = dt * np.arange(1001)
     speed = math.sqrt(a * a - (mu * G) ** 2) / omega
     first = -a * speed / complex(mu * G, omega * speed)
-    start = sp.Standing(sp.Solid.box(0.9, 0.9, 0.3, 30.0), velocity=(first.real, first.imag, 0.0))
+    start = sp.Piece(sp.Body.box(0.9, 0.9, 0.3, 30.0), velocity=(first.real, first.imag, 0.0))
     motion = sp.Motion(dt=dt, x=a * np.cos(omega * t), y=a * np.sin(omega * t), name="circle")
     run = sp.simulate(start, sp.Room(sp.Floor(mu, mu)), motion)
     found = float(np.linalg.norm(run.velocity[0, -500:, :2], axis=1).mean())
@@ -106,8 +104,8 @@ def precession() -> Iterator[Row]:
     A cylinder of 0.4 m × 1 m rolls round on its rim, tilted by θ, at the rate Ω: its angular momentum goes
     round as the floor's force asks, which fixes its turn about its own axis.
     """
-    can = sp.Solid.cylinder(0.4, 1.0, 30.0)
-    m, A, C, r, d = 30.0, can.inertia[0, 0], can.inertia[2, 2], 0.2, 0.5
+    can = sp.Body.cylinder(0.4, 1.0, 30.0)
+    m, A, C, r, d = 30.0, can.solid.inertia[0, 0], can.solid.inertia[2, 2], 0.2, 0.5
     for tilt, rate in ((0.1, 2.0), (0.1, 6.0), (0.3, 9.0)):
         s, c = math.sin(tilt), math.cos(tilt)
         height, out = r * s + d * c, r * c - d * s
@@ -133,8 +131,8 @@ def rocking_can() -> Iterator[Row]:
     """
     tilt = 0.03
     for diameter, height in ((0.4, 1.0), (0.6, 0.5)):
-        can = sp.Solid.cylinder(diameter, height, 30.0)
-        r, rest = diameter / 2.0, can.inertia[0, 0] + 30.0 * (height / 2.0) ** 2
+        can = sp.Body.cylinder(diameter, height, 30.0)
+        r, rest = diameter / 2.0, can.solid.inertia[0, 0] + 30.0 * (height / 2.0) ** 2
         falls = math.sqrt(2.0 * tilt * (rest + 30.0 * r * r) / (30.0 * G * r))
         n = np.array([math.sin(tilt), 0.0, math.cos(tilt)])
         rotation = 0.05 * (np.array([0.0, 0.0, 1.0]) - n[2] * n)

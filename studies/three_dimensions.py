@@ -19,7 +19,6 @@ from stayput.measures import GelMats, LBracket, TensionPole
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
-from stayput.model.solid import Solid
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
@@ -233,10 +232,10 @@ def _under(setting: ShapeSetting, floors: FloorMotions, drawn: DrawTable) -> Eng
 
 
 def _round_in_space(setting: ShapeSetting, floors: FloorMotions, drawn: DrawTable) -> EngineOutcomes:
-    solid = Solid.cylinder(setting.depth, setting.height, setting.mass)
+    body = Body.cylinder(setting.depth, setting.height, setting.mass)
     factors = drawn.columns["friction"][:, 0].tolist()
     runs = [
-        simulate(solid, setting.room(factor), motion.scaled(float(scale)))
+        simulate(body, setting.room(factor), motion.scaled(float(scale)), dimensions=3)
         for motion, scale, factor in zip(floors.motions, floors.scales, factors, strict=True)
     ]
     return EngineOutcomes(

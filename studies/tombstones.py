@@ -20,7 +20,6 @@ from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
-from stayput.model.solid import Solid
 from stayput.montecarlo.hazard import factors_to_level_zero
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
@@ -224,12 +223,14 @@ def _fallen_in_space(
 ) -> NDArray[np.bool_]:
     """Run stones in space under every motion at every level: square prisms on whole bases."""
     room = Room(Floor(*setting.friction))
-    solids = [Solid.box(body.width, body.width, body.height, body.mass) for body in bodies]
+    stones = [Body.box(body.width, body.width, body.height, body.mass) for body in bodies]
     fell = np.zeros((len(OBSERVED), len(suite), len(bodies)), np.bool_)
     for row, (level, *_) in enumerate(OBSERVED.values()):
         for place, motion in enumerate(suite):
             scaled = motion.scaled(float(10.0 ** (0.5 * level) * factors[place]))
-            fell[row, place] = [simulate(s, room, scaled, step=SPACE_STEP).overturned for s in solids]
+            fell[row, place] = [
+                simulate(stone, room, scaled, dimensions=3, step=SPACE_STEP).overturned for stone in stones
+            ]
     return fell
 
 

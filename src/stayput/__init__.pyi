@@ -40,7 +40,6 @@ from .model.room import Ceiling as Ceiling
 from .model.room import Floor as Floor
 from .model.room import Room as Room
 from .model.room import Wall as Wall
-from .model.solid import Solid as Solid
 from .model.state import State as State
 from .motion import Motion as Motion
 from .motion import near_fault as near_fault
@@ -78,7 +77,6 @@ from .simulation.run import Run as Run
 from .simulation.standing import Assembly as Assembly
 from .simulation.standing import Joint as Joint
 from .simulation.standing import Piece as Piece
-from .simulation.standing import Standing as Standing
 from .standards import ac156 as ac156
 from .standards import ac156_motion as ac156_motion
 from .standards import anchor_tension as anchor_tension

@@ -275,7 +275,8 @@ def _sobol(n: int, d: int, seed: int, motions: int, start: int, stream: str) -> 
     points, key = engine.random_base2(octaves), (zlib.crc32(stream.encode()),) if stream else ()
     if stream:
         bits = random_bits(seed, *key)
-        orders = (2**k + np.argsort(bits.random_raw(2**k), kind="stable") for k in range(octaves))
+        raws = (np.asarray(bits.random_raw(2**k), np.uint64) for k in range(octaves))
+        orders = (len(raw) + np.argsort(raw, kind="stable") for raw in raws)
         points = points[np.concatenate([[0], *orders])]
     places = np.ldexp(points[start : start + n], _BITS)
     raw = [[random_bits(seed, m, j, *key).random_raw() for j in range(d)] for m in range(motions)]

@@ -154,13 +154,11 @@ def test_a_picture_without_webgl_is_flat_and_led_by_the_wheel(browser: Browser, 
         assert [one for one, _ in shown] == ["0.0", "0.0", "−0.1", "0.0", "−1.3", "12.3"]
         assert [one for _, one in shown] == ["0.0", "0.0", "-0.1", "0.0", "-1.3", "12.3"]
         contents = it.page.get_by_label("What may come out")
-        assert contents.is_disabled()  # as it is told in the plane alone
-        it.speak("ja")
-        assert "飛び出しは平面でだけ計算できます" in it.text("#sizes")
-        it.speak("en")
+        asked, _ = it.simulated(lambda: contents.select_option("dishes"))
+        assert asked["scene"]["dimensions"] == 3
+        assert asked["scene"]["contents"] == {"kind": "dishes", "doors": "none"}
         asked, _ = it.simulated(lambda: it.page.check("#engine input[value=plane]"))
-        assert asked["scene"]["contents"] == {"kind": "books", "doors": "none"}
-        assert contents.is_enabled()
+        assert asked["scene"]["contents"] == {"kind": "dishes", "doors": "none"}
         assert it.page.locator("#flat").is_hidden()
 
 

@@ -27,8 +27,8 @@ def run() -> Any:
     t = np.arange(0.0, 2.0, 0.01)
     shaking = sp.Motion(dt=0.01, x=6.0 * np.sin(7.0 * t), y=3.0 * np.sin(5.0 * t), name="two directions")
     parts = [
-        sp.Standing(sp.Solid.box(0.45, 0.9, 0.9, 60.0)),
-        sp.Standing(sp.Solid.cylinder(0.3, 0.8, 20.0), at=(0.0, 0.0, 0.9)),
+        sp.Piece(sp.Body.box(0.45, 0.9, 0.9, 60.0)),
+        sp.Piece(sp.Body.cylinder(0.3, 0.8, 20.0), at=(0.0, 0.0, 0.9)),
     ]
     return sp.simulate(sp.Assembly(parts), sp.Room(left_wall=sp.Wall(0.05)), shaking)
 

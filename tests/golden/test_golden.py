@@ -47,8 +47,8 @@ WALLED = sp.Room(sp.Floor(0.4, 0.3), left_wall=WALL)
 BRACKET = [sp.MEASURES["l_bracket"]()]
 STACK = sp.Assembly(
     [
-        sp.Standing(sp.Solid.box(0.45, 0.9, 1.0, 60.0)),
-        sp.Standing(sp.Solid.box(0.35, 0.9, 0.9, 30.0), at=(-0.05, 0.0, 1.0)),
+        sp.Piece(sp.Body.box(0.45, 0.9, 1.0, 60.0)),
+        sp.Piece(sp.Body.box(0.35, 0.9, 0.9, 30.0), at=(-0.05, 0.0, 1.0)),
     ]
 )
 BOOKCASE = sp.Body(0.3, 1.8, 60.0, length=0.9)

@@ -12,10 +12,11 @@ from damage import damaged
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from stayput import Solid
+from stayput import Body
 from stayput.errors import InputError
 from stayput.model.inertia import inertia_of, principal_axes
 from stayput.model.polyhedron import TOLERANCE, convex_hull, size_of, triangulated, uniform_solid
+from stayput.model.solid import Solid
 
 trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed")
 
@@ -127,7 +128,7 @@ def test_principal_axes_give_the_tensor_again(seed, second_moments):
 
 def assert_refused_or_a_body(file: Path, **given: float) -> None:
     try:
-        body = Solid.from_mesh(file, unit="m", **given)
+        body = Body.mesh(file, unit="m", **given).solid
     except InputError as error:
         refused = error
     else:
@@ -138,7 +139,7 @@ def assert_refused_or_a_body(file: Path, **given: float) -> None:
 
 
 def ascii_stl() -> str:
-    box = Solid.box(0.3, 0.8, 1.8, 200.0)
+    box = Body.box(0.3, 0.8, 1.8, 200.0).solid
     corners = box.vertices[triangulated(box.faces)].tolist()
     rows = ["solid box"]
     for triangle in corners:
@@ -148,7 +149,7 @@ def ascii_stl() -> str:
 
 
 def obj() -> str:
-    box = Solid.box(0.3, 0.8, 1.8, 200.0)
+    box = Body.box(0.3, 0.8, 1.8, 200.0).solid
     rows = [
         "mtllib box.mtl",
         "o box",

@@ -15,10 +15,10 @@ STILL = sp.Motion(dt=0.005, x=np.zeros(201))
 @given(st.integers(0, 2**32 - 1))
 def test_a_dropped_hull_gains_no_energy(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    hull = sp.Solid(rng.uniform(-0.4, 0.4, (rng.integers(5, 20), 3)) + 0.1 * rng.normal(size=3), 20.0)
-    thrown = sp.Standing(
+    hull = sp.Body.hull(rng.uniform(-0.4, 0.4, (rng.integers(5, 20), 3)) + 0.1 * rng.normal(size=3), 20.0)
+    thrown = sp.Piece(
         hull,
-        (0.0, 0.0, rng.uniform(0.05, 0.6) - hull.vertices[:, 2].min()),
+        (0.0, 0.0, rng.uniform(0.05, 0.6) - hull.solid.vertices[:, 2].min()),
         velocity=tuple(rng.normal(0.0, 1.0, 3)),
         rotation_rate=tuple(rng.normal(0.0, 4.0, 3)),
     )
@@ -27,6 +27,6 @@ def test_a_dropped_hull_gains_no_energy(seed: int) -> None:
     run = sp.simulate(thrown, sp.Room(floor), STILL)
     found = cases.energies(run)
     assert np.diff(found).max() < 2e-3 * found[0]
-    offsets = hull.vertices - hull.centre_of_gravity
+    offsets = hull.solid.vertices - hull.solid.centre_of_gravity
     lowest = run.place[0, :, 2, np.newaxis] + run.turn[0][:, 2] @ offsets.T
     assert lowest.min() > -1e-4

@@ -13,29 +13,29 @@ import stayput as sp
 STILL = sp.Motion(dt=0.01, x=np.zeros(31))
 
 
-def tower(rng: np.random.Generator) -> list[sp.Standing]:
+def tower(rng: np.random.Generator) -> list[sp.Piece]:
     """Boxes on each other, the uppermost thrown."""
     found, top = [], 0.0
     for number in range(5):
-        solid = sp.Solid.box(*rng.uniform(0.2, 0.5, 3), float(rng.uniform(2.0, 50.0)))
+        solid = sp.Body.box(*rng.uniform(0.2, 0.5, 3), float(rng.uniform(2.0, 50.0)))
         velocity = tuple(rng.normal(0.0, 1.5, 3)) if number == 4 else (0.0, 0.0, 0.0)
-        found.append(sp.Standing(solid, (*rng.uniform(-0.03, 0.03, 2), top), velocity=velocity))
+        found.append(sp.Piece(solid, (*rng.uniform(-0.03, 0.03, 2), top), velocity=velocity))
         top += float(np.ptp(solid.vertices[:, 2])) + 1e-9
     return found
 
 
-def pile(rng: np.random.Generator) -> list[sp.Standing]:
+def pile(rng: np.random.Generator) -> list[sp.Piece]:
     """Boxes and cylinders in a row that are thrown together."""
     found = []
     for number in range(4):
-        solid = sp.Solid.box(*rng.uniform(0.2, 0.4, 3), float(rng.uniform(2.0, 50.0)))
+        solid = sp.Body.box(*rng.uniform(0.2, 0.4, 3), float(rng.uniform(2.0, 50.0)))
         if rng.random() < 0.4:
-            solid = sp.Solid.cylinder(
+            solid = sp.Body.cylinder(
                 rng.uniform(0.2, 0.4), rng.uniform(0.2, 0.6), float(rng.uniform(2.0, 50.0))
             )
         at = 0.6 * number, rng.uniform(-0.1, 0.1), rng.uniform(0.0, 0.2)
         velocity = (1.5 - number) * 2.0, *rng.normal(0.0, 0.3, 2)
-        found.append(sp.Standing(solid, at, velocity=velocity, rotation_rate=tuple(rng.normal(0.0, 2.0, 3))))
+        found.append(sp.Piece(solid, at, velocity=velocity, rotation_rate=tuple(rng.normal(0.0, 2.0, 3))))
     return found
 
 

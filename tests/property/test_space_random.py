@@ -36,7 +36,7 @@ def test_one_body(seed: int) -> None:
 @given(st.integers(0, 2**32 - 1))
 def test_boxes_on_each_other(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    pool = [sp.Solid.box(*rng.uniform(0.1, 1.5, 3), float(rng.uniform(1.0, 200.0))) for _ in range(4)]
+    pool = [sp.Body.box(*rng.uniform(0.1, 1.5, 3), float(rng.uniform(1.0, 200.0))) for _ in range(4)]
     found = cases.run_one(thrown(seed, pool=pool))
     assert found.finite
     assert found.depth < 3e-6

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 DT = 0.01
 TIME = DT * np.arange(201)
-BOX = sp.Solid.box(0.4, 0.6, 1.8, 80.0)
-DRUM = sp.Solid.cylinder(0.4, 0.8, 30.0)
+BOX = sp.Body.box(0.4, 0.6, 1.8, 80.0)
+DRUM = sp.Body.cylinder(0.4, 0.8, 30.0)
 SHAKE = sp.Motion(
     dt=DT, x=3.0 * np.sin(8.0 * TIME), y=2.0 * np.sin(5.0 * TIME), z=np.cos(9.0 * TIME), name="three"
 )
@@ -36,7 +36,7 @@ def apart(count: int) -> Gaps:
     return Gaps(np.ones((count, 3)), np.ones((count, count)))
 
 
-def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list[np.ndarray]) -> sp.Run:
+def _made(standing: list[sp.Piece], places: list[np.ndarray], attitudes: list[np.ndarray]) -> sp.Run:
     """Return a run from the ways of the origins of the bodies' frames and their attitudes."""
     attitude = np.stack(attitudes)
     offsets = np.array([one.solid.centre_of_gravity for one in standing])
@@ -45,7 +45,7 @@ def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list
 
 
 def of_poses(
-    standing: Sequence[sp.Standing], place: np.ndarray, attitude: np.ndarray, time: np.ndarray = TIME
+    standing: Sequence[sp.Piece], place: np.ndarray, attitude: np.ndarray, time: np.ndarray = TIME
 ) -> sp.Run:
     """Return a run from the poses of the bodies."""
     still, count = np.zeros(place.shape), len(standing)
@@ -74,7 +74,7 @@ def falling() -> sp.Run:
     angle = np.pi / 2 * np.clip((TIME - 1.0) / 0.5, 0.0, 1.0) ** 2
     way = np.column_stack((0.2 * (1.0 - np.cos(angle)), 0.1 * np.clip(TIME, 0.0, 1.0), 0.2 * np.sin(angle)))
     fallen = _about((0.0, 1.0, 0.0), angle)
-    heading = sp.Standing(BOX, heading=0.2)
+    heading = sp.Piece(BOX, heading=0.2)
     turned = way.copy()
     turned[:, :2] = way[:, :2] @ heading.turn[:2, :2].T
     return _made([heading], [turned], [product(_about((0.0, 0.0, 1.0), np.full(201, 0.2)), fallen)])
@@ -84,6 +84,6 @@ def spinning() -> sp.Run:
     """A box that stands still, a drum that turns once and a half about the vertical, and one on the box."""
     angle = np.array([0.0, 3.0 * np.pi, 0.0])[:, np.newaxis] * TIME / TIME[-1]
     starts = [(0.0, 0.0, 0.0), (0.9, 0.1, 0.0), (0.0, 0.1, 1.8)]
-    standing = [sp.Standing(solid, at) for solid, at in zip((BOX, DRUM, DRUM), starts, strict=True)]
+    standing = [sp.Piece(solid, at) for solid, at in zip((BOX, DRUM, DRUM), starts, strict=True)]
     places = [np.tile(at, (201, 1)) for at in starts]
     return _made(standing, places, [_about((0.0, 0.0, 1.0), one) for one in angle])

@@ -54,7 +54,7 @@ BARE = (SAMPLES, SAMPLES.tolist(), pd.Series(SAMPLES), xr.DataArray(SAMPLES))
     "call",
     [
         lambda bare: sp.simulate(BODY, ROOM, bare),
-        lambda bare: sp.simulate(sp.Solid.box(0.4, 0.4, 1.0, 20.0), ROOM, bare),
+        lambda bare: sp.simulate(sp.Body.box(0.4, 0.4, 1.0, 20.0), ROOM, bare),
         lambda bare: sp.Case(BODY, ROOM, bare),
         lambda bare: sp.response_spectrum(bare),
         lambda bare: sp.Building(3).respond(bare),
@@ -75,7 +75,7 @@ def test_a_path_in_the_place_of_a_motion_is_refused_with_what_to_do(path: Any):
 
 
 def test_what_else_is_given_is_told_shortly():
-    with pytest.raises(sp.InputError, match=r"body is 0\.3; it must be of type Body \| Solid"):
+    with pytest.raises(sp.InputError, match=r"body is 0\.3; it must be of type Body \| Piece"):
         sp.simulate(0.3, ROOM, sp.near_fault())  # type: ignore[call-overload]
     with pytest.raises(sp.InputError, match=r"motion is {'dt': 0\.01}; it must be of type Motion"):
         sp.simulate(BODY, ROOM, {"dt": 0.01})  # type: ignore[call-overload]

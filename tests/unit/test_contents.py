@@ -156,6 +156,34 @@ def test_the_papers_law_is_refused():
         sp.spill(replace(CASE, contact="paper"), sp.Contents())
 
 
+def test_what_cannot_be_followed_in_space_is_refused():
+    still, box = sp.sine(1.0, 1.0, 1.0), sp.Body.box(0.4, 0.9, 1.8, 100.0)
+    body = replace(BODY, length=0.9)
+    both = sp.Assembly([sp.Piece(body), sp.Piece(box, at=(2.0, 0.0, 0.0))])
+    run = sp.simulate(both, sp.Room(), still.resampled(0.0025))
+    assert sp.spill(run, sp.Contents(), 0).share_out == 0.0
+    for piece, message in ((None, "piece is None"), (2, "between 0 and 1"), (1, "no piece of furniture")):
+        with pytest.raises(InputError, match=message):
+            sp.spill(run, sp.Contents(), piece)
+    with pytest.raises(InputError, match="between 0 and 0"):
+        sp.spill(CASE, sp.Contents(), 1)
+    with pytest.raises(InputError, match=r"0\.005 s apart"):
+        sp.spill(sp.simulate(body, sp.Room(), still, dimensions=3), sp.Contents())
+
+
+def test_a_run_in_space_has_the_gravity_that_it_was_made_with():
+    """On the moon dishes slide where they stay on the earth."""
+    body, motion = replace(BODY, length=0.9), sp.sine(1.0, 1.0, 2.0, dt=0.0025)
+    shares = [
+        sp.spill(
+            sp.simulate(body, sp.Room(sp.Floor(3.0, 3.0)), motion, dimensions=3, gravity=g),
+            sp.Contents("boxes", drawers="free"),
+        ).share_out
+        for g in (9.81, 3.0)
+    ]
+    assert shares[0] == 0.0 < shares[1]
+
+
 def test_a_scenario_takes_the_loads_of_the_furniture():
     data = {"furniture": {"preset": "bookcase", "shelves": [50.0, 40.0]}, "contents": {"kind": "books"}}
     scenario = Scenario.parse(data)

@@ -134,8 +134,8 @@ def test_bodies_that_are_no_pieces() -> None:
 
 
 def test_members_without_measures_keep_their_bits() -> None:
-    solid = sp.Solid.box(0.4, 0.9, 1.8, 100.0)
-    run = sp.simulate(sp.Assembly([sp.Standing(solid)]), ROOM, SHAKEN.scaled(0.3))
+    solid = sp.Body.box(0.4, 0.9, 1.8, 100.0)
+    run = sp.simulate(sp.Assembly([sp.Piece(solid)]), ROOM, SHAKEN.scaled(0.3))
     again = sp.simulate(solid, ROOM, SHAKEN.scaled(0.3))
     assert np.array_equal(run.place, again.place)
     assert run.held is None
@@ -146,7 +146,7 @@ def test_insets_move_neither_a_piece_nor_an_end_of_its_belt(insets: tuple[float,
     """The middle of its outline is at its place; a belt begins as long as it is, from wall to piece."""
     body = sp.Body(0.4, 1.8, 100.0, length=0.9, base_insets=insets)
     (one,) = placed([sp.Piece(body, measures=of("belt"))], ROOM)
-    assert one.standing.along((1.0, 0.0, 0.0)) == pytest.approx((-0.2, 0.2))
+    assert one.piece.along((1.0, 0.0, 0.0)) == pytest.approx((-0.2, 0.2))
     for spring in one.springs:
         point, anchor = ([spring[f"{name}{axis}"] for axis in "xyz"] for name in "pa")
-        assert np.linalg.norm(np.add(one.standing.place, point) - anchor) == pytest.approx(spring["length"])
+        assert np.linalg.norm(np.add(one.piece.place, point) - anchor) == pytest.approx(spring["length"])

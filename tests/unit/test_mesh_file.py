@@ -9,18 +9,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stayput import Solid
+from stayput import Body
 from stayput.errors import InputError
 from stayput.model.polyhedron import triangulated
+from stayput.model.solid import Solid
 from stayput.model.solid_fields import UNITS
 
 trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed")
 
 SHAPES = {
-    "box": Solid.box(0.3, 0.8, 1.8, 200.0),
-    "cylinder": Solid.cylinder(0.4, 1.3, 60.0),
-    "cone": Solid.cone(0.3, 0.55, 0.9, 12.0),
-    "prism": Solid.prism([(0.0, 0.0), (0.5, -0.2), (0.9, 0.1), (0.4, 0.6)], 0.7, 30.0),
+    "box": Body.box(0.3, 0.8, 1.8, 200.0).solid,
+    "cylinder": Body.cylinder(0.4, 1.3, 60.0).solid,
+    "cone": Body.cone(0.3, 0.55, 0.9, 12.0).solid,
+    "prism": Solid(
+        [(x, y, z) for z in (0.0, 0.7) for x, y in ((0.0, 0.0), (0.5, -0.2), (0.9, 0.1), (0.4, 0.6))], 30.0
+    ),
     "hull": Solid(np.random.default_rng(5).uniform(-0.5, 0.5, (40, 3)), 8.0),
 }
 
@@ -79,13 +82,13 @@ def test_a_file_comes_back(name, tmp_path):
         (write_obj(tmp_path / "thing.obj", 1000.0 * vertices + 500.0, solid.faces), "mm", 1e-9),
         (write_binary_stl(tmp_path / "binary.STL", vertices, triangles), "m", 2e-7),  # of seven digits
     ):
-        assert_same(Solid.from_mesh(str(file), unit=unit, mass=solid.mass), solid, tolerance)
+        assert_same(Body.mesh(str(file), unit=unit, mass=solid.mass).solid, solid, tolerance)
 
 
 def test_a_binary_stl_file_of_such_numbers_comes_back_to_the_bit(tmp_path):
-    box = Solid.box(0.25, 0.75, 1.5, 20.0)
+    box = Body.box(0.25, 0.75, 1.5, 20.0).solid
     file = write_binary_stl(tmp_path / "box.stl", box.vertices, triangulated(box.faces))
-    read = Solid.from_mesh(file, unit="m", mass=20.0)
+    read = Body.mesh(file, unit="m", mass=20.0).solid
     assert np.array_equal(in_order(read.vertices), in_order(box.vertices))
     np.testing.assert_allclose(read.inertia, box.inertia, atol=1e-14 * np.trace(box.inertia))
 
@@ -95,7 +98,7 @@ def test_what_trimesh_writes_is_read(kind, tmp_path):
     shape = trimesh.creation.icosphere(subdivisions=2, radius=300.0)
     file = tmp_path / f"ball.{kind[:3]}"
     shape.export(file, file_type=kind)
-    ball = Solid.from_mesh(file, unit="mm", density=500.0)
+    ball = Body.mesh(file, unit="mm", density=500.0).solid
     assert len(ball.vertices) == len(shape.vertices)
     assert ball.mass == pytest.approx(500.0 * 1e-9 * shape.volume, rel=1e-6)
     expected = 500.0 * 1e-15 * shape.moment_inertia
@@ -109,7 +112,7 @@ def test_units_and_the_direction_up(unit, up, tmp_path):
     turned = np.roll(box.vertices, "xyz".index(up) + 1, axis=1) / UNITS[unit]
     assert np.ptp(turned[:, "xyz".index(up)]) == pytest.approx(1.8 / UNITS[unit])
     file = write_stl(tmp_path / "box.stl", turned, triangulated(box.faces))
-    read = Solid.from_mesh(file, unit=unit, density=100.0, up=up)
+    read = Body.mesh(file, unit=unit, density=100.0, up=up).solid
     np.testing.assert_allclose(in_order(read.vertices), in_order(box.vertices), atol=1e-9)
     assert read.mass == pytest.approx(100.0 * 0.3 * 0.8 * 1.8)
     assert read.stands
@@ -161,7 +164,7 @@ def test_meshes_of_no_convex_body_are_refused(mesh, sentence, field, tmp_path):
     for write, suffix in ((write_stl, ".stl"), (write_binary_stl, ".stl"), (write_obj, ".obj")):
         file = write(tmp_path / f"thing{suffix}", *mesh)
         with pytest.raises(InputError, match=sentence) as refused:
-            Solid.from_mesh(file, unit="m", mass=10.0)
+            Body.mesh(file, unit="m", mass=10.0)
         assert refused.value.field == field
         assert not refused.value.told("ja").isascii()
 
@@ -171,7 +174,7 @@ def test_a_ball_with_too_many_corners_is_refused(tmp_path):
     file = tmp_path / "ball.stl"
     shape.export(file)
     with pytest.raises(InputError, match="has 642 corners; at most 500 are allowed"):
-        Solid.from_mesh(file, unit="m", mass=10.0)
+        Body.mesh(file, unit="m", mass=10.0)
 
 
 @pytest.mark.parametrize(
@@ -193,7 +196,7 @@ def test_files_that_are_no_mesh_are_refused(name, content, sentence, tmp_path):
     file = tmp_path / name
     file.write_bytes(content)
     with pytest.raises(InputError, match=sentence) as refused:
-        Solid.from_mesh(file, unit="m", mass=10.0)
+        Body.mesh(file, unit="m", mass=10.0)
     assert name in str(refused.value)
     assert refused.value.field == "file"
 
@@ -210,19 +213,19 @@ def test_the_python_of_the_page_runs(tmp_path, monkeypatch, capsys):
 
 def test_a_file_that_cannot_be_opened_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"cannot be opened: no such file or directory\.$"):
-        Solid.from_mesh(tmp_path / "nowhere.stl", unit="m", mass=10.0)
+        Body.mesh(tmp_path / "nowhere.stl", unit="m", mass=10.0)
     with pytest.raises(InputError, match=r"cannot be opened: no such file or directory\.$"):
-        Solid.from_mesh("a\0.stl", unit="m", mass=10.0)
+        Body.mesh("a\0.stl", unit="m", mass=10.0)
     (tmp_path / "folder.stl").mkdir()
     with pytest.raises(InputError, match="cannot be opened: is a directory"):
-        Solid.from_mesh(tmp_path / "folder.stl", unit="m", mass=10.0)
+        Body.mesh(tmp_path / "folder.stl", unit="m", mass=10.0)
 
 
 def test_a_file_of_too_many_bytes_is_refused(tmp_path, monkeypatch):
     file = write_stl(tmp_path / "box.stl", BOX, TRIANGLES)
     monkeypatch.setattr("stayput.model.solid_fields.MOST_BYTES", 1000)
     with pytest.raises(InputError, match="at most 1000 are read"):
-        Solid.from_mesh(file, unit="m", mass=10.0)
+        Body.mesh(file, unit="m", mass=10.0)
 
 
 @pytest.mark.parametrize(
@@ -244,7 +247,7 @@ def test_a_file_of_too_many_bytes_is_refused(tmp_path, monkeypatch):
 def test_what_is_given_wrongly_is_refused(given, sentence, field, tmp_path):
     file = write_stl(tmp_path / "box.stl", BOX, TRIANGLES)
     with pytest.raises(InputError, match=sentence) as refused:
-        Solid.from_mesh(file, **given)
+        Body.mesh(file, **given)
     assert refused.value.field == field
 
 
@@ -252,9 +255,9 @@ def test_without_trimesh_the_refusal_says_how_to_get_it(tmp_path, monkeypatch):
     file = write_stl(tmp_path / "box.stl", BOX, TRIANGLES)
     monkeypatch.setitem(sys.modules, "trimesh", None)
     with pytest.raises(InputError, match=r"A mesh needs trimesh, which is not installed; .*\[space\]"):
-        Solid.from_mesh(file, unit="m", mass=10.0)
+        Body.mesh(file, unit="m", mass=10.0)
 
 
 def test_what_is_no_path_is_refused():
     with pytest.raises(InputError, match="file is None; it must be of type"):
-        Solid.from_mesh(None, unit="m", mass=1.0)  # type: ignore[arg-type]
+        Body.mesh(None, unit="m", mass=1.0)  # type: ignore[arg-type]

@@ -32,7 +32,6 @@ from stayput.rooms.events import CELL
 from stayput.rooms.verdict import ChangeVerdict, DoorVerdict, HitVerdict, PlaceVerdict, RoomPiece, RoomVerdict
 from stayput.rooms.words import change_label, sentence_of_room
 from stayput.scenario import Scenario
-from stayput.simulation.placing import bare
 
 HOSTILE = "<script>alert('&')</script>"
 SCENARIO = {
@@ -73,7 +72,7 @@ def made(**changed):
     for n, member in enumerate(scenario.assembly(scenario.stated).members):
         fell = np.zeros((round(plan.width / CELL), round(plan.length / CELL)))
         fell[10 * n : 10 * n + 5, 4:6] = 0.35
-        standing, own = bare(member), {event: next(left) for event in EVENTS}
+        standing, own = member, {event: next(left) for event in EVENTS}
         outline = rectangle(standing.at[:2], 0.3, 0.8, standing.heading)
         slide, risk = Quantiles(0.021 + n, 0.043 + n), 0.123 - 0.1 * n
         pieces.append(RoomPiece(names[n], n == 0, own, slide, fell, 0.0 * fell, outline, risk))

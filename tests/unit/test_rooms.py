@@ -31,7 +31,6 @@ from stayput.rooms.words import (
     piece_within,
     place_name,
 )
-from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -80,7 +79,7 @@ def verdict() -> RoomVerdict:
 )
 def test_a_piece_against_a_wall_faces_into_the_room(wall: str, facing: tuple[float, float]):
     room = changed(furniture=piece(against=wall, along=1.3, gap=0.05), places=[])
-    standing = bare(room.assembly().members[0])
+    standing = room.assembly().members[0]
     np.testing.assert_allclose(standing.turn[:2, 0], facing, atol=1e-15)
     assert getattr(room.surroundings(), wall).gap == pytest.approx(0.05)
     along = (0.0, 1.0, 0.0) if "_side" not in wall else (1.0, 0.0, 0.0)
@@ -254,7 +253,7 @@ def test_nobody_is_hit_by_what_is_fixed_well():
 
 def test_a_large_room_is_searched_in_as_many_steps_as_a_smaller_one():
     whole = changed(plan={"width": 30.0, "length": 30.0})
-    floor = FreeFloor(whole.floor_plan(), tuple(bare(one) for one in whole.assembly().members))
+    floor = FreeFloor(whole.floor_plan(), whole.assembly().members)
     (bed,) = whole.floor_plan().places
     assert 600 < len(other_places(bed, floor)) <= 2 * 21 * 21
 
@@ -278,7 +277,7 @@ def test_nobody_is_shut_in_where_there_is_no_way_out():
 
 def test_a_room_is_simulated_with_all_its_pieces_together():
     run = changed().run()
-    assert len(run.standing) == 2
+    assert len(run.pieces) == 2
     with pytest.raises(sp.InputError, match="must go to verify_room"):
         sp.verify(changed())
 
@@ -294,7 +293,7 @@ def test_a_room_is_simulated_under_a_motion_of_its_direction():
 def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
     room = changed(windows=[{"wall": "far_side_wall", "start": 0.5, "width": 1.0, "sill": 0.9}])
     plan, whole = room.floor_plan(), room.assembly(room.stated)
-    floor = FreeFloor(plan, tuple(bare(one) for one in whole.members))
+    floor = FreeFloor(plan, whole.members)
     square = np.array([[0.0, 0.0], [0.4, 0.0], [0.4, 0.4], [0.0, 0.4]])
     for at, height, fits in (
         ((1.5, 0.4), 1.0, True),

@@ -70,8 +70,8 @@ def verdict(**how: Any) -> sp.Verdict:
         lambda: sp.simulate(
             sp.Assembly(
                 [
-                    sp.Standing(sp.Solid.of(BODY)),
-                    sp.Standing(sp.Solid.box(0.4, 0.4, 0.5, 20.0), at=(1.0, 0.0, 0.0)),
+                    sp.Piece(BODY),
+                    sp.Piece(sp.Body.box(0.4, 0.4, 0.5, 20.0), at=(1.0, 0.0, 0.0)),
                 ]
             ),
             sp.Room(),

@@ -10,8 +10,8 @@ import pytest
 
 import stayput as sp
 
-BOX = sp.Solid.box(0.4, 0.6, 1.5, 80.0)
-DRUM = sp.Solid.cylinder(0.4, 1.2, 30.0)
+BOX = sp.Body.box(0.4, 0.6, 1.5, 80.0)
+DRUM = sp.Body.cylinder(0.4, 1.2, 30.0)
 STILL = sp.Motion(dt=0.01, x=np.zeros(5))
 
 
@@ -26,8 +26,8 @@ def refused(bodies: Any, room: sp.Room | None = None, **given: Any) -> sp.InputE
 
 
 @pytest.mark.parametrize("solid", [BOX, DRUM])
-def test_a_body_that_begins_in_the_floor_or_the_ceiling(solid: sp.Solid) -> None:
-    sunk = [sp.Standing(solid), sp.Standing(solid, at=(2.0, 0.0, -0.02))]
+def test_a_body_that_begins_in_the_floor_or_the_ceiling(solid: sp.Body) -> None:
+    sunk = [sp.Piece(solid), sp.Piece(solid, at=(2.0, 0.0, -0.02))]
     assert refused(sunk).told("en") == (
         "members[1] begins 0.02 m inside the floor; it must begin outside it."
     )
@@ -36,9 +36,7 @@ def test_a_body_that_begins_in_the_floor_or_the_ceiling(solid: sp.Solid) -> None
 
 
 def test_bodies_that_begin_in_each_other() -> None:
-    error = refused(
-        [sp.Standing(BOX), sp.Standing(DRUM, (3.0, 0.0, 0.0)), sp.Standing(BOX, (0.35, 0.2, 0.0))]
-    )
+    error = refused([sp.Piece(BOX), sp.Piece(DRUM, (3.0, 0.0, 0.0)), sp.Piece(BOX, (0.35, 0.2, 0.0))])
     assert error.field == "members"
     assert error.told("en") == (
         "members[0] and members[2] begin 0.05 m inside each other; they must begin apart."
@@ -47,10 +45,10 @@ def test_bodies_that_begin_in_each_other() -> None:
 
 def test_bodies_above_beside_and_on_each_other_begin() -> None:
     bodies = [
-        sp.Standing(BOX),
-        sp.Standing(BOX, at=(0.4, 0.0, 0.0)),
-        sp.Standing(BOX, at=(0.0, 0.0, 1.5)),
-        sp.Standing(DRUM, at=(2.0, 0.0, 0.3)),
+        sp.Piece(BOX),
+        sp.Piece(BOX, at=(0.4, 0.0, 0.0)),
+        sp.Piece(BOX, at=(0.0, 0.0, 1.5)),
+        sp.Piece(DRUM, at=(2.0, 0.0, 0.3)),
     ]
     run = sp.simulate(sp.Assembly(bodies), sp.Room(), STILL)
     assert run.place.shape == (4, 5, 3)
@@ -61,7 +59,7 @@ def test_bodies_above_beside_and_on_each_other_begin() -> None:
 def test_a_cylinder_at_a_wall_touches_it_with_its_circle(heading: float) -> None:
     flush = sp.Wall(0.0)
     room = sp.Room(left_wall=flush, right_wall=flush, near_side_wall=flush, far_side_wall=flush)
-    standing = sp.Standing(DRUM, heading=heading)
+    standing = sp.Piece(DRUM, heading=heading)
     for direction in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (math.sqrt(0.5), math.sqrt(0.5), 0.0)):
         np.testing.assert_allclose(standing.along(direction), (-0.2, 0.2), atol=1e-12)
     run = sp.simulate(standing, room, STILL)
@@ -70,21 +68,19 @@ def test_a_cylinder_at_a_wall_touches_it_with_its_circle(heading: float) -> None
 
 def test_what_else_is_refused() -> None:
     assert "number of bodies is 0" in refused([]).told("en")
-    assert "must be 2 numbers" in refused([sp.Standing(BOX)], friction=(0.4, 0.3, 0.2)).told("en")
-    assert "must not be above the static one, 0.3" in refused([sp.Standing(BOX)], friction=(0.3, 0.4)).told(
-        "en"
-    )
+    assert "must be 2 numbers" in refused([sp.Piece(BOX)], friction=(0.4, 0.3, 0.2)).told("en")
+    assert "must not be above the static one, 0.3" in refused([sp.Piece(BOX)], friction=(0.3, 0.4)).told("en")
     with pytest.warns(sp.InputWarning, match="settles by 0.0001 m, which is left out"):
         sp.simulate(BOX, sp.Room(sp.Floor(settlement=1e-4)), STILL)
     with pytest.raises(sp.InputError, match="must be 3 numbers"):
-        sp.Standing(BOX, at=(0.0, 0.0))  # pyright: ignore[reportArgumentType]
+        sp.Piece(BOX, at=(0.0, 0.0))  # pyright: ignore[reportArgumentType]
 
 
 def test_faces_of_many_corners_touch() -> None:
     """Two polygons of 50 corners, one turned a little, have an intersection of 100."""
     angles = np.linspace(0.0, 2.0 * np.pi, 50, endpoint=False)
-    disc = sp.Solid.prism(np.column_stack([np.cos(angles), np.sin(angles)]).tolist(), 0.5, 100.0)
-    pile = [sp.Standing(disc), sp.Standing(disc, (0.0, 0.0, 0.5), heading=0.06)]
+    disc = sp.Body.hull([(np.cos(a), np.sin(a), z) for z in (0.0, 0.5) for a in angles], 100.0)
+    pile = [sp.Piece(disc), sp.Piece(disc, (0.0, 0.0, 0.5), heading=0.06)]
     run = sp.simulate(sp.Assembly(pile), sp.Room(), STILL)
     assert np.abs(run.velocity).max() == 0.0
 
@@ -99,10 +95,10 @@ def test_the_dataset() -> None:
 def test_a_piece_with_inset_feet_lies_on_its_side() -> None:
     """Its corners beyond the feet are cut off at 45° for the floor: it tips over a foot, and lies flat."""
     feet = [(x, y, 0.0) for x in (-0.17, 0.17) for y in (-0.37, 0.37)]
-    solid = sp.Solid.box(0.4, 0.8, 1.0, 30.0, feet=feet)
-    tipped = sp.Standing(solid, (0.0, 0.0, 0.2), tilt=(0.0, 0.6, 0.0))
+    solid = sp.Body.box(0.4, 0.8, 1.0, 30.0, feet=feet)
+    tipped = sp.Piece(solid, (0.0, 0.0, 0.2), tilt=(0.0, 0.6, 0.0))
     run = sp.simulate(tipped, sp.Room(), sp.Motion(dt=0.01, x=np.zeros(400)))
-    corners = run.place[0, -1] + (solid.vertices - solid.centre_of_gravity) @ run.turn[0, -1].T
+    corners = run.place[0, -1] + (solid.solid.vertices - solid.solid.centre_of_gravity) @ run.turn[0, -1].T
     assert run[0].overturned
     assert np.degrees(run[0].tilt[-1]) == pytest.approx(90.0, abs=0.01)
     assert corners[:, 2].min() > -1e-5
@@ -110,7 +106,7 @@ def test_a_piece_with_inset_feet_lies_on_its_side() -> None:
 
 def test_the_turn_in_plan_of_a_body_that_lies_is_the_last_before() -> None:
     """A cylinder that has fallen over and rolls turns about the vertical no more."""
-    drum = sp.Standing(sp.Solid.cone(0.2, 0.1, 0.5, 5.0), (0.0, 0.0, 0.3), tilt=(0.0, 1.2, 0.0))
+    drum = sp.Piece(sp.Body.cone(0.2, 0.1, 0.5, 5.0), (0.0, 0.0, 0.3), tilt=(0.0, 1.2, 0.0))
     run = sp.simulate(drum, sp.Room(), sp.sine(3.0, 1.0, 3.0))
     lies = run[0].tilt > np.pi / 3
     assert lies[-1]

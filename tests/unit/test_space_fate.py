@@ -10,7 +10,7 @@ from stayput.execution import Stop
 from stayput.report.summary import place_called, rows, sentences, summary
 from stayput.simulation.space_fate import fates_of, lies_on_floor
 
-BOX = sp.Solid.box
+BOX = sp.Body.box
 TALL = BOX(0.3, 0.5, 1.6, 40.0)
 CHEST = BOX(0.5, 0.8, 0.8, 60.0)
 ROUGH = sp.Room(sp.Floor(0.8, 0.7))
@@ -19,14 +19,14 @@ OVERTURNED, FELL_OFF, LEANING = sp.Outcome.OVERTURNED, sp.Outcome.FELL_OFF, sp.O
 STOOD = (sp.Outcome.RESTED, sp.Outcome.SLID, sp.Outcome.ROCKED)
 
 
-def tipped(solid: sp.Solid, at: tuple[float, float, float], rate: float, edge: float) -> sp.Standing:
+def tipped(body: sp.Body, at: tuple[float, float, float], rate: float, edge: float) -> sp.Piece:
     """Return a body that turns about its lower edge at x = edge in its frame [rad/s]."""
-    arm = solid.centre_of_gravity - np.array([edge, 0.0, 0.0])
+    arm = body.solid.centre_of_gravity - np.array([edge, 0.0, 0.0])
     velocity = np.cross([0.0, rate, 0.0], arm)
-    return sp.Standing(solid, at, rotation_rate=(0.0, rate, 0.0), velocity=tuple(velocity.tolist()))
+    return sp.Piece(body, at, rotation_rate=(0.0, rate, 0.0), velocity=tuple(velocity.tolist()))
 
 
-def became(*bodies: sp.Standing, room: sp.Room = ROUGH, friction: tuple[float, float] = (0.4, 0.3)) -> sp.Run:
+def became(*bodies: sp.Piece, room: sp.Room = ROUGH, friction: tuple[float, float] = (0.4, 0.3)) -> sp.Run:
     run = sp.simulate(sp.Assembly(bodies, friction), room, STILL)
     assert np.abs(run.velocity[:, -1]).max() < 0.05
     return run
@@ -44,7 +44,7 @@ def test_a_piece_that_falls_against_its_neighbour(
     gap: float, outcome: sp.Outcome, least: float, most: float
 ) -> None:
     """Up to 45° it leans; beyond it lies on it; farther away it reaches the floor."""
-    neighbour = sp.Standing(BOX(1.0, 1.0, 2.0, 500.0))
+    neighbour = sp.Piece(BOX(1.0, 1.0, 2.0, 500.0))
     run = became(tipped(TALL, (-0.65 - gap, 0.0, 0.0), 2.0, 0.15), neighbour)
     assert run[0].outcome is outcome
     assert run[1].outcome in STOOD
@@ -57,8 +57,8 @@ def test_a_piece_that_falls_against_its_neighbour(
 
 
 def test_a_box_that_falls_over_on_what_it_stands_on() -> None:
-    vase = sp.Solid.cone(bottom=0.08, top=0.16, height=0.35, mass=1.5)
-    table = sp.Standing(BOX(1.0, 1.0, 0.7, 100.0))
+    vase = sp.Body.cone(bottom=0.08, top=0.16, height=0.35, mass=1.5)
+    table = sp.Piece(BOX(1.0, 1.0, 0.7, 100.0))
     run = became(table, tipped(vase, (0.0, 0.0, 0.7), 3.5, 0.04), friction=(0.6, 0.5))
     assert run[1].tilt[-1] < math.pi / 2  # it lies on its side
     assert run[1].outcome is OVERTURNED
@@ -67,8 +67,8 @@ def test_a_box_that_falls_over_on_what_it_stands_on() -> None:
 
 def test_an_upper_part_that_falls_behind_the_lower_one() -> None:
     """It stands upright on the floor again: it did not turn over, and yet it fell off."""
-    upper = sp.Standing(BOX(0.1, 0.3, 0.4, 3.0), (-0.1, 0.0, 0.8), velocity=(-1.2, 0.0, 0.0))
-    run = became(sp.Standing(CHEST), upper, room=sp.Room(left_wall=sp.Wall(0.14)), friction=(0.2, 0.15))
+    upper = sp.Piece(BOX(0.1, 0.3, 0.4, 3.0), (-0.1, 0.0, 0.8), velocity=(-1.2, 0.0, 0.0))
+    run = became(sp.Piece(CHEST), upper, room=sp.Room(left_wall=sp.Wall(0.14)), friction=(0.2, 0.15))
     assert run[1].outcome is FELL_OFF
     assert run[1].tilt[-1] == pytest.approx(0.0, abs=1e-3)
     assert run.place[1, -1, 2] == pytest.approx(0.2, abs=1e-4)
@@ -79,12 +79,12 @@ def test_an_upper_part_that_falls_behind_the_lower_one() -> None:
 
 def test_a_box_that_slides_from_a_table_to_a_stool() -> None:
     table, stool = BOX(0.6, 0.6, 0.7, 100.0), BOX(0.8, 0.8, 0.4, 100.0)
-    box = sp.Standing(BOX(0.3, 0.3, 0.1, 5.0), (0.1, 0.0, 0.7), velocity=(1.4, 0.0, 0.0))
-    run = became(sp.Standing(table), sp.Standing(stool, (0.71, 0.0, 0.0)), box, friction=(0.2, 0.15))
+    box = sp.Piece(BOX(0.3, 0.3, 0.1, 5.0), (0.1, 0.0, 0.7), velocity=(1.4, 0.0, 0.0))
+    run = became(sp.Piece(table), sp.Piece(stool, (0.71, 0.0, 0.0)), box, friction=(0.2, 0.15))
     assert run.place[2, -1, 2] == pytest.approx(0.45, abs=1e-3)
     assert run[2].outcome is FELL_OFF
     assert run[0].outcome in STOOD
-    level = became(sp.Standing(table), sp.Standing(table, (0.61, 0.0, 0.0)), box, friction=(0.2, 0.15))
+    level = became(sp.Piece(table), sp.Piece(table, (0.61, 0.0, 0.0)), box, friction=(0.2, 0.15))
     assert level.place[2, -1, 0] > 0.35  # it has crossed over, at the same height
     assert level[2].outcome in STOOD
 
@@ -98,7 +98,7 @@ def test_two_parts_that_come_down_together_or_not(joined: bool) -> None:
     velocity = tuple(np.cross([0.0, rate, 0.0], lift).tolist())
     bodies = [
         tipped(lower, (0.0, 0.0, 0.0), rate, 0.125),
-        sp.Standing(upper, (0.0, 0.0, 0.9), velocity=velocity, rotation_rate=(0.0, rate, 0.0)),
+        sp.Piece(upper, (0.0, 0.0, 0.9), velocity=velocity, rotation_rate=(0.0, rate, 0.0)),
     ]
     joints = [sp.Joint(1, 0, end) for end in ends] if joined else []
     run = sp.simulate(sp.Assembly(bodies, joints=joints), ROUGH, STILL)
@@ -112,24 +112,24 @@ def test_books_that_fall_against_each_other() -> None:
     shelf, book, end = BOX(0.3, 1.0, 0.9, 50.0), BOX(0.2, 0.03, 0.25, 0.8), BOX(0.2, 0.2, 0.3, 12.0)
     rate = 4.0
     books = [
-        sp.Standing(book, (0.0, 0.05 * n, 0.9), rotation_rate=(-rate, 0.0, 0.0), velocity=(0.0, 0.5, 0.0))
+        sp.Piece(book, (0.0, 0.05 * n, 0.9), rotation_rate=(-rate, 0.0, 0.0), velocity=(0.0, 0.5, 0.0))
         for n in range(-6, 0)
     ]
-    leaning = became(sp.Standing(shelf), *books, sp.Standing(end, (0.0, 0.12, 0.9)), friction=(0.5, 0.4))
+    leaning = became(sp.Piece(shelf), *books, sp.Piece(end, (0.0, 0.12, 0.9)), friction=(0.5, 0.4))
     assert leaning[0].outcome in STOOD
     assert set(outcomes(leaning)[1:-1]) == {LEANING}
     assert leaning[-1].outcome in STOOD
-    lying = became(sp.Standing(shelf), *books, friction=(0.5, 0.4))
+    lying = became(sp.Piece(shelf), *books, friction=(0.5, 0.4))
     assert OVERTURNED in outcomes(lying)
 
 
 def test_pieces_side_by_side_do_not_lean_while_they_stand() -> None:
-    run = became(sp.Standing(TALL), sp.Standing(TALL, (0.0, 0.5, 0.0)), sp.Standing(TALL, (0.3, 0.0, 0.0)))
+    run = became(sp.Piece(TALL), sp.Piece(TALL, (0.0, 0.5, 0.0)), sp.Piece(TALL, (0.3, 0.0, 0.0)))
     assert outcomes(run) == (sp.Outcome.RESTED,) * 3
 
 
 def test_what_flies_has_fallen_off_nothing() -> None:
-    run = became(sp.Standing(TALL), sp.Standing(BOX(0.2, 0.2, 0.2, 5.0), (1.0, 0.0, 0.5)))
+    run = became(sp.Piece(TALL), sp.Piece(BOX(0.2, 0.2, 0.2, 5.0), (1.0, 0.0, 0.5)))
     assert not any(piece.fell_off for piece in run.pieces)
     assert outcomes(run) == (sp.Outcome.RESTED, sp.Outcome.ROCKED)
 
@@ -138,7 +138,7 @@ def test_what_is_in_the_air_has_not_rested_as_in_the_plane() -> None:
     """Released above the floor, before and after it lands; thrown up by the floor, as the plane says."""
     for samples in (20, 200):
         still = sp.Motion(dt=0.01, x=np.zeros(samples))
-        assert sp.simulate(sp.Standing(CHEST, (0.0, 0.0, 1.0)), ROUGH, still).outcome is sp.Outcome.ROCKED
+        assert sp.simulate(sp.Piece(CHEST, (0.0, 0.0, 1.0)), ROUGH, still).outcome is sp.Outcome.ROCKED
     up = np.zeros(200)
     up[20:30] = -15.0
     thrown = sp.Motion(dt=0.01, x=np.zeros(200), z=up)
@@ -151,7 +151,7 @@ def test_what_is_in_the_air_has_not_rested_as_in_the_plane() -> None:
 @pytest.mark.parametrize("turned", [0.0, math.pi / 32])
 def test_a_drum_lies_on_its_circles(turned: float) -> None:
     """Between the corners of the polygon that stands for its circle, and tilted by a little less than 90°."""
-    drum = sp.Standing(sp.Solid.cylinder(0.4, 0.8, 30.0))
+    drum = sp.Piece(sp.Body.cylinder(0.4, 0.8, 30.0))
     tilt = math.pi / 2 - 1e-5
     c, s = math.cos(turned), math.sin(turned)
     about_z = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
@@ -170,8 +170,8 @@ def test_a_piece_on_uneven_feet_has_not_overturned() -> None:
 
 
 def test_what_is_told_of_what_fell_off() -> None:
-    upper = sp.Standing(BOX(0.1, 0.3, 0.4, 3.0), (-0.1, 0.0, 0.8), velocity=(-1.2, 0.0, 0.0))
-    run = became(sp.Standing(CHEST), upper, room=sp.Room(left_wall=sp.Wall(0.14)), friction=(0.2, 0.15))
+    upper = sp.Piece(BOX(0.1, 0.3, 0.4, 3.0), (-0.1, 0.0, 0.8), velocity=(-1.2, 0.0, 0.0))
+    run = became(sp.Piece(CHEST), upper, room=sp.Room(left_wall=sp.Wall(0.14)), friction=(0.2, 0.15))
     time = float(run[1].fall_time)
     english, japanese = sentences(run.named(["chest", "upper part"]))
     assert english == f"1 of 2 bodies overturned or fell off: upper part at {time:.1f} s."
@@ -190,7 +190,7 @@ def test_samples_at_which_nothing_moves_are_told_like_all_others() -> None:
     """Of a box that stands, slides and stands again, tilts and ways have the bits of all poses at once."""
     still, push = np.zeros(50), np.full(40, 6.0)
     motion = sp.Motion(dt=0.01, x=np.concatenate([still, push, -push, still, still]))
-    run = sp.simulate(sp.Standing(sp.Solid.box(0.6, 0.6, 0.5, 10.0)), sp.Room(sp.Floor(0.3, 0.25)), motion)
+    run = sp.simulate(sp.Piece(sp.Body.box(0.6, 0.6, 0.5, 10.0)), sp.Room(sp.Floor(0.3, 0.25)), motion)
     (fate,) = fates_of(run.standing, run.place, run.turn, run.gaps)
     assert fate.way[-1] == fate.way[-40] > 0.01
     assert fate.tilt.tobytes() == run[0].tilt.tobytes()
@@ -200,7 +200,7 @@ def test_samples_at_which_nothing_moves_are_told_like_all_others() -> None:
 def test_a_stack_whose_impulses_do_not_converge_is_given_up():
     """26 t on 3 g: at this ratio of masses rounding is all that is left of the velocity below."""
     low, high = BOX(0.2, 0.2, 0.1, 0.003), BOX(0.3, 0.3, 1.9, 26_000.0)
-    stack = sp.Standing(low), sp.Standing(high, at=(0.02, 0.01, 0.1), heading=0.3)
+    stack = sp.Piece(low), sp.Piece(high, at=(0.02, 0.01, 0.1), heading=0.3)
     motion = sp.near_fault()
     short = sp.Motion(dt=motion.dt, x=4.0 * np.sin(20.0 * motion.time[:20]))
     run = sp.simulate(sp.Assembly(stack), sp.Room(), short)
@@ -213,14 +213,14 @@ def test_a_stack_whose_impulses_do_not_converge_is_given_up():
 
 
 def test_what_turns_in_plan_alone_has_slid_and_is_told_to_have_turned() -> None:
-    spun = sp.Standing(BOX(0.4, 0.4, 0.2, 20.0), rotation_rate=(0.0, 0.0, 3.0))
+    spun = sp.Piece(BOX(0.4, 0.4, 0.2, 20.0), rotation_rate=(0.0, 0.0, 3.0))
     run = sp.simulate(spun, sp.Room(sp.Floor(0.3, 0.3)), STILL)
     assert run.outcome is sp.Outcome.SLID
     assert sentences(run.named(["box"]))[0] == "The box turned on its base by up to 15°."
 
 
 def test_a_run_that_is_stopped_is_given_up() -> None:
-    body, motion = sp.Standing(BOX(0.3, 0.3, 1.5, 20.0)), sp.near_fault()
+    body, motion = sp.Piece(BOX(0.3, 0.3, 1.5, 20.0)), sp.near_fault()
     whole, stop = sp.simulate(body, sp.Room(), motion), Stop()
     with stop.ending_runs():
         same = sp.simulate(body, sp.Room(), motion)
@@ -233,7 +233,7 @@ def test_a_run_that_is_stopped_is_given_up() -> None:
 
 
 def test_joints_of_the_same_two_bodies_have_names_of_their_own() -> None:
-    bodies = [sp.Standing(sp.Solid.box(0.4, 0.4, 0.4, 20.0), (0.0, 0.0, 0.4 * n)) for n in range(3)]
+    bodies = [sp.Piece(sp.Body.box(0.4, 0.4, 0.4, 20.0), (0.0, 0.0, 0.4 * n)) for n in range(3)]
     ends = [(1, 0, (0.1, 0.0, 0.4)), (1, 0, (-0.1, 0.0, 0.4)), (2, 1, (0.0, 0.0, 0.8))]
     run = sp.simulate(sp.Assembly(bodies, joints=[sp.Joint(*end) for end in ends]), ROUGH, STILL)
     assert [device.place for device in run.devices] == ["1-0, 1", "1-0, 2", "2-1"]
@@ -245,7 +245,7 @@ def test_joints_of_the_same_two_bodies_have_names_of_their_own() -> None:
     ]
 
 
-DRUM, ROLLS, SLIDES, RESTS = sp.Solid.cylinder(0.25, 1.2, 50.0), "rolled", "slid", "rested"
+DRUM, ROLLS, SLIDES, RESTS = sp.Body.cylinder(0.25, 1.2, 50.0), "rolled", "slid", "rested"
 G = 9.80665
 
 
@@ -265,7 +265,7 @@ def test_a_drum_on_its_side_rolls_across_its_axis_and_slides_along_it(
     """By Coulomb's law: the force of friction at its rim turns an even cylinder, of m R²/2."""
     t = np.arange(0.0, 3.005, 0.01)
     motion = sp.Motion(dt=0.01, **{"x": 0.0 * t} | ({shaken: np.sin(2.0 * np.pi * t)} if shaken else {}))
-    drum = sp.Standing(DRUM, (0.0, 0.0, 0.125), tilt=(0.0, math.pi / 2, 0.0), velocity=(*pushed, 0.0))
+    drum = sp.Piece(DRUM, (0.0, 0.0, 0.125), tilt=(0.0, math.pi / 2, 0.0), velocity=(*pushed, 0.0))
     run = sp.simulate(drum, sp.Room(sp.Floor(friction, friction)), motion)
     assert run.outcome == outcome
     assert run[0].peak_slide == pytest.approx(way, rel=1e-3, abs=1e-9)

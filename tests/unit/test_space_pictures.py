@@ -123,7 +123,7 @@ def test_lines_that_go_behind_the_camera_are_cut_and_the_others_are_whole() -> N
 
 
 def test_a_box_has_sharp_edges_and_a_round_body_a_smooth_side() -> None:
-    box, drum = shape_of(BOX), shape_of(DRUM)
+    box, drum = shape_of(BOX.solid), shape_of(DRUM.solid)
     assert (len(box.edges), box.curved.any()) == (12, False)
     assert (len(drum.edges), int(drum.curved.sum())) == (64, 32)
     panel, arrow = box.marks
@@ -179,7 +179,7 @@ def test_what_became_of_the_bodies() -> None:
     )
     still = part(other, bodies=slice(1))
     assert sentence(still.named(["box"])) == "The box stayed put: it neither slid nor rocked."
-    landed = sp.simulate(sp.Standing(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
+    landed = sp.simulate(sp.Piece(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
     assert sentence(landed.named(["box"])).startswith("The box did not overturn; it tilted by less than 0.1°")
 
 
@@ -237,9 +237,9 @@ def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
     np.testing.assert_allclose(brackets[:, 0], brackets[:, 1], atol=1e-9)
     np.testing.assert_allclose(poles[:, :, 2], [[1.8, 2.4]] * 2)
     np.testing.assert_allclose(sorted(poles[:, 0, 1]), [-0.225, 0.225])
-    lower, upper = sp.Solid.box(0.4, 0.8, 0.9, 40.0), sp.Solid.box(0.3, 0.8, 0.9, 20.0)
+    lower, upper = sp.Body.box(0.4, 0.8, 0.9, 40.0), sp.Body.box(0.3, 0.8, 0.9, 20.0)
     joint = sp.Joint(1, 0, (-0.1, 0.3, 0.9), strength=1.0)
-    stack = sp.Assembly([sp.Standing(lower), sp.Standing(upper, (0.0, 0.0, 0.9))], joints=[joint])
+    stack = sp.Assembly([sp.Piece(lower), sp.Piece(upper, (0.0, 0.0, 0.9))], joints=[joint])
     run = sp.simulate(stack, sp.Room(), sp.near_fault())
     (tie,) = space_scene(run, ("lower", "upper")).ties
     assert (tie.body, tie.other) == (1, 0)

@@ -134,6 +134,14 @@ def test_it_is_in_every_file(verdict, tmp_path):
     assert verdict_reply(verdict).options[0].contents["contents_out_share"] == share
 
 
+def test_a_verification_in_space_follows_contents_there():
+    """Each motion's first draw is followed: where one sample is made, those runs are the verification's."""
+    data = {**DATA, "dimensions": 3, "uncertainty": {"samples": 1}}
+    for option in verify(Scenario.parse(data), levels=[], progress=False, threads=1).options:
+        assert option.contents.rigid.estimate == option.probabilities["overturned"].estimate
+        assert option.contents.out.estimate >= option.contents.rigid.estimate
+
+
 def test_open_drawers_are_a_bound():
     data = {**DATA, "contents": {"kind": "boxes", "drawers": "stops", "mass_share": 0.3}}
     for option in verify(Scenario.parse(data), levels=[], progress=False, threads=1).options:

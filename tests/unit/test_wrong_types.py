@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 BODY = sp.Body(0.4, 1.8, 100.0)
 ROOM = sp.Room(left_wall=sp.Wall(0.02))
 MOTION = sp.Motion(0.01, np.sin(0.3 * np.arange(50)))
-SOLID = sp.Solid.box(0.4, 0.9, 1.8, 100.0)
+SOLID = sp.Body.box(0.4, 0.9, 1.8, 100.0)
 CASE = sp.Case(BODY, ROOM, MOTION)
 SCENARIO = sp.Scenario.parse(
     {
@@ -74,8 +74,8 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
         | {"initial": None, "dimensions": None, "step": None}
         | GRAVITY,
     ),
-    fields(sp.Standing, solid=SOLID),
-    fields(sp.Assembly, members=[sp.Standing(SOLID), sp.Standing(SOLID)]),
+    fields(sp.Piece, body=SOLID),
+    fields(sp.Assembly, members=[sp.Piece(SOLID), sp.Piece(SOLID)]),
     fields(sp.Joint, first=0, second=1, at=(0.0, 0.0, 0.0)),
     (sp.simulate, {"body": SOLID, "room": ROOM, "motion": MOTION, "step": 1e-3} | GRAVITY),
     (sp.sweep, {"case": CASE, "axes": {"body.width": [0.4]}, "histories": (), "threads": 1, "chunk": 1}),

@@ -42,41 +42,41 @@ def about(axis: tuple[float, float, float], angle: float) -> Array:
     return np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * cross @ cross
 
 
-def turned(solid: sp.Solid, turn: Array) -> sp.Solid:
+def turned(convex: sp.Body, turn: Array) -> sp.Body:
     """Return the same body with its frame turned back, so that it begins turned."""
-    rims = solid.rims
-    return sp.Solid(
-        solid.vertices @ turn.T,
-        solid.mass,
-        centre_of_gravity=turn @ solid.centre_of_gravity,
-        inertia=turn @ solid.inertia @ turn.T,
+    rims = convex.solid.rims
+    return sp.Body.hull(
+        convex.solid.vertices @ turn.T,
+        convex.mass,
+        centre_of_gravity=turn @ convex.solid.centre_of_gravity,
+        inertia=turn @ convex.solid.inertia @ turn.T,
         rims=np.column_stack((rims[:, :3] @ turn.T, rims[:, 3:6] @ turn.T, rims[:, 6])) if len(rims) else (),
     )
 
 
-def lifted(solid: sp.Solid, gap: float = 0.0) -> tuple[float, float, float]:
-    """Return where the frame of a solid is when its lowest corner or rim is a gap [m] above the floor."""
-    lows = [solid.vertices[:, 2].min()]
-    lows += [rim[2] - rim[6] * math.hypot(rim[3], rim[4]) for rim in solid.rims]
+def lifted(convex: sp.Body, gap: float = 0.0) -> tuple[float, float, float]:
+    """Return where the frame of a body is when its lowest corner or rim is a gap [m] above the floor."""
+    lows = [convex.solid.vertices[:, 2].min()]
+    lows += [rim[2] - rim[6] * math.hypot(rim[3], rim[4]) for rim in convex.solid.rims]
     return (0.0, 0.0, gap - float(min(lows)))
 
 
 def inertia_over_time(run: sp.Run, body: int = 0) -> Array:
     """Return the inertia about G in the room's axes at the samples, shape (samples, 3, 3) [kg m²]."""
     turn = run.turn[body]
-    return turn @ run.standing[body].solid.inertia @ turn.transpose(0, 2, 1)
+    return turn @ run.pieces[body].solid.inertia @ turn.transpose(0, 2, 1)
 
 
 def energy(run: sp.Run, body: int = 0) -> Array:
     """Return kinetic and potential energy of a body at the samples [J]."""
-    mass, spin = run.standing[body].solid.mass, run.rotation_rate[body]
+    mass, spin = run.pieces[body].solid.mass, run.rotation_rate[body]
     turning = 0.5 * np.einsum("si,sij,sj->s", spin, inertia_over_time(run, body), spin)
     return turning + 0.5 * mass * (run.velocity[body] ** 2).sum(axis=1) + mass * G * run.place[body, :, 2]
 
 
 def lowest(run: sp.Run, body: int = 0) -> Array:
     """Return the height of the lowest corner of a body at the samples [m]."""
-    solid = run.standing[body].solid
+    solid = run.pieces[body].solid
     arms = solid.vertices - solid.centre_of_gravity
     return (run.place[body, :, 2, np.newaxis] + run.turn[body][:, 2] @ arms.T).min(axis=1)
 
@@ -97,10 +97,10 @@ class Rim:
         self.m, self.A, self.C, self.r, self.d = m, A, C, r, d
 
     @classmethod
-    def of(cls, cylinder: sp.Solid) -> Rim:
+    def of(cls, cylinder: sp.Body) -> Rim:
         """Return what rolls on the lower rim of an upright cylinder."""
-        r, d = float(cylinder.rims[0, 6]), float(cylinder.centre_of_gravity[2])
-        return cls(cylinder.mass, cylinder.inertia[0, 0], cylinder.inertia[2, 2], r, d)
+        r, d = float(cylinder.solid.rims[0, 6]), float(cylinder.solid.centre_of_gravity[2])
+        return cls(cylinder.mass, cylinder.solid.inertia[0, 0], cylinder.solid.inertia[2, 2], r, d)
 
     def lever(self, n: Array) -> Array:
         """Return the lowest point of the rim from G."""
@@ -158,16 +158,16 @@ class Rim:
         )
         return found.y[:3].T
 
-    def standing(self, cylinder: sp.Solid, tilt: float, rotation: Array, slips: bool = False) -> sp.Standing:
+    def standing(self, cylinder: sp.Body, tilt: float, rotation: Array, slips: bool = False) -> sp.Piece:
         """Return an upright cylinder that begins tilted towards x, on its rim, and rolls at ω.
 
         Where it slips, G moves up and down only, as the contact asks.
         """
-        solid = turned(cylinder, about((0.0, 1.0, 0.0), tilt))
+        convex = turned(cylinder, about((0.0, 1.0, 0.0), tilt))
         c = self.lever(np.array([math.sin(tilt), 0.0, math.cos(tilt)]))
         velocity = -np.cross(rotation, c)
         if slips:
             velocity[:2] = 0.0
-        return sp.Standing(
-            solid, at=lifted(solid, 1e-9), velocity=tuple(velocity), rotation_rate=tuple(rotation)
+        return sp.Piece(
+            convex, at=lifted(convex, 1e-9), velocity=tuple(velocity), rotation_rate=tuple(rotation)
         )

@@ -16,8 +16,8 @@ from in_space import STICKING, UP, G, Rim, about, axis_over_time, lifted, still,
 
 import stayput as sp
 
-CAN = sp.Solid.cylinder(0.4, 1.0, 30.0)
-COIN = sp.Solid.cylinder(0.5, 0.02, 5.0)
+CAN = sp.Body.cylinder(0.4, 1.0, 30.0)
+COIN = sp.Body.cylinder(0.5, 0.02, 5.0)
 
 
 def directions(run: sp.Run, axis: np.ndarray) -> np.ndarray:
@@ -26,12 +26,12 @@ def directions(run: sp.Run, axis: np.ndarray) -> np.ndarray:
     return np.unwrap(np.arctan2(n[:, 1], n[:, 0]))
 
 
-def rolling_disc(r: float, tilt: float) -> sp.Solid:
+def rolling_disc(r: float, tilt: float) -> sp.Body:
     """A thin disc whose plane is tilted from the level: two flat cones whose common rim is the disc's."""
     angles = np.arange(32) * (math.pi / 16)
     edge = np.column_stack((r * np.cos(angles), r * np.sin(angles), np.zeros(32)))
     tips = [(0.0, 0.0, -0.06 * r), (0.0, 0.0, 0.06 * r)]
-    flat = sp.Solid(
+    flat = sp.Body.hull(
         np.concatenate((edge, tips)),
         2.0,
         inertia=2.0 * r * r * np.diag([0.25, 0.25, 0.5]),
@@ -41,18 +41,18 @@ def rolling_disc(r: float, tilt: float) -> sp.Solid:
     return turned(flat, about((0.0, 1.0, 0.0), tilt))
 
 
-def thrown_disc(r: float, tilt: float, rotation: np.ndarray) -> sp.Standing:
-    solid = rolling_disc(r, tilt)
+def thrown_disc(r: float, tilt: float, rotation: np.ndarray) -> sp.Piece:
+    body = rolling_disc(r, tilt)
     c = r * np.array([math.cos(tilt), 0.0, -math.sin(tilt)])
     velocity = -np.cross(rotation, c)
-    return sp.Standing(solid, lifted(solid, 1e-9), velocity=tuple(velocity), rotation_rate=tuple(rotation))
+    return sp.Piece(body, lifted(body, 1e-9), velocity=tuple(velocity), rotation_rate=tuple(rotation))
 
 
 @pytest.mark.parametrize(
     ("cylinder", "tilt", "precession"),
     [(CAN, 0.1, 2.0), (CAN, 0.1, 6.0), (CAN, 0.3, 9.0), (COIN, 0.2, 30.0), (COIN, 0.6, 12.0)],
 )
-def test_steady_precession(cylinder: sp.Solid, tilt: float, precession: float) -> None:
+def test_steady_precession(cylinder: sp.Body, tilt: float, precession: float) -> None:
     """Rolls round at the rate that the closed form of `Rim.steady_spin` asks, and keeps its tilt."""
     rim = Rim.of(cylinder)
     start = rim.standing(cylinder, tilt, rim.steady_rotation(tilt, precession))
@@ -68,11 +68,11 @@ def test_steady_precession(cylinder: sp.Solid, tilt: float, precession: float) -
 @pytest.mark.parametrize(("tilt", "rate"), [(0.2, 3.0), (0.3, 10.0)])
 def test_a_wobble_keeps_its_energy(tilt: float, rate: float) -> None:
     """A cylinder of 0.4 × 0.5 m that rolls on its rim: 99.9 % is left after a second in steps of 1 ms."""
-    cylinder = sp.Solid.cylinder(0.4, 0.5, 20.0)
+    cylinder = sp.Body.cylinder(0.4, 0.5, 20.0)
     start = Rim.of(cylinder).standing(cylinder, tilt, np.array([0.0, 0.0, rate]))
-    can, run = start.solid, sp.simulate(start, STICKING, still(1.0))
+    can, run = cylinder, sp.simulate(start, STICKING, still(1.0))
     energies = [
-        0.5 * can.mass * v @ v + 0.5 * w @ (turn @ can.inertia @ turn.T) @ w + can.mass * G * place[2]
+        0.5 * can.mass * v @ v + 0.5 * w @ (turn @ can.solid.inertia @ turn.T) @ w + can.mass * G * place[2]
         for v, w, turn, place in zip(
             run.velocity[0], run.rotation_rate[0], run.turn[0], run.place[0], strict=True
         )
@@ -139,11 +139,11 @@ def test_a_coin_that_is_spun() -> None:
     0.5 ms); the equations of rolling to 1e-12 give 2.004947 mm. On the way it leans by up to 15°.
     """
     r, lean = 0.01, math.radians(1.0)
-    solid = rolling_disc(r, -(math.pi / 2 - lean))
+    body = rolling_disc(r, -(math.pi / 2 - lean))
     n = np.array([-math.cos(lean), 0.0, math.sin(lean)])
     centre, spin = r * np.array([math.sin(lean), 0.0, math.cos(lean)]), np.array([0.0, 0.0, 10.0 * math.pi])
-    thrown = sp.Standing(
-        solid, lifted(solid, 1e-10), velocity=tuple(np.cross(spin, centre)), rotation_rate=tuple(spin)
+    thrown = sp.Piece(
+        body, lifted(body, 1e-10), velocity=tuple(np.cross(spin, centre)), rotation_rate=tuple(spin)
     )
     found = []
     for step in (1e-5, 5e-6):
@@ -174,8 +174,8 @@ def test_the_turn_of_a_rocking_can(diameter: float, height: float, slips: bool, 
     (2008) state this; a disc turns by √5 π.
     """
     tilt, kick = 0.03, 0.1
-    inertia = sp.Solid.cylinder(diameter, height, 30.0).inertia * np.diag([1.0, 1.0, share])
-    can = sp.Solid.cylinder(diameter, height, 30.0, inertia=inertia)
+    inertia = sp.Body.cylinder(diameter, height, 30.0).inertia * np.diag([1.0, 1.0, share])
+    can = sp.Body.cylinder(diameter, height, 30.0, inertia=inertia)
     rim = Rim.of(can)
     n = np.array([math.sin(tilt), 0.0, math.cos(tilt)])
     spin = kick * (UP - n[2] * n)

@@ -20,16 +20,15 @@ from stayput.rooms.contact import ENTERS_BY, RoomContact, contact_with_place, me
 from stayput.rooms.events import CELL, PASSAGE, Ways
 from stayput.rooms.tracks import Track, at_rest, outline_of, track_in_plane
 from stayput.simulation.convex import inside_each_other
-from stayput.simulation.standing import Standing
 
 
-def placed(rng: np.random.Generator, reach: float) -> Standing:
-    solid = sp.Solid.box(*rng.uniform(0.2, 1.0, 3).tolist(), 10.0)
+def placed(rng: np.random.Generator, reach: float) -> sp.Piece:
+    body = sp.Body.box(*rng.uniform(0.2, 1.0, 3).tolist(), 10.0)
     at, tilt = rng.uniform(-reach, reach, 3), rng.uniform(-2.0, 2.0, 3)
-    return Standing(solid, tuple(at.tolist()), float(rng.uniform(-3, 3)), tuple(tilt.tolist()))
+    return sp.Piece(body, tuple(at.tolist()), float(rng.uniform(-3, 3)), tilt=tuple(tilt.tolist()))
 
 
-def corners_of(one: Standing) -> np.ndarray:
+def corners_of(one: sp.Piece) -> np.ndarray:
     return one.solid.vertices @ one.turn.T + np.asarray(one.at)
 
 
@@ -59,7 +58,7 @@ def test_separating_axes_of_cylinders_agree_with_linear_programmes() -> None:
     for _ in range(40):
         tilt = tuple(rng.uniform(-2.0, 2.0, 3).tolist())
         at = tuple(rng.uniform(-0.5, 0.5, 3).tolist())
-        one = Standing(sp.Solid.cone(0.4, 0.2, 0.8, 10.0), at, 0.0, tilt)
+        one = sp.Piece(sp.Body.cone(0.4, 0.2, 0.8, 10.0), at, tilt=tilt)
         other = placed(rng, 0.4)
         expected = linear_programme_overlaps(corners_of(one), corners_of(other))
         assert (inside_each_other(one, other) > 0.0) == expected
@@ -103,7 +102,7 @@ def toppling(heading: float) -> tuple[Track, sp.Run]:
     dt, room = 1e-3, sp.Room(sp.Floor(2.0, 2.0))
     still, start = sp.Motion(dt=dt, x=np.zeros(4000)), sp.State(tilt=START, tilt_rate=0.0)
     run = sp.simulate(BOX, room, still, dimensions=2, initial=start)
-    upright = at_rest(Standing(sp.Solid.of(BOX), heading=heading), dt)
+    upright = at_rest(sp.Piece(BOX, heading=heading), dt)
     # relative to how it stands upright, with the middle of its base at the origin
     return track_in_plane(upright, run.place[0, :, 0], run.place[0, :, 2] - H, run.tilt), run
 
@@ -149,7 +148,7 @@ def test_it_touches_first_with_the_rate_of_the_fall() -> None:
 @pytest.mark.parametrize(("into", "hits"), [(0.03, False), (0.07, True)])
 def test_who_is_nudged_is_not_hit(into: float, hits: bool) -> None:
     """A box that slides upright a little way into a bed's edge, and back, is no blow."""
-    start = at_rest(Standing(sp.Solid.box(0.6, 1.2, 1.9, 60.0), (-0.301, 0.0, 0.0)), 0.01)
+    start = at_rest(sp.Piece(sp.Body.box(0.6, 1.2, 1.9, 60.0), (-0.301, 0.0, 0.0)), 0.01)
     x = into * np.sin(np.pi * np.linspace(0.0, 1.0, 101))
     place = sp.PersonPlace("bed", (0.5, 0.0), 1.0, 2.0, 0.0, 0.5)
     assert (contact_with_place(track_in_plane(start, x, 0.0 * x, 0.0 * x), place) is not None) is hits
@@ -157,7 +156,7 @@ def test_who_is_nudged_is_not_hit(into: float, hits: bool) -> None:
 
 def test_the_speed_within_a_place_is_the_largest_of_all_samples() -> None:
     # it falls slowly, then fast, then lies there and trembles: the fastest sample is neither first nor last
-    shape = at_rest(Standing(sp.Solid.box(0.4, 0.9, 1.8, 100.0)), 0.01)
+    shape = at_rest(sp.Piece(sp.Body.box(0.4, 0.9, 1.8, 100.0)), 0.01)
     time = np.linspace(0.0, 3.0, 301)
     tilt = np.where(
         time < 2.0, 0.5 * np.pi * (0.5 * time) ** 6, 0.5 * np.pi - 0.01 * np.sin(40.0 * time) ** 2
@@ -176,11 +175,11 @@ def test_the_speed_within_a_place_is_the_largest_of_all_samples() -> None:
 
 
 def test_two_pieces_meet_where_their_tracks_cross() -> None:
-    solid = sp.Solid.box(0.4, 0.4, 1.0, 20.0)
-    one = at_rest(Standing(solid), 0.01)
+    box = sp.Body.box(0.4, 0.4, 1.0, 20.0)
+    one = at_rest(sp.Piece(box), 0.01)
     steps = np.arange(101)
     x = 0.5 * 0.01 * steps  # 0.5 m/s
-    moves = track_in_plane(at_rest(Standing(solid, (-0.65, 0.0, 0.0)), 0.01), x, 0.0 * x, 0.0 * x)
+    moves = track_in_plane(at_rest(sp.Piece(box, (-0.65, 0.0, 0.0)), 0.01), x, 0.0 * x, 0.0 * x)
     assert meet(moves, one)
     before = np.flatnonzero(x < 0.25)  # at 0.5 s it has closed the gap of 0.25 m
     assert not meet(cut(moves, len(before)), one)

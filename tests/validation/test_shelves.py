@@ -26,8 +26,8 @@ SQUAT = sp.Body(1.0, 0.02, 100.0)
 def carrier(body: sp.Body, room: sp.Room, motion: sp.Motion, **state: float) -> Carrier:
     held = hold(body, room, ())
     case = case_columns(body, room, sp.State(**state), G)[0]
-    floor = shaking(motion.x, motion.z, motion.dt, COULOMB).floor
-    return Carrier.of(case, element_rows(held), floor, body.height)
+    shaken = shaking(motion.x, motion.z, motion.dt, COULOMB)
+    return Carrier.of(case, element_rows(held), shaken, body.height)
 
 
 def on_a_shelf(moved: Carrier, height: float, right: float = 0.0, slope: float = 0.0) -> sp.Motion:

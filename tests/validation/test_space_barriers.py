@@ -9,21 +9,21 @@ from in_space import STICKING, G, still
 import stayput as sp
 
 
-def kicked(solid: sp.Solid, arm: np.ndarray, factor: float) -> tuple[sp.Standing, float]:
+def kicked(convex: sp.Body, arm: np.ndarray, factor: float) -> tuple[sp.Piece, float]:
     """A body that turns about a point of its base, with a share of the energy that lifts G above it [J].
 
     G lies above the middle of the base; the axis is level and across the way to the point.
     """
-    lever = solid.centre_of_gravity - arm
+    lever = convex.solid.centre_of_gravity - arm
     along = arm / np.linalg.norm(arm)
     axis = np.cross([0.0, 0.0, 1.0], along)
-    about = axis @ solid.inertia @ axis + solid.mass * lever @ lever
-    barrier = solid.mass * G * (np.linalg.norm(lever) - lever[2])
+    about = axis @ convex.solid.inertia @ axis + convex.mass * lever @ lever
+    barrier = convex.mass * G * (np.linalg.norm(lever) - lever[2])
     spin = math.sqrt(2.0 * factor * barrier / about) * axis
-    return sp.Standing(solid, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin)), barrier
+    return sp.Piece(convex, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin)), barrier
 
 
-def passes(start: sp.Standing, over: float) -> bool:
+def passes(start: sp.Piece, over: float) -> bool:
     """Whether G came over the point that it turns about, at a tilt [rad], and 0.1 rad beyond."""
     highest = sp.simulate(start, STICKING, still(1.8), step=1e-4).tilt.max()
     assert abs(highest - over) > 0.02
@@ -38,9 +38,9 @@ def passes(start: sp.Standing, over: float) -> bool:
     ids=["front", "back", "left", "right"],
 )
 def test_an_edge(arm: tuple[float, float, float], share: float, factor: float) -> None:
-    usual = sp.Solid.box(0.4, 0.6, 1.5, 80.0)
-    solid = sp.Solid.box(0.4, 0.6, 1.5, 80.0, inertia=share * usual.inertia)
-    start, _ = kicked(solid, np.array(arm), factor)
+    usual = sp.Body.box(0.4, 0.6, 1.5, 80.0)
+    convex = sp.Body.box(0.4, 0.6, 1.5, 80.0, inertia=share * usual.solid.inertia)
+    start, _ = kicked(convex, np.array(arm), factor)
     assert passes(start, math.atan2(np.linalg.norm(arm), 0.75)) == (factor > 1.0)
 
 
@@ -48,16 +48,16 @@ def test_an_edge(arm: tuple[float, float, float], share: float, factor: float) -
 @pytest.mark.parametrize("share", [0.5, 1.0, 2.0])
 def test_a_corner(share: float, factor: float) -> None:
     """A square column that is kicked along its diagonal stays in that plane, where the barrier is sharp."""
-    usual = sp.Solid.box(0.4, 0.4, 1.5, 80.0)
-    solid = sp.Solid.box(0.4, 0.4, 1.5, 80.0, inertia=share * usual.inertia)
-    start, _ = kicked(solid, np.array([0.2, 0.2, 0.0]), factor)
+    usual = sp.Body.box(0.4, 0.4, 1.5, 80.0)
+    convex = sp.Body.box(0.4, 0.4, 1.5, 80.0, inertia=share * usual.solid.inertia)
+    start, _ = kicked(convex, np.array([0.2, 0.2, 0.0]), factor)
     assert passes(start, math.atan2(0.2 * math.sqrt(2.0), 0.75)) == (factor > 1.0)
 
 
 @pytest.mark.parametrize("factor", [0.985, 1.015])
 @pytest.mark.parametrize("direction", [0.0, 1.0])
 def test_a_rim(direction: float, factor: float) -> None:
-    drum = sp.Solid.cylinder(0.5, 1.4, 60.0)
+    drum = sp.Body.cylinder(0.5, 1.4, 60.0)
     arm = 0.25 * np.array([math.cos(direction), math.sin(direction), 0.0])
     start, _ = kicked(drum, arm, factor)
     assert passes(start, math.atan2(0.25, 0.7)) == (factor > 1.0)
@@ -67,10 +67,10 @@ def test_a_rim(direction: float, factor: float) -> None:
 @pytest.mark.parametrize("share", [0.5, 2.0])
 def test_no_kick_below_the_lowest_barrier_overturns(angle: float, share: float) -> None:
     """Kicked in any direction, with less energy than the lowest barrier, that of its long edge."""
-    usual = sp.Solid.box(0.4, 0.6, 1.5, 80.0)
-    solid = sp.Solid.box(0.4, 0.6, 1.5, 80.0, inertia=share * usual.inertia)
+    usual = sp.Body.box(0.4, 0.6, 1.5, 80.0)
+    convex = sp.Body.box(0.4, 0.6, 1.5, 80.0, inertia=share * usual.solid.inertia)
     way = np.array([0.2 * math.cos(angle), 0.3 * math.sin(angle), 0.0])
-    start, barrier = kicked(solid, way, 1.0)
-    _, lowest = kicked(solid, np.array([0.2, 0.0, 0.0]), 1.0)
-    start, _ = kicked(solid, way, 0.99 * lowest / barrier)
-    assert not sp.simulate(start, STICKING, still(2.0), step=2e-4).overturned
+    start, barrier = kicked(convex, way, 1.0)
+    _, lowest = kicked(convex, np.array([0.2, 0.0, 0.0]), 1.0)
+    start, _ = kicked(convex, way, 0.99 * lowest / barrier)
+    assert not sp.simulate(start, STICKING, still(2.0), step=2e-4).overturned[0]

@@ -47,14 +47,14 @@ def test_gaps_of_what_turns_beside_their_second_differences(seed: int) -> None:
 @pytest.mark.parametrize("duration", [2e-6, 4e-5, 2e-4])
 def test_an_edge_meets_an_edge(duration: float) -> None:
     """p = −u_n/K_nn along the normal across both edges; after that both are free, and stay so."""
-    wedge = turned(sp.Solid.box(0.3, 0.9, 0.3, 20.0), about((0.0, 1.0, 0.0), math.pi / 4))
-    other = turned(sp.Solid.box(0.3, 0.9, 0.3, 30.0), about((0.0, 1.0, 0.0), math.pi / 4))
+    wedge = turned(sp.Body.box(0.3, 0.9, 0.3, 20.0), about((0.0, 1.0, 0.0), math.pi / 4))
+    other = turned(sp.Body.box(0.3, 0.9, 0.3, 30.0), about((0.0, 1.0, 0.0), math.pi / 4))
     other = turned(other, about((0.0, 0.0, 1.0), 1.2))
     offset, speed = 0.2, 1.5
-    x, y, _ = -wedge.centre_of_gravity
-    below = sp.Standing(other, (-other.centre_of_gravity[0], -other.centre_of_gravity[1], 50.0))
-    top = 50.0 + other.vertices[:, 2].max()
-    above = sp.Standing(wedge, (x, y + offset, lifted(wedge, top + 1e-7)[2]), velocity=(0.0, 0.0, -speed))
+    x, y, _ = -wedge.solid.centre_of_gravity
+    below = sp.Piece(other, (-other.solid.centre_of_gravity[0], -other.solid.centre_of_gravity[1], 50.0))
+    top = 50.0 + other.solid.vertices[:, 2].max()
+    above = sp.Piece(wedge, (x, y + offset, lifted(wedge, top + 1e-7)[2]), velocity=(0.0, 0.0, -speed))
     motion = still(duration, duration / 2.0)
     run = sp.simulate(sp.Assembly((above, below), (0.0, 0.0)), sp.Room(), motion, step=1e-6)
     # the wedge's edge goes along y through x = 0; the other's through x = y = 0: they cross there
@@ -64,16 +64,16 @@ def test_an_edge_meets_an_edge(duration: float) -> None:
     fallen = duration * G
     assert run.velocity[0, -1, 2] == pytest.approx(-speed + p / 20.0 - fallen, abs=2e-3)
     assert run.velocity[1, -1, 2] == pytest.approx(-p / 30.0 - fallen, abs=2e-3)
-    expected = (-offset * p / wedge.inertia[0, 0], 0.0, 0.0)
+    expected = (-offset * p / wedge.solid.inertia[0, 0], 0.0, 0.0)
     np.testing.assert_allclose(run.rotation_rate[0, -1], expected, atol=5e-3)
     assert np.abs(run.rotation_rate[1, -1]).max() < 1e-3
 
 
 def test_a_box_that_falls_on_a_box_makes_no_energy() -> None:
     """Thrown on a box that stands, without friction and restitution: an edge comes to cross an edge."""
-    base = sp.Standing(sp.Solid.box(0.933, 1.247, 0.371, 29.0))
-    thrown = sp.Standing(
-        sp.Solid.box(1.205, 0.381, 0.122, 186.0),
+    base = sp.Piece(sp.Body.box(0.933, 1.247, 0.371, 29.0))
+    thrown = sp.Piece(
+        sp.Body.box(1.205, 0.381, 0.122, 186.0),
         (0.0, 0.09, 0.372),
         heading=1.0,
         velocity=(-1.31, 0.99, 1.42),

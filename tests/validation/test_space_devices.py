@@ -70,12 +70,12 @@ def test_a_landing_keeps_the_rate_that_the_floor_lets_it(
     flat = sp.simulate(
         sp.Body(0.4, 1.8, 100.0), sp.Room(floor), still(2.0), initial=sp.State(tilt=0.1), dimensions=2
     )
-    box = sp.Solid.box(size[0], size[1], 1.8, 100.0)
+    box = sp.Body.box(size[0], size[1], 1.8, 100.0)
     tilt, foot = 0.1, 0.2
     turn = (0.0, tilt, 0.0) if along == "x" else (-tilt, 0.0, 0.0)
     way = foot * (1.0 - math.cos(tilt))
     at = (way, 0.0, foot * math.sin(tilt)) if along == "x" else (0.0, way, foot * math.sin(tilt))
-    start = sp.Standing(box, at, tilt=turn)
+    start = sp.Piece(box, at, tilt=turn)
     run = sp.simulate(start, sp.Room(floor), still(2.0), step=2e-4)
     upright = run.turn[0, :, :, 2]
     tilted = np.arcsin(upright[:, 0] if along == "x" else upright[:, 1])
@@ -99,14 +99,14 @@ def test_the_friction_of_an_edge_alone() -> None:
 
 def test_a_box_turns_on_two_springs() -> None:
     """On a smooth floor two springs k at ± a along its length, joints to heavy boxes: ω² = 2 k a²/J_z."""
-    light, heavy = sp.Solid.box(0.4, 1.0, 0.3, 20.0), sp.Solid.box(0.4, 1.0, 0.3, 1e6)
+    light, heavy = sp.Body.box(0.4, 1.0, 0.3, 20.0), sp.Body.box(0.4, 1.0, 0.3, 1e6)
     stiffness, a = 2e4, 0.4
     joints = [
         sp.Joint(0, 1, (0.2, y, 0.15), (0.5, y, 0.15), stiffness=stiffness, damping=0.0) for y in (-a, a)
     ]
     # belts only pull: two more on the other side, all of them tightened by a push apart
-    start = sp.Standing(light, rotation_rate=(0.0, 0.0, 0.02))
-    anchors = [start, sp.Standing(heavy, (0.7, 0.0, 0.0)), sp.Standing(heavy, (-0.7, 0.0, 0.0))]
+    start = sp.Piece(light, rotation_rate=(0.0, 0.0, 0.02))
+    anchors = [start, sp.Piece(heavy, (0.7, 0.0, 0.0)), sp.Piece(heavy, (-0.7, 0.0, 0.0))]
     joints += [
         sp.Joint(0, 2, (-0.2, y, 0.15), (-0.5, y, 0.15), stiffness=stiffness, damping=0.0) for y in (-a, a)
     ]
@@ -115,7 +115,7 @@ def test_a_box_turns_on_two_springs() -> None:
     )
     yaw = run[0].yaw
     # at any turn one belt of each pair pulls: two at a, as one spring on each side
-    inertia = float(light.inertia[2, 2])
+    inertia = float(light.solid.inertia[2, 2])
     omega = math.sqrt(2.0 * stiffness * a * a / inertia)
     crossings = run.time[np.flatnonzero(np.diff(np.sign(yaw[1:]))) + 1]
     assert np.diff(crossings).mean() == pytest.approx(math.pi / omega, rel=0.01)
@@ -142,12 +142,12 @@ def test_a_piece_turns_about_the_bracket_that_holds() -> None:
 @pytest.mark.parametrize("margin", [1.05, 0.95])
 def test_a_connector_breaks_at_its_strength_and_holds_below(margin: float) -> None:
     """Two boxes in flight part at v on a connector of stiffness k: its pull is v √(k m₁ m₂/(m₁ + m₂))."""
-    lower, upper = sp.Solid.box(0.5, 0.5, 0.5, 40.0), sp.Solid.box(0.5, 0.5, 0.3, 10.0)
+    lower, upper = sp.Body.box(0.5, 0.5, 0.5, 40.0), sp.Body.box(0.5, 0.5, 0.3, 10.0)
     stiffness, speed = 1e4, 0.2
     pull = speed * math.sqrt(stiffness * 8.0)
     members = [
-        sp.Standing(lower, (0.0, 0.0, 20.0)),
-        sp.Standing(upper, (0.0, 0.0, 20.5), velocity=(0.0, 0.0, speed)),
+        sp.Piece(lower, (0.0, 0.0, 20.0)),
+        sp.Piece(upper, (0.0, 0.0, 20.5), velocity=(0.0, 0.0, speed)),
     ]
     joint = sp.Joint(1, 0, (0.0, 0.0, 20.5), stiffness=stiffness, strength=margin * pull, damping=0.0)
     run = sp.simulate(sp.Assembly(members, joints=[joint]), sp.Room(), still(0.08), step=2e-4)
@@ -162,7 +162,7 @@ def test_a_connector_breaks_at_its_strength_and_holds_below(margin: float) -> No
 def test_forces_on_a_body_at_rest_are_its_weight() -> None:
     run = sp.simulate(BODY, sp.Room(sp.Floor()), still(0.2), dimensions=3)
     np.testing.assert_allclose(run.force[0, 1:, 0], [[0.0, 0.0, 100.0 * G]] * 40, rtol=1e-6, atol=1e-6)
-    stack = [sp.Standing(sp.Solid.box(0.5, 0.5, 0.2, 10.0), (0.0, 0.0, 0.2 * n)) for n in range(3)]
+    stack = [sp.Piece(sp.Body.box(0.5, 0.5, 0.2, 10.0), (0.0, 0.0, 0.2 * n)) for n in range(3)]
     run = sp.simulate(sp.Assembly(stack), sp.Room(), still(0.2))
     np.testing.assert_allclose(run.force[:, -1, 0, 2], [30.0 * G, 0.0, 0.0], atol=1e-3)
     np.testing.assert_allclose(run.force[:, -1, 1, 2], [-20.0 * G, 10.0 * G, 10.0 * G], atol=1e-3)
@@ -170,10 +170,10 @@ def test_forces_on_a_body_at_rest_are_its_weight() -> None:
 
 def test_what_hits_what_and_how_fast() -> None:
     """A box slides without friction into another: they meet at its speed, and once."""
-    box = sp.Solid.box(0.3, 0.3, 0.3, 10.0)
-    thrown = sp.Standing(box, velocity=(1.0, 0.0, 0.0))
+    box = sp.Body.box(0.3, 0.3, 0.3, 10.0)
+    thrown = sp.Piece(box, velocity=(1.0, 0.0, 0.0))
     run = sp.simulate(
-        sp.Assembly([thrown, sp.Standing(box, (0.8, 0.0, 0.0))]), sp.Room(sp.Floor(0.0, 0.0)), still(1.0)
+        sp.Assembly([thrown, sp.Piece(box, (0.8, 0.0, 0.0))]), sp.Room(sp.Floor(0.0, 0.0)), still(1.0)
     )
     (hit,) = run.hits
     assert {hit.body, hit.other} == {0, 1}

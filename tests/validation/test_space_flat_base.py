@@ -27,10 +27,10 @@ ROOM = sp.Room(sp.Floor(MU, MU))
 
 
 def stopped(
-    solid: sp.Solid, velocity: tuple[float, float] = (0.0, 0.0), rate: float = 3.0
+    solid: sp.Body, velocity: tuple[float, float] = (0.0, 0.0), rate: float = 3.0
 ) -> tuple[float, float, float]:
     """Return when a thrown body stops [s], how far from where it was [m], and its turn [rad]."""
-    thrown = sp.Standing(solid, velocity=(*velocity, 0.0), rotation_rate=(0.0, 0.0, rate))
+    thrown = sp.Piece(solid, velocity=(*velocity, 0.0), rotation_rate=(0.0, 0.0, rate))
     run = sp.simulate(thrown, ROOM, still(1.0, 1e-3))
     moves = np.any(run.velocity[0] != 0.0, axis=1) | np.any(run.rotation_rate[0] != 0.0, axis=1)
     way = run.place[0, -1] - run.place[0, 0]
@@ -48,14 +48,14 @@ def distance(a: float, b: float) -> float:
 @pytest.mark.parametrize(("base", "time"), [("flat", 0.178), ("feet", 0.096)])
 def test_a_square_that_turns(base: str, time: float) -> None:
     """I ω = M t: M = μ m g · 0.3826 a of even pressure, and μ m g a/√2 at the corners; a = 0.4 m, 3 rad/s."""
-    assert stopped(sp.Solid.box(0.4, 0.4, 0.01, 10.0, base=base))[0] == pytest.approx(time, abs=1.1e-3)
+    assert stopped(sp.Body.box(0.4, 0.4, 0.01, 10.0, base=base))[0] == pytest.approx(time, abs=1.1e-3)
 
 
 @pytest.mark.parametrize(("width", "length"), [(0.4, 0.4), (0.3, 0.9), (0.2, 1.6)])
 def test_a_rectangle_that_turns(width: float, length: float) -> None:
     """α = M/I with the mean distance over the area, found otherwise; the turn is ω²/(2 α)."""
     angular = MU * G * distance(width, length) / ((width**2 + length**2) / 12.0)
-    turn = stopped(sp.Solid.box(width, length, 0.01, 10.0))[2]
+    turn = stopped(sp.Body.box(width, length, 0.01, 10.0))[2]
     assert turn == pytest.approx(3.0**2 / 2.0 / angular, rel=5e-3)
 
 
@@ -63,12 +63,13 @@ def test_a_disc_and_a_rim_that_turn() -> None:
     """2/3 R and R: M/I = μ g (4/3)/R and μ g 2/R."""
     for base, lever in (("flat", 4.0 / 3.0), ("edges", 2.0)):
         turn = 3.0**2 * 0.3 / (2.0 * MU * G * lever)
-        assert stopped(sp.Solid.cylinder(0.6, 0.01, 10.0, base=base))[2] == pytest.approx(turn, rel=5e-3)
+        assert stopped(sp.Body.cylinder(0.6, 0.01, 10.0, base=base))[2] == pytest.approx(turn, rel=5e-3)
 
 
 def test_a_polygon_beside_many_of_its_points() -> None:
     """An irregular base: mean distances over its area and its outline, by sampling."""
     outline = np.array([(0.0, 0.0), (0.5, -0.1), (0.8, 0.3), (0.4, 0.7), (0.0, 0.5)])
+    corners = [(x, y, z) for z in (0.0, 0.01) for x, y in outline]
     hull, ahead = ConvexHull(outline), np.roll(outline, -1, axis=0)
     grid = np.stack(np.meshgrid(*2 * [np.linspace(-0.1, 0.8, 901)]), axis=-1).reshape(-1, 2)
     inside = grid[(grid @ hull.equations[:, :2].T < -hull.equations[:, 2]).all(axis=1)]
@@ -80,7 +81,7 @@ def test_a_polygon_beside_many_of_its_points() -> None:
         loads = np.linalg.lstsq(np.vstack((np.ones(5), arms.T)), [1.0, 0.0, 0.0], rcond=None)[0]
         mean = np.average(np.linalg.norm(points - middle, axis=1), weights=shares)
         expected = pytest.approx(mean / (loads @ np.linalg.norm(arms, axis=1)), rel=2e-3)
-        assert friction_ratio(sp.Solid.prism(outline, 0.01, 10.0, base=base)) == expected
+        assert friction_ratio(sp.Body.hull(corners, 10.0, base=base).solid) == expected
 
 
 def patches(width: float, length: float, count: int = 40) -> NDArray[np.float64]:
@@ -124,7 +125,7 @@ def test_even_pressure_that_slides_and_turns(
     Beside 40 × 40 patches they stop up to 14 % later, after a way up to 19 % and a turn up to 10 % larger,
     never much earlier; the least accurate is a long base that slides across its length.
     """
-    time, way, turn = stopped(sp.Solid.box(*sizes, 0.002, 10.0), velocity, rate)
+    time, way, turn = stopped(sp.Body.box(*sizes, 0.002, 10.0), velocity, rate)
     time_of_all, way_of_all, turn_of_all = on_patches(*sizes, velocity, rate)
     assert 0.995 < time / time_of_all < 1.14
     assert 0.995 < way / way_of_all < 1.19
@@ -152,7 +153,7 @@ def bears(a: float, kappa: float) -> bool:
 def test_poles_at_the_back_and_a_push_across(base: str, most: float) -> None:
     """They bring the middle of the forces off G: friction bears a moment, too, and not all of μ N."""
     body = sp.Body(0.4, 0.4, 20.0, length=0.9, base=base)
-    kappa = friction_ratio(sp.Solid.of(body))
+    kappa = friction_ratio(body.solid)
     assert bears(0.999 * most, kappa)
     assert not bears(1.001 * most, kappa)
     room, poles = sp.Room(ROOM.floor, ceiling=sp.Ceiling(1.2)), [TensionPole(preload=300.0)]

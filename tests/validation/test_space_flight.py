@@ -9,7 +9,7 @@ from scipy.special import ellipj, ellipk
 
 import stayput as sp
 
-STONE = sp.Solid.box(0.3, 0.5, 0.9, 40.0)
+STONE = sp.Body.box(0.3, 0.5, 0.9, 40.0)
 
 
 def free_top(moments: np.ndarray, start: np.ndarray, times: np.ndarray) -> tuple[np.ndarray, float]:
@@ -32,7 +32,7 @@ def free_top(moments: np.ndarray, start: np.ndarray, times: np.ndarray) -> tuple
 @pytest.mark.parametrize("start", [(3.0, 0.0, 4.0), (-4.0, 0.0, 6.0), (0.5, 0.0, 6.0)])
 def test_the_free_top(start: tuple[float, float, float]) -> None:
     """The stone's axes x, y, z have the moments I₃ > I₂ > I₁: the principal axes in order are z, y, −x."""
-    x, y, z = np.diag(STONE.inertia)
+    x, y, z = np.diag(STONE.solid.inertia)
     moments = np.array([z, y, x])
     assert z < y < x
     first = np.array(start)
@@ -41,7 +41,7 @@ def test_the_free_top(start: tuple[float, float, float]) -> None:
     spin = (-start[2], start[1], start[0])
     errors = []
     for step in (1e-3, 2.5e-4):
-        thrown = sp.Standing(STONE, (0.0, 0.0, 90.0), velocity=(1.0, -2.0, 3.0), rotation_rate=spin)
+        thrown = sp.Piece(STONE, (0.0, 0.0, 90.0), velocity=(1.0, -2.0, 3.0), rotation_rate=spin)
         run = sp.simulate(thrown, sp.Room(), motion, step=step)
         own = np.einsum("sij,si->sj", run.turn[0], run.rotation_rate[0])
         exact, _ = free_top(moments, first, run.time)
@@ -56,7 +56,7 @@ def test_the_free_top(start: tuple[float, float, float]) -> None:
 @pytest.mark.parametrize("nudge", [0.1, 0.01])
 def test_the_time_between_flips(nudge: float) -> None:
     """About its middle axis it turns over each half period, 2 K(m)/rate: longer, the less it is nudged."""
-    x, y, z = np.diag(STONE.inertia)
+    x, y, z = np.diag(STONE.solid.inertia)
     # with ω₁ = 0 at first the quarter of the period is shifted: the same ω₁, ω₃ beside a large ω₂
     spin, side = 12.0, nudge * math.sqrt(z / x)
     E = x * side**2 + y * spin**2 + z * nudge**2
@@ -66,9 +66,7 @@ def test_the_time_between_flips(nudge: float) -> None:
     if m > 1.0:  # nearer to the other axis: L² < 2 E I₂
         rate, m = rate * math.sqrt(m), 1.0 / m
     half = 2.0 * ellipk(m) / rate
-    thrown = sp.Standing(
-        STONE, (0.0, 0.0, 90.0), velocity=(0.0, 0.0, 30.0), rotation_rate=(side, spin, nudge)
-    )
+    thrown = sp.Piece(STONE, (0.0, 0.0, 90.0), velocity=(0.0, 0.0, 30.0), rotation_rate=(side, spin, nudge))
     run = sp.simulate(thrown, sp.Room(), still(2.2 * half, 0.001), step=5e-4)
     own = np.einsum("si,si->s", run.turn[0, :, :, 1], run.rotation_rate[0])
     k = np.flatnonzero(np.diff(np.sign(own)))

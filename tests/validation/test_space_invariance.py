@@ -13,9 +13,12 @@ from in_space import about
 import stayput as sp
 
 BODIES = {
-    "box": sp.Solid.box(0.4, 0.6, 1.5, 80.0),
-    "cylinder": sp.Solid.cylinder(0.45, 1.4, 60.0),
-    "prism": sp.Solid.prism([(0.0, 0.0), (0.5, 0.0), (0.4, 0.4), (0.1, 0.3)], 1.3, 70.0),
+    "box": sp.Body.box(0.4, 0.6, 1.5, 80.0),
+    "cylinder": sp.Body.cylinder(0.45, 1.4, 60.0),
+    "prism": sp.Body.hull(
+        [(x, y, z) for z in (0.0, 1.3) for x, y in ((-0.25, -0.2), (0.25, -0.2), (0.15, 0.2), (-0.15, 0.1))],
+        70.0,
+    ),
 }
 ROOM = sp.Room(sp.Floor(0.45, 0.4))
 
@@ -30,7 +33,7 @@ def shaking(turn: np.ndarray | None = None, slower: float = 1.0) -> sp.Motion:
 
 
 def run(name: str, turn: float = 0.0, motion: sp.Motion | None = None) -> sp.Run:
-    standing = sp.Standing(BODIES[name], heading=0.3 + turn)
+    standing = sp.Piece(BODIES[name], heading=0.3 + turn)
     return sp.simulate(standing, ROOM, motion or shaking(), step=1e-4)
 
 
@@ -52,16 +55,16 @@ def test_any_heading_of_everything(name: str, heading: float) -> None:
 @pytest.mark.parametrize("name", BODIES)
 def test_a_mirror(name: str) -> None:
     """Seen in a mirror across y: y, and rotations about x and z, change their signs."""
-    solid = BODIES[name]
+    body = BODIES[name]
     mirror = np.diag([1.0, -1.0, 1.0])
-    image = sp.Solid(
-        solid.vertices @ mirror,
-        solid.mass,
-        centre_of_gravity=solid.centre_of_gravity @ mirror,
-        inertia=mirror @ solid.inertia @ mirror,
-        rims=solid.rims,
+    image = sp.Body.hull(
+        body.solid.vertices @ mirror,
+        body.mass,
+        centre_of_gravity=body.solid.centre_of_gravity @ mirror,
+        inertia=mirror @ body.solid.inertia @ mirror,
+        rims=body.solid.rims,
     )
-    standing = sp.Standing(image, heading=-0.3)
+    standing = sp.Piece(image, heading=-0.3)
     straight = run(name)
     other = sp.simulate(standing, ROOM, shaking(mirror), step=1e-4)
     np.testing.assert_allclose(first_second(other.place @ mirror), first_second(straight.place), atol=2e-4)
@@ -73,17 +76,17 @@ def test_a_mirror(name: str) -> None:
 @pytest.mark.parametrize("name", BODIES)
 def test_mass_has_no_unit(name: str) -> None:
     """All masses times 4 (a power of two: the same bits), and times 3."""
-    solid = BODIES[name]
+    body = BODIES[name]
     straight = run(name)
     for factor in (4.0, 3.0):
-        heavy = sp.Solid(
-            solid.vertices,
-            factor * solid.mass,
-            centre_of_gravity=solid.centre_of_gravity,
-            inertia=factor * solid.inertia,
-            rims=solid.rims,
+        heavy = sp.Body.hull(
+            body.solid.vertices,
+            factor * body.mass,
+            centre_of_gravity=body.solid.centre_of_gravity,
+            inertia=factor * body.solid.inertia,
+            rims=body.solid.rims,
         )
-        other = sp.simulate(sp.Standing(heavy, heading=0.3), ROOM, shaking(), step=1e-4)
+        other = sp.simulate(sp.Piece(heavy, heading=0.3), ROOM, shaking(), step=1e-4)
         np.testing.assert_allclose(first_second(other.place), first_second(straight.place), atol=5e-6)
         if factor == 4.0:
             assert other.place.tobytes() == straight.place.tobytes()
@@ -92,18 +95,18 @@ def test_mass_has_no_unit(name: str) -> None:
 @pytest.mark.parametrize("name", BODIES)
 def test_a_model_of_a_quarter_of_the_size_in_half_the_time(name: str) -> None:
     """Froude: lengths times k, times times √k, accelerations alike, with k = 1/4."""
-    solid = BODIES[name]
-    rims = solid.rims * [0.25, 0.25, 0.25, 1.0, 1.0, 1.0, 0.25] if len(solid.rims) else ()
-    model = sp.Solid(
-        0.25 * solid.vertices,
-        solid.mass,
-        centre_of_gravity=0.25 * solid.centre_of_gravity,
-        inertia=solid.inertia / 16.0,
+    body = BODIES[name]
+    rims = body.solid.rims * [0.25, 0.25, 0.25, 1.0, 1.0, 1.0, 0.25] if len(body.solid.rims) else ()
+    model = sp.Body.hull(
+        0.25 * body.solid.vertices,
+        body.mass,
+        centre_of_gravity=0.25 * body.solid.centre_of_gravity,
+        inertia=body.solid.inertia / 16.0,
         rims=rims,
     )
     straight = run(name)
     motion = shaking(slower=0.5)
-    small = sp.simulate(sp.Standing(model, heading=0.3), ROOM, motion, step=5e-5)
+    small = sp.simulate(sp.Piece(model, heading=0.3), ROOM, motion, step=5e-5)
     np.testing.assert_allclose(first_second(4.0 * small.place), first_second(straight.place), atol=1e-3)
     np.testing.assert_allclose(small.tilt[:100], straight.tilt[:100], atol=1e-3)
 
@@ -115,7 +118,7 @@ def test_the_order_of_several_to_the_bit(order: tuple[int, ...]) -> None:
     members = [
         sp.Piece(chest, measures=[sp.MEASURES["l_bracket"]()]),
         sp.Piece(sp.Body(0.4, 0.6, 20.0, length=0.7), at=(0.0, 0.02, 0.9), heading=0.1),
-        sp.Standing(sp.Solid.cylinder(0.4, 1.2, 60.0), at=(0.5, 0.1, 0.0)),
+        sp.Piece(sp.Body.cylinder(0.4, 1.2, 60.0), at=(0.5, 0.1, 0.0)),
     ]
     room = sp.Room(sp.Floor(0.45, 0.4), left_wall=sp.Wall(0.02))
     motion = sp.near_fault().scaled(0.9)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -63,7 +65,7 @@ def test_boxes_in_the_plane() -> None:
     tilts, slides = [], []
     for body, floor, length, motion in cases(24, 5):
         flat = sp.simulate(body, sp.Room(floor), motion, dimensions=2)
-        run = sp.simulate(sp.Solid.of(body, length), sp.Room(floor), motion)
+        run = sp.simulate(replace(body, length=length), sp.Room(floor), motion, dimensions=3)
         assert run[0].overturned == flat.overturned
         assert np.abs(run[0].slide_in_plan[:, 1]).max() < 1e-3 or flat.overturned
         if not flat.overturned:
@@ -118,7 +120,7 @@ def test_an_impact_on_a_wall(friction: float, wall_friction: float, restitution:
     still = sp.Motion(dt=1e-3, x=np.zeros(401))
     flat = sp.simulate(body, room, still, dimensions=2, initial=sp.State(tilt_rate=0.6))
     spin, lever = np.array([0.0, 0.6, 0.0]), np.array([-0.127, 0.0, 0.8095])
-    kicked = sp.Standing(sp.Solid.of(body), velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
+    kicked = sp.Piece(body, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
     run = sp.simulate(kicked, room, still, step=5e-5)
     after = round(flat.events[0].time / 1e-3) + 2
     assert run.rotation_rate[0, after, 1] == pytest.approx(flat.rotation_rate[0, after, 1], abs=3e-4)
@@ -133,8 +135,8 @@ def test_a_run_tells_its_error() -> None:
     circle = sp.Motion(
         dt=0.01, x=4.0 * np.cos(2.0 * np.pi * t), y=4.0 * np.sin(2.0 * np.pi * t), name="circle"
     )
-    block = sp.Standing(sp.Solid.box(0.9, 0.9, 0.3, 30.0), velocity=(-0.4, -0.3, 0.0))
+    block = sp.Piece(sp.Body.box(0.9, 0.9, 0.3, 30.0), velocity=(-0.4, -0.3, 0.0))
     run, fine = (sp.simulate(block, sp.Room(sp.Floor(0.2, 0.2)), circle, step=step) for step in (1e-3, 1e-4))
     apart = np.abs(run.place - fine.place).max()
     assert 0.0 < apart < run.estimated_error < 1e-3
-    assert sp.simulate(block.solid, sp.Room(), circle.scaled(0.01)).estimated_error == 0.0
+    assert sp.simulate(block.body, sp.Room(), circle.scaled(0.01)).estimated_error == 0.0

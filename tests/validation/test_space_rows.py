@@ -7,18 +7,18 @@ from in_space import energy, still
 import stayput as sp
 
 
-def tipped(solid: sp.Solid, corner: float, rate: float) -> sp.Standing:
+def tipped(solid: sp.Body, corner: float, rate: float) -> sp.Piece:
     """Return a body that turns about its base edge at x = corner."""
     spin = np.array([0.0, rate, 0.0])
     lever = solid.centre_of_gravity - np.array([corner, 0.0, 0.0])
-    return sp.Standing(solid, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
+    return sp.Piece(solid, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
 
 
 @pytest.mark.parametrize("count", [2, 5])
 def test_a_row_of_shelves_falls_to_its_end(count: int) -> None:
     """Each tips the next: 2.1 m reach over 0.75 m, and a shelf that is hit above has no way to stand."""
-    shelf = sp.Solid.box(0.32, 0.9, 2.1, 120.0)
-    row = [tipped(shelf, 0.16, 0.75), *(sp.Standing(shelf, (0.75 * n, 0.0, 0.0)) for n in range(1, count))]
+    shelf = sp.Body.box(0.32, 0.9, 2.1, 120.0)
+    row = [tipped(shelf, 0.16, 0.75), *(sp.Piece(shelf, (0.75 * n, 0.0, 0.0)) for n in range(1, count))]
     run = sp.simulate(sp.Assembly(row, (0.3, 0.3)), sp.Room(sp.Floor(0.4, 0.4)), still(6.0))
     assert all(piece.overturned for piece in run.pieces)
     assert not run.given_up
@@ -28,8 +28,8 @@ def test_a_row_of_shelves_falls_to_its_end(count: int) -> None:
 
 def test_ten_blocks_bear_their_own_weight_under_shaking() -> None:
     """Below μ g and below what tips ten blocks as one, b/h g, nothing moves against anything."""
-    block = sp.Solid.box(0.5, 0.5, 0.3, 20.0)
-    tower = [sp.Standing(block, (0.0, 0.0, 0.3 * n)) for n in range(10)]
+    block = sp.Body.box(0.5, 0.5, 0.3, 20.0)
+    tower = [sp.Piece(block, (0.0, 0.0, 0.3 * n)) for n in range(10)]
     time = 0.01 * np.arange(201)
     shaking = sp.Motion(dt=0.01, x=1.2 * np.sin(9.0 * time), y=0.8 * np.sin(7.0 * time))
     run = sp.simulate(sp.Assembly(tower, (0.5, 0.4)), sp.Room(sp.Floor(0.5, 0.4)), shaking)
@@ -39,8 +39,8 @@ def test_ten_blocks_bear_their_own_weight_under_shaking() -> None:
 
 def test_a_tower_of_ten_under_strong_shaking_runs_to_its_end() -> None:
     """It falls, and hardly a step is left without impulses that fit."""
-    block = sp.Solid.box(0.5, 0.5, 0.3, 20.0)
-    tower = [sp.Standing(block, (0.0, 0.0, 0.3 * n)) for n in range(10)]
+    block = sp.Body.box(0.5, 0.5, 0.3, 20.0)
+    tower = [sp.Piece(block, (0.0, 0.0, 0.3 * n)) for n in range(10)]
     run = sp.simulate(sp.Assembly(tower, (0.5, 0.4)), sp.Room(sp.Floor(0.5, 0.4)), sp.near_fault())
     assert not run.given_up
     assert run[0].overturned

@@ -111,17 +111,17 @@ def test_a_piece_on_another_stands_on_wood() -> None:
     threshold = G * 0.15 / 0.6
     assert falls(members, "x", 0.98 * threshold) == [False, False]
     assert falls(members, "x", 1.02 * threshold)[1]
-    assert sp.Piece(upper, at=(0.0, 0.0, 0.3)).standing.solid.feet is None
+    assert sp.Piece(upper, at=(0.0, 0.0, 0.3)).solid.feet is None
 
 
 def test_solids_do_not_sink_and_only_they_are_warned_of() -> None:
     motion = shaken(4.0)
     room, rigid = sp.Room(STICKING), sp.Room(sp.Floor(2.0, 2.0))
-    solid = sp.Assembly([sp.Standing(sp.Solid.cylinder(0.35, 1.4, 60.0))])
+    solid = sp.Assembly([sp.Piece(sp.Body.cylinder(0.35, 1.4, 60.0))])
     with pytest.warns(sp.InputWarning, match="left out for the solids"):
         soft = sp.simulate(solid, room, motion)
     assert np.array_equal(soft.place, sp.simulate(solid, rigid, motion).place)
-    above = sp.Standing(sp.Solid.box(0.2, 0.3, 0.2, 4.0), at=(0.0, 0.0, 1.8))
+    above = sp.Piece(sp.Body.box(0.2, 0.3, 0.2, 4.0), at=(0.0, 0.0, 1.8))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         sp.simulate(sp.Assembly([sp.Piece(BODY), above]), room, motion)

@@ -15,13 +15,20 @@ ROUGH = (5.0, 5.0)
 @pytest.mark.parametrize("push", [0.0, 1.8])
 def test_rest(upper: str, push: float) -> None:
     """With μ g above the floor's acceleration nothing moves, to the bit."""
-    base = sp.Solid.box(0.6, 0.8, 0.7, 40.0)
+    base = sp.Body.box(0.6, 0.8, 0.7, 40.0)
     small = {
-        "box": sp.Solid.box(0.4, 0.5, 0.5, 10.0),
-        "cylinder": sp.Solid.cylinder(0.4, 0.5, 10.0),
-        "prism": sp.Solid.prism([(0, 0), (0.4, 0), (0.3, 0.35), (0.1, 0.35)], 0.5, 10.0),
+        "box": sp.Body.box(0.4, 0.5, 0.5, 10.0),
+        "cylinder": sp.Body.cylinder(0.4, 0.5, 10.0),
+        "prism": sp.Body.hull(
+            [
+                (x, y, z)
+                for z in (0, 0.5)
+                for x, y in ((-0.2, -0.175), (0.2, -0.175), (0.1, 0.175), (-0.1, 0.175))
+            ],
+            10.0,
+        ),
     }[upper]
-    stack = (sp.Standing(base), sp.Standing(small, (0.05, -0.1, 0.7), heading=0.4))
+    stack = (sp.Piece(base), sp.Piece(small, (0.05, -0.1, 0.7), heading=0.4))
     room = sp.Room(sp.Floor(0.25, 0.2))
     run = sp.simulate(sp.Assembly(stack, (0.25, 0.2)), room, steady(push, 0.5 * push, 1.0))
     assert np.array_equal(run.place, np.repeat(run.place[:, :1], len(run.time), axis=1))
@@ -35,12 +42,12 @@ def test_two_blocks_rock_as_one(rate: float) -> None:
     The upper block presses on the lower while they turn, and has no reason to move on it. So the pair does
     what one block of the whole height does.
     """
-    half = sp.Solid.box(0.4, 0.5, 0.7, 30.0)
-    whole = sp.Solid.box(0.4, 0.5, 1.4, 60.0)
+    half = sp.Body.box(0.4, 0.5, 0.7, 30.0)
+    whole = sp.Body.box(0.4, 0.5, 1.4, 60.0)
     spin, corner = np.array([0.0, rate, 0.0]), np.array([0.2, 0.0, 0.0])
     levels = (half, 0.0), (half, 0.7)
     stack = tuple(
-        sp.Standing(
+        sp.Piece(
             block,
             (0.0, 0.0, z),
             velocity=tuple(np.cross(spin, block.centre_of_gravity + np.array([0.0, 0.0, z]) - corner)),
@@ -48,9 +55,9 @@ def test_two_blocks_rock_as_one(rate: float) -> None:
         )
         for block, z in levels
     )
-    lever = whole.centre_of_gravity - corner
-    one = sp.Standing(whole, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
-    about = whole.inertia[1, 1] + whole.mass * lever @ lever
+    lever = whole.solid.centre_of_gravity - corner
+    one = sp.Piece(whole, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
+    about = whole.solid.inertia[1, 1] + whole.mass * lever @ lever
     R, alpha = float(np.linalg.norm(lever)), math.atan2(0.2, 0.7)
     peak = alpha - math.acos(0.5 * about * rate**2 / (whole.mass * G * R) + math.cos(alpha))
     motion = still(0.6, 0.002)
@@ -70,8 +77,8 @@ def test_the_upper_drags_the_lower(speed: float) -> None:
     At t = v/((μ₂ g) + gain) they go at one speed; from then on μ₁ g stops both as one.
     """
     m1, m2, mu1, mu2 = 20.0, 60.0, 0.1, 0.3
-    lower, upper = sp.Solid.box(1.2, 1.0, 0.1, m1), sp.Solid.box(0.4, 0.4, 0.1, m2)
-    stack = (sp.Standing(lower), sp.Standing(upper, (-0.3, 0.0, 0.1), velocity=(speed, 0.0, 0.0)))
+    lower, upper = sp.Body.box(1.2, 1.0, 0.1, m1), sp.Body.box(0.4, 0.4, 0.1, m2)
+    stack = (sp.Piece(lower), sp.Piece(upper, (-0.3, 0.0, 0.1), velocity=(speed, 0.0, 0.0)))
     gain = (mu2 * m2 - mu1 * (m1 + m2)) * G / m1
     assert gain > 0.0
     meet = speed / (mu2 * G + gain)
@@ -89,8 +96,8 @@ def test_the_upper_drags_the_lower(speed: float) -> None:
 def test_both_slide_at_their_own_rates() -> None:
     """A floor at a: ẍ₁ = −a + (μ₁ (m₁ + m₂) − μ₂ m₂) g/m₁, and ẍ₂ = −a + μ₂ g, less held, ahead of it."""
     m1, m2, mu1, mu2, a = 40.0, 10.0, 0.25, 0.1, 5.0
-    lower, upper = sp.Solid.box(3.0, 1.0, 0.2, m1), sp.Solid.box(0.4, 0.4, 0.2, m2)
-    stack = (sp.Standing(lower), sp.Standing(upper, (1.0, 0.0, 0.2)))
+    lower, upper = sp.Body.box(3.0, 1.0, 0.2, m1), sp.Body.box(0.4, 0.4, 0.2, m2)
+    stack = (sp.Piece(lower), sp.Piece(upper, (1.0, 0.0, 0.2)))
     room, motion = sp.Room(sp.Floor(mu1, mu1)), steady(a, 0.0, 0.5)
     run = sp.simulate(sp.Assembly(stack, (mu2, mu2)), room, motion, step=1e-4)
     first = -a + (mu1 * (m1 + m2) - mu2 * m2) * G / m1
@@ -109,13 +116,13 @@ def test_a_corner_that_hangs_over_is_not_inside(over: float, rate: float) -> Non
     """
     arm, upper = 0.25 + over, np.array([over + 0.25, 0.0, 0.15])
     spin = np.array([0.0, rate, 0.0])
-    thrown = sp.Standing(
-        sp.Solid.box(0.5, 0.5, 0.3, 20.0),
+    thrown = sp.Piece(
+        sp.Body.box(0.5, 0.5, 0.3, 20.0),
         (over, 0.0, 0.3),
         velocity=tuple(np.cross(spin, upper)),
         rotation_rate=tuple(spin),
     )
-    lower = sp.Standing(sp.Solid.box(0.5, 0.5, 0.3, 2e4))
+    lower = sp.Piece(sp.Body.box(0.5, 0.5, 0.3, 2e4))
     run = sp.simulate(sp.Assembly([lower, thrown], (0.8, 0.8)), STICKING, still(0.1))
     about_edge = (0.5**2 + 0.3**2) / 12.0 + arm**2 + 0.15**2
     assert run[1].peak_tilt == pytest.approx(0.5 * rate**2 * about_edge / (G * arm), rel=0.05)
@@ -147,7 +154,7 @@ def test_a_slab_that_turns_back_slips_on_and_carries_the_one_on_it(omega: float,
     """
     sizes = zip((4.0, 3.7, 3.4), (1.5, 1.5, 8.0), strict=True)
     slabs = [
-        sp.Standing(sp.Solid.box(side, side, 0.04, mass), (0.0, 0.0, 0.04 * k))
+        sp.Piece(sp.Body.box(side, side, 0.04, mass), (0.0, 0.0, 0.04 * k))
         for k, (side, mass) in enumerate(sizes)
     ]
     t = 0.005 * np.arange(401)

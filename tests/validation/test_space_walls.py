@@ -10,7 +10,7 @@ import stayput as sp
 
 SLIPPERY = sp.Floor(0.0, 0.0)
 SMOOTH = {"restitution": 0.6, "friction": 0.0}
-BOX = sp.Solid.box(0.4, 0.6, 1.2, 80.0)
+BOX = sp.Body.box(0.4, 0.6, 1.2, 80.0)
 STILL = sp.Motion(dt=0.01, x=np.zeros(101), name="still")
 
 
@@ -22,7 +22,7 @@ def test_a_box_that_slides_into_a_side_wall_returns_with_its_restitution(
     """Newton: at v it meets the wall at gap/v, over all of its face, and leaves with −e v."""
     speed, gap = 0.5, 0.1
     room = sp.Room(SLIPPERY, **{side: sp.Wall(gap, restitution, 0.0)})
-    standing = sp.Standing(BOX, at=(0.3, -0.2, 0.0), velocity=(0.0, way * speed, 0.0))
+    standing = sp.Piece(BOX, at=(0.3, -0.2, 0.0), velocity=(0.0, way * speed, 0.0))
     run = sp.simulate(standing, room, STILL)
     apart = np.abs(run.time - gap / speed) > 0.005
     expected = way * np.where(run.time < gap / speed, speed, -restitution * speed)
@@ -37,7 +37,7 @@ def test_a_box_that_slides_into_a_side_wall_returns_with_its_restitution(
 def test_in_the_corner_of_two_walls_each_returns_its_own_component() -> None:
     """Both at once, after 0.2 s: the components are independent where nothing rubs."""
     walls = {"left_wall": sp.Wall(0.1, **SMOOTH), "near_side_wall": sp.Wall(0.06, 0.2, 0.0)}
-    standing = sp.Standing(BOX, velocity=(-0.5, -0.3, 0.0))
+    standing = sp.Piece(BOX, velocity=(-0.5, -0.3, 0.0))
     run = sp.simulate(standing, sp.Room(SLIPPERY, **walls), STILL)
     np.testing.assert_allclose(run.velocity[0, -1], (0.3, 0.06, 0.0), atol=1e-6)
     assert {hit.surface for hit in run.hits} == {"left_wall", "near_side_wall"}
@@ -59,10 +59,10 @@ def test_a_room_turned_by_a_right_angle_with_the_piece_and_the_motion(both: bool
     across = across if both else 0.0 * across
     back, front = sp.Wall(0.005, 0.4, 0.2), sp.Wall(0.01, 0.2, 0.5)
     straight = sp.simulate(
-        sp.Standing(BOX), sp.Room(left_wall=back, right_wall=front), sp.Motion(dt=0.01, x=along, y=across)
+        sp.Piece(BOX), sp.Room(left_wall=back, right_wall=front), sp.Motion(dt=0.01, x=along, y=across)
     )
     room = sp.Room(near_side_wall=back, far_side_wall=front)
-    turned = sp.simulate(sp.Standing(BOX, heading=math.pi / 2), room, sp.Motion(dt=0.01, x=-across, y=along))
+    turned = sp.simulate(sp.Piece(BOX, heading=math.pi / 2), room, sp.Motion(dt=0.01, x=-across, y=along))
     assert straight[0].wall_impacts > 1
     assert straight.tilt.max() > 0.01
     early = straight.time < 0.6

@@ -13,11 +13,11 @@ from in_space import G, energy
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.runs import part_with, with_member
+from stayput.rooms.runs import part_with, with_piece
 from stayput.rooms.steps import purchases_of
 from stayput.rooms.verify import question_of
 
-BOX = sp.Solid.box(0.3, 0.3, 0.3, 10.0)
+BOX = sp.Body.box(0.3, 0.3, 0.3, 10.0)
 
 
 def still(duration: float) -> sp.Motion:
@@ -27,10 +27,10 @@ def still(duration: float) -> sp.Motion:
 @pytest.mark.parametrize("damping", [0.1, 0.5, 1.0, 2.0])
 @pytest.mark.parametrize(("mass", "stiffness"), [(10.0, 1e6), (10.0, 1e9), (0.01, 1e5), (1.0, 1e5)])
 def test_a_joint_in_flight_takes_energy_and_keeps_momentum(mass: float, stiffness: float, damping: float):
-    first = sp.Solid.box(0.3, 0.3, 0.3, mass)
+    first = sp.Body.box(0.3, 0.3, 0.3, mass)
     start = [
-        sp.Standing(first, (0.0, 0.0, 4.0), velocity=(-1.0, 0.5, 3.0), rotation_rate=(1.0, 2.0, 3.0)),
-        sp.Standing(BOX, (0.5, 0.0, 4.0), velocity=(1.0, 0.0, 3.0), rotation_rate=(0.0, -1.0, 0.5)),
+        sp.Piece(first, (0.0, 0.0, 4.0), velocity=(-1.0, 0.5, 3.0), rotation_rate=(1.0, 2.0, 3.0)),
+        sp.Piece(BOX, (0.5, 0.0, 4.0), velocity=(1.0, 0.0, 3.0), rotation_rate=(0.0, -1.0, 0.5)),
     ]
     joint = sp.Joint(0, 1, (0.15, 0.1, 4.1), stiffness=stiffness, damping=damping)
     run = sp.simulate(sp.Assembly(start, (0.5, 0.5), [joint]), sp.Room(sp.Floor(0.5, 0.5)), still(0.2))
@@ -47,7 +47,7 @@ def test_joined_boxes_on_a_shaken_floor_stay_slow(damping: float):
     t = np.arange(0.0, 1.001, 0.005)
     floor = [14.0 * np.sin(6.0 * np.pi * t), 7.0 * np.sin(4.0 * np.pi * t), 11.2 * np.sin(10.0 * np.pi * t)]
     motion = sp.Motion(dt=0.005, x=floor[0], y=floor[1], z=floor[2])
-    boxes = [sp.Standing(BOX), sp.Standing(BOX, (0.6, 0.0, 0.0))]
+    boxes = [sp.Piece(BOX), sp.Piece(BOX, (0.6, 0.0, 0.0))]
     joint = sp.Joint(0, 1, (0.15, 0.1, 0.2), stiffness=1e6, damping=damping)
     run = sp.simulate(sp.Assembly(boxes, (0.3, 0.3), [joint]), sp.Room(sp.Floor(0.3, 0.3)), motion)
     assert np.abs(run.velocity).max() < 2.0
@@ -71,7 +71,7 @@ def test_a_bracket_in_a_corner_bears_what_it_bears_elsewhere(gap: float):
         )
         question = question_of(scenario, 2)
         held = replace(question.whole.members[0], measures=(LBracket(),))
-        part = part_with(scenario, (0,), with_member(question.whole, 0, held))
+        part = part_with(scenario, (0,), with_piece(question.whole, 0, held))
         (purchase,) = purchases_of(question, part, (LBracket(),), 0)
         assert purchase.needed is not None
         return tuple(purchase.needed)

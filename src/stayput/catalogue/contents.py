@@ -49,13 +49,18 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The loads of the shelves are {loads:g} kg in all; they must be less than the mass of the furniture with them, {mass:g} kg.",
         "棚の荷重の合計が{loads:g} kgになっています。家具の質量（収納物を含む、{mass:g} kg）より小さくしてください。",
     ),
-    "in_space": (
-        "The run is one in space; what is in furniture is followed in the plane, with dimensions=2.",
-        "立体の計算結果です。収納物は平面内で計算します（dimensions=2）。",
-    ),
     "needs_coulomb": (
         "The contact is '{contact}'; following what is in furniture needs 'coulomb'.",
         "接触モデル（contact）が「{contact}」です。収納物の計算には「coulomb」を指定してください。",
+    ),
+    "piece": ("Number of the piece", "家具の番号（piece）"),
+    "of_a_solid": (
+        "Body {piece} of the run is no piece of furniture; what is inside is followed of a Body or a Piece.",
+        "計算結果の{piece}番の物体は家具ではありません。収納物はBodyまたはPieceの家具についてだけ計算できます。",
+    ),
+    "samples_apart": (
+        "The samples of the run are {dt:g} s apart; they must be no more than {most:g} s apart, so simulate under motion.resampled.",
+        "計算結果の時間刻みが{dt:g}秒になっています。motion.resampledで{most:g}秒以下にして計算し直してください。",
     ),
     "given_up": (
         "The run of the furniture was given up; its contents cannot be followed.",

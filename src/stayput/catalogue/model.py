@@ -26,6 +26,14 @@ TEXTS: dict[str, tuple[str, str]] = {
             "より小さい値を指定してください。"
         ),
     ),
+    "not_of_its_shape": (
+        "{name} follows from the shape of the body; make another body with Body.hull, .box, .cylinder or .mesh.",
+        "{name}は立体の形から決まります。Body.hull、.box、.cylinder、.meshで別のBodyを作ってください。",
+    ),
+    "another_shape": (
+        "The body has a shape of its own; here it must be made by its section: Body(width, height, mass).",
+        "Bodyに立体の形が指定されています。ここでは断面で作ってください：Body(width, height, mass)。",
+    ),
     "no_mass": (
         "The parts' total mass is {mass:g} kg; it must be more than 0 kg.",
         "部分の質量の合計が{mass:g} kgになっています。0 kgより大きくしてください。",
@@ -70,12 +78,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "論文の接触の法則は平面だけのものです。三次元では'coulomb'を指定してください。",
     ),
     "of_a_body": (
-        "{name} is of a Body alone; with {kind} it must be left out.",
-        "{kind}に{name}が指定されています。これはBodyだけに指定できます。",
-    ),
-    "solid_in_the_plane": (
-        "{kind} cannot be simulated in 2 dimensions; leave them out, or give a Body.",
-        "{kind}は2次元では計算できません。次元の指定を省くか、Bodyを指定してください。",
+        "{name} is of a Body by itself that is made by its section; here it must be left out.",
+        "{name}は、断面で作ったBodyを単独で計算するときだけに指定できます。ここでは省いてください。",
     ),
     # Quick estimates
     "tie_height": ("Height of the tie", "取付け高さ"),

@@ -64,10 +64,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "上から見て、地震動の第1水平成分から第2水平成分へ向かう（反時計回りの）角度です。",
     ),
     "base": ("What bears on the floor", "床に接する部分"),
-    "contentsInSpace": (
-        "What comes out is computed in the plane alone; it is left out for now.",
-        "飛び出しは平面でだけ計算できます。今は計算に含めていません。",
-    ),
     "mass": ("Mass with its content", "中身を含む重さ"),
     "carcass": ("Mass when empty", "空のときの重さ"),
     "widthHint": (

@@ -110,10 +110,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} = {value} must be a place on {other}: x of {low_x:.3g} to {high_x:.3g} m and y of {low_y:.3g} to {high_y:.3g} m from its middle.",
         "{name} = {value}は{other}の上の位置にしてください（中央からxは{low_x:.3g}～{high_x:.3g} m、yは{low_y:.3g}～{high_y:.3g} m）。",
     ),
-    "contents_in_space": (
-        "contents is given with dimensions = 3; what comes out is found in the plane alone.",
-        "dimensions = 3でcontentsが指定されています。中身の飛び出しは平面の解析だけで求められます。",
-    ),
     "no_carcass": (
         "furniture.mass is missing; where shelves are given it must be the empty carcass's [kg].",
         "furniture.massがありません。shelvesを指定する場合は、空の本体の質量 [kg] が必要です。",

@@ -11,7 +11,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "mass": ("Mass", "質量"),
     "density": ("Density", "密度"),
     "vertices": ("the vertices", "頂点（vertices）"),
-    "outline": ("the outline", "底面の輪郭（outline）"),
     "feet": ("the feet", "脚（feet）"),
     "number_of_feet": ("The number of feet", "脚の数"),
     "rims": ("the rims", "縁の円（rims）"),

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from stayput.contents.carrier import Carrier
+from stayput.contents.carrier import STEP, Carrier
 from stayput.contents.contents import STOPPED, Contents
 from stayput.contents.items import (
     items_of,
@@ -18,12 +18,14 @@ from stayput.contents.items import (
     toppled,
     uncovered,
 )
-from stayput.errors import InputError, instance_of
+from stayput.errors import InputError, instance_of, whole_within
 from stayput.measures import element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import run_cases, shaking, trace
 from stayput.model.flat_fields import case_columns
+from stayput.model.state import State
 from stayput.simulation.case import Case
+from stayput.simulation.many import prepared_motion
 from stayput.simulation.run import Run
 
 if TYPE_CHECKING:
@@ -46,7 +48,8 @@ class Spill:
     contents : Contents
         What was in it.
     overturned : bool
-        Whether the piece itself turned over: then all comes out that no closed door or drawer holds.
+        Whether the piece itself turned over, or fell off another: then all comes out that no closed door or
+        drawer holds.
     out : ndarray of bool
         Whether it came out.
     toppled : ndarray of bool
@@ -61,7 +64,7 @@ class Spill:
     height : ndarray
         Height above the floor of the shelf at that time [m].
     speed : ndarray
-        Horizontal velocity in the room's frame, that of its floor, + to the front [m/s].
+        Horizontal velocity in the room's frame, that of its floor, + to where the piece faces [m/s].
     distance : ndarray
         How far from the edge of the shelf it lands, by free fall from there, + to the front [m].
 
@@ -107,7 +110,7 @@ class Spill:
         return float(self.mass[self.out].sum())
 
 
-def spill(of: Run | Case, contents: Contents) -> Spill:
+def spill(of: Run | Case, contents: Contents, piece: int | None = None) -> Spill:
     """Follow what is in a piece of furniture, item by item, as the piece moves.
 
     The items feel the motion of their shelf and do not act back on the piece: see
@@ -116,9 +119,12 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     Parameters
     ----------
     of : Run or Case
-        The piece, where it stands, how the floor moves and what holds it.
+        The piece, where it stands, how the floor moves and what holds it. A run in space is followed at its
+        samples, which must be no more than `stayput.contents.carrier.STEP` apart; a case in space is run so.
     contents : Contents
         What is in it.
+    piece : int, optional
+        The number of the body of a run in space of several, from 0.
 
     Returns
     -------
@@ -128,8 +134,8 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     Raises
     ------
     InputError
-        The paper's contact law; a run in space; loads that are heavier than the piece; a run that was given
-        up.
+        The paper's contact law; loads that are heavier than the piece; a run that was given up, whose samples
+        are too far apart, or whose body is a `Solid`.
 
     Examples
     --------
@@ -142,17 +148,45 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     """
     instance_of("of", of, (Run, Case))
     instance_of("contents", contents, Contents)
-    if of.contact != "coulomb":
-        raise InputError("contents.needs_coulomb", "contact", contact=of.contact)
-    if of.initial is None:
-        raise InputError("contents.in_space", "of")
-    held = (isinstance(of, Run) and of.held) or hold(of.body, of.room, of.measures)
-    case = case_columns(held.body, held.room, of.initial, of.gravity)[0]
-    shaken = shaking(of.motion.x, of.motion.z, of.motion.dt, col.COULOMB)
-    carrier = Carrier.of(case, element_rows(held), shaken.floor, held.body.height)
+    bodies = len(of.pieces) if isinstance(of, Run) else 1
+    if piece is not None or bodies > 1:
+        piece = whole_within("contents.piece", cast("int", piece), 0, bodies - 1, "", "piece")
+    if isinstance(of, Run) and of.engine == "space":
+        carrier, body = _in_run(of, piece or 0)
+    else:
+        carrier, body = _run_again(of)
     if carrier.failed:
         raise InputError("contents.given_up")
-    return spill_of(carrier, held.body, contents, followed=contents.items)
+    return spill_of(carrier, body, contents, followed=contents.items)
+
+
+def _run_again(of: Run | Case) -> tuple[Carrier, Body]:
+    """Follow a piece by itself at finer samples; return it as it is held, too."""
+    if of.contact != "coulomb":
+        raise InputError("contents.needs_coulomb", "contact", contact=of.contact)
+    dimensions = 3 if isinstance(of, Case) and of.in_space else 2
+    held = of.held if isinstance(of, Run) else None
+    held = hold(of.body, of.room, of.measures, dimensions=dimensions) if held is None else held
+    case = case_columns(held.body, held.room, of.initial, of.gravity)[0]
+    shaken = prepared_motion(of.motion, dimensions, col.COULOMB)
+    return Carrier.of(case, element_rows(held), shaken, held.body.height), held.body
+
+
+def _in_run(run: Run, piece: int) -> tuple[Carrier, Body]:
+    """Follow a piece in a run in space; return it as it is held, too."""
+    from stayput.simulation.space_engine import SpaceShaking
+
+    held = run[piece].held
+    if held is None:
+        raise InputError("contents.of_a_solid", "piece", piece=piece)
+    if run.motion.dt > STEP * (1.0 + 1e-9):
+        raise InputError("contents.samples_apart", "motion.dt", dt=run.motion.dt, most=STEP)
+    body, shaken = held.body, SpaceShaking.of(run.motion)
+    case = case_columns(body, held.room, State(), run.gravity)[0]
+    times = [time for time in (run[piece].overturn_time, run[piece].fall_time) if math.isfinite(time)]
+    fell = round(min(times) / run.motion.dt) if times else None
+    moved = run.place[piece], run.turn[piece], fell
+    return Carrier.in_space(case, shaken, *moved, body.height, run.given_up), body
 
 
 def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int) -> Spill:
@@ -181,7 +215,7 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int)
         middle = _shaking(points[len(points) // 2], 0, carrier.dt)
         part = uncovered(slide_of_a_leaf(contents, middle, carrier.gravity), contents.leaf)
     exposed = _exposed(shape[1], part)
-    samples = len(carrier.along)
+    samples = len(carrier.tilt)
     for shelf, (point, start) in enumerate(zip(points, opened.tolist(), strict=True)):
         if start > samples - 2 or not exposed.any():  # it stays shut
             continue

@@ -277,6 +277,8 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
     instance_of("room", room, Room)
     asked = list_of("measures", measures, Measure)
     refuse_conflicts(asked)
+    if asked and body.shape is not None:
+        raise InputError("model.another_shape", "measures")
     found: dict[int, tuple[Element, ...]] = {}
     for place in sorted(range(len(asked)), key=lambda n: _ORDER.index(asked[n].acts_on)):
         held = instance_of(f"apply() of {asked[place].kind}", asked[place].apply(body, room), Held)

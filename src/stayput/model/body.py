@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, finite, list_of, numbers, within
+from stayput.errors import InputError, finite, instance_of, list_of, numbers, within
 from stayput.model.parameters import (
     GRAVITY,
+    MASS_RANGE,
+    SIZE_RANGE,
     STANDARD_GRAVITY,
     check_fields,
     parameter,
     parameter_of,
     quantity,
 )
+from stayput.model.shapes import Shapes, section_of
+from stayput.model.solid import BASES, Solid
 from stayput.uncertainty import Confidence
 from stayput.wording import Brief
 
@@ -23,15 +27,6 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
-
-SIZE_RANGE = (1e-3, 100.0)
-"""Smallest and largest width and height that are accepted [m]."""
-
-MASS_RANGE = (1e-3, 1e6)
-"""Smallest and largest mass that is accepted [kg]."""
-
-BASES = ("flat", "edges", "feet")
-"""What of a base bears on the floor: all of it, its outline, or its corners."""
 
 MOST_INSET = 0.45
 """Largest inset of a base corner, as a part of the width."""
@@ -76,8 +71,11 @@ class Part(Brief):
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class Body(Brief):
-    """A rigid body, seen in the plane of shaking.
+class Body(Shapes, Brief):
+    """A rigid body: a piece of furniture by its section in the plane of shaking, or any convex shape.
+
+    `hull`, `box`, `cylinder`, `cone` and `mesh` make bodies of a shape of their own. These move in
+    space; in the plane they are the box around them.
 
     Parameters
     ----------
@@ -100,17 +98,21 @@ class Body(Brief):
         Distance of the left and the right base corner from the side face above it [m]: feet, casters or a
         plinth stand inside the outline of the piece.
     length : float, optional
-        Length across the shaking [m] (a bookcase's *width*). Nothing in the plane depends on it;
-        `stayput.Solid.of` makes a body in space with it.
+        Length across the shaking [m] (a bookcase's *width*). Nothing in the plane depends on it; in space the
+        body is a box with it.
     base : str
         What bears on the floor, with which friction resists turning in plan: "flat", the whole base; "edges",
         its outline (a plinth, side boards); "feet", its corners (feet, casters). Nothing in the plane depends
         on it.
+    shape : Solid, optional
+        Its shape in space, where it is another than the box: what `hull` and the others make. The other
+        fields are those of the box around it.
 
     Raises
     ------
     InputError
-        A size, mass, inertia or offset that is not finite or not possible, or no such base.
+        A size, mass, inertia or offset that is not finite or not possible, no such base, or another field
+        than follows from the shape.
 
     Examples
     --------
@@ -171,9 +173,16 @@ class Body(Brief):
         "In space friction resists turning in plan by it.",
         choices=BASES,
     )
+    shape: Solid | None = None
 
     def __post_init__(self) -> None:
         check_fields(self, but=("cg_offset", "inertia", "base_heights", "base_insets"))
+        if self.shape is not None:
+            section = section_of(instance_of("shape", self.shape, Solid))
+            for about, value in zip(fields(self), section, strict=True):
+                if getattr(self, about.name) != value:
+                    raise InputError("model.not_of_its_shape", about.name, name=about.name)
+            return
         for name in ("cg_offset", "base_heights", "base_insets"):
             numbers(parameter_of(Body, name).label, getattr(self, name), name, count=2)
         label = parameter_of(Body, "cg_offset").label
@@ -216,6 +225,19 @@ class Body(Brief):
         from stayput.model.room import Room
 
         return Room().plot(ax, body=self, language=language)
+
+    @property
+    def solid(self) -> Solid:
+        """Its shape and mass in space.
+
+        Raises
+        ------
+        InputError
+            No length.
+        """
+        from stayput.model.flat_fields import row_alone
+
+        return self.shape or Solid.of_case(row_alone(self))
 
     @property
     def uniform_inertia(self) -> float:

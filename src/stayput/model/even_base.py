@@ -36,8 +36,8 @@ def friction_ratio(solid: Solid) -> float:
     --------
     >>> import stayput as sp
     >>> for base in ("flat", "edges", "feet"):
-    ...     print(base, *(round(friction_ratio(body), 3) for body in (
-    ...         sp.Solid.box(0.4, 0.4, 1.0, 50.0, base=base), sp.Solid.cylinder(0.4, 1.0, 50.0, base=base))))
+    ...     bodies = sp.Body.box(0.4, 0.4, 1.0, 50.0, base=base), sp.Body.cylinder(0.4, 1.0, 50.0, base=base)
+    ...     print(base, *(round(friction_ratio(body.solid), 3) for body in bodies))
     flat 0.541 0.667
     edges 0.812 1.0
     feet 1.0 1.0

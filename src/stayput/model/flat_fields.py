@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.errors import within
+from stayput.errors import InputError, within
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
 from stayput.model.inertia import moments_of_furniture
-from stayput.model.parameters import GRAVITY, Parameter, parameters
+from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY, Parameter, parameters
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.soft_base import landing_factor, narrower_base, rigid_half_base
 from stayput.model.state import State, refuse_bad_start
@@ -133,7 +133,15 @@ def _word(about: Parameter, place: float) -> str:
 
 
 def flat_fields(body: Body, room: Room, start: State, gravity: float) -> dict[str, float]:
-    """Return all numbers of a case by their dotted paths; the factor on the motion is 1."""
+    """Return all numbers of a case by their dotted paths; the factor on the motion is 1.
+
+    Raises
+    ------
+    InputError
+        A body of another shape than its section has.
+    """
+    if body.shape is not None:
+        raise InputError("model.another_shape", "body")
     return {
         **fields_of("body", body),
         **fields_of("room", room),
@@ -203,3 +211,8 @@ def room_row(room: Room) -> np.void:
 def case_columns(body: Body, room: Room, start: State, gravity: float) -> NDArray[np.void]:
     """Return one row of `CASE`, shape [1]; the factor on the motion is 1."""
     return case_rows(flat_fields(body, room, start, gravity), 1)
+
+
+def row_alone(body: Body) -> np.void:
+    """Return the row of `CASE` of a body at rest on a floor that does not give way, far from walls."""
+    return case_columns(body, Room(), State(), STANDARD_GRAVITY)[0]

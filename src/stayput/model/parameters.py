@@ -24,6 +24,12 @@ if TYPE_CHECKING:
 
 F = TypeVar("F", bound="Callable[..., Any]")
 
+SIZE_RANGE = (1e-3, 100.0)
+"""Smallest and largest width and height that are accepted [m]."""
+
+MASS_RANGE = (1e-3, 1e6)
+"""Smallest and largest mass that is accepted [kg]."""
+
 GIVEN = "given"
 """Tag of a value that the user has given himself, beside those of `stayput.uncertainty.Confidence`."""
 

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
 from stayput.errors import InputError
-from stayput.model.body import SIZE_RANGE
+from stayput.model.parameters import SIZE_RANGE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -12,8 +12,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, absent, instance_of, reason_of, unknown, within
-from stayput.model.body import BASES, MASS_RANGE, SIZE_RANGE, Body
-from stayput.model.parameters import not_one_of, parameter_of
+from stayput.model.parameters import MASS_RANGE, SIZE_RANGE
 from stayput.model.polyhedron import (
     TOLERANCE,
     check_filled,
@@ -141,13 +140,6 @@ def checked_feet(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
         told = f"({', '.join(f'{x:.4g}' for x in feet[astray][0])})"
         raise InputError("solids.foot_astray", "feet", point=told, reach=reach)
     return feet
-
-
-def checked_base(value: object) -> str:
-    """Return what bears on the floor: one of `BASES`."""
-    if not isinstance(value, str) or value not in BASES:
-        raise not_one_of(parameter_of(Body, "base"), value)
-    return value
 
 
 def checked_rims(value: ArrayLike) -> NDArray[np.float64]:

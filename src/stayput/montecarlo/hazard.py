@@ -16,21 +16,23 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
-from stayput.mechanics.runner import Shaking, shaking
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
+from stayput.simulation.many import prepared_motion
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.mechanics.runner import Shaking
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.scenario import Scenario
     from stayput.scenario.tables import BuildingTable
+    from stayput.simulation.space_engine import SpaceShaking
 
 
 def growth(measure: IntensityMeasure) -> float:
@@ -184,13 +186,13 @@ class Ground:
 class PreparedFloor:
     """The motions under the furniture of one storey as the kernels read them, and the factors on them."""
 
-    shakings: tuple[Shaking, ...]
+    shakings: tuple[Shaking | SpaceShaking, ...]
     scales: NDArray[np.float64]
 
     @classmethod
-    def of(cls, motions: Iterable[Motion], scales: NDArray[np.float64]) -> PreparedFloor:
-        """Prepare motions for the kernels."""
-        return cls(tuple(shaking(motion.x, motion.z, motion.dt, 0) for motion in motions), scales)
+    def of(cls, motions: Iterable[Motion], scales: NDArray[np.float64], dimensions: int = 2) -> PreparedFloor:
+        """Prepare motions for the kernels in the plane (2 dimensions) or in space (3)."""
+        return cls(tuple(prepared_motion(motion, dimensions) for motion in motions), scales)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

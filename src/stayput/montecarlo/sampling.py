@@ -174,7 +174,13 @@ def draws(
 
 
 def drawn_body(body: Body, draw: Draw) -> Body:
-    """Return the body with its mass, the height of its centre of gravity and how it stands as drawn."""
+    """Return the body with its mass, the height of its centre of gravity and how it stands as drawn.
+
+    Of one with a shape of its own only the mass is drawn.
+    """
+    if body.shape is not None:
+        inertia = draw.mass * body.shape.inertia
+        return Body.of_shape(replace(body.shape, mass=draw.mass * body.mass, inertia=inertia))
     x, z = body.cg_offset
     back, front = body.base_heights
     insets = (float(_drawn_inset(body, 0, draw.back_inset)), float(_drawn_inset(body, 1, draw.front_inset)))

@@ -20,7 +20,7 @@ from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.space import AssemblyTrace, results_of, run_of_assembly, trace_assembly
 from stayput.simulation.space_engine import STEP, SpaceShaking
-from stayput.simulation.standing import STRENGTH_RANGE, Assembly, Piece, Standing
+from stayput.simulation.standing import STRENGTH_RANGE, Assembly
 from stayput.uncertainty import QUANTITIES, Uncertainty, Uniform
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion import Motion
     from stayput.simulation.run import Run
+    from stayput.simulation.standing import Piece
     from stayput.uncertainty import Marginal
 
 OWN = ("mass", "gravity_height", "back_inset", "front_inset")
@@ -125,16 +126,14 @@ def leans_alone(assembly: Assembly) -> bool:
     Several lean together, as on a floor that leans.
     """
     (first, *others) = assembly.members
-    return not others and isinstance(first, Piece) and first.at[2] == 0.0
+    return not others and first.body.shape is None and first.at[2] == 0.0
 
 
 def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
     """Return an assembly as drawn; its products were bought for the pieces as stated."""
     if not leans_alone(assembly):
         draw = draw._replace(pieces=tuple(replace(piece, lean=0.0) for piece in draw.pieces))
-    members = [
-        _drawn_member(member, piece) for member, piece in zip(assembly.members, draw.pieces, strict=True)
-    ]
+    members = [_drawn_piece(piece, drawn) for piece, drawn in zip(assembly.members, draw.pieces, strict=True)]
     static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in assembly.friction)
     low, high = STRENGTH_RANGE
 
@@ -148,15 +147,11 @@ def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
     return Assembly(members, (static, kinetic), joints)
 
 
-def _drawn_member(member: Standing | Piece, draw: Draw) -> Standing | Piece:
-    """Return a member as drawn; feet matter on the floor alone."""
-    if isinstance(member, Standing):
-        mass, inertia = draw.mass * member.solid.mass, draw.mass * member.solid.inertia
-        return replace(member, solid=replace(member.solid, mass=mass, inertia=inertia))
-    inset = draw if member.at[2] == 0.0 else replace(draw, back_inset=0.0, front_inset=0.0)
-    body = drawn_body(member.body, inset)
-    measures = [measure.fitted_to(member.body) for measure in member.measures]
-    return Piece(body, member.at, member.heading, measures)
+def _drawn_piece(piece: Piece, draw: Draw) -> Piece:
+    """Return a piece as drawn; feet matter on the floor alone."""
+    inset = draw if piece.at[2] == 0.0 else replace(draw, back_inset=0.0, front_inset=0.0)
+    measures = [measure.fitted_to(piece.body) for measure in piece.measures]
+    return replace(piece, body=drawn_body(piece.body, inset), measures=measures)
 
 
 def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:
@@ -168,7 +163,7 @@ def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:
             continue
         alone = replace(room, **{other: None for other in WALLS_AROUND if other != name})
         planes = planes_around(assembly.members, alone)
-        seen = [room_seen(one, alone, planes) for one in assembly.members if isinstance(one, Piece)]
+        seen = [room_seen(one, alone, planes) for one in assembly.members if one.body.shape is None]
         behind = [one.left_wall.gap for one in seen if one.left_wall is not None]
         most = min((REACH - (gap - stated.gap) for gap in behind if gap <= REACH), default=math.inf)
         drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})

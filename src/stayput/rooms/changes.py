@@ -21,9 +21,8 @@ from stayput.rooms.runs import RoomPart, group_of, part_with, with_measures
 from stayput.rooms.tracks import Track, outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.convex import inside_each_other
-from stayput.simulation.placing import bare, placed
+from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
-from stayput.simulation.standing import Assembly, Piece, Standing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -32,6 +31,7 @@ if TYPE_CHECKING:
 
     from stayput.rooms.events import Ways
     from stayput.scenario import Scenario
+    from stayput.simulation.standing import Assembly, Piece
 
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""
@@ -81,12 +81,12 @@ class FreeFloor:
     ----------
     plan : FloorPlan
         The room.
-    standing : sequence of Standing
+    pieces : sequence of Piece
         The pieces as they stand.
     """
 
     plan: FloorPlan
-    standing: tuple[Standing, ...]
+    pieces: Sequence[Piece]
 
     def fits(
         self,
@@ -114,7 +114,7 @@ class FreeFloor:
         """
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
-        others = (one for number, one in enumerate(self.standing) if number != but_piece)
+        others = (one for number, one in enumerate(self.pieces) if number != but_piece)
         taken = [outline_of((one.solid.vertices @ one.turn.T) + np.asarray(one.at)) for one in others]
         taken += [place.corners for place in self.plan.places if place.name != but_place]
         taken += [
@@ -169,8 +169,6 @@ def measures_tried(scenario: Scenario, whole: Assembly, body: int) -> Iterator[t
 
 def held_part(scenario: Scenario, whole: Assembly, body: int, measures: Sequence[Measure]) -> RoomPart | None:
     """Return a piece with further measures, and what runs with it; None where they cannot be put there."""
-    if not isinstance(whole.members[body], Piece):
-        return None
     group = group_of(scenario, body)
     try:
         part = part_with(scenario, group, with_measures(whole, body, measures))
@@ -197,9 +195,9 @@ def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
         all_placed = placed(part.assembly.members, part.room)
     except InputError:  # no wall behind, no ceiling known
         return False
-    standing, held = [one.standing for one in all_placed], all_placed[place].held
+    pieces, held = [one.piece for one in all_placed], all_placed[place].held
     assert held is not None
-    if any(inside_each_other(*pair) > DEEPEST for pair in combinations(standing, 2)):
+    if any(inside_each_other(*pair) > DEEPEST for pair in combinations(pieces, 2)):
         return False  # a wedge leans it into what stands on it
     on_wall = {measure.kind for measure in held.measures if isinstance(measure, WallDevice)}
     if not on_wall:
@@ -207,7 +205,7 @@ def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
     wall_behind = held.room.left_wall
     if wall_behind is None or wall_behind.gap > REACH:
         return False
-    member = bare(part.assembly.members[place])
+    member = part.assembly.members[place]
     wall = wall_faced(member.heading)
     axis = 1 if wall in ("left_wall", "right_wall") else 0
     across = (-math.sin(member.heading), math.cos(member.heading))[axis]
@@ -255,9 +253,9 @@ def places_at_walls(
     floor : FreeFloor
         Where it may be put.
     """
-    member, plan = bare(whole.members[body]), floor.plan
-    half_depth, half_length = (0.5 * np.ptp(member.solid.vertices[:, :2], axis=0)).tolist()
-    height = float(member.solid.vertices[:, 2].max())
+    solid, plan = whole.members[body].solid, floor.plan
+    half_depth, half_length = (0.5 * np.ptp(solid.vertices[:, :2], axis=0)).tolist()
+    height = float(solid.vertices[:, 2].max())
     for wall, heading in FACING.items():
         if half_length > 0.5 * plan.side(wall):
             continue

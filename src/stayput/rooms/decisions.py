@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from stayput.errors import InputError, instance_of
 from stayput.rooms.changes import Change
 from stayput.rooms.effects import Answer, Move, OtherTracks
-from stayput.rooms.runs import Question, groups_of, moved_to, placed_elsewhere, with_member
+from stayput.rooms.runs import Question, groups_of, moved_to, placed_elsewhere, with_piece
 from stayput.scenario.scene import refuse_what_stands_wrong
-from stayput.simulation.placing import bare
-from stayput.simulation.standing import Piece, Standing
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -19,6 +17,7 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.model.floor_plan import PersonPlace
     from stayput.scenario import Scenario
+    from stayput.simulation.standing import Piece
 
 
 class Decisions(NamedTuple):
@@ -59,7 +58,7 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
         if (change.measure is None) == (change.at is None):
             raise InputError("rooms.decided_both", field, name=repr(what))
         if change.measure is not None:
-            if body is None or not isinstance(whole.members[body], Piece):
+            if body is None or whole.members[body].body.shape is not None:
                 raise InputError("rooms.decided_on_no_piece", field, name=repr(what))
             measures[body] = (*measures.get(body, ()), change.measure)
             continue
@@ -69,7 +68,7 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
             raise InputError("rooms.decided_joined", field, name=repr(what))
         if body is not None:
             there = elsewhere(whole.members[body], change)
-            whole, heading = with_member(whole, body, there), bare(there).heading
+            whole, heading = with_piece(whole, body, there), there.heading
         else:
             assert place is not None
             moved = _place_moved(plan.places[place], change)
@@ -80,9 +79,9 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
     return Decisions(tuple(moves), measures)
 
 
-def elsewhere(member: Piece | Standing, move: Change) -> Piece | Standing:
+def elsewhere(piece: Piece, move: Change) -> Piece:
     """Return a piece where it is moved to."""
-    return moved_to(member, *move.place(bare(member).heading))
+    return moved_to(piece, *move.place(piece.heading))
 
 
 def _place_moved(place: PersonPlace, move: Change) -> PersonPlace:
@@ -98,7 +97,7 @@ def moved_as_decided(question: Question, as_it_is: Answer, change: Change) -> Mo
         place = _place_moved(plan.places[number], change)
         return Move(change, plan.with_places({number: place}), OtherTracks({}, as_it_is.missing))
     body = names.index(change.what)
-    then = bare(elsewhere(question.whole.members[body], change))
+    then = elsewhere(question.whole.members[body], change)
     part = placed_elsewhere(question.scenario, question.whole, body, then.at[:2], then.heading)
     (runs,) = question.run([part])
     return Move(change, plan, OtherTracks.of(part, runs))
@@ -110,7 +109,7 @@ def changes_between(before: Scenario, after: Scenario) -> tuple[Change, ...]:
     A piece that stands on or is joined to another in either counts as not moved.
     """
     stated = [room.stated.measures for room in (before, after)]
-    pieces = [[bare(one) for one in room.assembly(room.stated).members] for room in (before, after)]
+    pieces = [room.assembly(room.stated).members for room in (before, after)]
     single = [{group[0] for group in groups_of(room) if len(group) == 1} for room in (before, after)]
     found: list[Change] = []
     for number, (name, was, now) in enumerate(zip(before.names, *pieces, strict=True)):

@@ -23,7 +23,6 @@ from stayput.rooms.changes import (
 from stayput.rooms.events import EndOfRuns, Events, Hits, Ways, collisions, events_of, hits_of
 from stayput.rooms.runs import PartRuns, Question, RoomPart, placed_elsewhere
 from stayput.rooms.verdict import FALLS, ChangeVerdict, RoomEffect, presence
-from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -225,7 +224,7 @@ def moves_of(question: Question, state: RoomState, harmful: Collection[int]) -> 
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
     as_it_is, ways = state.as_it_is, state.ends.ways
-    floor = FreeFloor(plan, tuple(bare(one) for one in whole.members))
+    floor = FreeFloor(plan, whole.members)
     struck = [number for number in range(len(plan.places)) if as_it_is.events.hit(number).any()]
     over = _swept_by_any(as_it_is, ways) if struck else None
     for number in struck:
@@ -335,7 +334,7 @@ def _best_at_wall(
     It runs in the middle of those places; the tracks elsewhere are the same, shifted.
     """
     as_it_is, ways = state.as_it_is, state.ends.ways
-    scenario, member = question.scenario, bare(question.whole.members[body])
+    scenario, member = question.scenario, question.whole.members[body]
     heading = FACING[wall]
     same = abs(math.remainder(heading - member.heading, 2.0 * math.pi)) < 1e-9
     at = middles[len(middles) // 2]

@@ -24,7 +24,7 @@ from stayput.rooms.changes import Change, held_part
 from stayput.rooms.decisions import Decisions, decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import OtherTracks, effect_of, falling_pieces, harmful_pieces, moves_of, risk_of
 from stayput.rooms.events import Hits, hits_of
-from stayput.rooms.runs import PartRuns, RoomPart, group_of, part_with, with_measures, with_member
+from stayput.rooms.runs import PartRuns, RoomPart, group_of, part_with, with_measures, with_piece
 from stayput.rooms.steps import (
     ALIKE,
     SETS,
@@ -45,7 +45,6 @@ from stayput.rooms.steps import (
 from stayput.rooms.verdict import RoomEffect, RoomVerdict
 from stayput.rooms.verify import floors_of, question_of, states, verdict_of
 from stayput.simulation.placing import placed
-from stayput.simulation.standing import Assembly, Piece
 from stayput.verification.options import inputs_in_room
 
 if TYPE_CHECKING:
@@ -56,6 +55,7 @@ if TYPE_CHECKING:
     from stayput.rooms.effects import Move, RoomState
     from stayput.rooms.runs import Question
     from stayput.rooms.tracks import Track
+    from stayput.simulation.standing import Assembly
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
@@ -284,7 +284,7 @@ class _Planner:
         whole = self.question.whole
         for move in moves:
             for body in move.way.tracks:
-                whole = with_member(whole, body, elsewhere(whole.members[body], move.change))
+                whole = with_piece(whole, body, elsewhere(whole.members[body], move.change))
         return whole
 
     def _overturned(self, body: int) -> Probability:
@@ -389,7 +389,6 @@ class _Planner:
         measures, part = tried.measures, self._with(body, tried.measures, whole)
         purchases = purchases_of(self.question, part, measures, body)
         piece = whole.members[body]
-        assert isinstance(piece, Piece)
         fitted = tuple(in_number(one, piece.body.length or 0.0) for one in purchases)
         more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
         if fitted != measures and more is not None and here is not None:

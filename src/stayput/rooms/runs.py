@@ -27,9 +27,9 @@ from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_held
 from stayput.montecarlo.several import DrawOfSeveral, trace_draw, turned
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
-from stayput.simulation.placing import bare, placed_piece, planes_around, room_seen
+from stayput.simulation.placing import placed_piece, planes_around, room_seen
 from stayput.simulation.space import results_of
-from stayput.simulation.standing import Assembly, Piece, Standing
+from stayput.simulation.standing import Assembly
 from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
     from stayput.simulation.space_engine import SpaceShaking
+    from stayput.simulation.standing import Piece
 
 
 class DeviceForces(NamedTuple):
@@ -110,7 +111,7 @@ class RoomPart(NamedTuple):
         only = self.assembly.members[0]
         return (
             len(self.bodies) == 1
-            and isinstance(only, Piece)
+            and only.body.shape is None
             and only.at[2] == 0.0
             and not any(isinstance(measure, WallDevice) for measure in only.measures)
             and (only.body.length or 0.0) >= LONG * only.body.width
@@ -144,25 +145,24 @@ def part_with(scenario: Scenario, bodies: tuple[int, ...], whole: Assembly) -> R
     return RoomPart(
         bodies,
         Assembly(members, whole.friction, joints),
-        scenario.around([bare(member) for member in members]),
+        scenario.around(members),
     )
 
 
-def with_member(whole: Assembly, body: int, member: Piece | Standing) -> Assembly:
-    """Return an assembly with another member in the place of one."""
-    return replace(whole, members=[member if n == body else one for n, one in enumerate(whole.members)])
+def with_piece(whole: Assembly, body: int, piece: Piece) -> Assembly:
+    """Return an assembly with another piece in the place of one."""
+    return replace(whole, members=[piece if n == body else one for n, one in enumerate(whole.members)])
 
 
 def with_measures(whole: Assembly, body: int, measures: Iterable[Measure]) -> Assembly:
     """Return an assembly with further measures on a piece; they have not been put in place."""
     piece = whole.members[body]
-    assert isinstance(piece, Piece)
-    return with_member(whole, body, replace(piece, measures=(*piece.measures, *measures)))
+    return with_piece(whole, body, replace(piece, measures=(*piece.measures, *measures)))
 
 
-def moved_to(member: Piece | Standing, at: tuple[float, float], heading: float) -> Piece | Standing:
-    """Return a member at another place of the plan, at the same height."""
-    return replace(member, at=(*at, member.at[2]), heading=heading)
+def moved_to(piece: Piece, at: tuple[float, float], heading: float) -> Piece:
+    """Return a piece at another place of the plan, at the same height."""
+    return replace(piece, at=(*at, piece.at[2]), heading=heading)
 
 
 def placed_elsewhere(
@@ -170,7 +170,7 @@ def placed_elsewhere(
 ) -> RoomPart:
     """Return a piece by itself, moved to another place of the plan."""
     moved = moved_to(whole.members[body], at, heading)
-    return part_with(scenario, (body,), with_member(whole, body, moved))
+    return part_with(scenario, (body,), with_piece(whole, body, moved))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -311,11 +311,11 @@ def _run_in_space(
 ) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
     """Return RESULT of the pieces of a part, DEVICE of what holds and joins them, forces, and tracks."""
     traced = trace_draw(part.assembly, part.room, draw, shaking, gravity)
-    results, standing = results_of(traced, shaking.times), [one.standing for one in traced.bodies]
+    results, pieces = results_of(traced, shaking.times), [one.piece for one in traced.bodies]
     peaks: PeakForces = {}
     for place, held, own in traced.held():
         peaks |= peak_forces(place, held, traced.trace.devices[own], 1.0)
-    return results, traced.trace.devices, peaks, tracks_of(standing, traced.trace, shaking.dt)
+    return results, traced.trace.devices, peaks, tracks_of(pieces, traced.trace, shaking.dt)
 
 
 def _run_in_plane(
@@ -323,7 +323,6 @@ def _run_in_plane(
 ) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
     """Return the same of the one piece of a part, run in the plane across its length."""
     piece = part.assembly.members[0]
-    assert isinstance(piece, Piece)
     seen = room_seen(piece, part.room, planes_around([piece], part.room))
     place = replace(seen, **dict.fromkeys(SIDE_WALLS))
     held, elements = drawn_held(piece.body, place, piece.measures, draw.room)
@@ -331,7 +330,7 @@ def _run_in_plane(
     cos, sin = math.cos(piece.heading), math.sin(piece.heading)
     along, up = shaking.acceleration[:, :2] @ [cos, sin], shaking.acceleration[:, 2]
     traced = trace(row[0], shaking_in_plane(along, up, shaking.dt, 0), elements)
-    start = at_rest(placed_piece(piece, held, elements[:0]).standing, shaking.dt)
+    start = at_rest(placed_piece(piece, held, elements[:0]).piece, shaking.dt)
     history = traced.history
     x, z, tilt = (history[:, column] for column in (H_X, H_Z, H_TILT))
     track = track_in_plane(start, x - x[0], z - z[0], tilt)

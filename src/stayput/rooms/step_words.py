@@ -13,7 +13,6 @@ from stayput.rooms.steps import STUD_PITCH, ActionPlan, Fix, PlanStep
 from stayput.rooms.verdict import FALLS, RoomEffect
 from stayput.rooms.words import interval_text, label_of, piece_name
 from stayput.simulation.placing import placed
-from stayput.simulation.standing import Piece
 from stayput.verification.words import class_phrase, share_text
 from stayput.wording import inside, joined
 
@@ -61,7 +60,7 @@ def products(fix: Fix) -> Phrase:
 
 def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
     """Return what to buy, with its rated strength; what is too weak here has none: see `too_weak`."""
-    measure, body = purchase.measure, _piece(fix).body
+    measure, body = purchase.measure, fix.piece.body
     called = product(purchase)
     if isinstance(measure, WedgeStopper):
         thick = 1e3 * measure.thickness
@@ -78,10 +77,10 @@ def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
 
 def where(purchase: Purchase, fix: Fix) -> Phrase:
     """Return where a device goes."""
-    held, measure, length = held_by(fix), purchase.measure, _piece(fix).body.length or 0.0
+    held, measure, length = held_by(fix), purchase.measure, fix.piece.body.length or 0.0
     elements = elements_of(held, measure.kind)
     apart = _apart(elements, length)
-    base = _piece(fix).at[2]
+    base = fix.piece.at[2]
     match measure:
         case Belt():
             height = base + elements[0].point[1] + (elements[0].to_anchor or (0.0, 0.0))[1]
@@ -290,9 +289,3 @@ def held_by(fix: Fix) -> Held:
 def elements_of(held: Held, kind: str) -> list[Element]:
     """Return the devices of a kind."""
     return [element for element in held.elements if element.kind == kind]
-
-
-def _piece(fix: Fix) -> Piece:
-    piece = fix.part.assembly.members[fix.place]
-    assert isinstance(piece, Piece)
-    return piece

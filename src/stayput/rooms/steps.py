@@ -14,9 +14,8 @@ import numpy as np
 
 from stayput.measures import MEASURES, GelMats, Measure, TensionPole
 from stayput.measures.wall import WallDevice
-from stayput.rooms.runs import DeviceForces, PeakForces, RoomPart, with_member
+from stayput.rooms.runs import DeviceForces, PeakForces, RoomPart, with_piece
 from stayput.simulation.placing import placed
-from stayput.simulation.standing import Piece
 from stayput.uncertainty import USUAL
 from stayput.verification.options import COMBINED
 from stayput.vocabulary import TATAMI
@@ -34,6 +33,7 @@ if TYPE_CHECKING:
     from stayput.rooms.runs import Question
     from stayput.rooms.verdict import RoomEffect, RoomVerdict
     from stayput.scenario import Scenario
+    from stayput.simulation.standing import Piece
     from stayput.verification.options import Input
 
 SETS = (("l_bracket",), ("belt",), ("tension_pole",), ("gel_mats",), COMBINED, ("gel_mats", "tension_pole"))
@@ -130,7 +130,6 @@ def purchases_of(
     place = part.bodies.index(body)
     piece = part.assembly.members[place]
     held = placed(part.assembly.members, part.room)[place].held
-    assert isinstance(piece, Piece)
     assert held is not None
     kinds = {measure.kind for measure in measures}
     strong = tuple(
@@ -138,7 +137,7 @@ def purchases_of(
         for measure in piece.measures
     )
     member = replace(piece, measures=strong)
-    runs = question.run([part._replace(assembly=with_member(part.assembly, place, member))])[0]
+    runs = question.run([part._replace(assembly=with_piece(part.assembly, place, member))])[0]
     found: list[Purchase] = []
     for measure in measures:
         weakest = next((element for element in held.elements if element.kind == measure.kind), None)
@@ -233,6 +232,11 @@ class Fix:
     overturns: Probability
     cautions: tuple[Phrase, ...]
     enough_to: float | None = None
+
+    @property
+    def piece(self) -> Piece:
+        """The piece, as it is then held."""
+        return self.part.assembly.members[self.place]
 
     @property
     def enough(self) -> bool:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from stayput.simulation.run import Run
     from stayput.simulation.space_engine import SpaceTrace
-    from stayput.simulation.standing import Standing
+    from stayput.simulation.standing import Piece
 
 STIRS = 0.01
 """Way of a body's corner up to which it stays where it stood [m]."""
@@ -89,7 +89,7 @@ class Track:
         return replace(self, place=self.place + np.array([*shift, 0.0]))
 
 
-def at_rest(one: Standing, dt: float = 1.0) -> Track:
+def at_rest(one: Piece, dt: float = 1.0) -> Track:
     """Return the track of a piece that stays where it stands."""
     chosen = np.zeros(1, np.intp)
     shape = ConvexShape.of(one.solid)
@@ -102,21 +102,21 @@ def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     return plan[ConvexHull(plan).vertices]
 
 
-def tracks_of(standing: Sequence[Standing], trace: SpaceTrace | Run, dt: float) -> list[Track]:
+def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float) -> list[Track]:
     """Return the tracks of the bodies of a run.
 
     Parameters
     ----------
-    standing : sequence of Standing
+    pieces : sequence of Piece
         The bodies.
     trace : SpaceTrace or Run
         How they moved.
     dt : float
         Time between samples [s].
     """
-    turns = matrices(frames_of(standing, trace.attitude))
+    turns = matrices(frames_of(pieces, trace.attitude))
     found: list[Track] = []
-    for b, one in enumerate(standing):
+    for b, one in enumerate(pieces):
         shape, place, turn = ConvexShape.of(one.solid), trace.place[b], turns[b]
         moved = _stirring(shape, place, turn)
         v, w = trace.velocity[b, moved], trace.rotation_rate[b, moved]

@@ -29,7 +29,7 @@ from stayput.rooms.verdict import (
 )
 from stayput.scenario import Scenario
 from stayput.scenario.scene import refuse_what_stands_wrong
-from stayput.simulation.placing import bare, placed
+from stayput.simulation.placing import placed
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -173,7 +173,7 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
     shape = missing.shape
     hits = hits_by(events)
     in_plane = {body: part.in_plane for part in parts for body in part.bodies}
-    masses = [bare(member).solid.mass for member in whole.members]
+    masses = [member.body.mass for member in whole.members]
     pieces: list[RoomPiece] = []
     for body, (tracks, outcomes) in enumerate(zip(as_it_is.tracks, as_it_is.outcomes, strict=True)):
         fell = outcomes.overturned.ravel()

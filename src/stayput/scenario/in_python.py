@@ -72,8 +72,10 @@ def scenario_of(
     """
     shaking = _plain(shaking)
     motions = _motions(shaking)
+    if instance_of("body", body, Body).shape is not None:
+        raise InputError("model.another_shape", "body")
     data: dict[str, Any] = {
-        "furniture": _set_fields(instance_of("body", body, Body)),
+        "furniture": _set_fields(body),
         "room": _room_table(instance_of("room", room, Room)),
     }
     stated: dict[str, Any] = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
 from typing import TYPE_CHECKING, Annotated, Self
 
@@ -10,9 +10,9 @@ from pydantic import Field, model_validator
 
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.body import SIZE_RANGE, Body
+from stayput.model.body import Body
+from stayput.model.parameters import SIZE_RANGE, parameters
 from stayput.model.room import WALLS_AROUND
-from stayput.model.solid import Solid
 from stayput.scenario.fields import Table, Text, ValueTable, between, checked, fields_of, named, one_of
 from stayput.scenario.measures import SingleChoice, of_known_type
 from stayput.scenario.tables import Heading, Kind, Loads, usual_of
@@ -111,7 +111,7 @@ class PieceTable(ValueTable):
 
     def _check_shape(self) -> None:
         """Raise `InputError` where it has no shape, or two."""
-        shape = {*(field.name for field in fields(Body)), *_ROUND, "mesh", "preset", "shelves"}
+        shape = {*(about.name for about in parameters(Body)), *_ROUND, "mesh", "preset", "shelves"}
         given = {key for key in shape - {"mass", "base"} if getattr(self, key) is not None}
         if not self.is_furniture and given not in _SHAPES:
             raise InputError("scenario.one_shape", "furniture", name=self.title)
@@ -140,7 +140,7 @@ class PieceTable(ValueTable):
     def body(self) -> Body:
         """Make the body of a preset or a box."""
         values = usual_of(self.preset, loaded=not self.shelves)
-        values |= self.model_dump(include={field.name for field in fields(Body)}, exclude_none=True)
+        values |= self.model_dump(include={about.name for about in parameters(Body)}, exclude_none=True)
         for key in ("cg_offset", "base_heights", "base_insets"):
             if key in values:
                 values[key] = tuple(values[key])
@@ -149,8 +149,8 @@ class PieceTable(ValueTable):
         width, height, mass = (values.pop(key) for key in ("width", "height", "mass"))
         return replace(Body.bookcase(width, height, mass, self.shelves), **values)
 
-    def solid(self, folder: Path) -> Solid:
-        """Make the body in space.
+    def body_in(self, folder: Path) -> Body:
+        """Make the body, of a mesh in a folder.
 
         Raises
         ------
@@ -158,13 +158,13 @@ class PieceTable(ValueTable):
             A body that is not possible, or a mesh that cannot be read.
         """
         if self.is_furniture:
-            return Solid.of(self.body())
+            return self.body()
         own = {"mass": self.mass} | ({} if self.base is None else {"base": self.base})
         if self.mesh is not None:
-            return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", **own)
+            return Body.mesh(folder / self.mesh, unit=self.unit or "", **own)
         if self.diameter is not None:
-            return Solid.cylinder(self.diameter, self.height, **own)
-        return Solid.cone(self.bottom or 0.0, self.top or 0.0, self.height, **own)
+            return Body.cylinder(self.diameter, self.height, **own)
+        return Body.cone(self.bottom or 0.0, self.top or 0.0, self.height, **own)
 
 
 class JointTable(Table):

@@ -112,11 +112,8 @@ class Scenario(SceneTables):
     def _check_lone_piece(self) -> None:
         if self.dimensions == 2:
             self.room.room().refuse_side_walls()
-        else:
-            if self.contents_table is not None:
-                raise InputError("scenario.contents_in_space", "contents")
-            if self.piece.body().length is None:
-                raise InputError("scenario.no_length", "furniture.length")
+        elif self.piece.body().length is None:
+            raise InputError("scenario.no_length", "furniture.length")
         if self.contents is not None:
             emptied(self.piece.body(), self.contents)
         _refuse_same_names(self.measures)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
@@ -25,18 +26,14 @@ from stayput.scenario.plan import (  # noqa: TC001 - pydantic reads the annotati
 )
 from stayput.scenario.tables import RoomTable, floor_of
 from stayput.simulation.convex import inside_each_other
-from stayput.simulation.placing import bare
 from stayput.simulation.space_engine import DEEPEST
-from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
+from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, friction_between
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
 
-    from stayput.model.solid import Solid
+    from stayput.model.body import Body
     from stayput.simulation.standing import Joint
-
-Stood = tuple["Solid", tuple[float, float, float], float]
-"""A body, where the middle of its base is [m], and what it faces [rad]."""
 
 
 def _several_or_one(value: object) -> str:
@@ -200,10 +197,9 @@ class SceneTables(FromFile):
         """
         chosen = self.stated if option is None else option
         with self.naming_pieces():
-            each = zip(self.pieces, self._placed(), chosen.measures, strict=True)
             members = [
-                Piece(piece.body(), at, faces, measures) if piece.is_furniture else Standing(solid, at, faces)
-                for piece, (solid, at, faces), measures in each
+                replace(piece, measures=measures)
+                for piece, measures in zip(self._placed(), chosen.measures, strict=True)
             ]
             joints = self._joints() if chosen.joined else []
             return Assembly(members, (self.static_friction, self.kinetic_friction), joints)
@@ -223,24 +219,24 @@ class SceneTables(FromFile):
             except InputError as error:
                 raise self.by_names(error) from None
 
-    def _stands(self, piece: PieceTable, solid: Solid) -> tuple[tuple[float, float, float], float]:
+    def _stands(self, piece: PieceTable, body: Body) -> tuple[tuple[float, float, float], float]:
         """Return where a piece stands by its own table, and what it faces: away from the wall at its back."""
         if piece.against is None or piece.along is None:
             x, y, *up = piece.at
             return (x, y, up[0] if up else 0.0), piece.heading
-        behind = -Standing(solid).along((1.0, 0.0, 0.0))[0]
+        behind = -Piece(body).along((1.0, 0.0, 0.0))[0]
         x, y = self.floor_plan().on_wall(piece.against, piece.along, piece.gap + behind)
         return (x, y, 0.0), FACING[piece.against]
 
-    def _placed(self) -> list[Stood]:
-        placed: dict[str, Stood] = {}
+    def _placed(self) -> list[Piece]:
+        placed: dict[str, Piece] = {}
         for number, piece in enumerate(self.pieces):
             key = self.key_of(number)
-            solid = checked(key, partial(piece.solid, self._folder))
-            (x, y, z), heading = self._stands(piece, solid)
+            body = checked(key, partial(piece.body_in, self._folder))
+            (x, y, z), heading = self._stands(piece, body)
             if piece.on is not None:
-                below, (x_below, y_below, z_below), faces = placed[piece.on]
-                plan = Standing(below, heading=faces)
+                below = placed[piece.on]
+                plan = replace(below, at=(0.0, 0.0, 0.0))
                 (low_x, high_x), (low_y, high_y) = plan.along((1.0, 0.0, 0.0)), plan.along((0.0, 1.0, 0.0))
                 if not (low_x <= x <= high_x and low_y <= y <= high_y):
                     raise InputError(
@@ -254,8 +250,9 @@ class SceneTables(FromFile):
                         low_y=low_y,
                         high_y=high_y,
                     )
-                x, y, z = x + x_below, y + y_below, z_below + float(below.vertices[:, 2].max())
-            placed[piece.title] = solid, (x, y, z), heading
+                top = float(plan.solid.vertices[:, 2].max())
+                x, y, z = x + below.at[0], y + below.at[1], below.at[2] + top
+            placed[piece.title] = Piece(body, (x, y, z), heading)
         return list(placed.values())
 
     def _joints(self) -> list[Joint]:
@@ -271,14 +268,14 @@ class SceneTables(FromFile):
         """Make the room around all pieces; the gaps of its walls are from the outermost of them."""
         if self.plan is None:
             return self.room.room()
-        return self.around([bare(member) for member in self.assembly().members])
+        return self.around(self.assembly().members)
 
-    def around(self, standing: Sequence[Standing]) -> Room:
+    def around(self, pieces: Sequence[Piece]) -> Room:
         """Make the room as some of the pieces see it: the gaps of its walls are from the outermost of them.
 
         Parameters
         ----------
-        standing : sequence of Standing
+        pieces : sequence of Piece
             The pieces.
 
         Raises
@@ -289,7 +286,7 @@ class SceneTables(FromFile):
         if self.plan is None:
             return self.room.room()
         x, y = (
-            np.array([each.along(axis) for each in standing]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+            np.array([piece.along(axis) for piece in pieces]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
         )
         low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
         gaps = self.floor_plan().distances(low, high)
@@ -300,10 +297,10 @@ class SceneTables(FromFile):
 
 def refuse_what_stands_wrong(scenario: SceneTables, plan: FloorPlan, whole: Assembly) -> None:
     """Raise `InputError` where a piece stands in floor, wall, ceiling, another, or where a person is."""
-    names, standing_all = scenario.names, [bare(member) for member in whole.members]
+    names = scenario.names
     sides = np.array([plan.width, plan.length])
-    for number, standing in enumerate(standing_all):
-        corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)
+    for number, piece in enumerate(whole.members):
+        corners = piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)
         low, high = corners.min(axis=0), corners.max(axis=0)
         name = f"{scenario.key_of(number)}.at"
         called = repr(names[number])
@@ -319,11 +316,11 @@ def refuse_what_stands_wrong(scenario: SceneTables, plan: FloorPlan, whole: Asse
         if ceiling is not None and high[2] > ceiling.height + 1e-6:
             values = {"high": float(high[2]), "height": ceiling.height}
             raise InputError("rooms.in_the_ceiling", scenario.key_of(number), name=called, **values)
-        others: list[tuple[Standing | PersonPlace, str]] = [
-            (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
+        others: list[tuple[Piece | PersonPlace, str]] = [
+            (other, repr(names[before])) for before, other in enumerate(whole.members[:number])
         ]
         others += [(place, repr(place.name)) for place in plan.places]
         for other, what in others:
-            depth = inside_each_other(standing, other)
+            depth = inside_each_other(piece, other)
             if depth > DEEPEST:
                 raise InputError("rooms.in_another", name, name=called, other=what, depth=depth)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, cast
+from dataclasses import dataclass, field, fields, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -32,8 +32,7 @@ if TYPE_CHECKING:
     from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held
     from stayput.mechanics.runner import Traced
-    from stayput.model.solid import Solid
-    from stayput.simulation.standing import Assembly, Standing
+    from stayput.simulation.standing import Assembly, Piece
 
 _KINDS, _MODES = tuple(EventKind), tuple(Mode)
 
@@ -87,6 +86,8 @@ class Case(Brief):
         if self.dimensions is not None:
             whole_within("model.dimensions", self.dimensions, 2, 3, "", "dimensions")
         if not self.in_space:
+            if self.body.shape is not None:
+                object.__setattr__(self, "body", replace(self.body, shape=None))
             self.room.refuse_side_walls()
 
     @property
@@ -94,7 +95,8 @@ class Case(Brief):
         """Whether it is simulated in space: as asked, else where body and motion have a third direction."""
         if self.dimensions is not None:
             return self.dimensions == 3
-        return self.body.length is not None and self.motion.y is not None and self.contact == "coulomb"
+        across = self.body.length is not None and self.motion.y is not None
+        return self.body.shape is not None or (across and self.contact == "coulomb")
 
     def run(self) -> Run:
         """Simulate the case."""
@@ -103,7 +105,7 @@ class Case(Brief):
 
 
 def simulate(
-    body: Body | Solid | Standing | Assembly,
+    body: Body | Piece | Assembly,
     room: Room,
     motion: Motion,
     measures: Sequence[Measure] = (),
@@ -117,19 +119,19 @@ def simulate(
 ) -> Run:
     """Simulate one body, or an assembly of several in space, in one room under one motion of the floor.
 
-    A `Body` is simulated in the plane, or where it has a length and the motion a component ``y``, in space;
-    ``dimensions`` chooses. A `Solid` or `Standing` by itself, and an `Assembly`, are simulated in space.
+    A `Body` is simulated in the plane, or where it has a length and the motion a component ``y``, or a shape
+    of its own, in space; ``dimensions`` chooses. A `Piece` and an `Assembly` are simulated in space.
 
     Parameters
     ----------
-    body : Body, Solid, Standing or Assembly
+    body : Body, Piece or Assembly
         What stands.
     room : Room
         Where it stands. The walls are at either end of x; in space there may be side walls at the ends of y.
     motion : Motion
         Acceleration of the floor: ``x`` along the shaking, ``z`` up, and in space ``y`` across.
     measures : sequence of Measure
-        What holds a `Body`; see `stayput.measures`.
+        What holds a `Body`; see `stayput.measures`. A `Piece` has its own.
     dimensions : int, optional
         2 for the plane, 3 for space.
     contact : {"coulomb", "paper"}
@@ -167,9 +169,15 @@ def simulate(
     from stayput.mechanics.runner import shaking, trace
 
     start, asked = State() if initial is None else initial, list_of("measures", measures, Measure)
-    if not isinstance(body, Body):
-        return _simulate_solids(body, room, motion, asked, dimensions, contact, start, gravity, step)
+    if not isinstance(body, Body) or (body.shape is not None and dimensions != 2):
+        from stayput.simulation.space import simulate_assembly
+
+        of_a_body = {"measures": bool(asked), "initial": start != State(), "contact": contact != "coulomb"}
+        assembly = _assembly_of(body, **of_a_body, dimensions=dimensions not in (None, 3))
+        instance_of("room", room, Room)
+        return simulate_assembly(assembly, room, Motion.given(motion), gravity, step)
     given = Case(body, room, motion, contact, start, gravity, asked, dimensions)
+    body = given.body
     refuse_bad_start(body, room, start)
     if given.in_space:
         from stayput.simulation.space import checked_step, simulate_held
@@ -190,38 +198,19 @@ def simulate(
     return run_of(case, traced, held, results, most_events)
 
 
-def _simulate_solids(
-    what: object,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure],
-    dimensions: Dimensions | None,
-    contact: str,
-    initial: State,
-    gravity: float,
-    step: float | None,
-) -> Run:
-    """Simulate solids in space; raise `InputError` for what only a `Body` has."""
-    from stayput.model.solid import Solid
-    from stayput.simulation.space import simulate_assembly
-    from stayput.simulation.standing import Assembly, Standing
+def _assembly_of(what: object, **asked: bool) -> Assembly:
+    """Return what stands as an assembly; raise `InputError` for what only a `Body` by its section has."""
+    from stayput.simulation.standing import Assembly, Piece
 
-    kinds = (Body, Solid, Standing, Assembly)  # a body has been taken already, and is named as allowed
-    given = cast("Solid | Standing | Assembly", instance_of("body", what, kinds))
-    instance_of("room", room, Room)
-    Motion.given(motion)
-    for name, value, usual in (
-        ("measures", measures, ()),
-        ("initial", instance_of("initial", initial, State), State()),
-        ("contact", contact, "coulomb"),
-    ):
-        if value != usual:
-            raise InputError("model.of_a_body", name, name=name, kind=type(given).__name__)
-    if dimensions is not None and whole_within("model.dimensions", dimensions, 2, 3, "", "dimensions") == 2:
-        raise InputError("model.solid_in_the_plane", "dimensions", kind=type(given).__name__)
-    if not isinstance(given, Assembly):
-        given = Assembly([Standing(given) if isinstance(given, Solid) else given])
-    return simulate_assembly(given, room, motion, gravity, step)
+    given = instance_of("body", what, (Body, Piece, Assembly))
+    for name in asked:
+        if asked[name]:
+            raise InputError("model.of_a_body", name, name=name)
+    return (
+        given
+        if isinstance(given, Assembly)
+        else Assembly([Piece(given) if isinstance(given, Body) else given])
+    )
 
 
 def law_number(contact: str) -> int:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.solid import Solid
-    from stayput.simulation.standing import Standing
+    from stayput.simulation.standing import Piece
 
 SLIGHT = 1e-6
 """Length of a cross product of two unit vectors up to which they are parallel."""
@@ -107,13 +107,13 @@ def box_of(place: PersonPlace, count: int) -> Convex:
     return Convex(corners, axes, axes)
 
 
-def inside_each_other(one: Standing, other: Standing | PersonPlace) -> float:
+def inside_each_other(one: Piece, other: Piece | PersonPlace) -> float:
     """Return how deep a piece stands in another, or where a person is, at first [m]; 0 where it does not."""
     box = box_of(other, 1) if isinstance(other, PersonPlace) else _at_first(other)
     return max(0.0, -float(separation(_at_first(one), box)[0]))
 
 
-def _at_first(one: Standing) -> Convex:
+def _at_first(one: Piece) -> Convex:
     shape = ConvexShape.of(one.solid)
     corners, normals, edges = (
         values[np.newaxis] @ one.turn.T for values in (shape.corners, shape.normals, shape.edges)

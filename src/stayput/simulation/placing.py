@@ -1,4 +1,4 @@
-"""Pieces and solids where they stand, with what holds or joins them, as the engine in space reads it."""
+"""Pieces where they stand, with what holds or joins them, as the engine in space reads it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from stayput.model.room import WALLS_AROUND, Floor, Room
 from stayput.model.solid import Solid
 from stayput.model.state import State
 from stayput.simulation.space_records import NORMALS, planes_of, pose_of, surface_of
-from stayput.simulation.standing import Piece, Standing, rotation_by
+from stayput.simulation.standing import Piece, rotation_by
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -71,11 +71,11 @@ def _set_vectors(springs: NDArray[np.void] | np.void, **vectors: NDArray[np.floa
             springs[f"{name}{axis}"] = values[..., number]
 
 
-def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDArray[np.void]:
+def joint_springs(pieces: Sequence[Piece], joints: Sequence[Joint]) -> NDArray[np.void]:
     """Return what joins the members of an assembly, as they stand at first, in newtons."""
     springs = np.zeros(len(joints), SPRING)
     for spring, joint in zip(springs, joints, strict=True):
-        first, second = standing[joint.first], standing[joint.second]
+        first, second = pieces[joint.first], pieces[joint.second]
         at = np.asarray(joint.at)
         to = at if joint.to is None else np.asarray(joint.to)
         spring["body"], spring["other"] = joint.first, joint.second
@@ -129,7 +129,7 @@ class Placed(NamedTuple):
 
     Parameters
     ----------
-    standing : Standing
+    piece : Piece
         The body, with what its measures change of it: one that is held as it rests.
     pose : ndarray of POSE, shape ()
         Where it is and how it moves at first.
@@ -141,7 +141,7 @@ class Placed(NamedTuple):
         Its measures in place; None of a body that is no piece of furniture.
     """
 
-    standing: Standing
+    piece: Piece
     pose: NDArray[np.void]
     floor: np.void
     springs: NDArray[np.void]
@@ -221,7 +221,7 @@ def held_body(
     for name in IN_NEWTONS:
         springs[name] *= case["mass"]
     return Placed(
-        Standing(solid, (x, y, z), heading, (0.0, _lean(case), 0.0)),
+        Piece(Body.of_shape(solid), (x, y, z), heading, tilt=(0.0, _lean(case), 0.0)),
         pose_of(solid, facing @ first.turn, base + facing @ first.place, *moves),
         case,
         springs,
@@ -229,18 +229,13 @@ def held_body(
     )
 
 
-def bare(member: Standing | Piece) -> Standing:
-    """Return a member without its measures."""
-    return member.standing if isinstance(member, Piece) else member
-
-
-def planes_around(members: Sequence[Standing | Piece], room: Room) -> NDArray[np.void]:
+def planes_around(members: Sequence[Piece], room: Room) -> NDArray[np.void]:
     """Return the room of an assembly as the engine reads it: PLANE; see `planes_of`."""
-    return planes_of([bare(member) for member in members], room_row(room))
+    return planes_of(members, room_row(room))
 
 
 def placed(
-    members: Sequence[Standing | Piece],
+    members: Sequence[Piece],
     room: Room,
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
@@ -249,7 +244,7 @@ def placed(
 
     Parameters
     ----------
-    members : sequence of Standing or Piece
+    members : sequence of Piece
         The members.
     room : Room
         Where they stand.
@@ -267,9 +262,8 @@ def placed(
     none = np.zeros(0, SPRING)
     bodies: list[Placed] = []
     for number, member in enumerate(members):
-        if isinstance(member, Standing):
-            pose = pose_of(member.solid, member.turn, member.place, member.velocity, member.rotation_rate)
-            bodies.append(Placed(member, pose, floor, none))
+        if member.body.shape is not None and not member.measures:
+            bodies.append(Placed(member, _first_pose(member), floor, none))
             continue
         try:
             held = hold_piece(member, room, planes)
@@ -277,8 +271,17 @@ def placed(
             raise error.at(f"members[{number}]") from None
         under = _drawn(held.room.floor, room.floor, drawn_floor)
         held = replace(held, room=replace(held.room, floor=under))
-        bodies.append(placed_piece(member, held, element_rows(held, strength), number))
+        body = placed_piece(member, held, element_rows(held, strength), number)
+        if any((*member.tilt, *member.velocity, *member.rotation_rate)):
+            tilted = replace(member, body=body.piece.body, measures=())
+            body = body._replace(piece=tilted, pose=_first_pose(tilted))
+        bodies.append(body)
     return tuple(bodies)
+
+
+def _first_pose(piece: Piece) -> NDArray[np.void]:
+    """Return where a piece is and how it moves at first: a POSE."""
+    return pose_of(piece.solid, piece.turn, piece.place, piece.velocity, piece.rotation_rate)
 
 
 def _drawn(floor: Floor, stated: Floor, drawn_floor: Callable[[Floor], Floor]) -> Floor:
@@ -347,14 +350,13 @@ def room_seen(piece: Piece, room: Room, planes: NDArray[np.void]) -> Room:
 
     A wall that none of its sides faces is left out.
     """
-    standing = piece.standing
     seen: dict[str, Wall | None] = dict.fromkeys(WALLS_AROUND)
     for plane in planes[1:]:
         name = surface_of(plane)
-        own = standing.turn.T @ NORMALS[name]
+        own = piece.turn.T @ NORMALS[name]
         for side in WALLS_AROUND:
             if np.dot(own, NORMALS[side]) > 1.0 - ALONG:
                 # to a picometre, so that a gap is to the bit what it is for a piece alone
-                gap = round(standing.along(NORMALS[name])[0] - float(plane["offset"]), 12)
+                gap = round(piece.along(NORMALS[name])[0] - float(plane["offset"]), 12)
                 seen[side] = replace(getattr(room, name), gap=max(0.0, gap))
     return replace(room, **seen)  # pyright: ignore[reportArgumentType]

@@ -10,6 +10,7 @@ import numpy as np
 
 from stayput.errors import InputError, list_of
 from stayput.mechanics.space.columns import PLANE, SPRING
+from stayput.model.state import State
 from stayput.saved import InNetcdf
 from stayput.simulation.outcome import SEVERITY, Event, EventKind, Outcome
 from stayput.simulation.space_records import matrices
@@ -29,12 +30,11 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.floor_plan import FloorPlan
     from stayput.model.room import Room
-    from stayput.model.state import State
     from stayput.motion.record import Motion
     from stayput.report.page import Player
     from stayput.simulation.outcome import Hit
     from stayput.simulation.space_engine import Gaps
-    from stayput.simulation.standing import Standing
+    from stayput.simulation.standing import Piece
 
 Contact = Literal["coulomb", "paper"]
 """The contact law: unilateral contact with Coulomb friction, or the rules of the paper as written.
@@ -104,8 +104,8 @@ class PieceRun:
     Examples
     --------
     >>> import stayput as sp
-    >>> upper = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, 30.0), at=(0.0, 0.0, 0.9))
-    >>> both = sp.Assembly([sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, 40.0)), upper])
+    >>> upper = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, 30.0), at=(0.0, 0.0, 0.9))
+    >>> both = sp.Assembly([sp.Piece(sp.Body.box(0.4, 0.8, 0.9, 40.0)), upper])
     >>> run = sp.simulate(both, sp.Room(), sp.near_fault()).named(["chest", "upper part"])
     >>> piece = run["upper part"]
     >>> print(piece.outcome, piece.fell_off)
@@ -195,7 +195,9 @@ class Run(InNetcdf):
         Along the room's axes [rad/s].
     devices : tuple of DeviceResult
         What became of each device and joint.
-    contact, initial, gravity
+    gravity : float
+        Acceleration of gravity g [m/s²].
+    contact, initial
         Of the plane: as given to `simulate`.
     slide_rate : ndarray, shape (samples,)
         Of the plane: rate of the slide [m/s].
@@ -206,7 +208,7 @@ class Run(InNetcdf):
         where a run was asked for fewer than it has, the first ones and the last.
     unlisted : mapping of EventKind to int
         How many events of each kind `events` leaves out.
-    standing : tuple of Standing
+    standing : tuple of Piece
         Of space: the bodies, as they stood at first.
     planes : ndarray of PLANE
         Of space: floor, walls and ceiling as the engine saw them.
@@ -251,13 +253,13 @@ class Run(InNetcdf):
     rotation_rate: NDArray[np.float64]
     devices: tuple[DeviceResult, ...] = ()
     contact: Contact = "coulomb"
-    initial: State | None = None
+    initial: State = field(default_factory=State)
     gravity: float = math.nan
     slide_rate: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     mode: NDArray[np.str_] = field(default_factory=lambda: np.zeros(0, np.str_))
     events: tuple[Event, ...] = ()
     unlisted: Mapping[EventKind, int] = field(default_factory=dict[EventKind, int])
-    standing: tuple[Standing, ...] = ()
+    standing: tuple[Piece, ...] = ()
     planes: NDArray[np.void] = field(default_factory=lambda: np.zeros(0, PLANE))
     force: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 0, 2, 3)))
     hits: tuple[Hit, ...] = ()

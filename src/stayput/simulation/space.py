@@ -1,4 +1,4 @@
-"""Bodies in space under one motion: assemblies of solids, and a piece of furniture with measures."""
+"""Bodies in space under one motion: assemblies of pieces, and a piece of furniture with measures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
 from stayput.simulation.space_fate import fates_of, unrolled, upright_yaws
 from stayput.simulation.space_records import NORMALS, frames_of, matrices, planes_of, surface_of, world_of
-from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -34,16 +33,17 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation.placing import Placed
     from stayput.simulation.space_engine import Gaps, SpaceTrace
-    from stayput.simulation.standing import Assembly, Joint
+    from stayput.simulation.space_fate import Fate
+    from stayput.simulation.standing import Assembly, Joint, Piece
 
 ON_FLOOR_WITHIN = 1e-6
 """Height up to which the lowest point of a body is on the floor [m]."""
 
 
 def warn_of_settlement(assembly: Assembly, room: Room) -> None:
-    """Warn where solids stand on a floor that settles: only pieces of furniture have the base for that."""
-    solids = (one for one in assembly.members if isinstance(one, Standing))
-    if room.floor.settlement and any(one.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for one in solids):
+    """Warn where bodies of another shape stand on a floor that settles: only boxes have the base for that."""
+    shaped = (piece for piece in assembly.members if piece.body.shape is not None)
+    if room.floor.settlement and any(one.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for one in shaped):
         warn(InputWarning("simulation.settles", value=room.floor.settlement))
 
 
@@ -55,10 +55,10 @@ def checked_step(step: float | None) -> float:
 def simulate_assembly(
     assembly: Assembly, room: Room, motion: Motion, gravity: float, step: float | None = None
 ) -> Run:
-    """Simulate solids in space; see `stayput.simulate`.
+    """Simulate pieces in space; see `stayput.simulate`.
 
     The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of
-    furniture: for solids on the floor it is left out, and warned of.
+    boxes: for bodies of another shape on the floor it is left out, and warned of.
     """
     warn_of_settlement(assembly, room)
     traced = trace_assembly(
@@ -68,11 +68,18 @@ def simulate_assembly(
 
 
 class AssemblyTrace(NamedTuple):
-    """Bodies as the engine ran them: bodies, room, and what became of them and what holds them."""
+    """Bodies as the engine ran them: bodies, room, what became of them and what holds them, and g [m/s²]."""
 
     bodies: tuple[Placed, ...]
     planes: NDArray[np.void]
     trace: SpaceTrace
+    gravity: float
+
+    def turns_and_fates(self) -> tuple[NDArray[np.float64], list[Fate]]:
+        """Return the rotations of the bodies' frames, shape (bodies, samples, 3, 3), and their fates."""
+        pieces, trace = [body.piece for body in self.bodies], self.trace
+        turns = matrices(frames_of(pieces, trace.attitude))
+        return turns, fates_of(pieces, trace.place, turns, trace.gaps, trace.given_up)
 
     def held(self) -> Iterator[tuple[int, Held, slice]]:
         """Yield the numbers of the pieces of furniture, their measures, and where their devices are."""
@@ -116,7 +123,7 @@ def trace_assembly(
     """
     planes = planes_around(assembly.members, room)
     bodies = placed(assembly.members, room, strength, drawn_floor)
-    joints = joint_springs([one.standing for one in bodies], assembly.joints)
+    joints = joint_springs([one.piece for one in bodies], assembly.joints)
     return _traced(bodies, planes, joints, assembly.friction, shaking, gravity, step)
 
 
@@ -150,14 +157,12 @@ def trace_case(
     InputError
         A case without a length, or one that begins in a wall or the ceiling.
     """
-    piece = held_body(case, elements, held=held)
+    body = held_body(case, elements, held=held)
     room = case.copy()  # a piece as high as the room that leans as drawn reaches no farther
-    room["ceiling_distance"] = max(
-        float(case["ceiling_distance"]), -piece.standing.along(NORMALS["ceiling"])[0]
-    )
-    planes, none = planes_of([piece.standing], room), joint_springs([piece.standing], ())
+    room["ceiling_distance"] = max(float(case["ceiling_distance"]), -body.piece.along(NORMALS["ceiling"])[0])
+    planes, none = planes_of([body.piece], room), joint_springs([body.piece], ())
     shaken = SpaceShaking(float(case["scale"]) * shaking.acceleration, shaking.dt)
-    return _traced((piece,), planes, none, (0.0, 0.0), shaken, float(case["gravity"]), step, lies)
+    return _traced((body,), planes, none, (0.0, 0.0), shaken, float(case["gravity"]), step, lies)
 
 
 def _traced(
@@ -171,11 +176,11 @@ def _traced(
     lies: float = math.inf,
 ) -> AssemblyTrace:
     """Run bodies in a room, with the springs of their joints; the rest as of `run_world` and `world_of`."""
-    world = world_of([one.standing.solid for one in bodies], [one.floor for one in bodies], planes, between)
+    world = world_of([one.piece.solid for one in bodies], [one.floor for one in bodies], planes, between)
     poses, springs = np.stack([one.pose for one in bodies]), [*(one.springs for one in bodies), joints]
     acceleration, dt = shaking.acceleration, shaking.dt
     trace = run_world(world, poses, np.concatenate(springs), acceleration, dt, step, gravity, lies)
-    return AssemblyTrace(bodies, planes, trace)
+    return AssemblyTrace(bodies, planes, trace, gravity)
 
 
 def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
@@ -188,18 +193,17 @@ def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.v
     time : ndarray, shape (samples,)
         Time [s].
     """
-    trace, standing = traced.trace, [one.standing for one in traced.bodies]
-    turns = matrices(frames_of(standing, trace.attitude))
-    results = np.zeros(len(standing), RESULT)
-    fates = fates_of(standing, trace.place, turns, trace.gaps, trace.given_up)
-    for body, (result, fate) in enumerate(zip(results, fates, strict=True)):
-        falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
-        end = min(falls, default=len(time) - 1)
+    trace, pieces = traced.trace, [body.piece for body in traced.bodies]
+    results = np.zeros(len(pieces), RESULT)
+    for body, (result, fate) in enumerate(zip(results, traced.turns_and_fates()[1], strict=True)):
+        end = len(time) - 1 if fate.fell is None else fate.fell
         # the mechanics know of no body that another bears
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
         result["end"] = time[end]
-        seen = falls or standing[body].round_side is not None  # the engine's tilt counts what it has rolled
+        seen = (
+            fate.fell is not None or pieces[body].round_side is not None
+        )  # the engine's tilt counts what it has rolled
         result["peak_tilt"] = fate.tilt[: end + 1].max() if seen else trace.peak_tilt[body]
         result["peak_slide"] = fate.way[: end + 1].max()
         result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
@@ -259,14 +263,14 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
     room, motion
         Where the bodies stood, and how the floor moved.
     """
-    bodies, planes, trace = traced
+    bodies, planes, trace, gravity = traced
     devices: list[DeviceResult] = []
     for number, one, own in traced.held():
         found = trace.springs[own], trace.devices[own], trace.forces[:, own]
         devices += device_results(one, *found, mass=1.0, member=number)
     between = slice(len(trace.springs) - len(joints), None)
     devices += joint_results(joints, trace.springs[between], trace.devices[between], trace.forces[:, between])
-    standing, held = tuple(one.standing for one in bodies), tuple(one.held for one in bodies)
+    pieces, held = tuple(one.piece for one in bodies), tuple(one.held for one in bodies)
     surfaces = [surface_of(plane) for plane in planes]
     hits = tuple(
         Hit(
@@ -280,12 +284,12 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
         for hit in trace.hits
     )
     time = motion.dt * np.arange(len(motion.x), dtype=np.float64)
-    attitude = frames_of(standing, trace.attitude)
+    attitude = frames_of(pieces, trace.attitude)
     numbers = trace.peak_tilt, trace.hit_numbers[:-1]
     return Run(
         "space",
         default_names(len(bodies)),
-        piece_runs(standing, time, trace.place, attitude, trace.gaps, *numbers, held, trace.given_up),
+        piece_runs(pieces, time, trace.place, attitude, trace.gaps, *numbers, held, trace.given_up),
         room,
         motion,
         time,
@@ -294,7 +298,8 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
         trace.velocity,
         trace.rotation_rate,
         tuple(devices),
-        standing=standing,
+        gravity=gravity,
+        standing=pieces,
         planes=planes,
         force=trace.pressing,
         hits=hits,
@@ -308,7 +313,7 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
 
 
 def piece_runs(
-    standing: Sequence[Standing],
+    standing: Sequence[Piece],
     time: NDArray[np.float64],
     place: NDArray[np.float64],
     attitude: NDArray[np.float64],
@@ -322,7 +327,7 @@ def piece_runs(
 
     Parameters
     ----------
-    standing : sequence of Standing
+    standing : sequence of Piece
         The bodies as they stood at first.
     time : ndarray, shape (samples,)
         Times of the samples [s].
@@ -339,19 +344,18 @@ def piece_runs(
     given_up : bool
         Whether the run took too much work.
     """
-    turns, pieces = matrices(attitude), list[PieceRun]()
+    turns, runs = matrices(attitude), list[PieceRun]()
     fates = fates_of(standing, place, turns, gaps, given_up)
     for b, (one, fate) in enumerate(zip(standing, fates, strict=True)):
-        falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
         overturned, fell_off = (
             math.nan if sample is None else float(time[sample]) for sample in (fate.overturned, fate.fell_off)
         )
-        pieces.append(
+        runs.append(
             PieceRun(
                 fate.outcome,
                 overturned,
                 fell_off,
-                float(fate.way[: min(falls, default=len(time)) + 1].max()),
+                float(fate.way[: None if fate.fell is None else fate.fell + 1].max()),
                 float(fate.way[-1]),
                 float(peak_tilts[b] if one.round_side is None else fate.tilt.max()),
                 float(fate.tilt[-1]),
@@ -363,4 +367,4 @@ def piece_runs(
                 held=held[b],
             )
         )
-    return tuple(pieces)
+    return tuple(runs)

@@ -16,6 +16,7 @@ from stayput.mechanics.devices.columns import DEVICE, FORCES
 from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
 from stayput.mechanics.space.engine import FEW, MOST_UNCONVERGED, run_in_space
 from stayput.mechanics.space.touching import ROOM
+from stayput.motion.processing import refine
 from stayput.simulation.space_records import scratch_of, surface_of
 
 if TYPE_CHECKING:
@@ -43,6 +44,11 @@ class SpaceShaking:
         given = motion.components
         each = [given.get(name, np.zeros(len(motion.x))) for name in "xyz"]
         return cls(np.stack(each, axis=1), motion.dt)
+
+    def refined(self, parts: int) -> SpaceShaking:
+        """Return the same with each step cut into so many parts, between which it is linear."""
+        finer = [refine(component, parts) for component in self.acceleration.T]
+        return SpaceShaking(np.stack(finer, axis=1), self.dt / parts)
 
     @property
     def times(self) -> NDArray[np.float64]:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from stayput.model.solid import Solid
     from stayput.simulation.space_engine import Gaps
-    from stayput.simulation.standing import RoundSide, Standing
+    from stayput.simulation.standing import Piece, RoundSide
 
 
 UPRIGHT = math.pi / 3.0
@@ -66,7 +66,7 @@ def upright_yaws(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArra
     return np.unwrap(yaws(rest, turn)[last])
 
 
-def unrolled(one: Standing, turn: NDArray[np.float64]) -> NDArray[np.float64]:
+def unrolled(one: Piece, turn: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return rotations without what a body that lies on its round side has rolled: its first side is down."""
     side = one.round_side
     if side is None:
@@ -83,7 +83,7 @@ def _rolled_by(side: RoundSide, turn: NDArray[np.float64]) -> NDArray[np.float64
     return np.unwrap(np.arctan2(_along(turn, 2, across), _along(turn, 2, side.up)))
 
 
-def rolled(one: Standing, turn: NDArray[np.float64]) -> NDArray[np.float64]:
+def rolled(one: Piece, turn: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return how far a body that lies on its round side has rolled in plan [m], shape (samples, 2).
 
     It is the way of a body of the mean radius R that does not slip: R dφ, φ what has passed over the line of
@@ -98,7 +98,7 @@ def rolled(one: Standing, turn: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.cumsum(steps[:, np.newaxis] * ahead, axis=0)
 
 
-def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
+def slides(one: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return how far the base has slid in plan [m], shape (samples, 2).
 
     It is the way of the foot that is lowest, less that which it moved as the body turned about the vertical
@@ -108,7 +108,7 @@ def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64])
 
     Parameters
     ----------
-    one : Standing
+    one : Piece
         The body at first.
     place : ndarray, shape (samples, 3)
         Where its centre of gravity is [m].
@@ -192,9 +192,14 @@ class Fate(NamedTuple):
     way: NDArray[np.float64]
     slide: NDArray[np.float64]
 
+    @property
+    def fell(self) -> int | None:
+        """The first sample at which it overturned or fell off; None where it did neither."""
+        return min((one for one in (self.overturned, self.fell_off) if one is not None), default=None)
+
 
 def fates_of(
-    standing: Sequence[Standing],
+    pieces: Sequence[Piece],
     place: NDArray[np.float64],
     turn: NDArray[np.float64],
     gaps: tuple[Gaps, Gaps],
@@ -204,7 +209,7 @@ def fates_of(
 
     Parameters
     ----------
-    standing : sequence of Standing
+    pieces : sequence of Piece
         The bodies as they stood at first.
     place, turn : ndarray, shape (bodies, samples, 3) and (bodies, samples, 3, 3)
         Their poses.
@@ -215,9 +220,9 @@ def fates_of(
     """
     first, last = gaps
     touching = last.bodies <= TOUCHES
-    bears = _bears(standing, first)
+    bears = _bears(pieces, first)
     found: list[Fate] = []
-    for b, one in enumerate(standing):
+    for b, one in enumerate(pieces):
         moved, pose = _moves(place[b], turn[b])
         places, turned = _chosen(place[b], moved), _chosen(turn[b], moved)
         turns = unrolled(one, turned)
@@ -230,7 +235,7 @@ def fates_of(
         overturned = _first(lies_on_floor(one, places, turns)[pose])
         if overturned is None and touching[b].any():
             overturned = _since(tilt > LIES)
-        fell_off = _falls_off(b, standing, place, turn, bears, touching)
+        fell_off = _falls_off(b, pieces, place, turn, bears, touching)
         # what it stands on and what stands on it do not hold it aside
         beside = touching[b] & ~bears[:, b] & ~bears[b]
         held = (last.room[b, 1:] <= TOUCHES).any() or beside.any()
@@ -272,7 +277,7 @@ def _chosen(poses: NDArray[np.float64], moved: NDArray[np.intp]) -> NDArray[np.f
     return np.moveaxis(np.take(np.moveaxis(poses, 0, -1), moved, axis=-1), -1, 0)
 
 
-def lies_on_floor(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
+def lies_on_floor(one: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return whether a body is tilted by 90°, or touches the floor with more than its base, shape (samples,).
 
     More than its base is what is above the lowest tenth of its height, and above its feet. What lies on its
@@ -286,12 +291,12 @@ def lies_on_floor(one: Standing, place: NDArray[np.float64], turn: NDArray[np.fl
     return (tilts(one.rest, turn) >= math.pi / 2) | (low <= ON_THE_FLOOR)
 
 
-def _bears(standing: Sequence[Standing], first: Gaps) -> NDArray[np.bool_]:
+def _bears(pieces: Sequence[Piece], first: Gaps) -> NDArray[np.bool_]:
     """Return which body bears which at first, shape (bodies, bodies): those that touch it from below.
 
     What stands on the floor too is borne by that.
     """
-    reach = [one.along((0.0, 0.0, 1.0)) for one in standing]
+    reach = [one.along((0.0, 0.0, 1.0)) for one in pieces]
     low, top = (np.array(ends) for ends in zip(*reach, strict=True))
     below = top[:, np.newaxis] <= low + ON_THE_FLOOR
     return (first.bodies <= TOUCHES) & below & (first.room[:, 0] > TOUCHES)
@@ -299,7 +304,7 @@ def _bears(standing: Sequence[Standing], first: Gaps) -> NDArray[np.bool_]:
 
 def _falls_off(
     b: int,
-    standing: Sequence[Standing],
+    pieces: Sequence[Piece],
     place: NDArray[np.float64],
     turn: NDArray[np.float64],
     bears: NDArray[np.bool_],
@@ -317,7 +322,7 @@ def _falls_off(
     for a in under.tolist():
         seen = np.einsum("sji,sj->si", turn[a], place[b] - place[a])
         left &= np.linalg.norm(seen - seen[0], axis=1) > LEFT
-    low = heights(standing[b].solid, place[b], turn[b])
+    low = heights(pieces[b].solid, place[b], turn[b])
     down = _first(left & (low <= ON_THE_FLOOR))
     if down is None and not touching[b, under].any():
         down = _since(left & (low < low[0] - LEFT))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.model.solid import Solid
-    from stayput.simulation.standing import Standing
+    from stayput.simulation.standing import Piece
 
 
 def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -97,9 +97,9 @@ def pose_of(
     return pose
 
 
-def frames_of(standing: Sequence[Standing], attitudes: NDArray[np.float64]) -> NDArray[np.float64]:
+def frames_of(pieces: Sequence[Piece], attitudes: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the attitudes of frames from those of principal axes, shape (bodies, samples, 4)."""
-    back = [quaternion_of(one.solid.principal[1]) * np.array([1.0, -1.0, -1.0, -1.0]) for one in standing]
+    back = [quaternion_of(one.solid.principal[1]) * np.array([1.0, -1.0, -1.0, -1.0]) for one in pieces]
     return np.stack([product(q, r) for q, r in zip(attitudes, back, strict=True)])
 
 
@@ -267,12 +267,12 @@ an opposite one with any force, as nothing tells how hard, and hold it by fricti
 """
 
 
-def planes_of(standing: Sequence[Standing], room: np.void) -> NDArray[np.void]:
+def planes_of(pieces: Sequence[Piece], room: np.void) -> NDArray[np.void]:
     """Return a room as the engine reads it, the floor first: PLANE.
 
     Parameters
     ----------
-    standing : sequence of Standing
+    pieces : sequence of Piece
         What stands in it: the gaps of the walls are from what is outermost of all bodies.
     room : CASE
         The room's numbers.
@@ -286,7 +286,7 @@ def planes_of(standing: Sequence[Standing], room: np.void) -> NDArray[np.void]:
         )
         if math.isfinite(gap):
             normal = NORMALS[name]
-            outermost = min(one.along(normal)[0] for one in standing)
+            outermost = min(one.along(normal)[0] for one in pieces)
             offset = -gap if name == "ceiling" else outermost - gap
             if abs(outermost - offset) < APART:
                 offset = outermost - APART

@@ -1,4 +1,4 @@
-"""`Standing` and `Piece`: a body in space where it stands; `Assembly`: several, and what joins them."""
+"""`Piece`: a body in space where it stands; `Assembly`: several, and what joins them."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ from stayput.errors import InputError, instance_of, list_of, numbers, whole_with
 from stayput.measures.measure import Measure, refuse_conflicts
 from stayput.model.body import Body
 from stayput.model.room import FRICTION_RANGE
-from stayput.model.solid import Solid
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
+
+    from stayput.model.solid import Solid
 
 
 _VECTORS = (
@@ -61,56 +62,76 @@ class RoundSide(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
-    """A body in a room.
+class Piece:
+    """A body where it stands in a room, with the measures that hold it to that.
 
     Parameters
     ----------
-    solid : Solid
-        The body.
+    body : Body
+        The body, with a length.
     at : tuple of float
-        Where the origin of its frame is: along x, across y, up z [m].
+        Where the middle of its base is, of a body with a shape of its own the origin of its frame: along x,
+        across y, up z [m].
     heading : float
-        By what it is turned about the vertical, from x towards y [rad].
+        By what it is turned about the vertical, from x towards y [rad]. Its back is at −x of its own frame.
+    measures : sequence of Measure
+        What holds a body that is made by its section: to the wall that its back faces, to the ceiling, and to
+        the floor where it stands on that.
     tilt : tuple of float
         By what it is turned before that: a rotation vector along the axes of its frame [rad]; (0, 0.1, 0)
-        tilts it to its front.
+        tilts it to its front. A box that rests on feet of unequal height leans by itself.
     velocity, rotation_rate : tuple of float
         Of its centre of gravity [m/s], and of itself [rad/s], along x, y and z of the room, at first.
+
+    Attributes
+    ----------
+    solid : Solid
+        Its shape and mass in space.
 
     Raises
     ------
     InputError
-        A number out of range.
+        A body without a length, a number out of range, or two measures for one place.
 
     Examples
     --------
-    >>> from math import pi, sin
     >>> import stayput as sp
-    >>> shelf = sp.Solid.box(width=0.4, length=0.9, height=1.8, mass=60.0)
-    >>> turned = sp.Standing(shelf, at=(1.0, 2.0, 0.0), heading=pi / 2)
-    >>> [round(end, 2) for end in turned.along((1.0, 0.0, 0.0))]  # from where to where it reaches along x [m]
-    [0.55, 1.45]
+    >>> from stayput.measures import LBracket
+    >>> body, room = sp.Body(width=0.3, height=1.8, mass=80.0, length=0.9), sp.Room(left_wall=sp.Wall(0.02))
+    >>> for measures in ([], [LBracket()]):
+    ...     print(sp.simulate(sp.Piece(body, measures=measures), room, sp.near_fault()).outcome)
+    overturned
+    rocked
+
+    Let go on its front edge; atan(0.4/1.8) is 0.219 rad:
+
+    >>> from math import sin
+    >>> shelf = sp.Body(width=0.4, length=0.9, height=1.8, mass=60.0)
     >>> still = sp.sine(amplitude=0.0, frequency=1.0, duration=3.0)
-    >>> for tilt in (0.19, 0.24):  # let go on its front edge; atan(0.4/1.8) is 0.219 rad
-    ...     tilted = sp.Standing(shelf, at=(0.0, 0.0, 0.2 * sin(tilt)), tilt=(0.0, tilt, 0.0))
+    >>> for tilt in (0.19, 0.24):
+    ...     tilted = sp.Piece(shelf, at=(0.0, 0.0, 0.2 * sin(tilt)), tilt=(0.0, tilt, 0.0))
     ...     print(tilt, sp.simulate(tilted, sp.Room(), still).outcome)
     0.19 rocked
     0.24 overturned
     """
 
-    solid: Solid
+    body: Body
     at: tuple[float, float, float] = (0.0, 0.0, 0.0)
     heading: float = 0.0
+    measures: Sequence[Measure] = ()
     tilt: tuple[float, float, float] = (0.0, 0.0, 0.0)
     velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
     rotation_rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    solid: Solid = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        instance_of("solid", self.solid, Solid)
+        instance_of("body", self.body, Body)
+        object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
+        refuse_conflicts(self.measures)
         for name, most, unit in _VECTORS:
             object.__setattr__(self, name, _vector(name, getattr(self, name), most, unit))
         within("simulation.heading", self.heading, -2.0 * math.pi, 2.0 * math.pi, "rad", "heading")
+        object.__setattr__(self, "solid", self.body.solid)
 
     @property
     def turn(self) -> NDArray[np.float64]:
@@ -160,59 +181,6 @@ class Standing:
         centres = rims[:, :3] @ own
         ends = place + np.concatenate([self.solid.vertices @ own, centres - reach, centres + reach])
         return float(ends.min()), float(ends.max())
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """A piece of furniture among several bodies, with the measures that hold it to the room.
-
-    Parameters
-    ----------
-    body : Body
-        The piece, with a length.
-    at : tuple of float
-        Where the middle of its base is: along x, across y, up z [m].
-    heading : float
-        By what it is turned about the vertical, from x towards y [rad]. Its back is at −x of its own frame.
-    measures : sequence of Measure
-        What holds it: to the wall that its back faces, to the ceiling, and to the floor where it stands on
-        that.
-
-    Attributes
-    ----------
-    standing : Standing
-        The piece without its measures.
-
-    Raises
-    ------
-    InputError
-        A body without a length, a number out of range, or two measures for one place.
-
-    Examples
-    --------
-    >>> import stayput as sp
-    >>> from stayput.measures import LBracket
-    >>> body, room = sp.Body(width=0.3, height=1.8, mass=80.0, length=0.9), sp.Room(left_wall=sp.Wall(0.02))
-    >>> for measures in ([], [LBracket()]):
-    ...     piece = sp.Piece(body, measures=measures)
-    ...     print(sp.simulate(sp.Assembly([piece]), room, sp.near_fault()).outcome)
-    overturned
-    rocked
-    """
-
-    body: Body
-    at: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    heading: float = 0.0
-    measures: Sequence[Measure] = ()
-    standing: Standing = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        instance_of("body", self.body, Body)
-        object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
-        refuse_conflicts(self.measures)
-        standing = Standing(Solid.of(self.body), self.at, self.heading)
-        object.__setattr__(self, "at", standing.at)
-        object.__setattr__(self, "standing", standing)
 
 
 def rotation_by(vector: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -269,8 +237,8 @@ class Joint:
     Examples
     --------
     >>> import stayput as sp
-    >>> lower = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=40.0))
-    >>> upper = sp.Standing(sp.Solid.box(0.4, 0.8, 0.9, mass=30.0), at=(0.0, 0.0, 0.9))
+    >>> lower = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, mass=40.0))
+    >>> upper = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, mass=30.0), at=(0.0, 0.0, 0.9))
     >>> screws = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=2e3) for x in (-0.15, 0.15)]  # N
     >>> for joints in ([], screws):  # the upper one falls off, or takes all with it
     ...     both = sp.Assembly([lower, upper], joints=joints)
@@ -321,7 +289,7 @@ class Assembly:
 
     Parameters
     ----------
-    members : sequence of Standing or Piece
+    members : sequence of Piece
         The bodies, not inside each other.
     friction : tuple of float
         Static and kinetic coefficients of friction between them.
@@ -336,38 +304,37 @@ class Assembly:
     Examples
     --------
     >>> import stayput as sp
-    >>> lower, upper = sp.Solid.box(0.45, 0.9, 1.0, 60.0), sp.Solid.box(0.35, 0.9, 0.9, 30.0)
-    >>> dresser = sp.Assembly([sp.Standing(lower), sp.Standing(upper, at=(-0.05, 0.0, 1.0))])
+    >>> lower, upper = sp.Body.box(0.45, 0.9, 1.0, 60.0), sp.Body.box(0.35, 0.9, 0.9, 30.0)
+    >>> dresser = sp.Assembly([sp.Piece(lower), sp.Piece(upper, at=(-0.05, 0.0, 1.0))])
     >>> run = sp.simulate(dresser, sp.Room(), sp.near_fault().scaled(0.5))
     >>> print(f"{run[1].peak_slide:.2f}")  # of the upper one [m]
     0.08
     """
 
-    members: Sequence[Standing | Piece]
+    members: Sequence[Piece]
     friction: tuple[float, float] = (0.4, 0.3)
     joints: Sequence[Joint] = ()
 
     def __post_init__(self) -> None:
-        standing = list_of("members", self.members, (Standing, Piece))
-        whole_within("simulation.bodies", len(standing), 1, MOST_BODIES, "", "members")
+        members = list_of("members", self.members, Piece)
+        whole_within("simulation.bodies", len(members), 1, MOST_BODIES, "", "members")
         joined = list_of("joints", self.joints, Joint)
         for number, joint in enumerate(joined):
             last = max(joint.first, joint.second)
-            if last >= len(standing):
+            if last >= len(members):
                 raise InputError(
-                    "simulation.joint_member", f"joints[{number}]", number=last, last=len(standing) - 1
+                    "simulation.joint_member", f"joints[{number}]", number=last, last=len(members) - 1
                 )
             for member, at in ((joint.first, joint.at), (joint.second, joint.to or joint.at)):
-                stated = standing[member]
-                one = stated.standing if isinstance(stated, Piece) else stated
-                reach = 2.0 * float(np.linalg.norm(np.ptp(one.solid.vertices, axis=0)))
-                apart = float(np.linalg.norm(np.asarray(at) - one.place))
+                piece = members[member]
+                reach = 2.0 * float(np.linalg.norm(np.ptp(piece.solid.vertices, axis=0)))
+                apart = float(np.linalg.norm(np.asarray(at) - piece.place))
                 if apart > reach:
                     name, holds = f"joints[{number}]", f"members[{member}]"
                     raise InputError(
                         "simulation.joint_astray", name, name=name, member=holds, apart=apart, most=reach
                     )
-        object.__setattr__(self, "members", standing)
+        object.__setattr__(self, "members", members)
         object.__setattr__(self, "friction", friction_between(self.friction))
         object.__setattr__(self, "joints", joined)
 

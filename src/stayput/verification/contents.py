@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -35,7 +35,7 @@ OPEN = 0.5
 
 
 MOTIONS = 40
-"""Most motions under which contents are followed, the first ones: a run takes some 10 ms.
+"""Most motions under which contents are followed, the first ones: a run takes some 10 ms, in space 50.
 
 It is the size of the usual suite, whose kinds of earthquakes follow each other in turn.
 """
@@ -135,11 +135,11 @@ def contents_verdicts(
         return [None] * len(options)
     body, stated = scenario.piece.body(), scenario.uncertainty
     drawn = first_draws(len(floors.motions), seed, stated.as_stated, stated.quantities)
-    floors = _first(floors)
+    floors = replace(floors, motions=floors.motions[:MOTIONS], scales=floors.scales[:MOTIONS])
 
     def rows(other: Body) -> list[Rows]:
-        room, initial = scenario.room.room(), scenario.initial.state()
-        return [rows_of(other, room, option.measures, drawn, scenario.gravity, initial) for option in options]
+        stands = scenario.gravity, scenario.initial.state(), scenario.dimensions
+        return [rows_of(other, scenario.room.room(), each.measures, drawn, *stands) for each in options]
 
     def overturns(other: Body) -> list[Probability]:
         """Return how often another body overturns, by option."""
@@ -182,12 +182,6 @@ def first_draws(
     return DrawTable({name: column[:MOTIONS] for name, column in columns.items()})
 
 
-def _first(floors: FloorMotions) -> FloorMotions:
-    """Return the first `MOTIONS` motions, or all where there are fewer."""
-    measures = {measure: values[:MOTIONS] for measure, values in floors.measures.items()}
-    return FloorMotions(floors.motions[:MOTIONS], floors.scales[:MOTIONS], measures)
-
-
 def spilt_under(
     rows: Rows, number: int, floor: PreparedFloor, body: Body, contents: Contents, *, leaving: bool
 ) -> Spill | None:
@@ -210,7 +204,7 @@ def spilt_under(
     """
     case = rows.cases[number].copy()
     case["scale"] = floor.scales[number]
-    carrier = Carrier.of(case, rows.elements[number], floor.shakings[number].floor, body.height)
+    carrier = Carrier.of(case, rows.elements[number], floor.shakings[number], body.height)
     if carrier.failed:
         return None
     return spill_of(carrier, body, contents, followed=1 if leaving and not carrier.overturned else 0)
@@ -228,7 +222,7 @@ def _followed(
     rows: Sequence[Rows], body: Body, contents: Contents, floors: FloorMotions, threads: int | None
 ) -> list[list[Spill | None]]:
     """Return what comes out of each option under each motion."""
-    floor = PreparedFloor.of(floors.motions, floors.scales)
+    floor = PreparedFloor.of(floors.motions, floors.scales, floors.dimensions)
     found: list[list[Spill | None]] = [[None] * len(floors.motions) for _ in rows]
 
     def follow(place: int, number: int) -> tuple[int, int, Spill | None]:

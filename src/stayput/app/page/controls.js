@@ -105,7 +105,7 @@ export function slider({ label, unit = "", range: reach, limits = reach, step, f
 
 const tidy = (value, digits = 12) => String(Number(value.toPrecision(digits)));
 
-/** A choice of one of several: options are {id, label}; close(reason) closes it, close(null) opens it. */
+/** A choice of one of several: options are {id, label}. */
 export function choice({ label, options, changed }) {
   const id = freshId();
   const select = el(
@@ -113,15 +113,10 @@ export function choice({ label, options, changed }) {
     { id, onchange: () => changed(select.value) },
     ...options.map((one) => el("option", { value: one.id, text: one.label })),
   );
-  const { element: why, note } = remark();
   return {
-    element: el("div", { class: "field" }, el("label", { for: id, text: label }), select, why),
+    element: el("div", { class: "field" }, el("label", { for: id, text: label }), select),
     set: (value) => {
       select.value = value;
-    },
-    close: (reason) => {
-      select.disabled = reason !== null;
-      note(reason);
     },
   };
 }

@@ -162,9 +162,8 @@ export function update() {
   fields.engine.set(scene.inSpace ? "space" : "plane");
   fields.heading.element.hidden = fields.base.element.hidden = !scene.inSpace;
   fields.contents.set(scene.contents);
-  fields.contents.close(scene.inSpace ? t("contentsInSpace") : null);
   fields.doors.set(scene.doors);
-  fields.doors.element.hidden = scene.contents === "nothing" || scene.inSpace;
+  fields.doors.element.hidden = scene.contents === "nothing";
   fields.shelves?.forEach((field, i) => field.set(scene.shelves?.[i] ?? 0));
   drawSketch(scene);
 }

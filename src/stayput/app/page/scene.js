@@ -178,7 +178,7 @@ export function forServer(s) {
   const everyday = { drawers: s.drawers, load: s.drawerLoad, pull: s.pull };
   const read = { furniture, room, shaking, everyday };
   if (s.inSpace) read.dimensions = 3;
-  else if (s.contents !== "nothing") read.contents = { kind: s.contents, doors: s.doors };
+  if (s.contents !== "nothing") read.contents = { kind: s.contents, doors: s.doors };
   if (s.installed) read.uncertainty = { installation: "as people install it" };
   return read;
 }

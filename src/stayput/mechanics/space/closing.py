@@ -168,10 +168,47 @@ def _touch_pair(world, poses, scratch, j, closed):
 
 
 @inner
+def _find_between(world, poses, scratch, kept, ratio, h, count):
+    """Fill in the contacts between bodies, after ``count`` of those with the room; return their number."""
+    bodies, points, rims, planes, pairs, _, _, edges = world
+    contacts, corners, touching, axes = scratch[0], scratch[3], scratch[5], scratch[8]
+    place_corners(bodies, poses, points, corners)
+    first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
+    for j in range(pairs.shape[0]):
+        a, b = pairs[j].a, pairs[j].b
+        bends = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
+        _, found, n = _touch_pair(world, poses, scratch, j, TOGETHER_BETWEEN + bends)
+        first, mine = count, kept[first_key + j * MOST_TOUCHING : first_key + (j + 1) * MOST_TOUCHING]
+        _recognize(mine, touching, found, bodies[a], poses[a])
+        for m in range(found):
+            c = contacts[count]
+            c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
+            c.nx, c.ny, c.nz = n
+            place = touching[m, 0], touching[m, 1], touching[m, 2]
+            c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
+            c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
+            bent = bend(bodies[a], poses[a], lever_a(c))
+            bent = added(bent, -1.0, bend(bodies[b], poses[b], lever_b(c)))
+            slips = added(velocity_at(poses[a], lever_a(c)), -1.0, velocity_at(poses[b], lever_b(c)))
+            more = turning_opens(bodies[a], poses[a], poses[b], n, slips, axes[j], edges, corners)
+            bent = added(bent, more, n)
+            c.bx, c.by, c.bz = bent
+            c.gap = touching[m, 3]
+            key = first_key + j * MOST_TOUCHING + int(touching[m, 4])
+            if c.gap - rise(n, bent, h) > (CLOSED_BETWEEN if kept[key, 3] == OPEN else TOGETHER_BETWEEN):
+                continue
+            c.x, c.y, c.z = in_body(poses[a], lever_a(c))
+            count = _close(contacts, count, key, kept, ratio, pairs[j])
+        if count > first:
+            _prepare(contacts, first, count, kept, pairs[j], bodies, poses, h)
+    return count
+
+
+@inner
 def find_contacts(world, poses, push, scratch, kept, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
     bodies, points, rims, planes, pairs, _, _, _ = world
-    contacts, corners, touching = scratch[0], scratch[3], scratch[5]
+    contacts = scratch[0]
     count, closed = 0, (TOGETHER if h < AT_ONCE else CLOSED)
     for j in range(planes.shape[0]):
         plane = planes[j]
@@ -218,38 +255,7 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                                 _rub(contacts[count - 1], body)
             if count > first:
                 _prepare(contacts, first, count, kept, plane, bodies, poses, h)
-    if pairs.shape[0] == 0:
-        return count
-    place_corners(bodies, poses, points, corners)
-    first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
-    for j in range(pairs.shape[0]):
-        a, b = pairs[j].a, pairs[j].b
-        bends = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
-        _, found, n = _touch_pair(world, poses, scratch, j, TOGETHER_BETWEEN + bends)
-        first, mine = count, kept[first_key + j * MOST_TOUCHING : first_key + (j + 1) * MOST_TOUCHING]
-        _recognize(mine, touching, found, bodies[a], poses[a])
-        for m in range(found):
-            c = contacts[count]
-            c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
-            c.nx, c.ny, c.nz = n
-            place = touching[m, 0], touching[m, 1], touching[m, 2]
-            c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
-            c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
-            bent = bend(bodies[a], poses[a], lever_a(c))
-            bent = added(bent, -1.0, bend(bodies[b], poses[b], lever_b(c)))
-            slips = added(velocity_at(poses[a], lever_a(c)), -1.0, velocity_at(poses[b], lever_b(c)))
-            more = turning_opens(bodies[a], poses[a], poses[b], n, slips, scratch[8][j], world[7], corners)
-            bent = added(bent, more, n)
-            c.bx, c.by, c.bz = bent
-            c.gap = touching[m, 3]
-            key = first_key + j * MOST_TOUCHING + int(touching[m, 4])
-            if c.gap - rise(n, bent, h) > (CLOSED_BETWEEN if kept[key, 3] == OPEN else TOGETHER_BETWEEN):
-                continue
-            c.x, c.y, c.z = in_body(poses[a], lever_a(c))
-            count = _close(contacts, count, key, kept, ratio, pairs[j])
-        if count > first:
-            _prepare(contacts, first, count, kept, pairs[j], bodies, poses, h)
-    return count
+    return _find_between(world, poses, scratch, kept, ratio, h, count) if pairs.shape[0] > 0 else count
 
 
 @inner

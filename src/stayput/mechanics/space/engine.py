@@ -194,6 +194,12 @@ def _at_rest(poses):
     return True
 
 
+@inline
+def _copy_devices(pulls, devices, to_pulls, to_devices):
+    for d in range(pulls.shape[0]):
+        to_pulls[d], to_devices[d] = pulls[d], devices[d]
+
+
 @inner
 def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pace, output):
     """Take one step from row 0 of the poses to row 1, at the time t after sample k of the acceleration.
@@ -258,8 +264,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
         slides = not springs and not all_stick(contacts, count)
         within = RIM_TOLERANCE if round_edges else (SLIDING if slides else TOLERANCE)
         keep(contacts, count, kept[1], scratch[7][3])
-        for d in range(held[1].shape[0]):
-            scratch[9][d], scratch[10][d] = held[1][d], held[2][d]
+        _copy_devices(held[1], held[2], scratch[9], scratch[10])
         allowed = within * h if poses.shape[1] == 1 else max(within * h, SEVERAL)
         error = refine(
             world, held, poses, acceleration, k, dt, t, h, gravity, scratch, ratio, allowed, output
@@ -274,8 +279,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
                 pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, grows)))
                 pace[LENGTH] = min(most, pace[LENGTH])
                 return h, count, least, True
-        for d in range(held[1].shape[0]):
-            held[1][d], held[2][d] = scratch[9][d], scratch[10][d]
+        _copy_devices(scratch[9], scratch[10], held[1], held[2])
         down_to = pace[EVENT] * (FINER if error == RUBS else 1.0)
         first = first_event(kept) if error == RUBS and h <= LOCATED * longest else 1.0
         if meets < h:
@@ -319,6 +323,25 @@ def _stay(bodies, poses, histories, first):
     _stop_all(poses)
     for later in range(first, histories.shape[1]):
         note_pose(histories, later, poses)
+
+
+@inline
+def _set_limit(pace, h, least, low, high):
+    """Set the shortest step after one of length h, with bodies ``-least`` deep at its end."""
+    pace[SHORT] = pace[SHORT] + 1.0 if h <= pace[LIMIT] else 0.0
+    if pace[SHORT] == 0.0:
+        pace[LIMIT] = low
+    elif least < -DEEP:
+        pace[LIMIT] = max(low, 0.5 * pace[LIMIT])
+    elif pace[SHORT] % SHORT_STEPS == 0.0:
+        pace[LIMIT] = min(2.0 * pace[LIMIT], high)
+
+
+@inline
+def _copy_rows(rows, to):
+    for key in range(rows.shape[0]):
+        for i in range(rows.shape[1]):
+            to[key, i] = rows[key, i]
 
 
 @inline
@@ -410,13 +433,7 @@ def run_in_space(
             h, count, least, refined = _advance(
                 world, held, poses, acceleration, k, numbers, t, last, scratch, pace, output
             )
-            pace[SHORT] = pace[SHORT] + 1.0 if h <= pace[LIMIT] else 0.0
-            if pace[SHORT] == 0.0:
-                pace[LIMIT] = least_step
-            elif least < -DEEP:
-                pace[LIMIT] = max(least_step, 0.5 * pace[LIMIT])
-            elif pace[SHORT] % SHORT_STEPS == 0.0:
-                pace[LIMIT] = min(2.0 * pace[LIMIT], LEAST * longest)
+            _set_limit(pace, h, least, least_step, LEAST * longest)
             if least < -IGNORED:
                 _move_all_out(world, trial, scratch, 0.0 if refined else h)
                 note_all_gaps(world, trial, scratch, gaps[1])
@@ -426,9 +443,7 @@ def run_in_space(
                 note_all_gaps(world, trial, scratch, gaps[1])
             if refined:
                 note_peaks(bodies, poses[2], peaks)
-                for key in range(kept.shape[1]):
-                    for i in range(kept.shape[2]):
-                        kept[0, key, i] = kept[2, key, i]
+                _copy_rows(kept[2], kept[0])
                 last = 0.5 * h
             else:
                 if pace[SHORT] == 0.0:
@@ -440,8 +455,7 @@ def run_in_space(
             for b in range(bodies.shape[0]):
                 copy_pose(trial[b], now[b])
             note_peaks(bodies, now, peaks)
-            for place in range(gaps.shape[1]):
-                gaps[0, place] = gaps[1, place]
+            _copy_rows(gaps[1:2], gaps[0:1])
             t = max(dt, h) if t + h >= dt - 1e-12 else t + h
             noted, why = False, TIPS
         if t > dt:  # it has taken two

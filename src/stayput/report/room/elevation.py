@@ -13,7 +13,6 @@ from stayput.report.verdict import svg
 from stayput.report.verdict.drawing import piece_svg
 from stayput.rooms.step_words import elements_of, held_by
 from stayput.rooms.words import piece_name
-from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -102,7 +101,7 @@ def size_on_paper(fix: Fix, scale: int) -> tuple[float, float]:
 
 
 def _view(fix: Fix, scale: int) -> _View:
-    base = bare(fix.part.assembly.members[fix.place]).at[2]
+    base = fix.piece.at[2]
     return _View(held_by(fix), base, 1.0 / (scale * UNIT))
 
 

@@ -29,7 +29,6 @@ from stayput.report.room.sheet import (
 from stayput.report.verdict import numbers, svg
 from stayput.rooms.events import CELL
 from stayput.rooms.words import change_label, door_name, piece_name, place_name
-from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -42,7 +41,6 @@ if TYPE_CHECKING:
     from stayput.report.room.sheet import Box
     from stayput.rooms.changes import Change
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.simulation.standing import Standing
 
 
 STEPS = 10
@@ -306,7 +304,7 @@ def numbered_plan(
         if change.what in names:
             body = names.index(change.what)
             before = pieces[body]
-            at, angle = _standing(verdict)[body].at[:2], change.heading - before.heading
+            at, angle = verdict.scenario.assembly().members[body].at[:2], change.heading - before.heading
             cos, sin = math.cos(angle), math.sin(angle)
             turned = (before.outline - np.asarray(at)) @ np.array([[cos, sin], [-sin, cos]])
             pieces[body] = replace(before, outline=turned + np.asarray(change.at), heading=change.heading)
@@ -321,15 +319,10 @@ def numbered_plan(
     return plan_svg(plan, pieces, kinds, language, moved=moved, numbered=numbered, letters=letters)
 
 
-def _standing(verdict: RoomVerdict) -> list[Standing]:
-    scenario = verdict.scenario
-    return [bare(member) for member in scenario.assembly(scenario.stated).members]
-
-
 def _pieces(verdict: RoomVerdict) -> list[DrawnPiece]:
     """Return the pieces in the order of the file, in which what stands on another comes after it."""
-    found = {piece.name: piece for piece in verdict.pieces}
+    found, scenario = {piece.name: piece for piece in verdict.pieces}, verdict.scenario
     return [
-        DrawnPiece(name, look, found[name].outline, standing.heading, found[name].covers)
-        for look, (name, standing) in enumerate(zip(verdict.scenario.names, _standing(verdict), strict=True))
+        DrawnPiece(name, look, found[name].outline, piece.heading, found[name].covers)
+        for look, (name, piece) in enumerate(zip(scenario.names, scenario.assembly().members, strict=True))
     ]

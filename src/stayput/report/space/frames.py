@@ -132,7 +132,7 @@ class SpacePainter:
     def _state(self, time: float) -> str:
         """Return how the first body stands at a time [s], where it is the only one; else nothing."""
         run = self._film.scene.run
-        if len(run.standing) > 1:
+        if len(run.pieces) > 1:
             return ""
         tilt, slide = (
             float(np.interp(time, run.time, values)) for values in (np.degrees(run.tilt), 100.0 * run.slide)

@@ -6,8 +6,6 @@ import math
 from dataclasses import asdict
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS, PIECES
 from stayput.model.parameters import GIVEN, parameter_of
@@ -217,9 +215,9 @@ def motions_told(scenario: Scenario, count: int) -> tuple[Phrase, str]:
 def _pieces(scenario: Scenario) -> Iterator[Assumption]:
     """Yield several pieces and the friction between them."""
     for piece in scenario.pieces:
-        solid = piece.solid(scenario.folder)
-        width, length, height = (float(side) for side in np.ptp(solid.vertices, axis=0))
-        size = phrase("several.piece_box", width=width, length=length, height=height, mass=solid.mass)
+        body = piece.body_in(scenario.folder)
+        sizes = {name: getattr(body, name) for name in ("width", "length", "height", "mass")}
+        size = phrase("several.piece_box", **sizes)
         called = PIECES.get(piece.title, (piece.title, piece.title))
         if piece.preset is None:
             yield Assumption(called, size, GIVEN)
@@ -243,7 +241,7 @@ def settlement_assumptions(scenario: Scenario) -> Iterator[Assumption]:
 
 def _rolling(scenario: Scenario) -> Iterator[Assumption]:
     """Yield how round pieces roll, where there are any."""
-    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.pieces):
+    if any(len(piece.body_in(scenario.folder).solid.rims) for piece in scenario.pieces):
         yield _limit("several.rolling")
 
 
