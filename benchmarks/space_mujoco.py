@@ -144,8 +144,8 @@ def run_in_stayput(scene: Scene, step: float) -> Histories:
     start = time.process_time()
     run = sp.simulate(assembly, room, scene.motion, step=step)
     seconds = time.process_time() - start
-    inertia = np.stack([np.diag(one.solid.inertia) for one in run.pieces])
-    masses = np.array([one.solid.mass for one in run.pieces])
+    inertia = np.stack([np.diag(one.solid.inertia) for one in run.standing])
+    masses = np.array([one.solid.mass for one in run.standing])
     own = np.einsum("bsij,bsi->bsj", run.turn, run.rotation_rate)
     linear = masses[:, np.newaxis] * (run.velocity**2).sum(axis=2)
     energies = 0.5 * (linear + np.einsum("bj,bsj->bs", inertia, own**2))
