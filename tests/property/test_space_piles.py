@@ -20,7 +20,7 @@ def tower(rng: np.random.Generator) -> list[sp.Piece]:
         solid = sp.Body.box(*rng.uniform(0.2, 0.5, 3), float(rng.uniform(2.0, 50.0)))
         velocity = tuple(rng.normal(0.0, 1.5, 3)) if number == 4 else (0.0, 0.0, 0.0)
         found.append(sp.Piece(solid, (*rng.uniform(-0.03, 0.03, 2), top), velocity=velocity))
-        top += float(np.ptp(solid.vertices[:, 2])) + 1e-9
+        top += solid.height + 1e-9
     return found
 
 

@@ -7,11 +7,11 @@ from in_space import energy, still
 import stayput as sp
 
 
-def tipped(solid: sp.Body, corner: float, rate: float) -> sp.Piece:
+def tipped(body: sp.Body, corner: float, rate: float) -> sp.Piece:
     """Return a body that turns about its base edge at x = corner."""
     spin = np.array([0.0, rate, 0.0])
-    lever = solid.centre_of_gravity - np.array([corner, 0.0, 0.0])
-    return sp.Piece(solid, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
+    lever = body.solid.centre_of_gravity - np.array([corner, 0.0, 0.0])
+    return sp.Piece(body, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
 
 
 @pytest.mark.parametrize("count", [2, 5])

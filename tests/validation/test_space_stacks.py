@@ -50,7 +50,7 @@ def test_two_blocks_rock_as_one(rate: float) -> None:
         sp.Piece(
             block,
             (0.0, 0.0, z),
-            velocity=tuple(np.cross(spin, block.centre_of_gravity + np.array([0.0, 0.0, z]) - corner)),
+            velocity=tuple(np.cross(spin, block.solid.centre_of_gravity + np.array([0.0, 0.0, z]) - corner)),
             rotation_rate=tuple(spin),
         )
         for block, z in levels

@@ -8,7 +8,6 @@ from itertools import combinations
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
 
 from stayput.errors import InputError
 from stayput.model.parameters import SIZE_RANGE
@@ -113,6 +112,8 @@ def convex_hull(points: NDArray[np.float64]) -> Hull:
     size = size_of(points)
     if len(points) == 8 and (box := _box_like(points, size)) is not None:
         return box
+    from scipy.spatial import ConvexHull, QhullError  # which a body by its section needs not load
+
     try:
         hull = ConvexHull(points)
     except (QhullError, ValueError):

@@ -57,7 +57,8 @@ class Scenario(SceneTables):
     Several pieces, and a room with a plan:
 
     >>> scenario = sp.read_scenario("examples/television.toml")
-    >>> print(scenario.title, *zip(scenario.names, map(str, scenario.run().outcomes)))
+    >>> run = scenario.run()
+    >>> print(scenario.title, *((piece, str(run[piece].outcome)) for piece in run.names))
     Television on a stand ('stand', 'rocked') ('television', 'rocked')
     >>> plan = sp.read_scenario("examples/bedroom.toml").floor_plan()
     >>> plan.width, plan.length, [place.name for place in plan.places]  # m
