@@ -148,7 +148,7 @@ def test_a_piece_that_falls_where_nobody_is_has_a_step_too():
     )
     fell = {piece.name: piece.probabilities["overturned"].estimate for piece in far.verdict.pieces}
     assert far.verdict.hit.estimate == 0.0
-    assert min(fell.values()) > 0.5
+    assert min(fell.values()) >= 0.5
     assert {step.what for step in far.steps} == {"first", "second"}
     assert not any(step.for_people for step in far.steps)
     assert far.together is not None
