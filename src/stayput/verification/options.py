@@ -203,9 +203,9 @@ def options_of_several(
 def _usual(scenario: Scenario) -> tuple[AssemblyOption, ...]:
     """Return the options where a file names none: its joints and measures, or the usual ones."""
     stated, joints = scenario.stated, bool(scenario.joints)
-    usual = [AssemblyOption("joined", True, ((),) * len(scenario.names))] if joints else []
+    options = [AssemblyOption("joined", True, ((),) * len(scenario.names))] if joints else []
     if any(stated.measures):
-        return (*usual, stated)
+        return (*options, stated)
     carried = {piece.on for piece in scenario.pieces if piece.is_furniture}
     for kinds, chosen in (
         (ON_TOP, [piece.is_furniture and piece.title not in carried for piece in scenario.pieces]),
@@ -216,10 +216,10 @@ def _usual(scenario: Scenario) -> tuple[AssemblyOption, ...]:
         for kind in kinds:
             measures = tuple((MEASURES[kind](),) if on else () for on in chosen)
             if not joints or kind in ALONE:
-                usual.append(AssemblyOption(kind, False, measures))
+                options.append(AssemblyOption(kind, False, measures))
             if joints:
-                usual.append(AssemblyOption(f"joined + {kind}", True, measures))
-    return tuple(usual)
+                options.append(AssemblyOption(f"joined + {kind}", True, measures))
+    return tuple(options)
 
 
 SOFT = 0.2e-3
