@@ -99,13 +99,13 @@ def verify_room(
     total = len(groups_of(question.scenario)) * each
     with tally(total, "progress.verifying", progress, on_progress) as count:
 
-        def told(verdict: RoomVerdict) -> RoomVerdict:
+        def reported(verdict: RoomVerdict) -> RoomVerdict:
             so_far = replace(verdict, runs=count.done, seconds=time.perf_counter() - began)
             if on_verdict is not None:
                 on_verdict(so_far)
             return so_far
 
-        (*_, last) = map(told, _verdicts(question._replace(advance=count), limit, changes=changes))
+        (*_, last) = map(reported, _verdicts(question._replace(advance=count), limit, changes=changes))
     return replace(last, complete=True)
 
 
