@@ -54,10 +54,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "接触モデル（contact）が「{contact}」です。収納物の計算には「coulomb」を指定してください。",
     ),
     "piece": ("Number of the piece", "家具の番号（piece）"),
-    "of_a_solid": (
-        "Body {piece} of the run is no piece of furniture; what is inside is followed of a Body or a Piece.",
-        "計算結果の{piece}番の物体は家具ではありません。収納物はBodyまたはPieceの家具についてだけ計算できます。",
-    ),
     "samples_apart": (
         "The samples of the run are {dt:g} s apart; they must be no more than {most:g} s apart, so simulate under motion.resampled.",
         "計算結果の時間刻みが{dt:g}秒になっています。motion.resampledで{most:g}秒以下にして計算し直してください。",

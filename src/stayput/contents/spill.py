@@ -136,7 +136,7 @@ def spill(of: Run | SpaceRun | Case, contents: Contents, piece: int | None = Non
     ------
     InputError
         The paper's contact law; loads that are heavier than the piece; a run that was given up, whose samples
-        are too far apart, or whose body is a `Solid`.
+        are too far apart, or whose body has a shape of its own.
 
     Examples
     --------
@@ -178,7 +178,7 @@ def _in_run(run: SpaceRun, piece: int) -> tuple[Carrier, Body]:
 
     held = run.held[piece] if run.held else None
     if held is None:
-        raise InputError("contents.of_a_solid", "piece", piece=piece)
+        raise InputError("model.another_shape", "piece")
     if run.motion.dt > STEP * (1.0 + 1e-9):
         raise InputError("contents.samples_apart", "motion.dt", dt=run.motion.dt, most=STEP)
     body, shaken = held.body, SpaceShaking.of(run.motion)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputWarning, warn, within
 from stayput.measures.element import device_results
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
@@ -14,6 +15,7 @@ from stayput.mechanics.devices.columns import DEVICE, NONE
 from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
 from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY
+from stayput.simulation.groups import run_in_groups
 from stayput.simulation.outcome import OUTCOMES, Outcome
 from stayput.simulation.placing import held_body, joint_results, joint_springs, placed, planes_around
 from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
     from stayput.model.room import Floor, Room
     from stayput.model.state import State
     from stayput.motion import Motion
+    from stayput.simulation.groups import Group
     from stayput.simulation.placing import Placed
     from stayput.simulation.space_engine import SpaceTrace
     from stayput.simulation.space_fate import Fate
@@ -176,10 +179,17 @@ def _traced(
     lies: float = math.inf,
 ) -> AssemblyTrace:
     """Run bodies in a room, with the springs of their joints; the rest as of `run_world` and `world_of`."""
-    world = world_of([one.piece.solid for one in bodies], [one.floor for one in bodies], planes, between)
-    poses, springs = np.stack([one.pose for one in bodies]), [*(one.springs for one in bodies), joints]
+    solids, floors = [body.piece.solid for body in bodies], [body.floor for body in bodies]
+    poses, springs = np.stack([body.pose for body in bodies]), [*(body.springs for body in bodies), joints]
     acceleration, dt = shaking.acceleration, shaking.dt
-    trace = run_world(world, poses, np.concatenate(springs), acceleration, dt, step, gravity, lies)
+    names = [f"members[{number}]" for number in range(len(bodies))]
+
+    def run(group: Group, held: NDArray[np.void]) -> SpaceTrace:
+        world = world_of([solids[body] for body in group], [floors[body] for body in group], planes, between)
+        called = [names[body] for body in group] if len(bodies) > 1 else [phrase("simulation.the_body")]
+        return run_world(world, poses[[*group]], held, acceleration, dt, step, gravity, lies, called)
+
+    trace = run_in_groups(run, solids, poses, np.concatenate(springs), dt)
     return AssemblyTrace(bodies, planes, trace, gravity)
 
 

@@ -20,8 +20,11 @@ from stayput.motion.processing import refine
 from stayput.simulation.space_records import scratch_of, surface_of
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.motion import Motion
 
 DEEPEST = 1e-6
@@ -97,23 +100,21 @@ def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64], back: NDArray[np
     return Gaps(room[back], between[np.ix_(back, back)])
 
 
-def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps) -> None:
+def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps, names: Sequence[str | Phrase]) -> None:
     """Raise `InputError` where a body begins inside the room or another."""
-    alone = len(gaps.room) == 1
     for j, plane in enumerate(planes):
         for number, least in enumerate(gaps.room[:, j].tolist()):
             if least < -DEEPEST:
-                body = phrase("simulation.the_body") if alone else f"members[{number}]"
                 surface = phrase(f"simulation.{surface_of(plane)}")
                 raise InputError(
-                    "simulation.begins_inside", "members", body=body, surface=surface, depth=-least
+                    "simulation.begins_inside", "members", body=names[number], surface=surface, depth=-least
                 )
     for second, first in np.argwhere(np.tril(gaps.bodies < -DEEPEST)).tolist():
         raise InputError(
             "simulation.begin_in_each_other",
             "members",
-            first=f"members[{first}]",
-            second=f"members[{second}]",
+            first=names[first],
+            second=names[second],
             depth=-float(gaps.bodies[second, first]),
         )
 
@@ -200,7 +201,8 @@ def run_world(
     dt: float,
     step: float,
     gravity: float,
-    lies: float = math.inf,
+    lies: float,
+    names: Sequence[str | Phrase],
 ) -> SpaceTrace:
     """Run bodies in a room.
 
@@ -220,6 +222,8 @@ def run_world(
         g [m/s²].
     lies : float
         How long all bodies lie before the run ends [s]: they stay where they are then.
+    names : sequence of str or Phrase
+        What refusals call the bodies.
 
     Raises
     ------
@@ -249,7 +253,7 @@ def run_world(
     scratch = scratch_of(world, len(springs))
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
     first = gaps_of(world, scratch[2][0], back)
-    refuse_overlaps(world[3], first)
+    refuse_overlaps(world[3], first, names)
     endable(partial(run_in_space, world, held, both, acceleration, times, scratch, output), work[3:4])
     histories = histories[back] if bodies > 1 else histories  # no copy
     return SpaceTrace(
