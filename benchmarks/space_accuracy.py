@@ -64,7 +64,7 @@ def free_box(suite: list[sp.Motion], step: float, number: int) -> tuple[float, f
     friction = float(rng.uniform(0.2, 0.9))
     motion = shaken(suite, number, rng, 0.4)
     run = sp.simulate(box, sp.Room(sp.Floor(friction, 0.8 * friction)), motion, step=step)
-    return float(run.peak_tilt[0]), float(run.peak_slide[0]), run.outcome.value
+    return float(run[0].peak_tilt), float(run[0].peak_slide), run.outcome.value
 
 
 def at_a_wall(suite: list[sp.Motion], step: float, number: int) -> tuple[float, float, str]:
@@ -74,7 +74,7 @@ def at_a_wall(suite: list[sp.Motion], step: float, number: int) -> tuple[float, 
     friction = float(rng.uniform(0.3, 0.7))
     room = sp.Room(sp.Floor(friction, 0.8 * friction), left_wall=sp.Wall(rng.uniform(0.005, 0.1)))
     run = sp.simulate(body, room, shaken(suite, number, rng, 0.0), step=step, dimensions=3)
-    return float(run.peak_tilt[0]), float(run.peak_slide[0]), run.outcome.value
+    return float(run[0].peak_tilt), float(run[0].peak_slide), run.outcome.value
 
 
 def free(folder: Path | None, processes: int) -> None:
@@ -137,7 +137,7 @@ def both_images(suite: list[sp.Motion], number: int) -> tuple[float, float]:
     motion = shaken(suite, number, rng, 0.0)
     image = sp.Motion(dt=motion.dt, x=motion.x, y=-motion.y, name="image")
     room = sp.Room(sp.Floor(0.5, 0.4))
-    one, other = (sp.simulate(box, room, each).peak_tilt[0] for each in (motion, image))
+    one, other = (sp.simulate(box, room, each).peak_tilt for each in (motion, image))
     return float(one), float(other)
 
 

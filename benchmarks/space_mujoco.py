@@ -144,12 +144,12 @@ def run_in_stayput(scene: Scene, step: float) -> Histories:
     start = time.process_time()
     run = sp.simulate(assembly, room, scene.motion, step=step)
     seconds = time.process_time() - start
-    inertia = np.stack([np.diag(one.solid.inertia) for one in run.pieces])
-    masses = np.array([one.solid.mass for one in run.pieces])
+    inertia = np.stack([np.diag(one.solid.inertia) for one in run.standing])
+    masses = np.array([one.solid.mass for one in run.standing])
     own = np.einsum("bsij,bsi->bsj", run.turn, run.rotation_rate)
     linear = masses[:, np.newaxis] * (run.velocity**2).sum(axis=2)
     energies = 0.5 * (linear + np.einsum("bj,bsj->bs", inertia, own**2))
-    tilts = run.tilt * math.nan if run.given_up else run.tilt
+    tilts = np.stack([piece.tilt for piece in run.pieces]) * (math.nan if run.given_up else 1.0)
     return Histories(tilts, energies, run.place, seconds)
 
 
@@ -169,7 +169,7 @@ def in_stayput(
     friction: tuple[float, float],
     motion: sp.Motion,
     step: float,
-) -> sp.SpaceRun:
+) -> sp.Run:
     """Run the same here."""
     floor, between = friction
     assembly = sp.Assembly(Scene(boxes, friction, motion).standing(), (between, between))

@@ -116,8 +116,8 @@ def in_the_plane(case: BesidePlane, shaking: float = 1.0, friction: float = 1.0)
 def in_space(case: BesidePlane, step: float) -> Answer:
     """Run the engine in space."""
     run = sp.simulate(case.body, case.room, case.motion, dimensions=3, step=step)
-    tilt, slide = float(run.peak_tilt[0]), float(run.slide[0, -1, 0])
-    return Answer(bool(run.overturned[0]), float(run.overturn_time[0]), tilt, slide)
+    tilt, slide = float(run[0].peak_tilt), float(run[0].slide_in_plan[-1, 0])
+    return Answer(bool(run[0].overturned), float(run[0].overturn_time), tilt, slide)
 
 
 def difference(one: Answer, other: Answer) -> float:

@@ -68,35 +68,35 @@ class Found(NamedTuple):
     between: float
 
 
-def inertias(run: sp.SpaceRun, body: int) -> Array:
+def inertias(run: sp.Run, body: int) -> Array:
     """Return a body's tensor of inertia in the room's axes, shape (samples, 3, 3)."""
     turn = run.turn[body]
-    return turn @ run.pieces[body].solid.inertia @ turn.transpose(0, 2, 1)
+    return turn @ run.standing[body].solid.inertia @ turn.transpose(0, 2, 1)
 
 
-def kinetic(run: sp.SpaceRun) -> Array:
+def kinetic(run: sp.Run) -> Array:
     """Return the kinetic energy of all bodies at the samples [J]."""
     total = np.zeros(len(run.time))
-    for body, one in enumerate(run.pieces):
+    for body, one in enumerate(run.standing):
         spin = run.rotation_rate[body]
         total += 0.5 * np.einsum("si,sij,sj->s", spin, inertias(run, body), spin)
         total += 0.5 * one.solid.mass * (run.velocity[body] ** 2).sum(axis=1)
     return total
 
 
-def energies(run: sp.SpaceRun) -> Array:
+def energies(run: sp.Run) -> Array:
     """Return the energy of all bodies at the samples [J]."""
-    masses = np.array([one.body.mass for one in run.pieces])
+    masses = np.array([one.body.mass for one in run.standing])
     return kinetic(run) + GRAVITY * masses @ run.place[:, :, 2]
 
 
-def momentum_off(run: sp.SpaceRun, keeps: str) -> float:
+def momentum_off(run: sp.Run, keeps: str) -> float:
     """Return by how much momentum and moment of momentum about the origin are off at most, as shares.
 
     In flight gravity adds M g t, and M (r₀ t + v₀ t²/2) × g; on a floor without friction what is in its
     plane, and the moment about the vertical, stay.
     """
-    time, mass = run.time[:, np.newaxis], np.array([one.body.mass for one in run.pieces])
+    time, mass = run.time[:, np.newaxis], np.array([one.body.mass for one in run.standing])
     linear = np.einsum("b,bsi->si", mass, run.velocity)
     moment = np.einsum("b,bsi->si", mass, np.cross(run.place, run.velocity))
     for body in range(len(mass)):
@@ -112,28 +112,28 @@ def momentum_off(run: sp.SpaceRun, keeps: str) -> float:
     return max(off[0] / sizes[0], off[1] / sizes[1]) if min(sizes) > 0.0 else math.nan
 
 
-def _reach(run: sp.SpaceRun) -> Array:
+def _reach(run: sp.Run) -> Array:
     """Return how far from the origin a body reaches, shape (bodies, samples) [m]."""
     radii = [
-        np.linalg.norm(one.solid.vertices - one.solid.centre_of_gravity, axis=1).max() for one in run.pieces
+        np.linalg.norm(one.solid.vertices - one.solid.centre_of_gravity, axis=1).max() for one in run.standing
     ]
     return np.linalg.norm(run.place, axis=2) + np.array(radii)[:, np.newaxis]
 
 
-def corners_of(run: sp.SpaceRun, body: int) -> Array:
+def corners_of(run: sp.Run, body: int) -> Array:
     """Return the places of a body's corners, shape (samples, corners, 3)."""
-    solid = run.pieces[body].solid
+    solid = run.standing[body].solid
     return run.place[body, :, np.newaxis] + (solid.vertices - solid.centre_of_gravity) @ run.turn[
         body
     ].transpose(0, 2, 1)
 
 
-def depth_between(run: sp.SpaceRun) -> float:
+def depth_between(run: sp.Run) -> float:
     """Return how deep any corner of a body was below all faces of another, at samples [m]."""
     deepest, turn = 0.0, run.turn
     corners = [corners_of(run, body) for body in range(len(run.pieces))]
     radii = [np.linalg.norm(c[0] - run.place[b, 0], axis=1).max() for b, c in enumerate(corners)]
-    for other, one in enumerate(run.pieces):
+    for other, one in enumerate(run.standing):
         middle = one.solid.centre_of_gravity
         heights = np.array([one.solid.vertices[face].mean(axis=0) - middle for face in one.solid.faces])
         heights = (heights * one.solid.normals).sum(axis=1)

@@ -146,7 +146,7 @@ def outcomes() -> str:
 def pictures(folder: Path) -> None:
     """Draw the bookcase on a chain, taut and just after its hook let go."""
     run = sp.simulate(bookcase(), ROOM, sp.near_fault(), (Chain(),))
-    film = film_of(run, ["bookcase"])
+    film = film_of(run.named(["bookcase"]))
     painter = Painter(film, 560, 420)
     broken = run.devices[0].failure_time
     sheet = Image.new("RGB", (1120, 420))

@@ -161,7 +161,7 @@ def starting_mode() -> Iterator[Row]:
         run = simulate(block(0.2, 0.8), room(mu), steady(a * G, 10 * dt, dt))
         case = f"{a} g, μ = {mu}: {run.mode[1]}"
         if turning:
-            yield Row(case, "\\|θ̈\\| [rad/s²]", CLOSED, turning, abs(run.tilt_rate[1]) / dt, 1e-2)
+            yield Row(case, "\\|θ̈\\| [rad/s²]", CLOSED, turning, abs(run.rotation_rate[0, 1, 1]) / dt, 1e-2)
         if slipping:
             yield Row(case, "slip [m/s²]", CLOSED, slipping, abs(run.slide_rate[1]) / dt, 1e-2)
     gamma, a = 4.0, 0.4
@@ -234,8 +234,8 @@ def frictionless() -> Iterator[Row]:
     run = simulate(block(0.2, 0.8), room(0.0), still(0.25, dt), tilt=alpha / 2)
     when = impacts(run)[0]
     sample = math.floor(when / dt)
-    pace = (run.tilt_rate[sample] - run.tilt_rate[sample - 1]) / dt
-    rate = abs(run.tilt_rate[sample] + pace * (when - run.time[sample]))
+    pace = (run.rotation_rate[0, sample, 1] - run.rotation_rate[0, sample - 1, 1]) / dt
+    rate = abs(run.rotation_rate[0, sample, 1] + pace * (when - run.time[sample]))
     yield Row(case, "landing [s]", SOLVED, 0.229554, when, 1e-3)
     yield Row(case, "\\|θ̇\\| just before [rad/s]", CLOSED, 1.164870, rate, 1e-3)
 

@@ -241,7 +241,7 @@ def _round_in_space(setting: ShapeSetting, floors: FloorMotions, drawn: DrawTabl
     return EngineOutcomes(
         np.array([run.outcome is Outcome.OVERTURNED for run in runs]),
         np.array([run.outcome is Outcome.FAILED for run in runs]),
-        np.array([float(run.peak_slide[0]) for run in runs]),
+        np.array([run.peak_slide for run in runs]),
     )
 
 

@@ -229,7 +229,7 @@ def _fallen_in_space(
         for place, motion in enumerate(suite):
             scaled = motion.scaled(float(10.0 ** (0.5 * level) * factors[place]))
             fell[row, place] = [
-                simulate(stone, room, scaled, dimensions=3, step=SPACE_STEP).overturned[0] for stone in stones
+                simulate(stone, room, scaled, dimensions=3, step=SPACE_STEP).overturned for stone in stones
             ]
     return fell
 

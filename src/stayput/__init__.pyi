@@ -69,11 +69,11 @@ from .simulation.case import simulate as simulate
 from .simulation.many import simulate_many as simulate_many
 from .simulation.outcome import Event as Event
 from .simulation.outcome import EventKind as EventKind
+from .simulation.outcome import Hit as Hit
 from .simulation.outcome import Mode as Mode
 from .simulation.outcome import Outcome as Outcome
+from .simulation.run import PieceRun as PieceRun
 from .simulation.run import Run as Run
-from .simulation.space_run import Hit as Hit
-from .simulation.space_run import SpaceRun as SpaceRun
 from .simulation.standing import Assembly as Assembly
 from .simulation.standing import Joint as Joint
 from .simulation.standing import Piece as Piece

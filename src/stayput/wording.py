@@ -1,4 +1,4 @@
-"""Helpers for sentences: language check, labels, lists, counts, brackets, and the limit of stated slides."""
+"""Helpers for sentences: language, labels, names, lists, counts, brackets, the limit of stated slides."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from stayput.catalogue import LANGUAGES, Phrase, phrase, say
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from stayput.model.room import Room
 
@@ -72,6 +72,29 @@ def joined(parts: Iterable[Phrase], by: str = "common.listed") -> Phrase:
     english, japanese = zip(*parts, strict=True)
     between = phrase(by)
     return between[0].join(english), between[1].join(japanese)
+
+
+def default_name(name: str, kinds: Mapping[str, Phrase]) -> tuple[str, str] | None:
+    """Return kind and number of a name such as "bookcase" or "bookcase 2"; None for a name of the user's own.
+
+    With a number the kind may also be written as it is called in either language: "Bookcase 2", "本棚 2".
+    """
+    if name in kinds:
+        return name, ""
+    before, _, number = name.rpartition(" ")
+    if not (number.isascii() and number.isdecimal()):
+        return None
+    called = (kind for kind, words in kinds.items() if before.lower() in (kind, *words))
+    return next(((kind, number) for kind in called), None)
+
+
+def called(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
+    """Return what something is called by itself, translated where that is a default name."""
+    default = default_name(name, kinds)
+    if default is None:
+        return (name, name)
+    kind, number = default
+    return phrase("rooms.numbered", name=kinds[kind], number=number) if number else kinds[kind]
 
 
 def counted(number: int, noun: str, plural: str | None = None) -> str:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from stayput.scenario import Scenario
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
 
 FORM = "Content-Type: multipart/form-data; boundary=b"
 HEAD = b'--b\r\nContent-Disposition: form-data; name="file"; filename="a"\r\n\r\n'
@@ -72,7 +72,7 @@ def test_several_pieces_are_given_up_when_their_client_leaves(
     """They would take for ever: only a run that is given up ends them."""
     begun = threading.Event()
 
-    def run(scenario: Scenario) -> SpaceRun:
+    def run(scenario: Scenario) -> Run:
         begun.set()
         while not (found := pieces_run(scenario)).given_up:
             pass

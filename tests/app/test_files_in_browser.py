@@ -59,7 +59,7 @@ def test_the_animation_plays_pauses_and_steps_under_any_name(browser: Browser, t
     run = sp.simulate(
         sp.Body(0.4, 1.8, 100.0), sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0)
     )
-    page, said = opened(browser, animate_run(run, tmp_path / "run.html", names=["".join(NAMES)]))
+    page, said = opened(browser, animate_run(run.named(["".join(NAMES)]), tmp_path / "run.html"))
     assert "".join(NAMES) in page.locator("h1").inner_text()
     assert page.locator("body > script").count() == 2
     page.wait_for_function("parseFloat(document.getElementById('clock').textContent) > 0.1")

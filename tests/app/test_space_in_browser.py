@@ -63,7 +63,7 @@ def differ(one: np.ndarray[Any, Any], other: np.ndarray[Any, Any]) -> float:
 
 
 def written(run: Any, folder: Path, language: str = "en") -> Path:
-    return run.animate(folder / "run.html", names=NAMES[language], language=language)
+    return run.named(NAMES[language]).animate(folder / "run.html", language=language)
 
 
 def coloured(shown: np.ndarray[Any, Any]) -> tuple[float, float]:

@@ -82,7 +82,9 @@ def corners(found: Run) -> NDArray[np.float64]:
     sin, cos = np.sin(found.tilt), np.cos(found.tilt)
     return np.stack(
         [
-            np.stack([found.x + u * cos + v * sin, found.z + v * cos - u * sin], axis=1)
+            np.stack(
+                [found.place[0, :, 0] + u * cos + v * sin, found.place[0, :, 2] + v * cos - u * sin], axis=1
+            )
             for u, v in found.body.corners_at_rest
         ],
         axis=1,
@@ -91,7 +93,7 @@ def corners(found: Run) -> NDArray[np.float64]:
 
 def foot(found: Run) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Where the lower base corner is, from the centre of gravity, in the room's axes [m]."""
-    right = (found.tilt > 0.0) | ((found.tilt == 0.0) & (found.tilt_rate > 0.0))
+    right = (found.tilt > 0.0) | ((found.tilt == 0.0) & (found.rotation_rate[0, :, 1] > 0.0))
     u, v = np.array(found.body.corners_at_rest)[right.astype(int)].T
     sin, cos = np.sin(found.tilt), np.cos(found.tilt)
     return u * cos + v * sin, v * cos - u * sin
@@ -100,9 +102,9 @@ def foot(found: Run) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 def velocities(found: Run) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Rates of the centre of gravity at the samples, nan upwards where a body in flight hides them [m/s]."""
     px, pz = foot(found)
-    vx, vz = found.slide_rate - found.tilt_rate * pz, found.tilt_rate * px
+    vx, vz = found.slide_rate - found.rotation_rate[0, :, 1] * pz, found.rotation_rate[0, :, 1] * px
     flies = found.mode == "flight"
-    away = found.z + pz > 1e-9  # also a body that leans on a wall alone
+    away = found.place[0, :, 2] + pz > 1e-9  # also a body that leans on a wall alone
     vz[flies | away] = np.nan
     n, dt = len(found.time), found.motion.dt
     eventful = np.zeros(n, bool)
@@ -115,7 +117,7 @@ def velocities(found: Run) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     k = np.flatnonzero(free[:-1] & free[1:] & ~eventful[1:] & ~eventful[:-1])
     # z falls with g + z̈, which is linear between the samples
     fall = STANDARD_GRAVITY / 2 + up_there[k] / 3 + up_there[k + 1] / 6
-    vz[k] = (found.z[k + 1] - found.z[k]) / dt + fall * dt
+    vz[k] = (found.place[0, k + 1, 2] - found.place[0, k, 2]) / dt + fall * dt
     return vx, vz
 
 
@@ -123,7 +125,11 @@ def energies(found: Run, a: NDArray[np.float64], G: NDArray[np.float64]) -> NDAr
     """Energy per mass under steady loads, in which it can only be lost [m²/s²]."""
     vx, vz = velocities(found)
     inertia = found.body.inertia_about_cg / found.body.mass
-    return 0.5 * (vx**2 + vz**2 + inertia * found.tilt_rate**2) + G * found.z + a * found.x
+    return (
+        0.5 * (vx**2 + vz**2 + inertia * found.rotation_rate[0, :, 1] ** 2)
+        + G * found.place[0, :, 2]
+        + a * found.place[0, :, 0]
+    )
 
 
 SAMPLES = st.one_of(st.tuples(batches(), motions(longest=800)), SEEDS.map(many))
@@ -168,7 +174,7 @@ def check_energy_never_grows(case: Standing, motion: Motion, found: Run) -> None
     here = energies(found, a, G)[:-1]
     after = energies(found, np.append(a[0], a[:-1]), np.append(G[0], G[:-1]))[1:]  # under the loads before
     speed = np.nanmax(np.abs(np.stack(velocities(found))), initial=1.0)
-    size = np.abs(G).max() * case.body.height + np.abs(a).max() * np.ptp(found.x) + speed**2
+    size = np.abs(G).max() * case.body.height + np.abs(a).max() * np.ptp(found.place[0, :, 0]) + speed**2
     grown = (after - here)[level]
     worst = np.nanmax(grown, initial=0.0)
     assert worst <= INTEGRATED * size, (worst / size, case, motion)
@@ -176,7 +182,7 @@ def check_energy_never_grows(case: Standing, motion: Motion, found: Run) -> None
 
 def check_no_corner_is_behind_a_plane(case: Standing, motion: Motion, found: Run) -> None:
     least = clearances(case.body, case.room, corners(found)).min(axis=0)
-    scale = max(1.0, np.abs(found.x).max())
+    scale = max(1.0, np.abs(found.place[0, :, 0]).max())
     assert (least >= -1e-9 * scale).all(), (least, case, motion)
 
 
@@ -239,7 +245,9 @@ def check_friction_opposes_a_flat_slide(case: Standing, motion: Motion, found: R
 
 def check_tilt_and_slide_are_continuous(case: Standing, motion: Motion, found: Run) -> None:
     """From each known state the next one is reached by its rate, and by what the rate can change."""
-    states = list(zip(found.time, found.tilt, found.tilt_rate, found.slide, found.slide_rate, strict=True))
+    states = list(
+        zip(found.time, found.tilt, found.rotation_rate[0, :, 1], found.slide, found.slide_rate, strict=True)
+    )
     samples = len(states)
     states += [(e.time, e.tilt, e.tilt_rate, e.slide, e.slide_rate) for e in found.events]
     order = sorted(range(len(states)), key=lambda i: (states[i][0], i >= samples))

@@ -1,13 +1,15 @@
 """Runs made by hand, in closed form, for the tests of what is shown of a run."""
 
+import dataclasses
 import math
 
 import numpy as np
 
 import stayput as sp
+from stayput.measures.measure import Held
 from stayput.model.state import State
 from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
-from stayput.simulation.run import Run
+from stayput.simulation.run import PieceRun, Run
 
 DT = 0.01
 BODY = sp.Body(0.3, 1.8, 200.0)
@@ -21,14 +23,21 @@ def made(tilt, slide, mode, events=(), *, overturn_time=math.nan, outcome=Outcom
     corner = np.where(tilt[:, None] >= 0.0, np.array(b), np.array(a))
     u, v, cos, sin = corner[:, 0], corner[:, 1], np.cos(tilt), np.sin(tilt)
     overturned = outcome is Outcome.OVERTURNED
-    return Run(
-        BODY, ROOM, SHAKE, "coulomb", State(), 9.80665, outcome, overturn_time,
+    none = np.zeros_like(tilt)
+    piece = PieceRun(
+        outcome, overturn_time, math.nan,
         peak_slide=float(np.abs(slide).max()), residual_slide=float(slide[-1]),
         peak_tilt=math.pi / 2 if overturned else float(np.abs(tilt).max()), residual_tilt=float(tilt[-1]),
         floor_impacts=sum(e.kind is EventKind.FLOOR_IMPACT for e in events),
         wall_impacts=sum(e.kind in (EventKind.WALL_IMPACT, EventKind.CEILING_IMPACT) for e in events),
-        time=DT * np.arange(len(tilt)), slide=slide, slide_rate=np.zeros_like(slide),
-        tilt=tilt, tilt_rate=np.zeros_like(tilt), x=slide + u - u * cos - v * sin, z=u * sin - v * cos,
+        body_impacts=0, tilt=tilt, slide=slide, slide_in_plan=np.column_stack((slide, none)), yaw=none,
+        held=Held(BODY, ROOM),
+    )  # fmt: skip
+    place = np.column_stack((slide + u - u * cos - v * sin, none, u * sin - v * cos))
+    still = np.zeros((1, len(tilt), 3))
+    return Run(
+        "plane", ("body",), (piece,), ROOM, SHAKE, DT * np.arange(len(tilt)), place[np.newaxis],
+        np.zeros((1, len(tilt), 4)), still, still, initial=State(), gravity=9.80665, slide_rate=none,
         mode=np.array(mode), events=tuple(events),
     )  # fmt: skip
 
@@ -54,3 +63,8 @@ def falling(sign=1.0):
 def rocking(peak=0.05):
     t = DT * np.arange(401)
     return made(peak * np.sin(3.0 * t), 0.02 * t / 4.0, ["rock"] * 401)
+
+
+def changed(run, **values):
+    """Return a run of one piece with other results of the piece."""
+    return dataclasses.replace(run, pieces=(dataclasses.replace(run.piece, **values),))

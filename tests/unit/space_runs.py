@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 import stayput as sp
-from stayput.mechanics.space.columns import SPRING
 from stayput.model.flat_fields import room_row
+from stayput.simulation.run import default_names
+from stayput.simulation.space import piece_runs
 from stayput.simulation.space_engine import Gaps
 from stayput.simulation.space_records import matrices, planes_of, product
-from stayput.simulation.space_run import SpaceRun
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 DT = 0.01
 TIME = DT * np.arange(201)
@@ -31,35 +36,40 @@ def apart(count: int) -> Gaps:
     return Gaps(np.ones((count, 3)), np.ones((count, count)))
 
 
-def _made(pieces: list[sp.Piece], places: list[np.ndarray], attitudes: list[np.ndarray]) -> SpaceRun:
+def _made(standing: list[sp.Piece], places: list[np.ndarray], attitudes: list[np.ndarray]) -> sp.Run:
     """Return a run from the ways of the origins of the bodies' frames and their attitudes."""
     attitude = np.stack(attitudes)
-    offsets = np.array([one.solid.centre_of_gravity for one in pieces])
+    offsets = np.array([one.solid.centre_of_gravity for one in standing])
     place = np.stack(places) + np.einsum("bsij,bj->bsi", matrices(attitude), offsets)
-    still, count = np.zeros(place.shape), len(pieces)
-    return SpaceRun(
-        pieces=tuple(pieces),
+    return of_poses(standing, place, attitude)
+
+
+def of_poses(
+    standing: Sequence[sp.Piece], place: np.ndarray, attitude: np.ndarray, time: np.ndarray = TIME
+) -> sp.Run:
+    """Return a run from the poses of the bodies."""
+    still, count = np.zeros(place.shape), len(standing)
+    gaps, none = (apart(count), apart(count)), np.zeros((count, 3), np.int64)
+    return sp.Run(
+        engine="space",
+        names=default_names(count),
+        pieces=piece_runs(standing, time, place, attitude, gaps, np.zeros(count), none, [None] * count),
+        standing=tuple(standing),
         room=ROOM,
         motion=SHAKE,
-        planes=planes_of(pieces, room_row(ROOM)),
-        time=TIME,
+        planes=planes_of(standing, room_row(ROOM)),
+        time=time,
         place=place,
         attitude=attitude,
         velocity=still,
         rotation_rate=still,
-        force=np.zeros((count, len(TIME), 2, 3)),
-        hits=(),
-        hit_numbers=np.zeros((count, 3), np.int64),
-        peak_tilt=np.zeros(count),
-        gaps=(apart(count), apart(count)),
-        devices=(),
-        springs=np.zeros(0, SPRING),
+        force=np.zeros((count, len(time), 2, 3)),
+        gaps=gaps,
         steps=200,
-        unconverged=0,
     )
 
 
-def falling() -> SpaceRun:
+def falling() -> sp.Run:
     """A box with a heading of 0.2 rad that slides 10 cm aside, and falls over its front until 1.5 s."""
     angle = np.pi / 2 * np.clip((TIME - 1.0) / 0.5, 0.0, 1.0) ** 2
     way = np.column_stack((0.2 * (1.0 - np.cos(angle)), 0.1 * np.clip(TIME, 0.0, 1.0), 0.2 * np.sin(angle)))
@@ -70,7 +80,7 @@ def falling() -> SpaceRun:
     return _made([heading], [turned], [product(_about((0.0, 0.0, 1.0), np.full(201, 0.2)), fallen)])
 
 
-def spinning() -> SpaceRun:
+def spinning() -> sp.Run:
     """A box that stands still, a drum that turns once and a half about the vertical, and one on the box."""
     angle = np.array([0.0, 3.0 * np.pi, 0.0])[:, np.newaxis] * TIME / TIME[-1]
     starts = [(0.0, 0.0, 0.0), (0.9, 0.1, 0.0), (0.0, 0.1, 1.8)]

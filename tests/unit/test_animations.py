@@ -93,8 +93,6 @@ def test_without_ffmpeg_an_mp4_is_refused_in_a_sentence(tmp_path: Path, monkeypa
                 ("a.gif", {"width": 10}, "width is 10"),
             )
         ),
-        ("space", "a.html", {"names": ["a", "b"]}, "2 names for 1 bodies"),
-        ("space", "a.html", {"names": "a"}, "must be a list"),
     ],
 )
 def test_what_is_refused_leaves_nothing(
@@ -119,8 +117,8 @@ def test_an_interrupted_animation_leaves_the_older_file(tmp_path: Path):
 
 
 def test_players_are_in_the_language_that_is_wanted():
-    plane = player_page(film_of(report_runs.falling(), ["本棚"], "ja"), 1.0, 1.0)
-    space = player_page(film_of(space_runs.falling(), ["本棚"], "ja"), 1.0, 1.0)
+    plane = player_page(film_of(report_runs.falling().named(["本棚"]), "ja"), 1.0, 1.0)
+    space = player_page(film_of(space_runs.falling().named(["本棚"]), "ja"), 1.0, 1.0)
     for page, own in ((plane, "一時停止"), (space, "視点")):
         assert '<html lang="ja">' in page
         assert all(text in page for text in ("本棚は", "再生", "傾き", "床の加速度：", own))
@@ -130,13 +128,13 @@ def test_players_are_in_the_language_that_is_wanted():
 def test_a_large_ground_displacement_is_drawn_smaller_and_said_so():
     long = replace(report_runs.rocking(), motion=sp.sine(20.0, 0.3, 20.0))
     shake = replace(space_runs.SHAKE, x=20.0 * np.cos(2.0 * space_runs.TIME))
-    far = film_of(replace(space_runs.falling(), motion=shake), None, "en")
+    far = film_of(replace(space_runs.falling(), motion=shake), "en")
     for film in (film_of(long), far):
         assert film.scene.shift_scale < 1.0
         assert "of its size" in film.caption
     assert np.linalg.norm(far.scene.shift, axis=1).max() == pytest.approx(0.9, rel=0.01)
     assert film_of(report_runs.rocking()).scene.shift_scale == 1.0
-    assert film_of(space_runs.falling(), None, "en").scene.shift_scale == 1.0
+    assert film_of(space_runs.falling(), "en").scene.shift_scale == 1.0
 
 
 @pytest.mark.parametrize("text", ["", SHORT, 4 * f"{SHORT}, ", LONG])

@@ -45,19 +45,21 @@ def test_nothing_said_is_the_built_in_example():
 def test_json_is_one_object_with_units():
     result = cli("simulate", "--body", "0.4x1.8x100", "--motion", "sine:5,0.8,5", "--json")
     data = json.loads(result.stdout)
-    assert {"outcome", "peak_slide_m", "overturn_time_s", "peak_tilt_rad", "residual_slide_m"} <= set(data)
-    assert {"floor_impacts", "wall_impacts", "events"} <= set(data)
+    (piece,) = data["pieces"]
+    assert {"outcome", "peak_slide_m", "overturn_time_s", "peak_tilt_rad", "residual_slide_m"} <= set(piece)
+    assert {"floor_impacts", "wall_impacts"} <= set(piece)
+    assert {"outcome", "engine", "events"} <= set(data)
     assert data["motion"]["duration_s"] == 5.0
     room = stayput.Room(stayput.Floor.of("wood flooring"))
     run = stayput.simulate(stayput.Body(0.4, 1.8, 100.0), room, stayput.sine(5.0, 0.8, 5.0))
-    assert data["peak_slide_m"] == run.peak_slide
+    assert piece["peak_slide_m"] == run.peak_slide
     assert data["outcome"] == run.outcome
-    assert (data["overturn_time_s"] is None) == (not run.overturned)
+    assert (piece["overturn_time_s"] is None) == (not run.overturned)
 
 
 def test_a_body_that_rests_has_null_for_its_overturning():
     data = json.loads(cli("simulate", "--body", "1x1x100", "--motion", "sine:0.1,1,1", "--json").stdout)
-    assert (data["outcome"], data["overturn_time_s"], data["events"]) == ("rested", None, [])
+    assert (data["outcome"], data["pieces"][0]["overturn_time_s"], data["events"]) == ("rested", None, [])
 
 
 def test_flags_override_the_scenario_file(tmp_path):

@@ -64,7 +64,7 @@ def test_a_machine_without_such_a_font_says_so_once(bare_machine, tmp_path):
         warnings.simplefilter("error")
         assert fonts.with_face(f"a {JAPANESE} b", 13)[0] == "a … b"
         plot_fragility([curve("ポール")], tmp_path / "it.png")
-        animate_run(report_runs.rocking(), tmp_path / "it.gif", fps=2, names=[JAPANESE])
+        animate_run(report_runs.rocking().named([JAPANESE]), tmp_path / "it.gif", fps=2)
     assert (tmp_path / "it.png").stat().st_size > 10_000
 
 

@@ -52,7 +52,7 @@ def plotted(ax: Axes, draw: Callable[..., Axes], **how: Any) -> Axes:
     ("draw", "what"),
     [
         (report_runs.rocking().plot, ("tilt", "slide", "acceleration")),
-        (falling().plot, ("tilt", "yaw", "plan", "acceleration")),
+        (falling().plot, ("tilt", "slide", "yaw", "plan", "acceleration")),
         (MOTION.plot, ("acceleration", "velocity", "displacement")),
         (MOTION.spectrum().plot, ("sa", "sv", "sd", "psa", "psv", "sva")),
         (SUITE.plot, ("spectra", "scatter")),
@@ -71,7 +71,6 @@ def test_each_quantity_is_drawn_on_given_axes(draw: Callable[..., Axes], what: t
 
 def test_a_run_is_drawn_with_its_modes_and_critical_angle(ax: Axes):
     run = sp.simulate(BODY, ROOM, MOTION)
-    assert isinstance(run, sp.Run)
     shown = [text.get_text() for text in plotted(ax, run.plot).get_legend().get_texts()]
     assert f"overturned at {run.overturn_time:.2f} s" in shown
     assert "rocks" in shown
@@ -184,7 +183,7 @@ def test_dollars_in_names_are_no_mathematics():
     curve = sp.fragility_curve(CURVE.trials, HOSTILE)
     shown = (run, motion, curve, sp.Suite((motion,), HOSTILE), falling())
     assert all("data:image/png" in one._repr_html_() for one in shown)
-    for figure in (run.figure(HOSTILE), motion.figure(HOSTILE), falling().figure(HOSTILE, names=[HOSTILE])):
+    for figure in (run.figure(HOSTILE), motion.figure(HOSTILE), falling().named([HOSTILE]).figure(HOSTILE)):
         figure.draw_without_rendering()
         assert figure.get_suptitle().replace(r"\$", "$").replace("\n", " ") == HOSTILE
     axes = curve.plot(Figure().subplots())

@@ -87,7 +87,7 @@ def test_poses_are_linear_between_samples_and_hold_at_the_end():
     scene = scene_of([run])
     pose = scene.pose(2.003)
     assert pose.tilt == pytest.approx(0.7 * run.tilt[200] + 0.3 * run.tilt[201])
-    assert pose.x == pytest.approx(0.7 * run.x[200] + 0.3 * run.x[201])
+    assert pose.x == pytest.approx(0.7 * run.place[0, 200, 0] + 0.3 * run.place[0, 201, 0])
     assert pose.mode is Mode.ROCK
     assert scene.pose(99.0) == scene.pose(2.505)
     lowest = min(z for _, z in section(BODY, scene.pose(99.0)))
@@ -121,7 +121,6 @@ def test_a_scene_holds_all_that_is_drawn_in_si_units():
     assert fallen["time_s"][-1] == 2.505
     assert np.diff(floor["time_s"])[:-1] == pytest.approx(1.0 / 60.0, abs=1e-4)
     assert max(map(abs, floor["acceleration_m_s2"])) == pytest.approx(np.abs(SHAKE.x).max(), abs=1e-3)
-    assert (fallen["overturned"], upright["overturned"]) == (True, False)
     assert fallen["room"] == {"left_wall_x_m": -0.18, "right_wall_x_m": None, "ceiling_z_m": 2.4}
     feet = [fallen["z_m"][0] + v for _, v in fallen["body"]["corners_m"][:2]]
     assert feet == pytest.approx([0.0, 0.0], abs=1e-5)

@@ -142,7 +142,7 @@ BESIDE_A_LONE_PIECE: list[tuple[dict[str, Any], str]] = [
     ({"joints": [{"first": "chest", "second": "it", "at": [0.0, 0.0, 0.5]}]}, "joints"),
     ({"static_friction": 0.5}, "static_friction is of several pieces"),
     ({"options": [{"name": "x"}]}, "options is of several pieces"),
-    ({"doors": []}, "doors is given without plan"),
+    ({"doors": [{"wall": "right_wall", "start": 0.5}]}, "doors is given without plan"),
     ({"room": {"walls": "concrete"}}, "room.walls is given without plan"),
 ]
 BESIDE_PIECES: list[tuple[dict[str, Any], str]] = [

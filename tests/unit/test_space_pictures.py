@@ -9,23 +9,21 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from space_runs import BOX, DRUM, DT, SHAKE, TIME, apart, falling, spinning
+from space_runs import BOX, DRUM, DT, SHAKE, TIME, falling, of_poses, spinning
 
 import stayput as sp
-from stayput.catalogue import say
 from stayput.report.animation import film_of
 from stayput.report.palette import BODY_COLOURS, rgb
+from stayput.report.plot import plot_run
 from stayput.report.space.frames import Camera, SpacePainter, _from_far, _hull_of
-from stayput.report.space.plot import plot_space_run
 from stayput.report.space.scene import RATE, space_scene
 from stayput.report.space.shape import shape_of
-from stayput.report.space.summary import became
+from stayput.report.summary import sentence
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from stayput.simulation.space_run import SpaceRun
 
 NAMES = ["cupboard", "drum", "vase"]
 
@@ -34,21 +32,14 @@ def unpacked(text: str) -> Any:
     return np.frombuffer(base64.b64decode(text), "<f4")
 
 
-def part(run: SpaceRun, *, bodies: slice = slice(None), samples: slice = slice(None)) -> SpaceRun:
-    pieces = run.pieces[bodies]
-    return dataclasses.replace(
-        run,
-        pieces=pieces,
-        gaps=(apart(len(pieces)), apart(len(pieces))),
-        time=run.time[samples],
-        place=run.place[bodies, samples],
-        attitude=run.attitude[bodies, samples],
-    )
+def part(run: sp.Run, *, bodies: slice = slice(None), samples: slice = slice(None)) -> sp.Run:
+    poses = run.place[bodies, samples], run.attitude[bodies, samples]
+    return of_poses(run.standing[bodies], *poses, run.time[samples])
 
 
 def test_the_yaw_counts_whole_turns_and_leaves_out_the_tilt() -> None:
-    assert spinning().yaw[:, -1] == pytest.approx([0.0, 3.0 * np.pi, 0.0])
-    assert falling().yaw[0] == pytest.approx(0.0, abs=1e-9)
+    assert [piece.yaw[-1] for piece in spinning().pieces] == pytest.approx([0.0, 3.0 * np.pi, 0.0])
+    assert falling()[0].yaw == pytest.approx(0.0, abs=1e-9)
 
 
 def test_poses_turn_evenly_between_samples_and_hold_at_the_ends() -> None:
@@ -84,9 +75,9 @@ def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
     assert {name: len(unpacked(text)) for name, text in accelerations.items()} == dict.fromkeys("xyz", 201)
     assert data["floor"]["dt_s"] == DT
     assert [plane[:3] for plane in data["planes"]] == [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]
-    assert data["planes"][0][3] == pytest.approx(run.pieces[0].along((1.0, 0.0, 0.0))[0] - 0.1)
+    assert data["planes"][0][3] == pytest.approx(run.standing[0].along((1.0, 0.0, 0.0))[0] - 0.1)
     foot = np.array(body["footprint_m"])
-    assert np.ptp(foot @ run.pieces[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
+    assert np.ptp(foot @ run.standing[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
     vertices = np.array(body["shape"]["vertices_m"])
     lowest = place[-1][2] + ((vertices - body["centre_of_gravity_m"]) @ matrices(attitude[-1])[2]).min()
     assert lowest == pytest.approx(0.0, abs=1e-5)
@@ -97,7 +88,7 @@ def test_the_picture_holds_every_pose_near_the_start() -> None:
     scene = space_scene(run, ("box",))
     for time in (0.0, 1.0, 1.3, 2.0):
         places, turns = scene.pose(time)
-        painter = SpacePainter(film_of(run, None, "en"), 640, 480)
+        painter = SpacePainter(film_of(run, "en"), 640, 480)
         seen = np.array(painter._camera.seen(scene.corners(0, turns[0], places[0])))
         assert (seen > 0.0).all()
         assert (seen < [1280, 622]).all()
@@ -114,7 +105,7 @@ def test_runs_beside_each_other_are_drawn_to_one_scale() -> None:
     for key in ("low_m", "high_m", "grid_m"):
         assert views[0][key] == views[1][key]
     assert views[0]["high_m"] != space_scene(still, ("box",)).data()["view"]["high_m"]
-    cameras = [SpacePainter(film_of(run, None, "en", runs), 640, 480)._camera for run in runs]
+    cameras = [SpacePainter(film_of(run, "en", runs), 640, 480)._camera for run in runs]
     assert cameras[0].place == pytest.approx(cameras[1].place)
 
 
@@ -153,13 +144,8 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
     """The drum on the box, and the one in front of it, whichever body comes first."""
     run = spinning()
     for order in ([0, 1, 2], [2, 1, 0], [1, 0, 2]):
-        mixed = dataclasses.replace(
-            run,
-            pieces=tuple(run.pieces[b] for b in order),
-            place=run.place[order],
-            attitude=run.attitude[order],
-        )
-        painter = SpacePainter(film_of(mixed, None, "en"), 640, 480)
+        mixed = of_poses([run.standing[b] for b in order], run.place[order], run.attitude[order])
+        painter = SpacePainter(film_of(mixed, "en"), 640, 480)
         places, turns = painter._film.scene.pose(0.0)
         corners = [painter._film.scene.corners(b, turns[b], places[b]) for b in range(3)]
         hulls = [_hull_of(*each) for each in zip(painter._film.scene.shapes, corners, turns, strict=True)]
@@ -169,7 +155,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
 
 
 def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
-    painter = SpacePainter(film_of(spinning(), NAMES, "en"), 640, 480)
+    painter = SpacePainter(film_of(spinning().named(NAMES), "en"), 640, 480)
     shown = np.asarray(painter.frame(0.7)).astype(int).reshape(-1, 3)
     for colour in BODY_COLOURS[:3]:  # light and shade leave the hue
         hue = np.array(rgb(colour)) / max(rgb(colour))
@@ -178,61 +164,55 @@ def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
 
 
 def test_what_became_of_the_bodies() -> None:
-    assert became(falling(), ["box"])[0] == "The box overturned 1.5 s into the motion."
-    assert became(spinning(), NAMES)[0] == "None of the 3 bodies overturned or fell off."
+    assert sentence(falling().named(["box"])) == "The box overturned 1.5 s into the motion."
+    assert sentence(spinning().named(NAMES)) == "None of the 3 bodies overturned or fell off."
     run, other = falling(), spinning()
-    both = dataclasses.replace(
-        run,
-        pieces=(*run.pieces, *other.pieces),
-        place=np.concatenate([run.place, other.place]),
-        attitude=np.concatenate([run.attitude, other.attitude]),
-        gaps=(apart(4), apart(4)),
+    both = of_poses(
+        (*run.standing, *other.standing),
+        np.concatenate([run.place, other.place]),
+        np.concatenate([run.attitude, other.attitude]),
     )
-    assert became(both, ["box", *NAMES])[0] == "1 of 4 bodies overturned or fell off: box at 1.5 s."
+    assert sentence(both.named(["box", *NAMES])) == "1 of 4 bodies overturned or fell off: box at 1.5 s."
     upright = part(run, samples=slice(101))
-    assert became(upright, ["box"])[0] == (
+    assert sentence(upright.named(["box"])) == (
         "The box did not overturn; it tilted by less than 0.1° and slid by up to 10.0 cm."
     )
     still = part(other, bodies=slice(1))
-    assert became(still, ["box"])[0] == "The box stayed put: it neither slid nor rocked."
+    assert sentence(still.named(["box"])) == "The box stayed put: it neither slid nor rocked."
     landed = sp.simulate(sp.Piece(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
-    assert became(landed, ["box"])[0].startswith("The box did not overturn; it tilted by less than 0.1°")
+    assert sentence(landed.named(["box"])).startswith("The box did not overturn; it tilted by less than 0.1°")
 
 
 def test_the_plot_shows_the_histories_and_the_ways_in_plan() -> None:
-    figure = plot_space_run(falling(), names=["chest"])
-    acceleration, tilt, turn, plan = figure.axes
+    figure = plot_run(falling().named(["crate"]))
+    acceleration, tilt, slide, plan = figure.axes
     assert [line.get_ydata()[7] for line in acceleration.lines[1:]] == pytest.approx(
         [part[7] for part in SHAKE.components.values()]
     )
     assert max(tilt.lines[1].get_ydata()) == pytest.approx(90.0)
     assert [text.get_text() for text in tilt.get_legend().get_texts()] == ["overturned at 1.50 s"]
-    assert turn.lines[1].get_ydata() == pytest.approx(0.0, abs=1e-6)
+    assert slide.lines[1].get_ydata()[60] == pytest.approx(6.0, abs=1e-6)
     first, last, *_ = plan.lines
     assert len(first.get_xdata()) == 5
     assert np.ptp(last.get_xdata()) > 1.7
-    assert [text.get_text() for text in plan.get_legend().get_texts()] == ["chest"]
+    assert [text.get_text() for text in plan.get_legend().get_texts()] == ["crate"]
     assert figure.get_suptitle() == ""
 
 
 def test_a_still_run_of_several_bodies_is_plotted_in_japanese() -> None:
-    figure = plot_space_run(spinning(), names=NAMES, language="ja")
+    figure = plot_run(spinning().named(NAMES), language="ja")
     assert figure.axes[3].get_xlabel() == "x、正面側 [m]"
     assert figure.axes[1].get_ylim() == (-0.1, 0.1)
-    assert [text.get_text() for text in figure.legends[0].get_texts()] == NAMES
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["食器棚", "drum", "vase"]
 
 
 def test_bodies_of_one_colour_have_other_dashes_and_long_titles_are_wrapped() -> None:
     one = falling()
     count = len(BODY_COLOURS) + 1
-    repeated = {
-        name: np.repeat(getattr(one, name), count, axis=0)
-        for name in ("place", "attitude", "velocity", "rotation_rate", "peak_tilt")
-    }
-    apart_by = (apart(count), apart(count))
-    run = dataclasses.replace(one, pieces=count * one.pieces, gaps=apart_by, **repeated)
+    poses = np.repeat(one.place, count, axis=0), np.repeat(one.attitude, count, axis=0)
     names = [f"a piece with a long name, number {b}" for b in range(count)]
-    figure = plot_space_run(run, names=names, title=say(became(run, names)))
+    run = of_poses(count * one.standing, *poses).named(names)
+    figure = plot_run(run, title=sentence(run))
     first, *_, last = figure.legends[0].get_lines()[:count]
     assert first.get_color() == last.get_color()
     assert first.get_linestyle() != last.get_linestyle()

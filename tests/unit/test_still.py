@@ -10,9 +10,9 @@ from space_runs import falling
 
 import stayput as sp
 from stayput.report.animation import film_of
+from stayput.report.plot import plot_run
 from stayput.report.space import frames
 from stayput.report.space.frames import SpacePainter
-from stayput.report.space.plot import plot_space_run
 from stayput.report.space.scene import space_scene
 from stayput.report.space.shape import STILL_LOOKS, still_of
 
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     import pytest
 
     from stayput.report.space.shape import StillShape
-    from stayput.simulation.space_run import SpaceRun
 
 PLAN = sp.FloorPlan(
     3.0,
@@ -31,7 +30,7 @@ PLAN = sp.FloorPlan(
 )
 
 
-def room_run() -> SpaceRun:
+def room_run() -> sp.Run:
     return dataclasses.replace(falling(), plan=PLAN)
 
 
@@ -81,14 +80,14 @@ def test_a_scene_shows_them_all_and_a_run_without_a_plan_has_none() -> None:
 
 
 def test_films_and_plots_draw_them() -> None:
-    film = film_of(room_run(), ["box"], "en")
+    film = film_of(room_run())
     assert "hold nothing up" in film.caption
-    assert "hold nothing up" not in film_of(falling(), ["box"], "en").caption
+    assert "hold nothing up" not in film_of(falling()).caption
     bare = dataclasses.replace(film, scene=dataclasses.replace(film.scene, still=()))
     shown, empty = (np.asarray(SpacePainter(one, 480, 360).frame(0.0), float) for one in (film, bare))
     blue = shown[..., 2] - shown[..., 0] > 30.0
     assert blue.sum() > (empty[..., 2] - empty[..., 0] > 30.0).sum() + 500  # the person's box
-    lines = [len(plot_space_run(run).axes[3].lines) for run in (room_run(), falling())]
+    lines = [len(plot_run(run).axes[3].lines) for run in (room_run(), falling())]
     assert lines[0] - lines[1] == sum(len(one.lines) for one in still_of(room_run()))
 
 
@@ -108,9 +107,7 @@ def test_doors_of_walls_that_are_seen_from_outside_are_drawn_over_the_bodies(
 
     monkeypatch.setattr(frames, "_draw_still", still)
     monkeypatch.setattr(frames, "_draw_body", body)
-    SpacePainter(film_of(room_run(), ["box"], "en"), 480, 360).frame(
-        0.0
-    )  # seen from the right and the near wall
+    SpacePainter(film_of(room_run()), 480, 360).frame(0.0)  # seen from the right and the near wall
     bodies = [place for place, one in enumerate(drawn) if one == "body"]
     assert sorted(drawn[: bodies[0]]) == ["far", "floor", "left"]
     assert drawn[bodies[-1] + 1 :] == ["right"]

@@ -251,7 +251,9 @@ def test_the_bits_do_not_depend_on_threads() -> None:
 
 def test_runs_are_made_again(verdict: AssemblyVerdict) -> None:
     run = replay_of_several(verdict, verdict.without, verdict.without.worst)
-    assert run.overturned[:2].any() == (verdict.without.probabilities["overturned"].fell > 0)
+    assert any(piece.overturned for piece in run.pieces[:2]) == (
+        verdict.without.probabilities["overturned"].fell > 0
+    )
     assert np.isfinite(run.place).all()
 
 

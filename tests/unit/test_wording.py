@@ -19,7 +19,7 @@ from stayput.inventory.report import storey_map
 from stayput.inventory.summary import Total
 from stayput.measures import MEASURES, Belt, DeviceResult
 from stayput.montecarlo.counting import DEVICE_FAILED, Quantiles
-from stayput.report.summary import piece_sentences, rows, sentence
+from stayput.report.summary import rows, sentence, sentences_of_piece
 from stayput.report.verdict import numbers
 from stayput.simulation.outcome import Outcome
 from stayput.verification.notes import shaken_notes
@@ -37,12 +37,13 @@ def moved(tilt, slide, outcome, room=None):
     """Return a run whose peaks are these, to the right."""
     t = np.linspace(0.0, 1.0, 201)
     run = report_runs.made(tilt * np.sin(3.0 * t), slide * t, ["rock"] * len(t), outcome=outcome)
-    return dataclasses.replace(run, room=room or run.room, peak_tilt=abs(tilt), peak_slide=abs(slide))
+    run = report_runs.changed(run, peak_tilt=abs(tilt), peak_slide=abs(slide))
+    return dataclasses.replace(run, room=room or run.room)
 
 
 def all_words(run):
     """Return the sentences of a run: of the command line, and of the page in both languages."""
-    return sentence(run, "chest"), *piece_sentences(run, "chest")
+    return sentence(run.named(["chest"])), *sentences_of_piece(run.named(["chest"]))
 
 
 def held(kind, **values):
@@ -84,8 +85,8 @@ def test_a_slide_without_a_wall_in_its_way_is_told_as_one():
 @pytest.mark.parametrize("sign", [-1.0, 1.0])
 @pytest.mark.parametrize("outcome", [Outcome.OVERTURNED, Outcome.LEANING])
 def test_the_page_names_the_sides_as_its_labels_do(sign, outcome):
-    run = dataclasses.replace(report_runs.falling(sign), outcome=outcome)
-    english, japanese = piece_sentences(run, "chest")
+    run = report_runs.changed(report_runs.falling(sign), outcome=outcome)
+    english, japanese = sentences_of_piece(run.named(["chest"]))
     assert f"to the {'front' if sign > 0.0 else 'back'}" in english
     assert f"{'手前' if sign > 0.0 else '奥'}へ" in japanese
     assert not re.search(r"\b(left leaning to the )?(right|left) ", english.replace("was left", "was"))
@@ -133,7 +134,9 @@ def test_the_device_that_failed_first_is_named_within_its_sentence(kind):
         failed=True, failure_time=1.25, cause="pull", utilisation=1.0,
         pull=np.zeros(1), shear=np.zeros(1),
     )  # fmt: skip
-    english, _ = piece_sentences(dataclasses.replace(report_runs.falling(), devices=(failed,)), "chest")
+    english, _ = sentences_of_piece(
+        dataclasses.replace(report_runs.falling(), names=("chest",), devices=(failed,))
+    )
     assert f"First to fail: {inside(label[0])}, after 1.2 s." in english
     assert "l-brackets" not in english
     assert "ptfe" not in english

@@ -61,27 +61,27 @@ def lifted(convex: sp.Body, gap: float = 0.0) -> tuple[float, float, float]:
     return (0.0, 0.0, gap - float(min(lows)))
 
 
-def inertia_over_time(run: sp.SpaceRun, body: int = 0) -> Array:
+def inertia_over_time(run: sp.Run, body: int = 0) -> Array:
     """Return the inertia about G in the room's axes at the samples, shape (samples, 3, 3) [kg m²]."""
     turn = run.turn[body]
-    return turn @ run.pieces[body].solid.inertia @ turn.transpose(0, 2, 1)
+    return turn @ run.standing[body].solid.inertia @ turn.transpose(0, 2, 1)
 
 
-def energy(run: sp.SpaceRun, body: int = 0) -> Array:
+def energy(run: sp.Run, body: int = 0) -> Array:
     """Return kinetic and potential energy of a body at the samples [J]."""
-    mass, spin = run.pieces[body].solid.mass, run.rotation_rate[body]
+    mass, spin = run.standing[body].solid.mass, run.rotation_rate[body]
     turning = 0.5 * np.einsum("si,sij,sj->s", spin, inertia_over_time(run, body), spin)
     return turning + 0.5 * mass * (run.velocity[body] ** 2).sum(axis=1) + mass * G * run.place[body, :, 2]
 
 
-def lowest(run: sp.SpaceRun, body: int = 0) -> Array:
+def lowest(run: sp.Run, body: int = 0) -> Array:
     """Return the height of the lowest corner of a body at the samples [m]."""
-    solid = run.pieces[body].solid
+    solid = run.standing[body].solid
     arms = solid.vertices - solid.centre_of_gravity
     return (run.place[body, :, 2, np.newaxis] + run.turn[body][:, 2] @ arms.T).min(axis=1)
 
 
-def axis_over_time(run: sp.SpaceRun, axis: Array) -> Array:
+def axis_over_time(run: sp.Run, axis: Array) -> Array:
     """Return a direction of the first body's frame in the room at the samples, shape (samples, 3)."""
     return run.turn[0] @ axis
 

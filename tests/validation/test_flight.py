@@ -46,7 +46,7 @@ def test_a_floor_that_drops_leaves_the_body_behind(body):
     assert impacts(run)[0].time == pytest.approx(landing, abs=1e-11)
     flying = run.mode == sp.Mode.FLIGHT
     heights = [risen(MOTION, t, leaves.time)[0] for t in run.time[flying]]
-    assert run.z[flying] - run.z[0] == pytest.approx(heights, abs=1e-13)
+    assert run.place[0, flying, 2] - run.place[0, 0, 2] == pytest.approx(heights, abs=1e-13)
     assert set(run.tilt[flying]) == {0.0}
 
 
@@ -65,7 +65,7 @@ def test_bounces(e_n):
     flights = np.diff(landings)[:4]
     assert len(flights) == 4
     assert flights == pytest.approx([2 * rate * e_n ** (n + 1) / G for n in range(4)], abs=2e-11)
-    peaks = np.array(extrema(run.time, run.z - 0.8))[1:3]
+    peaks = np.array(extrema(run.time, run.place[0, :, 2] - 0.8))[1:3]
     assert peaks == pytest.approx([(rate * e_n ** (n + 1)) ** 2 / (2 * G) for n in range(2)], rel=1e-6)
 
 
@@ -96,6 +96,6 @@ def test_a_tilted_body_turns_on_in_flight():
     corner = turned(body.corners[1], tilt)
     # G turns about the corner B at the start
     start = np.array([-corner[1] * rate, corner[0] * rate])
-    assert run.x[:n] - run.x[0] == pytest.approx(start[0] * run.time[:n], abs=1e-13)
+    assert run.place[0, :n, 0] - run.place[0, 0, 0] == pytest.approx(start[0] * run.time[:n], abs=1e-13)
     heights = [risen(motion, t, 0.0)[0] + start[1] * t for t in run.time[:n]]
-    assert run.z[:n] - run.z[0] == pytest.approx(heights, abs=1e-12)
+    assert run.place[0, :n, 2] - run.place[0, 0, 2] == pytest.approx(heights, abs=1e-12)

@@ -19,8 +19,11 @@ PIECES = [
 
 
 def same(whole: Any, alone: Any, number: int) -> bool:
-    names = ("place", "attitude", "velocity", "rotation_rate", "force", "peak_tilt", "hit_numbers")
-    return all(np.array_equal(getattr(whole, name)[number], getattr(alone, name)[0]) for name in names)
+    names = ("place", "attitude", "velocity", "rotation_rate", "force")
+    of_piece = ("peak_tilt", "floor_impacts", "wall_impacts", "body_impacts")
+    return all(
+        np.array_equal(getattr(whole, name)[number], getattr(alone, name)[0]) for name in names
+    ) and all(getattr(whole[number], name) == getattr(alone[0], name) for name in of_piece)
 
 
 @pytest.mark.parametrize("scale", [0.4, 1.0])

@@ -80,7 +80,7 @@ def test_a_short_hard_push_is_a_sudden_base_velocity(law, length):
     run = simulate(block(0.2, 0.8), ON_STICKING, sp.Motion(dt, push), law)
     given = 3.0 * velocity * math.cos(alpha) / (4.0 * radius)
     taken = 3.0 * G * math.sin(alpha) / (4.0 * radius) * dt * (steps + 1)  # by gravity meanwhile
-    assert run.tilt_rate[steps + 1] == pytest.approx(given - taken, abs=0.1 * length)
+    assert run.rotation_rate[0, steps + 1, 1] == pytest.approx(given - taken, abs=0.1 * length)
 
 
 @both_laws
@@ -94,7 +94,11 @@ def test_rectangular_pulse_overturns(law, length, reference):
         still_on = sp.Motion(0.02, np.zeros(500))
         run = simulate(block(0.2, 0.8), ON_STICKING, motion, law)
         return overturns(
-            block(0.2, 0.8), still_on, law, tilt=run.residual_tilt, tilt_rate=float(run.tilt_rate[-1])
+            block(0.2, 0.8),
+            still_on,
+            law,
+            tilt=run.residual_tilt,
+            tilt_rate=float(run.rotation_rate[0, -1, 1]),
         )
 
     found = threshold(falls, 0.95 * reference, 1.05 * reference)

@@ -98,7 +98,7 @@ def test_a_sliding_ladder(name, floor, wall):
     before = run.time < release.time
     assert set(run.mode[before]) == {sp.Mode.LEAN}
     assert run.tilt[before] == pytest.approx(peer.sol(run.time[before])[0], abs=1e-8)
-    assert run.tilt_rate[before] == pytest.approx(peer.sol(run.time[before])[1], abs=1e-7)
+    assert run.rotation_rate[0, before, 1] == pytest.approx(peer.sol(run.time[before])[1], abs=1e-7)
 
 
 def test_a_frictionless_ladder_leaves_the_wall_at_two_thirds_of_its_height():

@@ -53,7 +53,7 @@ def test_squat_block_does_not_turn_on():
     """Below γ = √2 without friction the ratio would be negative: both corners stay down; G goes on."""
     run = simulate(block(0.5, 0.5), room(0.0), still(0.02), tilt=ALMOST, tilt_rate=-1.0)
     assert run.mode[-1] == sp.Mode.SLIDE
-    assert (run.residual_tilt, run.tilt_rate[-1]) == (0.0, 0.0)
+    assert (run.residual_tilt, run.rotation_rate[0, -1, 1]) == (0.0, 0.0)
     assert run.slide_rate[-1] == pytest.approx(-0.5, abs=1e-6)
 
 
@@ -99,8 +99,8 @@ def test_frictionless_release(law):
     assert rate == pytest.approx(fall_rate(0.0, start, b, h), rel=1e-9)
     assert rate == pytest.approx(1.164870, abs=1e-6)
     before = run.time < landing.time
-    assert np.abs(run.x[before] - run.x[0]).max() < 1e-12  # G falls straight down
-    assert np.interp(landing.time, run.time[before], run.z[before]) > h
+    assert np.abs(run.place[0, before, 0] - run.place[0, 0, 0]).max() < 1e-12  # G falls straight down
+    assert np.interp(landing.time, run.time[before], run.place[0, before, 2]) > h
 
 
 @both_laws

@@ -101,7 +101,9 @@ def test_eqs_3_12_and_3_13(law):
         for tilt, floor in ((0.1, 0.0), (0.05, -1.0), (0.2, 2.0)):
             run = simulate(body, sp.Room(STICKING), constant(side * floor, 2 * dt, dt), law, tilt=side * tilt)
             moment = -G * math.sin(alpha - tilt) - floor * math.cos(alpha - tilt)
-            assert side * run.tilt_rate[1] / dt == pytest.approx(body.mass * r * moment / J, abs=1e-5)
+            assert side * run.rotation_rate[0, 1, 1] / dt == pytest.approx(
+                body.mass * r * moment / J, abs=1e-5
+            )
 
 
 needs_record = pytest.mark.skipif(not RECORD.is_file(), reason="the record of JMA Kobe 1995 NS is absent")

@@ -31,7 +31,6 @@ def test_p_is_how_fast_a_block_that_stands_on_its_corner_falls():
         sp.Motion(0.005, np.zeros(200)),
         initial=sp.State(tilt=alpha + lean),
     )
-    assert isinstance(run, sp.Run)
     grown = run.tilt[:101] - alpha
     assert grown == pytest.approx(lean * np.cosh(p * run.time[:101]), rel=2e-3)
 

@@ -20,7 +20,7 @@ CAN = sp.Body.cylinder(0.4, 1.0, 30.0)
 COIN = sp.Body.cylinder(0.5, 0.02, 5.0)
 
 
-def directions(run: sp.SpaceRun, axis: np.ndarray) -> np.ndarray:
+def directions(run: sp.Run, axis: np.ndarray) -> np.ndarray:
     """Directions in plan to which an axis is tilted, without jumps [rad]."""
     n = axis_over_time(run, axis)
     return np.unwrap(np.arctan2(n[:, 1], n[:, 0]))

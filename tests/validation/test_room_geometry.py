@@ -104,7 +104,7 @@ def toppling(heading: float) -> tuple[Track, sp.Run]:
     run = sp.simulate(BOX, room, still, dimensions=2, initial=start)
     upright = at_rest(sp.Piece(BOX, heading=heading), dt)
     # relative to how it stands upright, with the middle of its base at the origin
-    return track_in_plane(upright, run.x, run.z - H, run.tilt), run
+    return track_in_plane(upright, run.place[0, :, 0], run.place[0, :, 2] - H, run.tilt), run
 
 
 @pytest.mark.parametrize("heading", [0.0, 0.7, -2.0])

@@ -25,7 +25,7 @@ def test_what_is_thrown_slides_to_where_friction_has_its_energy(squat: sp.Body, 
     way = np.array([math.cos(direction), math.sin(direction)])
     thrown = sp.Piece(squat, heading=0.7, velocity=(*(2.0 * way), 0.0))
     run = sp.simulate(thrown, sp.Room(sp.Floor(0.4, 0.3)), still(2.0))
-    np.testing.assert_allclose(run.slide[0, -1], 2.0**2 / (2.0 * 0.3 * G) * way, atol=2e-3)
+    np.testing.assert_allclose(run[0].slide_in_plan[-1], 2.0**2 / (2.0 * 0.3 * G) * way, atol=2e-3)
     assert float(np.abs(run.rotation_rate).max()) < 1e-6
 
 

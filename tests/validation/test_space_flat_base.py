@@ -34,7 +34,7 @@ def stopped(
     run = sp.simulate(thrown, ROOM, still(1.0, 1e-3))
     moves = np.any(run.velocity[0] != 0.0, axis=1) | np.any(run.rotation_rate[0] != 0.0, axis=1)
     way = run.place[0, -1] - run.place[0, 0]
-    return float(run.time[np.flatnonzero(moves)[-1] + 1]), math.hypot(way[0], way[1]), float(run.yaw[0, -1])
+    return float(run.time[np.flatnonzero(moves)[-1] + 1]), math.hypot(way[0], way[1]), float(run[0].yaw[-1])
 
 
 def distance(a: float, b: float) -> float:

@@ -106,7 +106,7 @@ def test_an_edge_lands(lean: float) -> None:
     np.testing.assert_allclose(after, -np.cross(rotation, c), atol=2e-3)
 
 
-def two(upper: sp.Body, at: tuple[float, float], speed: float, friction: float) -> sp.SpaceRun:
+def two(upper: sp.Body, at: tuple[float, float], speed: float, friction: float) -> sp.Run:
     """Let a body meet a brick from above, both falling freely, 50 m above the floor."""
     x, y, z = lifted(upper, 50.3 + 1e-7)
     above = sp.Piece(upper, (x + at[0], y + at[1], z), velocity=(0.0, 0.0, -speed))

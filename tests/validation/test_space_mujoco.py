@@ -26,8 +26,8 @@ def test_a_box_that_rocks_on_edges_and_corners() -> None:
     peak = run.tilt.max()
     assert 0.01 < peak < 0.5
     assert tilts.max() == pytest.approx(peak, rel=0.02)
-    until = slice(0, int(np.argmax(run.tilt[0])) + 1)
-    np.testing.assert_allclose(tilts[0, until], run.tilt[0, until], atol=0.03 * peak)
+    until = slice(0, int(np.argmax(run[0].tilt)) + 1)
+    np.testing.assert_allclose(tilts[0, until], run[0].tilt[until], atol=0.03 * peak)
 
 
 def test_a_box_that_slides_in_two_directions() -> None:

@@ -63,11 +63,11 @@ def test_two_blocks_rock_as_one(rate: float) -> None:
     motion = still(0.6, 0.002)
     alone = sp.simulate(one, STICKING, motion, step=1e-4)
     both = sp.simulate(sp.Assembly(stack, ROUGH), STICKING, motion, step=1e-4)
-    landed = int(np.argmax(alone.tilt[0])) + int(np.argmin(alone.tilt[0, np.argmax(alone.tilt[0]) :]))
+    landed = int(np.argmax(alone[0].tilt)) + int(np.argmin(alone[0].tilt[np.argmax(alone[0].tilt) :]))
     until = slice(0, min(landed, len(motion.x)) - 2)
-    assert alone.tilt[0, until].max() == pytest.approx(peak, rel=2e-3)
+    assert alone[0].tilt[until].max() == pytest.approx(peak, rel=2e-3)
     for block in (0, 1):
-        np.testing.assert_allclose(both.tilt[block, until], alone.tilt[0, until], atol=2e-3 * peak)
+        np.testing.assert_allclose(both[block].tilt[until], alone[0].tilt[until], atol=2e-3 * peak)
 
 
 @pytest.mark.parametrize("speed", [1.0, 2.0])
@@ -88,9 +88,9 @@ def test_the_upper_drags_the_lower(speed: float) -> None:
     room = sp.Room(sp.Floor(mu1, mu1))
     run = sp.simulate(sp.Assembly(stack, (mu2, mu2)), room, still(3.0), step=1e-4)
     assert np.abs(run.velocity[:, -1]).max() == 0.0
-    assert run.slide[0, -1, 0] == pytest.approx(0.5 * gain * meet**2 + last, rel=3e-3)
+    assert run[0].slide_in_plan[-1, 0] == pytest.approx(0.5 * gain * meet**2 + last, rel=3e-3)
     expected = speed * meet - 0.5 * mu2 * G * meet**2 + last
-    assert run.slide[1, -1, 0] == pytest.approx(expected, rel=3e-3)
+    assert run[1].slide_in_plan[-1, 0] == pytest.approx(expected, rel=3e-3)
 
 
 def test_both_slide_at_their_own_rates() -> None:
@@ -103,8 +103,8 @@ def test_both_slide_at_their_own_rates() -> None:
     first = -a + (mu1 * (m1 + m2) - mu2 * m2) * G / m1
     second = -a + mu2 * G
     assert second < first < 0.0
-    assert run.slide[0, -1, 0] == pytest.approx(0.5 * first * 0.5**2, rel=2e-3)
-    assert run.slide[1, -1, 0] == pytest.approx(0.5 * second * 0.5**2, rel=2e-3)
+    assert run[0].slide_in_plan[-1, 0] == pytest.approx(0.5 * first * 0.5**2, rel=2e-3)
+    assert run[1].slide_in_plan[-1, 0] == pytest.approx(0.5 * second * 0.5**2, rel=2e-3)
 
 
 @pytest.mark.parametrize("rate", [-0.2, -0.4, -0.8])
@@ -125,7 +125,7 @@ def test_a_corner_that_hangs_over_is_not_inside(over: float, rate: float) -> Non
     lower = sp.Piece(sp.Body.box(0.5, 0.5, 0.3, 2e4))
     run = sp.simulate(sp.Assembly([lower, thrown], (0.8, 0.8)), STICKING, still(0.1))
     about_edge = (0.5**2 + 0.3**2) / 12.0 + arm**2 + 0.15**2
-    assert run.peak_tilt[1] == pytest.approx(0.5 * rate**2 * about_edge / (G * arm), rel=0.05)
+    assert run[1].peak_tilt == pytest.approx(0.5 * rate**2 * about_edge / (G * arm), rel=0.05)
     assert run.steps < 400
 
 

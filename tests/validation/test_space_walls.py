@@ -27,7 +27,7 @@ def test_a_box_that_slides_into_a_side_wall_returns_with_its_restitution(
     apart = np.abs(run.time - gap / speed) > 0.005
     expected = way * np.where(run.time < gap / speed, speed, -restitution * speed)
     np.testing.assert_allclose(run.velocity[0, apart, 1], expected[apart], atol=1e-9)
-    assert (way * run.slide[0, :, 1]).max() == pytest.approx(gap, abs=1e-6)
+    assert (way * run[0].slide_in_plan[:, 1]).max() == pytest.approx(gap, abs=1e-6)
     assert run.tilt.max() < 1e-7  # the impulses are found to so much
     first = run.hits[0]
     assert (first.surface, first.time) == (side, pytest.approx(gap / speed, abs=2e-3))
@@ -63,10 +63,10 @@ def test_a_room_turned_by_a_right_angle_with_the_piece_and_the_motion(both: bool
     )
     room = sp.Room(near_side_wall=back, far_side_wall=front)
     turned = sp.simulate(sp.Piece(BOX, heading=math.pi / 2), room, sp.Motion(dt=0.01, x=-across, y=along))
-    assert straight.hit_numbers[0, 1] > 1
+    assert straight[0].wall_impacts > 1
     assert straight.tilt.max() > 0.01
     early = straight.time < 0.6
-    np.testing.assert_allclose(turned.tilt[0, early], straight.tilt[0, early], atol=2e-4)
+    np.testing.assert_allclose(turned[0].tilt[early], straight[0].tilt[early], atol=2e-4)
     back_again = np.stack([turned.place[..., 1], -turned.place[..., 0], turned.place[..., 2]], axis=-1)
     np.testing.assert_allclose(back_again[0, early], straight.place[0, early], atol=2e-4)
 
@@ -89,8 +89,8 @@ def test_a_piece_of_furniture_between_side_walls_is_one_between_the_others_turne
     assert isinstance(planar, sp.Run)
     assert planar.wall_impacts > 1
     early = ahead.time < 0.6
-    np.testing.assert_allclose(aside.tilt[0, early], ahead.tilt[0, early], atol=2e-4)
-    np.testing.assert_allclose(aside.tilt[0, early], np.abs(planar.tilt[early]), atol=1e-3)
+    np.testing.assert_allclose(aside.tilt[early], ahead.tilt[early], atol=2e-4)
+    np.testing.assert_allclose(aside.tilt[early], np.abs(planar.tilt[early]), atol=1e-3)
 
 
 def test_side_walls_that_are_not_touched_change_no_bit() -> None:
@@ -101,7 +101,7 @@ def test_side_walls_that_are_not_touched_change_no_bit() -> None:
     free = sp.simulate(body, sp.Room(**walls), motion, dimensions=3)
     walled = sp.simulate(body, sp.Room(**walls, **beside), motion, dimensions=3)
     assert free.tilt.max() > 0.01
-    assert free.hit_numbers[0, 1] > 0
+    assert free[0].wall_impacts > 0
     for name in ("place", "attitude", "velocity", "rotation_rate", "force"):
         assert getattr(walled, name).tobytes() == getattr(free, name).tobytes(), name
 

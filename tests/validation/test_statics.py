@@ -94,7 +94,7 @@ def test_wedge_tilts_the_body_at_rest(law, heights, tilt):
     assert (run.residual_tilt, run.peak_tilt) == (0.0, 0.0)  # told from rest
     assert run.residual_slide == pytest.approx(0.0, abs=1e-15)
     feet = [turned(body.corners[corner], math.atan(tilt))[1] for corner in (0, 1)]
-    assert feet == pytest.approx([-run.z[-1]] * 2, abs=1e-15)
+    assert feet == pytest.approx([-run.place[0, -1, 2]] * 2, abs=1e-15)
 
 
 @both_laws
@@ -201,4 +201,4 @@ def test_a_body_leaves_a_floor_that_falls_faster_than_it_does(friction):
     run = simulate(sp.Body(0.4, 1.0, 100.0), under, fall)
     assert run.outcome is not sp.Outcome.FAILED
     assert len(run.events) < 5
-    assert np.abs(run.z - 0.5).max() < NEAR
+    assert np.abs(run.place[0, :, 2] - 0.5).max() < NEAR

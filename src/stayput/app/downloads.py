@@ -16,14 +16,12 @@ from starlette.responses import Response
 
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import refused
-from stayput.app.running import name_in, own_measures, pieces_run, run_of
+from stayput.app.running import own_measures, pieces_run, run_of
 from stayput.report.animation import animate_run
-from stayput.report.history import history
+from stayput.report.names import names_of
 from stayput.rooms.verdict import RoomVerdict
-from stayput.rooms.words import names_in
 from stayput.scenario import Scenario
 from stayput.scenario.shaking import RECORD_FILES
-from stayput.simulation.run import Run
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -34,9 +32,8 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.catalogue import Language
-    from stayput.motion import Motion
     from stayput.scenario import Scenario
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
 
 KINDS = {
     ".csv": {"Content-Type": "text/csv; charset=utf-8"},
@@ -76,12 +73,10 @@ def scene_toml(scenario: Scenario, motions: Motions) -> str:
 
 
 def run_csv(scenario: Scenario, *, held: bool) -> str:
-    """Return the histories of a run as a table, one line for each sample of the record.
+    """Return the histories of a run as a table, one line for each piece and sample.
 
-    In space there is one line for each body and sample, with the floor's acceleration.
-
-    The floor's motion stands beside them, and the forces of each device: pull along its normal, negative
-    where it pushes, and shear along its tangent.
+    The floor's motion stands beside them, and the forces of each device: pull along its normal,
+    negative where it pushes, and shear along its tangent; in the plane also how the piece moves.
 
     Parameters
     ----------
@@ -90,47 +85,42 @@ def run_csv(scenario: Scenario, *, held: bool) -> str:
     held : bool
         Whether the user's measures are in place.
     """
-    run, names = _shown(scenario, held=held)
+    run = _shown(scenario, held=held)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    if isinstance(run, Run):
-        histories = history(run)
-        columns = {
-            "time_s": histories.time,
-            "x_m": histories.x,
-            "z_m": histories.z,
-            "tilt_rad": histories.tilt,
-            "slide_m": histories.slide,
-            **_floor(run.motion, histories.time),
-            **_forces(run, histories.time),
-        }
-        writer.writerow([*columns, "mode"])
-        writer.writerows([*row, mode.value] for row, mode in zip(_rows(columns), histories.mode, strict=True))
-        return text.getvalue()
-    for number, name in enumerate(names("en")):
-        columns = _of_body(run, number)
+    modes = list[str](run.mode.tolist())
+    for number, name in enumerate(names_of(run, "en")):
+        columns = _of_piece(run, number)
         if number == 0:
-            writer.writerow(["body", *columns])
-        writer.writerows([name, *row] for row in _rows(columns))
+            writer.writerow(["piece", *columns, *(["mode"] if modes else [])])
+        writer.writerows(
+            [name, *row, *modes[sample : sample + 1]] for sample, row in enumerate(_rows(columns))
+        )
     return text.getvalue()
 
 
-def _of_body(run: SpaceRun, number: int) -> dict[str, NDArray[np.float64]]:
-    """Return the histories of a body in space, by the names of their columns."""
-    slides, motion = run.slide[number], run.motion
+def _of_piece(run: Run, number: int) -> dict[str, NDArray[np.float64]]:
+    """Return the histories of a piece, by the names of their columns."""
+    piece, motion = run.pieces[number], run.motion
     return {
         "time_s": run.time,
         **dict(zip(("x_m", "y_m", "z_m"), run.place[number].T, strict=True)),
         **dict(zip(("qw", "qx", "qy", "qz"), run.attitude[number].T, strict=True)),
-        "tilt_rad": run.tilt[number],
-        "yaw_rad": run.yaw[number],
-        "slide_x_m": slides[:, 0],
-        "slide_y_m": slides[:, 1],
+        "tilt_rad": piece.tilt,
+        "yaw_rad": piece.yaw,
+        "slide_x_m": piece.slide_in_plan[:, 0],
+        "slide_y_m": piece.slide_in_plan[:, 1],
         **{
-            f"floor_{axis}_acceleration_m_s2": np.interp(run.time, motion.time, values)
-            for axis, values in motion.components.items()
+            f"floor_{axis}_{what}": np.interp(run.time, motion.time, values)
+            for axis in motion.components
+            for part in [motion.component(axis)]
+            for what, values in (
+                ("acceleration_m_s2", part.x),
+                ("velocity_m_s", part.velocity),
+                ("displacement_m", part.displacement),
+            )
         },
-        **_forces(run, run.time),
+        **_forces(run),
     }
 
 
@@ -192,39 +182,26 @@ def film(
     told: dict[str, Any] = {"language": language, "seconds": seconds, "note": note, "progress": progress}
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
-        shown, names = _shown(scenario, held=held)
+        shown = _shown(scenario, held=held)
         run = replace(shown, motion=replace(shown.motion, name=named(shown.motion.name)))
-        animate_run(run, path, names=names(language), **told)
+        animate_run(run, path, **told)
         return path.read_bytes()
 
 
-def _shown(scenario: Scenario, *, held: bool) -> tuple[Run | SpaceRun, Callable[[Language], tuple[str, ...]]]:
-    """Return the run of a scene, and what its bodies are called in a language."""
+def _shown(scenario: Scenario, *, held: bool) -> Run:
+    """Return the run of a scene."""
     if not scenario.alone:
-        return pieces_run(scenario), lambda language: names_in(scenario, language)
-    run = run_of(scenario, scenario.motion(), own_measures(scenario) if held else ())
-    return run, lambda language: (name_in(scenario, language),)
+        return pieces_run(scenario)
+    return run_of(scenario, scenario.motion(), own_measures(scenario) if held else ())
 
 
-def _floor(motion: Motion, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """Return the floor's motion at some times, by the names of its columns."""
-    columns = {
-        "floor_acceleration_m_s2": motion.x,
-        "floor_velocity_m_s": motion.velocity,
-        "floor_displacement_m": motion.displacement,
-    }
-    if motion.z is not None:
-        columns["floor_vertical_acceleration_m_s2"] = motion.z
-    return {name: np.interp(time, motion.time, values) for name, values in columns.items()}
-
-
-def _forces(run: Run | SpaceRun, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """Return the forces of a run's devices at some times, by the names of their columns."""
+def _forces(run: Run) -> dict[str, NDArray[np.float64]]:
+    """Return the forces of a run's devices by the names of their columns."""
     columns: dict[str, NDArray[np.float64]] = {}
     for number, device in enumerate(run.devices, 1):
         name = f"device_{number}_{device.kind}" + (f"_{device.place}" if device.place else "")
         for direction, values in (("pull", device.pull), ("shear", device.shear)):
-            columns[f"{name.replace(' ', '_')}_{direction}_n"] = np.interp(time, run.time, values)
+            columns[f"{name.replace(' ', '_')}_{direction}_n"] = values
     return columns
 
 

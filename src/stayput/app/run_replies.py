@@ -68,23 +68,39 @@ class ShapeReply(Reply):
 
 
 class FateReply(Reply):
-    """What became of a piece."""
+    """What became of a piece, or of the one that fared worst."""
 
     outcome: str
-    overturned: bool
+    overturned: bool | None
     overturn_time_s: float | None
 
 
-class RunReply(FateReply):
-    """One run."""
+class PieceReply(FateReply):
+    """What became of one piece."""
 
-    sentence: Words
-    peak_slide_m: float
-    residual_slide_m: float
-    peak_tilt_rad: float
-    residual_tilt_rad: float
+    name: str
+    fell_off: bool | None = Field(description="Whether it came off what it stood on.")
+    fall_time_s: float | None
+    peak_tilt_rad: float | None = Field(description="Largest angle to how it stood, in any direction.")
+    peak_slide_m: float | None = Field(description="Farthest from where it stood, in plan.")
+    residual_tilt_rad: float | None
+    residual_slide_m: TwoNumbers | None = Field(description="Along x and y, at the end.")
+    residual_yaw_rad: float | None = Field(description="Turn about the vertical, at the end.")
     floor_impacts: int
     wall_impacts: int
+    impacts_on_bodies: int
+
+
+class PiecesReply(FateReply):
+    """What became of the pieces of a run, and when the first one overturned."""
+
+    sentence: Words
+    pieces: list[PieceReply]
+
+
+class RunReply(PiecesReply):
+    """One run in the plane."""
+
     body: BodyReply
     room: RoomReply
     time_s: list[float]
@@ -156,21 +172,6 @@ class SimulateReply(Reply):
     with_: RunReply | None = Field(serialization_alias="with")
 
 
-class PieceReply(FateReply):
-    """What became of one piece."""
-
-    name: str
-    fell_off: bool = Field(description="Whether it came off what it stood on.")
-    fall_time_s: float | None
-    peak_tilt_rad: float | None = Field(description="Largest angle to how it stood, in any direction.")
-    peak_slide_m: float | None = Field(description="Farthest from where it stood, in plan.")
-    residual_slide_m: TwoNumbers | None = Field(description="Along x and y, at the end.")
-    residual_yaw_rad: float | None = Field(description="Turn about the vertical, at the end.")
-    floor_impacts: int
-    wall_impacts: int
-    impacts_on_bodies: int
-
-
 class SpaceEventReply(Reply):
     """What happened to a piece at an instant."""
 
@@ -179,11 +180,9 @@ class SpaceEventReply(Reply):
     piece: int = Field(description="Its number, from 0 on.")
 
 
-class SpaceRunReply(FateReply):
-    """One run in space: the outcome of the piece that fared worst, and when the first one overturned."""
+class SpaceRunReply(PiecesReply):
+    """One run in space."""
 
-    sentence: Words
-    pieces: list[PieceReply]
     events: list[SpaceEventReply] = Field(
         description="When each piece first slides, lifts an edge and overturns, and first hits on the room."
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,21 +12,24 @@ from stayput.app.motions import class_of, intensity_of
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import ShakingReply, Words
 from stayput.catalogue import phrase
+from stayput.catalogue.names import ANY_PIECE
 from stayput.errors import InputError
 from stayput.model.room import WALLS_AROUND
 from stayput.montecarlo.hazard import Ground
 from stayput.motion.intensity import intensity_class, published_intensity
-from stayput.report.history import slid
+from stayput.report.names import names_of
 from stayput.report.scene import TIME_DIGITS, frames, ground_displacement, rounded, scene_of
 from stayput.report.space.scene import space_scene
-from stayput.report.space.summary import became, piece_became, space_summary
-from stayput.report.summary import device_results, number, piece_name, piece_sentences, place_called
+from stayput.report.summary import (
+    device_results,
+    piece_results,
+    place_called,
+    sentences,
+    sentences_of_piece,
+)
 from stayput.rooms.events import happens_in
-from stayput.rooms.words import names_in
-from stayput.scenario import Scenario
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import EventKind
-from stayput.simulation.run import Run
 from stayput.simulation.space_fate import ROCKED, SLID
 from stayput.verification.options import YOURS
 from stayput.verification.words import class_phrase
@@ -43,7 +46,7 @@ if TYPE_CHECKING:
     from stayput.report.space.scene import SpaceScene
     from stayput.scenario import Scenario
     from stayput.scenario.shaking import ShakingTable
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
 
 RATE = 60.0
 """Frames a second."""
@@ -66,7 +69,7 @@ def own_measures(scenario: Scenario) -> tuple[Measure, ...]:
     return next((measure_set.measures for measure_set in scenario.measures if measure_set.name == YOURS), ())
 
 
-def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) -> Run | SpaceRun:
+def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) -> Run:
     """Run a scene under a motion, in the plane or in space.
 
     Raises
@@ -74,9 +77,10 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
     RefusedError
         Measures that cannot be applied, or what the simulation refuses.
     """
+    piece = scenario.piece
     try:
-        return simulate(
-            scenario.piece.body(),
+        run = simulate(
+            piece.body(),
             scenario.room.room(),
             motion,
             measures,
@@ -87,9 +91,10 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
         )
     except InputError as error:
         raise RefusedError(422, error.about("measures" if measures else "scene")) from None
+    return run.named([piece.name or piece.preset or ANY_PIECE[0]])
 
 
-def pieces_run(scenario: Scenario) -> SpaceRun:
+def pieces_run(scenario: Scenario) -> Run:
     """Run several pieces.
 
     Raises
@@ -98,7 +103,7 @@ def pieces_run(scenario: Scenario) -> SpaceRun:
         Pieces that are not possible.
     """
     try:
-        return cast("SpaceRun", scenario.run())
+        return scenario.run()
     except InputError as error:
         raise RefusedError(422, error.about("scene")) from None
 
@@ -116,21 +121,19 @@ def simulated(
     ground, motion = ground_and_floor(scenario)
     if not scenario.alone:
         return _pieces_reply(scenario, ground)
-    measures, piece = own_measures(scenario), scenario.piece
+    measures = own_measures(scenario)
     runs = [run_of(scenario, motion, in_place) for in_place in ([(), measures] if measures else [()])]
-    if plane := [run for run in runs if isinstance(run, Run)]:
-        return _plane_reply(scenario, plane, ground)
-    in_space = [run for run in runs if not isinstance(run, Run)]
-    told = [piece_became(run, piece.preset, piece.name) for run in in_space]
-    scenes = [space_scene(run, (name_in(scenario, "en"),), in_space) for run in in_space]
-    return _space_reply(scenario, scenes, told, ground)
+    if runs[0].engine == "plane":
+        return _plane_reply(scenario, runs, ground)
+    scenes = [space_scene(run, names_of(run, "en"), runs) for run in runs]
+    return _space_reply(scenario, scenes, [sentences_of_piece(run) for run in runs], ground)
 
 
 def _plane_reply(scenario: Scenario, runs: list[Run], ground: Motion) -> run_replies.SimulateReply:
     motion = runs[0].motion
     scene = scene_of(runs, end=motion.duration)
     data = scene.data(RATE)
-    replies = [_run_reply(run, run_data, scenario) for run, run_data in zip(runs, data["runs"], strict=True)]
+    replies = [_run_reply(run, run_data) for run, run_data in zip(runs, data["runs"], strict=True)]
     times = frames(0.0, motion.duration, RATE)
     return run_replies.SimulateReply(
         motion=_motion_of_run(ground, motion),
@@ -142,20 +145,33 @@ def _plane_reply(scenario: Scenario, runs: list[Run], ground: Motion) -> run_rep
     )
 
 
-def _run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> run_replies.RunReply:
-    """Return a run as arrays for a picture: its data in a scene, and what happened."""
+def _run_reply(run: Run, data: dict[str, Any]) -> run_replies.RunReply:
+    """Return a run in the plane as arrays for a picture: its data in a scene, and what happened."""
+    events = [
+        run_replies.EventReply(
+            time_s=round(event.time, TIME_DIGITS), kind=event.kind.value, mode=event.mode.value
+        )
+        for event in run.events
+    ]
     return run_replies.RunReply(
         **data,
-        sentence=Words.of(piece_sentences(run, scenario.piece.preset, scenario.piece.name)),
-        events=[
-            run_replies.EventReply(
-                time_s=round(event.time, TIME_DIGITS), kind=event.kind.value, mode=event.mode.value
-            )
-            for event in run.events
-        ],
+        **_fate(run, sentences_of_piece(run)),
+        events=events,
         events_total=run.events_total,
         events_cut=bool(run.unlisted),
     )
+
+
+def _fate(run: Run, sentence: Phrase) -> dict[str, Any]:
+    """Return what became of the pieces of a run."""
+    pieces = piece_results(run)
+    return {
+        "outcome": run.outcome.value,
+        "sentence": Words.of(sentence),
+        "overturned": any(one.overturned for one in run.pieces),
+        "overturn_time_s": min((one.overturn_time for one in run.pieces if one.overturned), default=None),
+        "pieces": pieces,
+    }
 
 
 def ground_and_floor(scenario: Scenario) -> tuple[Motion, Motion]:
@@ -215,17 +231,9 @@ def _shift(motion: Motion, times: NDArray[np.float64], scale: float) -> list[flo
     return rounded(scale * np.interp(times, motion.time, ground_displacement(motion)))
 
 
-def name_in(scenario: Scenario, language: str) -> str:
-    """Return what the piece of a scene is called in pictures."""
-    piece = scenario.piece
-    english, japanese = piece_name(piece.preset, piece.name)
-    return japanese if language == "ja" else english
-
-
 def _pieces_reply(scenario: Scenario, ground: Motion) -> run_replies.SpaceSimulateReply:
     run = pieces_run(scenario)
-    told = became(run, names_in(scenario, "en"))[0], became(run, names_in(scenario, "ja"))[1]
-    reply = _space_reply(scenario, [space_scene(run, scenario.names)], [told], ground)
+    reply = _space_reply(scenario, [space_scene(run, scenario.names)], [sentences(run)], ground)
     if scenario.plan is not None:
         hits, blocked, shut_in = happens_in(run, scenario)
         each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
@@ -255,36 +263,31 @@ def _space_reply(
 def _space_run_reply(scene: SpaceScene, data: dict[str, Any], sentence: Phrase) -> run_replies.SpaceRunReply:
     run = scene.run
     return run_replies.SpaceRunReply(
-        outcome=run.outcome.value,
-        sentence=Words.of(sentence),
-        overturned=bool(run.overturned.any()),
-        overturn_time_s=number(float(np.fmin.reduce(run.overturn_time))),
-        pieces=space_summary(run, scene.names)["bodies"],
+        **_fate(run, sentence),
         events=_events(run),
         devices=[_device(device, run, scene) for device in run.devices],
         scene=data,
     )
 
 
-def _device(device: DeviceResult, run: SpaceRun, scene: SpaceScene) -> Any:
+def _device(device: DeviceResult, run: Run, scene: SpaceScene) -> Any:
     forces = {"pull_n": device.pull, "shear_n": device.shear}
     at_poses = {name: rounded(np.interp(scene.time, run.time, values), 1) for name, values in forces.items()}
     return {**device_results(device), "name": place_called(device, scene.names), **at_poses}
 
 
-def _events(run: SpaceRun) -> list[run_replies.SpaceEventReply]:
+def _events(run: Run) -> list[run_replies.SpaceEventReply]:
     """Return when each piece first slides and lifts an edge, its hits on the room, and when it overturns."""
     found: list[tuple[float, EventKind, int]] = [
         (hit.time, HITS[hit.surface], hit.body) for hit in run.hits[:MOST_EVENTS] if hit.surface
     ]
-    slides, tilts = slid(run), run.tilt
-    for piece, fell in enumerate(run.overturn_time.tolist()):
+    for number, one in enumerate(run.pieces):
         first = {
-            EventKind.SLIP: _first(run.time, slides[piece] > SLID),
-            EventKind.UPLIFT: _first(run.time, tilts[piece] > ROCKED),
-            EventKind.OVERTURNED: fell,
+            EventKind.SLIP: _first(run.time, one.slide > SLID),
+            EventKind.UPLIFT: _first(run.time, one.tilt > ROCKED),
+            EventKind.OVERTURNED: one.overturn_time,
         }
-        found += [(time, kind, piece) for kind, time in first.items() if not math.isnan(time)]
+        found += [(time, kind, number) for kind, time in first.items() if not math.isnan(time)]
     found.sort(key=lambda event: event[0])
     return [
         run_replies.SpaceEventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)

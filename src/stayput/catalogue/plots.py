@@ -82,8 +82,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "線：気象庁の長周期地震動階級、1.6～7.8 s",
     ),
     # A run.
-    "floor_x": ("x, horizontal", "x、水平"),
-    "floor_z": ("z, vertical", "z、上下"),
     "floor_acceleration": ("Floor\nacceleration [m/s²]", "床の\n加速度 [m/s²]"),
     "acceleration_of": ("Acceleration of\n{floor} [m/s²]", "床（{floor}）の\n加速度 [m/s²]"),
     "tilt": ("Tilt [°]\n(+ to the right)", "傾き [°]\n（右が＋）"),

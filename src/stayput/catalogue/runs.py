@@ -52,6 +52,23 @@ TEXTS: dict[str, tuple[str, str]] = {
     "slid_up_to": ("up to {length}", "最大{length}"),
     "tilted_least": ("less than 0.1°", "0.1度未満の傾きで"),
     "tilted_up_to": ("up to {angle:.1f}°", "最大{angle:.1f}度の傾きで"),
+    # Pieces of a run.
+    "number_of_names": (
+        "There are {count} names for {pieces} pieces; give one for each.",
+        "名前が{count}個ありますが、物体は{pieces}個です。それぞれに1つずつ指定してください。",
+    ),
+    "no_piece": (
+        "There is no piece {value} in the run; its pieces are {allowed}.",
+        "計算結果に{value}という物体はありません。物体は{allowed}です。",
+    ),
+    "several": (
+        "The run has several pieces; name one, as in run[0].peak_tilt. Its pieces are {allowed}.",
+        "計算結果には複数の物体があります。run[0].peak_tiltのように1つを指定してください。物体は{allowed}です。",
+    ),
+    "no_body": (
+        "What moved is a solid and has no body of furniture.",
+        "計算した物体は立体であり、家具（Body）ではありません。",
+    ),
     # The results of a run, a row each.
     "row_motion": ("Motion", "地震動"),
     "row_motion_value": (

@@ -11,7 +11,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}、全成分を合わせた最大加速度 {peak:.2f} m/s²",
     ),
     # What became of them
-    "numbered": ("body {number}", "物体{number}"),
     "upright": (
         "The {name} did not overturn; it tilted by {tilt} and slid by {slide}.",
         "{name}は転倒しませんでした（傾き：{tilt}、移動量：{slide}）。",
@@ -45,12 +44,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "up_to_angle": ("up to {angle:.1f}°", "最大{angle:.1f}°"),
     "least_angle": ("less than 0.1°", "0.1°未満"),
     "state": ("tilt {tilt:.1f}°, slide {slide:.1f} cm", "傾き {tilt:.1f}°、移動量 {slide:.1f} cm"),
-    # Names of bodies
-    "names": ("the names", "名前（names）"),
-    "number_of_names": (
-        "There are {count} names for {bodies} bodies; give one for each.",
-        "名前が{count}個ありますが、物体は{bodies}個です。それぞれに1つずつ指定してください。",
-    ),
     # The player
     "body": ("Body", "物体"),
     "tilt": ("tilt", "傾き"),
@@ -101,6 +94,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Plots
     "axis_tilt": ("Tilt [°]", "傾き [°]"),
+    "axis_slide": ("Slide [cm]", "移動量 [cm]"),
     "axis_yaw": ("Turn in plan [°]", "水平面内の回転 [°]"),
     "axis_x": ("x, towards the front [m]", "x、正面側 [m]"),
     "axis_y": ("y, across [m]", "y、左右 [m]"),

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from contextlib import ExitStack, contextmanager
-from functools import partial
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.catalogue import LANGUAGES, say
+from stayput.catalogue import say
 from stayput.cli.flags import (
     OF_LOCALE,
     SCENE,
@@ -53,44 +52,26 @@ def simulate(
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput simulate``."""
-    from stayput.report.summary import piece_name, rows, sentences, summary
-    from stayput.simulation.run import Run
+    from stayput.report.animation import animate_run
+    from stayput.report.plot import plot_run
+    from stayput.report.summary import rows, sentences, summary
 
     _check_targets(plot, animate)
     checked = opened(scenario, said, (plot, animate), of_one={"--measure": measure})
     with compiling():
         run = checked.run(chosen_measures(checked, measure or []))
-    if checked.alone:
-        piece = checked.piece
-        name = (piece.title, piece_name(piece.preset, piece.name)[1])
-        names = (name[LANGUAGES.index(lang)],)
-    else:
-        from stayput.rooms.words import names_in
-
-        name, names = ("", ""), checked.names if json else names_in(checked, lang)
-    from stayput.report.animation import animate_run
-
-    if isinstance(run, Run):
-        from stayput.report.plot import plot_run
-
-        told, values, listed = sentences(run, name), summary(run), rows(run, lang)
-        plotted = partial(plot_run, run)
-    else:
-        from stayput.report.space.plot import plot_space_run
-        from stayput.report.space.summary import became, space_rows, space_summary
-
-        told, values, listed = became(run, names), space_summary(run, names), space_rows(run, names, lang)
-        plotted = partial(plot_space_run, run, names=names)
+    sentence = say(sentences(run), lang)
     if plot is not None:
-        plotted(plot, title=say(told, lang), language=lang)
+        plot_run(run, plot, title=sentence, language=lang)
     if animate is not None:
         with _progress() as progress:
-            animate_run(run, animate, names=names, fps=fps, speed=speed, language=lang, progress=progress)
+            animate_run(run, animate, fps=fps, speed=speed, language=lang, progress=progress)
     if json:
-        print_json(values)
+        print_json(summary(run))
         return
     console, paragraph = terminal(lang, checked.title)
-    paragraph(say(told, lang))
+    paragraph(sentence)
+    listed = rows(run, lang)
     shaking = checked.shaking
     if shaking.strength is not None:
         listed.append((say("cli.strength", lang), say(shaking.strength.about, lang)))

@@ -40,7 +40,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.simulation.space_engine import SpaceShaking
-    from stayput.simulation.space_fate import Fate
 
 STEP = 0.0025
 """Longest time between the samples at which the piece is followed [s]: an impact lasts two of them."""
@@ -126,7 +125,8 @@ class Carrier:
             fine = shaken.refined(_parts(shaken.dt))
             traced = trace_case(case, elements, fine, lies=ENDS)
             (turn, *_), (fate, *_) = traced.turns_and_fates()
-            return cls.in_space(case, fine, traced.trace.place[0], turn, fate, height)
+            failed = fate.outcome is Outcome.FAILED
+            return cls.in_space(case, fine, traced.trace.place[0], turn, fate.fell, height, failed)
         floor, parts = shaken.floor, _parts(shaken.floor.dt)
         dt = floor.dt / parts
         along, up = refine(floor.ax, parts), refine(floor.az, parts)
@@ -153,8 +153,9 @@ class Carrier:
         shaken: SpaceShaking,
         place: NDArray[np.float64],
         turn: NDArray[np.float64],
-        fate: Fate,
+        fell: int | None,
         height: float,
+        failed: bool,
     ) -> Carrier:
         """Return a piece that moved in space.
 
@@ -166,13 +167,14 @@ class Carrier:
             How the floor moved, before the factor of the case.
         place, turn : ndarray of float64, shape [n, 3] and [n, 3, 3]
             Its centre of gravity [m], and the rotation of its frame into the room's.
-        fate : Fate
-            What became of it.
+        fell : int or None
+            The sample at which it overturned or fell off.
         height : float
             Height of the piece [m].
+        failed : bool
+            Whether the run was given up.
         """
-        falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
-        reached = max(1, min(falls, default=len(place)))
+        reached = len(place) if fell is None else max(1, fell)
         front, up = (np.ascontiguousarray(turn[:reached, :, axis].T) for axis in (0, 2))
         tilt = np.arctan2(-front[2], up[2])
         sin, cos = np.sin(tilt), np.cos(tilt)
@@ -185,8 +187,8 @@ class Carrier:
             facing=cos * front + sin * up,
             upright=cos * up - sin * front,
             centre=_centre(case, height),
-            overturned=bool(falls),
-            failed=fate.outcome is Outcome.FAILED,
+            overturned=fell is not None,
+            failed=failed,
         )
 
     def _axes(self, turn: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

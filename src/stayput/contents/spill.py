@@ -35,7 +35,6 @@ if TYPE_CHECKING:
     from stayput.contents.items import Items
     from stayput.mechanics.runner import Shaking, Traced
     from stayput.model.body import Body
-    from stayput.simulation.space_run import SpaceRun
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -111,7 +110,7 @@ class Spill:
         return float(self.mass[self.out].sum())
 
 
-def spill(of: Run | SpaceRun | Case, contents: Contents, piece: int | None = None) -> Spill:
+def spill(of: Run | Case, contents: Contents, piece: int | None = None) -> Spill:
     """Follow what is in a piece of furniture, item by item, as the piece moves.
 
     The items feel the motion of their shelf and do not act back on the piece: see
@@ -119,7 +118,7 @@ def spill(of: Run | SpaceRun | Case, contents: Contents, piece: int | None = Non
 
     Parameters
     ----------
-    of : Run, SpaceRun or Case
+    of : Run or Case
         The piece, where it stands, how the floor moves and what holds it. A run in space is followed at its
         samples, which must be no more than `stayput.contents.carrier.STEP` apart; a case in space is run so.
     contents : Contents
@@ -147,14 +146,15 @@ def spill(of: Run | SpaceRun | Case, contents: Contents, piece: int | None = Non
     >>> spill(case, sp.Contents("books")).share_out > 0.0
     True
     """
-    from stayput.simulation.space_run import SpaceRun  # SciPy takes its time to load
-
-    instance_of("of", of, (Run, SpaceRun, Case))
+    instance_of("of", of, (Run, Case))
     instance_of("contents", contents, Contents)
-    bodies = len(of.pieces) if isinstance(of, SpaceRun) else 1
+    bodies = len(of.pieces) if isinstance(of, Run) else 1
     if piece is not None or bodies > 1:
         piece = whole_within("contents.piece", cast("int", piece), 0, bodies - 1, "", "piece")
-    carrier, body = _in_run(of, piece or 0) if isinstance(of, SpaceRun) else _run_again(of)
+    if isinstance(of, Run) and of.engine == "space":
+        carrier, body = _in_run(of, piece or 0)
+    else:
+        carrier, body = _run_again(of)
     if carrier.failed:
         raise InputError("contents.given_up")
     return spill_of(carrier, body, contents, followed=contents.items)
@@ -172,19 +172,21 @@ def _run_again(of: Run | Case) -> tuple[Carrier, Body]:
     return Carrier.of(case, element_rows(held), shaken, held.body.height), held.body
 
 
-def _in_run(run: SpaceRun, piece: int) -> tuple[Carrier, Body]:
+def _in_run(run: Run, piece: int) -> tuple[Carrier, Body]:
     """Follow a piece in a run in space; return it as it is held, too."""
     from stayput.simulation.space_engine import SpaceShaking
 
-    held = run.held[piece] if run.held else None
+    held = run[piece].held
     if held is None:
         raise InputError("model.another_shape", "piece")
     if run.motion.dt > STEP * (1.0 + 1e-9):
         raise InputError("contents.samples_apart", "motion.dt", dt=run.motion.dt, most=STEP)
     body, shaken = held.body, SpaceShaking.of(run.motion)
     case = case_columns(body, held.room, State(), run.gravity)[0]
-    moved = run.place[piece], run.turn[piece], run.fates[piece]
-    return Carrier.in_space(case, shaken, *moved, body.height), body
+    times = [time for time in (run[piece].overturn_time, run[piece].fall_time) if math.isfinite(time)]
+    fell = round(min(times) / run.motion.dt) if times else None
+    moved = run.place[piece], run.turn[piece], fell
+    return Carrier.in_space(case, shaken, *moved, body.height, run.given_up), body
 
 
 def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int) -> Spill:

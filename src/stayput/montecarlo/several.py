@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion import Motion
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
     from stayput.simulation.standing import Piece
     from stayput.uncertainty import Marginal
 
@@ -309,7 +309,7 @@ def trace_draw(
 
 def replay(
     assembly: Assembly, room: Room, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float
-) -> SpaceRun:
+) -> Run:
     """Run an assembly under one draw again, with its histories.
 
     Parameters

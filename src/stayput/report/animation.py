@@ -17,15 +17,13 @@ from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
 from stayput.report.frames import Painter
 from stayput.report.history import cut_run, history, peak_of, window_in_space, window_of
-from stayput.report.names import motion_label
+from stayput.report.names import motion_label, names_of
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
 from stayput.report.palette import mode_looks
 from stayput.report.scene import DRIFT_CORNER, Scene, scene_of
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.scene import SpaceScene, space_scene
-from stayput.report.space.summary import became, names_of
 from stayput.report.summary import sentences
-from stayput.simulation.space_run import SpaceRun
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -93,10 +91,9 @@ class Film(Generic[AnyScene]):
 
 
 def film_of(
-    run: Run | SpaceRun,
-    names: Sequence[str] | None = None,
+    run: Run,
     language: str = "en",
-    beside: Sequence[SpaceRun] = (),
+    beside: Sequence[Run] = (),
     *,
     seconds: float | None = None,
     note: str = "",
@@ -105,13 +102,11 @@ def film_of(
 
     Parameters
     ----------
-    run : Run or SpaceRun
+    run : Run
         The run.
-    names : sequence of str, optional
-        What the bodies are called; by default "body", or by their numbers where there are several.
     language : str
         Language of the texts, "en" or "ja".
-    beside : sequence of SpaceRun
+    beside : sequence of Run
         Runs in space that are shown beside each other, this one among them, to one scale.
     seconds : float, optional
         How much is shown of it, in which something happens [s]; by default all.
@@ -121,15 +116,14 @@ def film_of(
     Raises
     ------
     InputError
-        The run has fewer than two samples, or there is not a name for each body.
+        The run has fewer than two samples.
     """
     if len(run.time) < 2:
         raise InputError("runs.too_short", samples=len(run.time))
-    if isinstance(run, SpaceRun):
+    if run.engine == "space":
         shown = run if seconds is None else cut_run(run, *window_in_space([run], seconds))
-        called = names_of(run, names, language)
-        scene = space_scene(shown, called, beside)
-        told, key, peak = became(run, called), "space.motion_title", peak_of(run.motion)
+        scene = space_scene(shown, names_of(run, language), beside)
+        key, peak = "space.motion_title", peak_of(run.motion)
         caption = [
             say("space.caption", language, grid=scene.grid),
             *([say("space.caption_still", language)] if scene.still else []),
@@ -142,12 +136,11 @@ def film_of(
             start, end = window_of([(run, shown)], run.motion, seconds)
             end = min(end, shown.end)
         scene = scene_of([run], start, end)
-        told = sentences(run, phrase("runs.body") if names is None else (names[0], names[0]))
         key, peak = "runs.motion_title", run.motion.pga
         caption = [say("runs.caption", language, **_movement(scene), grid=scene.view.grid)]
     motion = say(key, language, name=motion_label(run.motion, language), peak=peak)
     strip = say("runs.floor_acceleration", language, motion=motion)
-    return Film(scene, say(told, language), strip, " ".join(caption), language, note)
+    return Film(scene, say(sentences(run), language), strip, " ".join(caption), language, note)
 
 
 def _movement(scene: Scene | SpaceScene) -> dict[str, object]:
@@ -158,14 +151,13 @@ def _movement(scene: Scene | SpaceScene) -> dict[str, object]:
 
 
 def animate_run(
-    run: Run | SpaceRun,
+    run: Run,
     path: str | Path,
     *,
     fps: float = 20.0,
     speed: float = 1.0,
     hold: float = 1.5,
     width: int = 640,
-    names: Sequence[str] | None = None,
     language: str = "en",
     progress: Progress | None = None,
     seconds: float | None = None,
@@ -175,7 +167,7 @@ def animate_run(
 
     Parameters
     ----------
-    run : Run or SpaceRun
+    run : Run
         The run.
     path : str or Path
         Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file, which in space needs a
@@ -191,8 +183,6 @@ def animate_run(
         How long the last pose is held [s].
     width : int
         Width of a frame [pixels]; the height is three quarters of it. Not used for HTML.
-    names : sequence of str, optional
-        What the bodies are called; by default "body", or by their numbers where there are several.
     language : str
         Language of the texts, "en" or "ja".
     progress : callable, optional
@@ -210,7 +200,7 @@ def animate_run(
     Raises
     ------
     InputError
-        A value out of range, another language, not a name for each body, a path that cannot be written, or no
+        A value out of range, another language, a path that cannot be written, or no
         ffmpeg for an MP4.
     """
     target = check_animation(path)
@@ -218,14 +208,14 @@ def animate_run(
     within("runs.animation_speed", speed, 0.01, 100.0, field="speed")
     within("runs.animation_hold", hold, 0.0, 60.0, "s", field="hold")
     within("runs.animation_width", width, 200, 4000, "pixels", field="width")
-    film = film_of(run, names, check_language(language), seconds=seconds, note=note)
+    film = film_of(run, check_language(language), seconds=seconds, note=note)
     suffix = target.suffix.lower()
     with draft(target) as unfinished:
         if suffix == ".html":
             unfinished.write_text(player_page(film, speed, hold), encoding="utf-8")
             return target
         size = width - width % 2, round(0.375 * width) * 2  # both even, as MP4 needs them
-        frame = (SpacePainter if isinstance(run, SpaceRun) else Painter)(film, *size).frame
+        frame = (SpacePainter if run.engine == "space" else Painter)(film, *size).frame
         delay = max(_SHORTEST, round(100.0 / fps))  # of a GIF
         rate = 100.0 / delay if suffix == ".gif" else fps
         times = frame_times(film.scene.start, film.scene.end, rate, speed, hold)
@@ -237,11 +227,9 @@ def animate_run(
     return target
 
 
-def run_player(
-    run: Run | SpaceRun, names: Sequence[str] | None = None, speed: float = 1.0, language: str = "en"
-) -> Player:
+def run_player(run: Run, speed: float = 1.0, language: str = "en") -> Player:
     """Return an animation of a run that notebooks play."""
-    film = film_of(run, names, check_language(language))
+    film = film_of(run, check_language(language))
     return Player(player_page(film, speed, hold=1.5), film.title)
 
 

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
     from stayput.motion import Motion
     from stayput.simulation.run import Run
-    from stayput.simulation.space_run import SpaceRun
 
 
 BEFORE, AFTER, LONGEST = 2.0, 4.0, 60.0
@@ -72,7 +71,8 @@ def history(run: Run) -> History:
     it here: 90°, on the side where it lies, with the corner it turned about on the floor.
     """
     mode = tuple(Mode(str(value)) for value in run.mode)
-    shown = History(run.time, run.x, run.z, run.tilt, run.slide, mode)
+    x, _, z = run.place[0].T
+    shown = History(run.time, x, z, run.tilt, run.slide, mode)
     if not run.overturned or run.overturn_time <= shown.end:
         return shown
     tilt = float(run.tilt[-1])
@@ -84,8 +84,8 @@ def history(run: Run) -> History:
     right, up = turned(corner, lying)
     return History(
         np.append(run.time, run.overturn_time),
-        np.append(run.x, float(run.x[-1]) + across + moved - right),
-        np.append(run.z, -up),
+        np.append(x, float(x[-1]) + across + moved - right),
+        np.append(z, -up),
         np.append(run.tilt, lying),
         np.append(run.slide, float(run.slide[-1]) + moved),
         (*mode, Mode.OVERTURNED),
@@ -130,17 +130,18 @@ def window_of(
     return _around(first, last, motion.duration, longest)
 
 
-def window_in_space(runs: Sequence[SpaceRun], longest: float = LONGEST) -> tuple[float, float]:
+def window_in_space(runs: Sequence[Run], longest: float = LONGEST) -> tuple[float, float]:
     """Return the start and the end of the time in which something moves in space [s]; see `window_of`."""
     times = runs[0].time
     first, last = float(times[-1]), 0.0
     for run in runs:
-        tilt, slide = run.tilt.max(axis=0), slid(run).max(axis=0)
+        tilt = np.max([one.tilt for one in run.pieces], axis=0)
+        slide = np.max([one.slide for one in run.pieces], axis=0)
         moved = np.flatnonzero((tilt > MOVED) | (slide > MOVED))
         if len(moved):
             first = min(first, float(times[moved[0]]))
-        fell = run.overturn_time[run.overturned]
-        last = max(last, float(fell.max()) if len(fell) else float(times[tilt.argmax()]))
+        falls = [one.overturn_time for one in run.pieces if one.overturned]
+        last = max(last, *falls or [float(times[tilt.argmax()])])
     if first >= last:  # nothing moves: the strongest shaking is shown
         first = last = float(times[np.abs(runs[0].motion.x).argmax()])
     return _around(first, last, float(times[-1]), longest)
@@ -151,17 +152,15 @@ def _around(first: float, last: float, duration: float, longest: float) -> tuple
     return math.floor(10.0 * max(0.0, first - BEFORE, end - longest)) / 10.0, end
 
 
-def cut_run(run: SpaceRun, start: float, end: float) -> SpaceRun:
-    """Return the part of a run between two times [s]."""
+def cut_run(run: Run, start: float, end: float) -> Run:
+    """Return the part of a run in space between two times [s]; numbers stay those of the whole."""
     kept = (run.time >= start - 1e-9) & (run.time <= end + 1e-9)
     along = ("place", "attitude", "velocity", "rotation_rate", "force")
-    return replace(run, time=run.time[kept], **{name: getattr(run, name)[:, kept] for name in along})
-
-
-def slid(run: SpaceRun) -> NDArray[np.float64]:
-    """Return how far from where it stood each body is in plan, shape (bodies, samples) [m]."""
-    slide = run.slide
-    return np.hypot(slide[..., 0], slide[..., 1])
+    of_piece = ("tilt", "slide", "slide_in_plan", "yaw")
+    cut = [{name: getattr(one, name)[kept] for name in of_piece} for one in run.pieces]
+    pieces = tuple(replace(one, **parts) for one, parts in zip(run.pieces, cut, strict=True))
+    poses = {name: getattr(run, name)[:, kept] for name in along}
+    return replace(run, time=run.time[kept], pieces=pieces, **poses)
 
 
 def peak_of(motion: Motion) -> float:
@@ -169,6 +168,6 @@ def peak_of(motion: Motion) -> float:
     return float(np.linalg.norm(list(motion.components.values()), axis=0).max())
 
 
-def at_time(time: float, run: SpaceRun, history: NDArray[np.float64]) -> float:
+def at_time(time: float, run: Run, history: NDArray[np.float64]) -> float:
     """Return the value of a history, shape (samples,), at a time [s]."""
     return float(np.interp(time, run.time, history))

@@ -1,16 +1,19 @@
-"""Names of presets, places of devices, motions, suites, targets, buildings and floors, in one language."""
+"""Names of presets, pieces, places of devices, motions, suites, targets, buildings, floors, by language."""
 
 from __future__ import annotations
 
 import re
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import say
-from stayput.catalogue.names import FAMILIES, MOTIONS, PIECES, PLACES, STRUCTURES, SURFACES
+from stayput.catalogue import phrase, say
+from stayput.catalogue.names import ANY_PIECE, FAMILIES, MOTIONS, PIECES, PLACES, STRUCTURES, SURFACES
 from stayput.motion.floors import floor_phrase
+from stayput.wording import called
 
 if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
     from stayput.motion import Motion
+    from stayput.simulation.run import Run
 
 _NAMES = {
     **{name: label for name, (label, _) in FAMILIES.items()},
@@ -20,6 +23,8 @@ _NAMES = {
     **STRUCTURES,
     **SURFACES,
 }
+
+_PIECES_OF_RUNS = {**PIECES, "body": phrase("runs.body"), ANY_PIECE[0]: ANY_PIECE}
 
 _MADE = (
     ("report.sine", re.compile(r"sine (?P<values>.+)")),
@@ -42,6 +47,16 @@ _ON_A_FLOOR = re.compile(r"(?P<motion>.+), (?P<place>[^,]+) of (?P<building>.+)"
 def named(name: str, language: str) -> str:
     """Return a preset's name in a language; a name of the user's own stays as it is, as all do in English."""
     return name if language == "en" or name not in _NAMES else say(_NAMES[name], language)
+
+
+def piece_name(name: str) -> Phrase:
+    """Return what a piece of a run is called, translated where that is a preset's name or a default one."""
+    return called(name, _PIECES_OF_RUNS)
+
+
+def names_of(run: Run, language: str) -> tuple[str, ...]:
+    """Return what the pieces of a run are called in a language."""
+    return tuple(say(piece_name(name), language) for name in run.names)
 
 
 def place_named(place: str, language: str) -> str:

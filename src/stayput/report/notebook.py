@@ -17,8 +17,6 @@ from stayput.report.fragility import draw_curve, draw_ranking
 from stayput.report.names import motion_label
 from stayput.report.plot import plot_motion, plot_run
 from stayput.report.section import draw_body_in_room
-from stayput.report.space.plot import plot_space_run
-from stayput.report.space.summary import became, names_of, space_rows
 from stayput.report.spectra import draw_spectrum, draw_suite, suite_title
 from stayput.report.summary import rows, sentence
 from stayput.report.verdict.numbers import NO_NUMBER, length, word
@@ -37,7 +35,6 @@ if TYPE_CHECKING:
     from stayput.motion.response import ResponseSpectrum
     from stayput.motion.suites import Suite
     from stayput.simulation.run import Run
-    from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Verdict
 
 MOST_ROWS = 10
@@ -47,13 +44,6 @@ MOST_ROWS = 10
 def run_html(run: Run) -> str:
     """Return a run as its sentence, histories and results."""
     return _shown(sentence(run), plot_run(run), rows(run))
-
-
-def space_run_html(run: SpaceRun) -> str:
-    """Return a run in space as its sentence, histories, ways in plan and results."""
-    names = names_of(run, None, "en")
-    table = [(label, *values) for label, *values in space_rows(run, names, "en")]
-    return _shown(say(became(run, names)), plot_space_run(run), table)
 
 
 def verdict_html(verdict: Verdict) -> str:

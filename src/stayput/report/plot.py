@@ -10,10 +10,12 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from scipy.spatial import ConvexHull
 
 from stayput.catalogue import say
-from stayput.catalogue.names import EVENTS, MODES
+from stayput.catalogue.names import EVENTS, MODES, OUTCOMES
 from stayput.errors import word_of
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.motion.measures import DisplacementPeak
@@ -28,10 +30,20 @@ from stayput.report.figures import (
     saved,
     style,
 )
-from stayput.report.fonts import drawable
+from stayput.report.fonts import drawable, with_face, wrapped
 from stayput.report.history import history
-from stayput.report.names import acceleration_label, motion_label
-from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
+from stayput.report.names import acceleration_label, motion_label, names_of
+from stayput.report.palette import (
+    ALARM,
+    BODY_COLOURS,
+    COMPONENT_COLOURS,
+    EVENT_MARKERS,
+    INK,
+    MODE_COLOURS,
+    MUTED,
+    ROOM,
+)
+from stayput.report.space.shape import STILL_LOOKS, still_of
 from stayput.simulation.outcome import EventKind, Mode
 from stayput.simulation.run import RunHistory
 
@@ -50,11 +62,19 @@ _AFTER = 1.2  # the time axis goes on after overturning by this factor
 BAND = 0.25
 """Opacity of the modes' bands behind a history."""
 
+_OVERTURNED, _FELL_OFF = "X", "v"
+"""Marks of when a piece overturned and fell off."""
+
+_SMALLEST = 0.1
+"""Half the range of an axis on which nothing happens [° or cm]."""
+
 _TILT_SHOWN = 3.0  # the tilt axis ends here, in critical angles; a fall beyond it is marked, not followed
 
 
 def plot_run(run: Run, path: str | Path | None = None, *, title: str = "", language: str = "en") -> Figure:
-    """Plot the floor's acceleration, the tilt and the slide, with the modes as bands and the events marked.
+    """Plot the floor's acceleration, the tilts and the slides of the pieces over time.
+
+    In the plane with the modes as bands and the events marked; in space with the ways of the pieces in plan.
 
     Parameters
     ----------
@@ -77,25 +97,47 @@ def plot_run(run: Run, path: str | Path | None = None, *, title: str = "", langu
     InputError
         A path that cannot be written.
     """
-    figure = new_figure(9.5, 7.2, title)
-    axes = figure.subplots(4, 1, sharex=True, height_ratios=[1.0, 1.6, 1.0, 0.16])
-    acceleration, tilt, slide, strip = axes
+    in_plan, several = run.engine == "space", len(run.pieces) > 1
+    width = 12.0 if in_plan else 9.5
+    figure = new_figure(width, 7.2)
+    if title:
+        text, face = with_face(title, FONT + 2.0)
+        lines = wrapped(text, face, 0.96 * 72.0 * width).replace("$", r"\$")
+        figure.suptitle(lines, fontsize=FONT + 2.0, color=INK)
+    heights = [1.0, 1.6, 1.0, *([] if in_plan else [0.16])]
+    widths = [1.35, 1.0] if in_plan else [1.0]
+    grid = figure.add_gridspec(len(heights), len(widths), width_ratios=widths, height_ratios=heights)
+    first = figure.add_subplot(grid[0, 0])
+    axes = [first, *(figure.add_subplot(grid[row, 0], sharex=first) for row in range(1, len(heights)))]
+    acceleration, tilt, slide = axes[:3]
     _draw_acceleration(acceleration, run, language)
-    name = drawable(motion_label(run.motion, language))
-    acceleration.set_title(name, fontsize=FONT - 0.5, color=MUTED, loc="left")
-    _draw_tilt(tilt, run, language)
-    _draw_slide(slide, run, language)
-    _draw_modes(strip, _draw_bands((tilt, slide), run), language)
-    strip.set_xlim(0.0, _last_time(run))
-    label_axes(strip, language, x="report.axis_time")
+    motion = drawable(motion_label(run.motion, language))
+    acceleration.set_title(motion, fontsize=FONT - 0.5, color=MUTED, loc="left")
+    _draw_pieces(tilt, run, "tilt", language)
+    if not several and tilt.get_legend_handles_labels()[0]:
+        legend_within(tilt)
+    _draw_pieces(slide, run, "slide", language)
+    if in_plan:
+        plan = figure.add_subplot(grid[:, 1])
+        _draw_plan(plan, run, language)
+        if several:
+            _draw_names_below(figure, run, width, language)
+        else:
+            legend_within(plan)
+    else:
+        _draw_modes(axes[3], _draw_bands((tilt, slide), run), language)
+    for axis in axes[:-1]:
+        axis.tick_params(labelbottom=False)
+    first.set_xlim(0.0 if run.engine == "plane" else float(run.time[0]), _last_time(run))
+    label_axes(axes[-1], language, x="report.axis_time")
     figure.align_ylabels(axes[:3])
     return saved(figure, path)
 
 
 def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any) -> None:
-    """Draw one history of a run on axes, with the modes as bands behind a tilt or a slide.
+    """Draw one history of a run on axes, with the modes as bands behind a tilt or a slide in the plane.
 
-    On axes that have a run already only the line is drawn.
+    On axes that have a run already only the lines are drawn.
 
     Parameters
     ----------
@@ -104,31 +146,41 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
     run : Run
         The run.
     what : str
-        "tilt", "slide" or "acceleration".
+        "tilt", "slide", "yaw", "plan" or "acceleration".
     language : str
         "en" or "ja".
     **line
-        How the line looks, as for ``Axes.plot``.
+        How the line of a single piece looks, as for ``Axes.plot``.
 
     Raises
     ------
     InputError
-        Another history.
+        Something else to draw.
     """
     word_of("plots.what", what, get_args(RunHistory), "what")
+    if what == "plan":
+        _draw_plan(axis, run, language)
+        axis.legend(handles=_piece_handles(run, language), fontsize=FONT - 1.0, framealpha=0.85)
+        return
     further = any(one.get_gid() == LINE for one in axis.lines)
+    several, alone = len(run.pieces) > 1 and what != "acceleration", {"gid": LINE, **line}
     if further:
-        looks: dict[str, Any] = {"linewidth": 1.3, "gid": LINE, "color": colour_beside(axis, INK)} | line
-        drawn, legend = axis.plot(*_values(run, what), **looks), axis.get_legend()
+        legend = axis.get_legend()
         handles: list[Any] = [] if legend is None else [*legend.legend_handles]
-        handles += drawn if "label" in line else []
+        looks: dict[str, Any] = {"linewidth": 1.3, "color": colour_beside(axis, INK)} | alone
+        for times, values in _histories(run, what):
+            drawn = axis.plot(times, values, **looks)
+            handles += drawn if "label" in line else []
     else:
-        draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}[what]
-        draw(axis, run, language)
-        axis.lines[1].set(**({"gid": LINE} | line))  # the one before it is at zero
-        bands = _draw_bands((axis,), run) if what != "acceleration" else ()
+        if what == "acceleration":
+            _draw_acceleration(axis, run, language)
+        else:
+            _draw_pieces(axis, run, what, language)
+        axis.lines[1].set(**alone)  # the one before it is at zero
+        bands = _draw_bands((axis,), run) if run.engine == "plane" and what != "acceleration" else ()
         present = [mode for mode in bands if mode not in (Mode.REST, Mode.OVERTURNED)]  # which have no band
-        handles = [*axis.get_legend_handles_labels()[0], *_mode_handles(present, language, alpha=BAND)]
+        shown = _piece_handles(run, language) if several else axis.get_legend_handles_labels()[0]
+        handles = [*shown, *_mode_handles(present, language, alpha=BAND)]
     if handles:
         # as small as it can be read, since it lies within the axes
         axis.legend(
@@ -138,12 +190,15 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
     label_axes(axis, language, x="report.axis_time")
 
 
-def _values(run: Run, what: RunHistory) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return times [s] and what is drawn over them: tilt [°], slide [cm] or the acceleration of x [m/s²]."""
+def _histories(run: Run, what: RunHistory) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Return times [s] and values of each piece: tilt [°], slide [cm], yaw [°]; or acceleration [m/s²]."""
     if what == "acceleration":
-        return run.motion.time, run.motion.x
-    shown = history(run)
-    return shown.time, np.degrees(shown.tilt) if what == "tilt" else 100.0 * shown.slide
+        return [(run.motion.time, run.motion.x)]
+    scale = 100.0 if what == "slide" else math.degrees(1.0)
+    if run.engine == "plane" and what != "yaw":
+        shown = history(run)
+        return [(shown.time, scale * getattr(shown, what))]
+    return [(run.time, scale * getattr(one, what)) for one in run.pieces]
 
 
 def plot_motion(
@@ -251,26 +306,49 @@ def _angles(run: Run) -> Iterator[tuple[float, str, str, str]]:
 
 
 def _last_time(run: Run) -> float:
-    """Return the end of the time axis [s]: the record's, or some time after the body turned over."""
+    """Return the end of the time axis [s]: the run's, or in the plane the record's or after the body fell."""
+    if run.engine == "space":
+        return float(run.time[-1])
     duration = run.motion.duration
     return min(duration, _AFTER * run.overturn_time) if run.overturned else duration
 
 
 def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
     style(axis)
-    motion = run.motion
-    for component, a in (("x", motion.x), ("z", motion.z)):
-        if a is not None:
-            label = say(f"plots.floor_{component}", language)
-            axis.plot(motion.time, a, color=COMPONENT_COLOURS[component], linewidth=0.9, label=label)
+    motion, parts = run.motion, run.motion.components
+    for name, a in parts.items():
+        if name != "y" or run.engine == "space":
+            label = say(f"space.floor_{name}", language)
+            axis.plot(motion.time, a, color=COMPONENT_COLOURS[name], linewidth=0.9, label=label)
     axis.set_ylabel(acceleration_label(motion, language), fontsize=FONT)
-    legend_within(axis, "upper right")
+    axis.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), fontsize=FONT - 1.5, frameon=False, ncols=3)
 
 
-def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
+def _draw_pieces(axis: Axes, run: Run, what: RunHistory, language: str) -> None:
+    """Draw one history of each piece over time, and when it overturned and fell off."""
     style(axis)
-    axis.plot(*_values(run, "tilt"), color=INK, linewidth=1.3)
-    label_axes(axis, language, y="plots.tilt")
+    histories, most = _histories(run, what), 0.0
+    for b, (one, (times, values)) in enumerate(zip(run.pieces, histories, strict=True)):
+        axis.plot(times, values, linestyle=_dashes(b), color=_colour(run, b), linewidth=1.3)
+        most = max(most, float(np.abs(values).max()))
+        for time, text, marker in (
+            (one.overturn_time, "plots.overturned", _OVERTURNED),
+            (one.fall_time, "plots.fell_off", _FELL_OFF),
+        ):
+            if run.engine == "space" and math.isfinite(time):
+                looks: dict[str, Any] = {"color": _colour(run, b), "label": say(text, language, time=time)}
+                looks |= {"markersize": 8.0, "markeredgecolor": INK, "markeredgewidth": 0.8}
+                axis.plot(time, float(np.interp(time, times, values)), marker, zorder=5, **looks)
+    signed = run.engine == "plane" and what != "yaw"
+    label_axes(axis, language, y=f"plots.{what}" if signed else f"space.axis_{what}")
+    if most < _SMALLEST:
+        axis.set_ylim(-_SMALLEST, _SMALLEST)
+    if signed and what == "tilt":
+        _mark_tilt(axis, run, language)
+
+
+def _mark_tilt(axis: Axes, run: Run, language: str) -> None:
+    """Mark the critical angles and the events on the tilt of a run in the plane."""
     low, high = _tilt_limits(run)
     axis.set_ylim(low, high)
     for angle, dashes, colour, text in _angles(run):
@@ -290,8 +368,6 @@ def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
         marks |= {"markersize": 6.0, "markeredgecolor": "white", "markeredgewidth": 0.6}
         tilts = np.clip([math.degrees(event.tilt) for event in events], low, high)
         axis.plot([event.time for event in events], tilts, marker, **marks)
-    if axis.get_legend_handles_labels()[0]:
-        legend_within(axis)
 
 
 def _tilt_limits(run: Run) -> tuple[float, float]:
@@ -306,14 +382,6 @@ def _tilt_limits(run: Run) -> tuple[float, float]:
         max(_TILT_SHOWN * low, min(1.15 * below, 1.25 * low)),
         min(_TILT_SHOWN * high, max(1.15 * above, 1.25 * high)),
     )
-
-
-def _draw_slide(axis: Axes, run: Run, language: str) -> None:
-    style(axis)
-    axis.plot(*_values(run, "slide"), color=INK, linewidth=1.3)
-    label_axes(axis, language, y="plots.slide")
-    if run.peak_slide < 1e-3:
-        axis.set_ylim(-0.1, 0.1)
 
 
 def _draw_bands(bands: tuple[Axes, ...], run: Run) -> dict[Mode, list[tuple[float, float]]]:
@@ -347,3 +415,70 @@ def _draw_modes(strip: Axes, present: dict[Mode, list[tuple[float, float]]], lan
     strip.tick_params(labelsize=FONT - 1.0, colors=INK)
     below: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -2.6), "ncols": len(present)}
     strip.legend(handles=_mode_handles(present, language), fontsize=FONT - 1.0, frameon=False, **below)
+
+
+def _colour(run: Run, piece: int) -> str:
+    """Return the colour of a piece; one alone in the plane has that of ink."""
+    return INK if run.engine == "plane" else BODY_COLOURS[piece % len(BODY_COLOURS)]
+
+
+def _dashes(body: int) -> Any:
+    """Return the line style of a body, which tells apart bodies of one colour."""
+    return ("-", "--", ":")[body // len(BODY_COLOURS) % 3]
+
+
+def _piece_handles(run: Run, language: str) -> list[Line2D]:
+    """Return the legend of several pieces: their names, and what the marks on their lines mean."""
+    shown = [
+        Line2D([], [], color=_colour(run, b), linestyle=_dashes(b), linewidth=2.0, label=drawable(name))
+        for b, name in enumerate(names_of(run, language))
+    ]
+    for happened, outcome, marker in (
+        (any(one.overturned for one in run.pieces), "overturned", _OVERTURNED),
+        (any(one.fell_off for one in run.pieces), "fell off", _FELL_OFF),
+    ):
+        if happened:
+            looks: dict[str, Any] = {"markersize": 8.0, "markeredgecolor": INK, "color": "none"}
+            shown.append(Line2D([], [], marker=marker, label=say(OUTCOMES[outcome], language), **looks))
+    return shown
+
+
+def _draw_names_below(figure: Figure, run: Run, width: float, language: str) -> None:
+    """Explain the lines of several pieces below a figure of a width [inches]."""
+    shown, size = _piece_handles(run, language), FONT - 0.5
+    labels = [str(line.get_label()) for line in shown]
+    widest = max(with_face(label, size)[1].getlength(label) for label in labels)
+    columns = int(72.0 * width // (widest + 5.5 * size))  # with the line and the space around it
+    place: dict[str, Any] = {"loc": "outside lower center", "ncols": max(1, min(5, columns, len(shown)))}
+    figure.legend(handles=shown, fontsize=size, frameon=False, **place)
+
+
+def _draw_plan(axis: Axes, run: Run, language: str) -> None:
+    """Draw the ways of the bodies from above, with their outlines at first and at the end, and the walls."""
+    style(axis, zero=False)
+    turns = run.turn
+    for b, name in enumerate(names_of(run, language)):
+        solid, colour = run.standing[b].solid, _colour(run, b)
+        arms = solid.vertices - solid.centre_of_gravity
+        for sample, dashes in ((0, "--"), (-1, "-")):
+            seen = run.place[b, sample, :2] + arms @ turns[b, sample, :2].T
+            outline = seen[ConvexHull(seen).vertices]
+            closed = np.concatenate([outline, outline[:1]])
+            if sample:
+                axis.fill(*outline.T, color=colour, alpha=0.3, linewidth=0.0, zorder=2)
+            axis.plot(*closed.T, dashes, color=colour, linewidth=1.4, zorder=3)
+        way = run.place[b, :, :2].T
+        axis.plot(*way, color=INK, linewidth=2.4, zorder=4)
+        axis.plot(*way, linestyle=_dashes(b), color=colour, linewidth=1.4, zorder=4, label=drawable(name))
+        axis.plot(*run.place[b, -1, :2], "o", color=colour, markersize=6.0, markeredgecolor=INK, zorder=5)
+    for still in still_of(run):
+        for line in still.lines:
+            axis.plot(*line[:, :2].T, color=STILL_LOOKS[still.role].colour, linewidth=0.8, zorder=1)
+    for plane in run.planes[1:]:
+        nx, ny, offset = (float(plane[name]) for name in ("nx", "ny", "offset"))
+        if abs(nx) + abs(ny) > 0.5:
+            x, y = offset * nx, offset * ny
+            axis.axline((x, y), (x + ny, y + nx), color=ROOM, linewidth=4.0, zorder=1)
+    axis.set_aspect("equal", adjustable="datalim")
+    label_axes(axis, language, "space.axis_x", "space.axis_y")
+    axis.set_title(say("space.plan", language), fontsize=FONT - 0.5, color=MUTED, loc="left")

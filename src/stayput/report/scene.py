@@ -15,7 +15,7 @@ import numpy as np
 from stayput.measures.sketch import shapes, sketch
 from stayput.model.state import wall_faces
 from stayput.report.history import History, history, turned
-from stayput.report.summary import attributes, device_results, results
+from stayput.report.summary import attributes, device_results
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -220,8 +220,6 @@ def run_data(run: Run, shown: History, at: NDArray[np.float64]) -> dict[str, Any
     Returns
     -------
     dict
-        The results of `stayput.report.summary.results`, and
-
         - ``body``: ``width_m``, ``height_m``, ``mass_kg``, ``inertia_kg_m2``, ``centre_of_gravity_m`` (from
           the middle of the base), ``corners_m`` (base left, base right, top right, top left, from the centre
           of gravity), ``base_heights_m``, ``resting_tilt_rad`` (to which ``tilt_rad`` adds),
@@ -238,7 +236,6 @@ def run_data(run: Run, shown: History, at: NDArray[np.float64]) -> dict[str, Any
     a, b, c, d = body.corners
     histories = {"x_m": shown.x, "z_m": shown.z, "tilt_rad": shown.tilt, "slide_m": shown.slide}
     return {
-        **results(run),
         "body": {
             "width_m": body.width,
             "height_m": body.height,

@@ -1,28 +1,28 @@
-"""A run in words, in English and Japanese, as plain numbers, and as a dataset."""
+"""A run in words, in English and Japanese, and as plain numbers."""
 
 from __future__ import annotations
 
 import math
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stayput.catalogue import LANGUAGES, phrase, say
-from stayput.catalogue.names import ANY_PIECE, OUTCOMES, PIECES
-from stayput.report.history import history
-from stayput.report.names import motion_place, place_named
-from stayput.simulation.outcome import HISTORIES, QUANTITIES, Event, EventKind, Outcome
-from stayput.wording import FAR, inside, with_aside
+from stayput.catalogue.names import OUTCOMES
+from stayput.report.history import peak_of
+from stayput.report.names import motion_place, names_of, piece_name, place_named
+from stayput.simulation.outcome import Event, EventKind, Outcome
+from stayput.wording import FAR, inside, joined, with_aside
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    import xarray as xr
+    from collections.abc import Sequence
 
     from stayput.catalogue import Phrase
     from stayput.measures import DeviceResult
     from stayput.motion import Motion
-    from stayput.simulation.run import Run
+    from stayput.simulation.outcome import Hit
+    from stayput.simulation.run import PieceRun, Run
 
 LEFT_AND_RIGHT = ("left", "right")
 """Sides of a picture: −x, +x; keys of the catalogue."""
@@ -33,7 +33,7 @@ BACK_AND_FRONT = ("back", "front")
 _SMALLEST_SLIDE = 5e-4
 """A peak slide below this is not worth a number [m]."""
 
-_EVENT_VALUES = {
+EVENT_VALUES = {
     "time": ("s", "time of the event"),
     "tilt": ("rad", "tilt just after the event"),
     "tilt_rate": ("rad/s", "tilt rate just after the event"),
@@ -41,41 +41,43 @@ _EVENT_VALUES = {
     "slide_rate": ("m/s", "slide rate just after the event"),
 }
 
-_DEVICE_VALUES = {
-    "peak_pull": ("peak_pull", "N", "largest pull"),
-    "peak_push": ("peak_push", "N", "largest push"),
-    "peak_shear": ("peak_shear", "N", "largest shear"),
-    "used": ("utilisation", "", "largest force over its strength; at least 1 where it failed"),
-    "failed_at": ("failure_time", "s", "time at which it failed, or nan"),
-}
-"""Attribute of a device, unit and meaning of each of its values in the dataset."""
+
+def sentence(run: Run) -> str:
+    """Return the outcome of a run in one plain English sentence."""
+    return sentences(run)[0]
 
 
-def sentence(run: Run, name: str = "body") -> str:
-    """Return the outcome of a run in one plain English sentence.
-
-    Parameters
-    ----------
-    run : Run
-        The run.
-    name : str
-        What the body is called: "bookcase".
-    """
-    return sentences(run, (name, name))[0]
-
-
-def sentences(run: Run, name: Phrase, sides: tuple[str, str] = LEFT_AND_RIGHT) -> Phrase:
+def sentences(run: Run, sides: tuple[str, str] = LEFT_AND_RIGHT) -> Phrase:
     """Return the outcome of a run in one plain sentence, in English and Japanese.
 
     Parameters
     ----------
     run : Run
         The run.
-    name : Phrase
-        What the body is called.
     sides : tuple of str
-        What the sides to −x and +x are called: `LEFT_AND_RIGHT` or `BACK_AND_FRONT`.
+        What the sides to −x and +x of the plane are called: `LEFT_AND_RIGHT` or `BACK_AND_FRONT`.
     """
+    names = [piece_name(name) for name in run.names]
+    if run.engine == "plane":
+        return _in_plane(run, names[0], sides)
+    if run.given_up:
+        return phrase("space.failed")
+    if len(names) == 1:
+        return _in_space(run.piece, names[0])
+    fallen = [
+        (min(time for time in (one.overturn_time, one.fall_time) if math.isfinite(time)), name)
+        for one, name in zip(run.pieces, names, strict=True)
+        if one.overturned or one.fell_off
+    ]
+    if not fallen:
+        return phrase("space.none_fell", count=len(names))
+    which = joined(
+        phrase("space.fell_at", name=name, time=time) for time, name in sorted(fallen, key=itemgetter(0))
+    )
+    return phrase("space.some_fell", fallen=len(fallen), count=len(names), which=which)
+
+
+def _in_plane(run: Run, name: Phrase, sides: tuple[str, str]) -> Phrase:
     key = f"runs.{run.outcome.value}"
     if run.outcome is Outcome.ROCKED and run.peak_slide < _SMALLEST_SLIDE:
         key = "runs.rocked_only"
@@ -91,29 +93,23 @@ def sentences(run: Run, name: Phrase, sides: tuple[str, str] = LEFT_AND_RIGHT) -
     )
 
 
-def piece_sentences(run: Run, preset: str | None, own_name: str | None = None) -> Phrase:
-    """Return the outcome for a piece of furniture, and the first device that failed.
-
-    Parameters
-    ----------
-    run : Run
-        The run.
-    preset : str, optional
-        Preset of the piece.
-    own_name : str, optional
-        What the user calls it.
-    """
-    outcome = sentences(run, piece_name(preset, own_name), BACK_AND_FRONT)
-    return with_first_failure(outcome, run.devices)
+def _in_space(piece: PieceRun, name: Phrase) -> Phrase:
+    if piece.overturned:
+        return phrase("space.overturned", name=name, time=piece.overturn_time)
+    if piece.outcome is Outcome.RESTED:
+        return phrase("runs.rested", name=name)
+    angle, way, turn = math.degrees(piece.peak_tilt), piece.peak_slide, math.degrees(np.abs(piece.yaw).max())
+    if piece.outcome is Outcome.SLID and way < 1e-3 and turn >= 1.0:
+        return phrase("space.turned", name=name, angle=turn)
+    tilt = phrase("space.least_angle") if angle < 0.1 else phrase("space.up_to_angle", angle=angle)
+    slide = phrase("runs.slid_least") if way < 1e-3 else phrase("runs.slid_up_to", length=length(way))
+    key = piece.outcome.value if piece.outcome in (Outcome.ROLLED, Outcome.LEANING) else "upright"
+    return phrase(f"space.{key}", name=name, tilt=tilt, slide=slide)
 
 
-def piece_name(preset: str | None, own_name: str | None = None) -> Phrase:
-    """Return what a piece of furniture is called: by its user, else by its preset."""
-    return (own_name, own_name) if own_name else PIECES.get(preset or "", ANY_PIECE)
-
-
-def with_first_failure(outcome: Phrase, devices: Iterable[DeviceResult]) -> Phrase:
-    """Return the sentence of an outcome, with the first device that failed where one did."""
+def sentences_of_piece(run: Run) -> Phrase:
+    """Return the outcome for a piece of furniture, and the first device that failed."""
+    outcome, devices = sentences(run, BACK_AND_FRONT), run.devices
     failed = min((d for d in devices if d.failed), key=lambda d: d.failure_time, default=None)
     if failed is None:
         return outcome
@@ -121,23 +117,37 @@ def with_first_failure(outcome: Phrase, devices: Iterable[DeviceResult]) -> Phra
     return phrase("runs.first_to_fail", outcome=outcome, device=device, time=failed.failure_time)
 
 
-def results(run: Run) -> dict[str, Any]:
-    """Return the results of a run as plain values, in SI units that the keys name.
+def piece_results(run: Run) -> list[dict[str, Any]]:
+    """Return the results of each piece as plain values, in SI units that the keys name.
 
-    A time that does not exist is None. ``wall_impacts`` counts the hits on the walls and the ceiling, as
-    `Run.wall_impacts` does.
+    A number that does not exist is None. ``wall_impacts`` counts the hits on the walls and the ceiling, and
+    ``impacts_on_bodies`` those on other pieces. ``place_m`` and ``attitude`` are those at the end.
     """
-    return {
-        "outcome": run.outcome.value,
-        "overturned": run.overturned,
-        "overturn_time_s": number(run.overturn_time),
-        "peak_tilt_rad": number(run.peak_tilt),
-        "peak_slide_m": number(run.peak_slide),
-        "residual_slide_m": number(run.residual_slide),
-        "residual_tilt_rad": number(run.residual_tilt),
-        "floor_impacts": run.floor_impacts,
-        "wall_impacts": run.wall_impacts,
-    }
+    lost, plane = run.given_up, run.engine == "plane"
+    return [
+        {
+            "name": name,
+            "outcome": one.outcome.value,
+            "overturned": None if lost else one.overturned,
+            "overturn_time_s": number(one.overturn_time),
+            "fell_off": None if lost else one.fell_off,
+            "fall_time_s": number(one.fall_time),
+            "peak_tilt_rad": number(one.peak_tilt),
+            "peak_slide_m": number(one.peak_slide),
+            "residual_tilt_rad": number(one.residual_tilt),
+            "residual_slide_m": [
+                number(way)
+                for way in ((one.residual_slide, 0.0) if plane else one.slide_in_plan[-1].tolist())
+            ],
+            "residual_yaw_rad": number(one.yaw[-1]),
+            "place_m": [number(part) for part in place[-1].tolist()],
+            "attitude": [number(part) for part in attitude[-1].tolist()],
+            "floor_impacts": one.floor_impacts,
+            "wall_impacts": one.wall_impacts,
+            "impacts_on_bodies": one.body_impacts,
+        }
+        for name, one, place, attitude in zip(run.names, run.pieces, run.place, run.attitude, strict=True)
+    ]
 
 
 def device_results(device: DeviceResult) -> dict[str, Any]:
@@ -168,17 +178,35 @@ DEVICE_KEYS = {"measure": "kind", "place": "name"} | {
 
 
 def summary(run: Run) -> dict[str, Any]:
-    """Return the run's results as plain values: what ``--json`` prints; see `results`."""
-    devices = [device_results(device) for device in run.devices]
+    """Return a run's results as plain values: what ``--json`` prints; see `piece_results`.
+
+    What only one of the engines knows stands there for that engine alone.
+    """
+    of_engine: dict[str, Any]
+    if run.engine == "plane":
+        of_engine = {"contact": run.contact, "gravity_m_s2": run.gravity}
+        of_engine["events"] = [_event(event) for event in run.events]
+    else:
+        of_engine = {
+            "hits": [_hit(hit, run.names) for hit in run.hits],
+            "steps": run.steps,
+            "unconverged_steps": run.unconverged,
+            "estimated_error_m": run.estimated_error,
+        }
     return {
-        **results(run),
-        "end_time_s": history(run).end,
-        "contact": run.contact,
-        "gravity_m_s2": run.gravity,
+        "engine": run.engine,
+        "outcome": run.outcome.value,
+        "end_time_s": number(run.end),
+        "pieces": piece_results(run),
         "motion": motion_data(run.motion),
         "measures": [measure.kind for measure in run.measures],
-        "devices": [{key: device[name] for key, name in DEVICE_KEYS.items()} for device in devices],
-        "events": [_event(event) for event in run.events],
+        "devices": [
+            {key: device[name] for key, name in DEVICE_KEYS.items()}
+            | ({} if result.member is None else {"piece": run.names[result.member]})
+            for result in run.devices
+            for device in [device_results(result)]
+        ],
+        **of_engine,
     }
 
 
@@ -194,22 +222,38 @@ def motion_data(motion: Motion) -> dict[str, Any]:
 
 
 def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
-    """Return the results as rows of a table in a language: label, and value with its unit."""
-    motion = run.motion
-    open_side = say("runs.open_side", language) if slides_off(run) else ""
-    shaken = {"name": motion_place(motion, language), "duration": motion.duration, "peak": motion.pga}
-    values = {
-        "motion": say("runs.row_motion_value", language, **shaken),
-        "outcome": outcome_named(run.outcome, language),
-        "overturned": f"{run.overturn_time:.2f} s" if run.overturned else "-",
-        "tilt": f"{math.degrees(run.peak_tilt):.2f}°",
-        "slide": f"{100.0 * run.peak_slide:.2f} cm{open_side}",
-        "residual": f"{100.0 * run.residual_slide:+z.2f} cm",
-        "floor": str(run.floor_impacts),
-        "walls" if run.room.ceiling is None else "walls_and_ceiling": str(run.wall_impacts),
-    }
-    labelled = [(say(f"runs.row_{key}", language), value) for key, value in values.items()]
-    return [*labelled, *device_rows(run.devices, language=language)]
+    """Return the results as rows of a table: label, and value with its unit; of each piece in turn."""
+    motion, plane, names = run.motion, run.engine == "plane", names_of(run, language)
+    peak, key = (motion.pga, "runs") if plane else (peak_of(motion), "space")
+    shaken = {"name": motion_place(motion, language), "duration": motion.duration, "peak": peak}
+    table = [(say("runs.row_motion", language), say(f"{key}.row_motion_value", language, **shaken))]
+    for b, (name, one) in enumerate(zip(names, run.pieces, strict=True)):
+        open_side = say("runs.open_side", language) if plane and slides_off(run) else ""
+        rolls = not plane and len(run.standing[b].solid.rims) > 0
+        values = {
+            "outcome": outcome_named(one.outcome, language),
+            "overturned": f"{one.overturn_time:.2f} s" if one.overturned else "-",
+            "fell_off": f"{one.fall_time:.2f} s" if one.fell_off else "-",
+            "tilt": f"{math.degrees(one.peak_tilt):.2f}°",
+            "way" if rolls else "slide": f"{100.0 * one.peak_slide:.2f} cm{open_side}",
+            "residual": f"{100.0 * one.residual_slide:{'+' if plane else ''}z.2f} cm",
+            "yaw": f"{math.degrees(np.abs(one.yaw).max()):.1f}°",
+            "floor": str(one.floor_impacts),
+            "walls" if run.room.ceiling is None else "walls_and_ceiling": str(one.wall_impacts),
+            "bodies": str(one.body_impacts),
+        }
+        absent = {"yaw"} if plane else set[str]()
+        absent |= {"fell_off", "bodies"} if len(names) == 1 else set()
+        table += [(name, "")] if len(names) > 1 else []
+        table += [
+            (say(f"runs.row_{row}", language), value) for row, value in values.items() if row not in absent
+        ]
+    table += device_rows(run.devices, names if len(names) > 1 else (), language)
+    if not plane:
+        table.append((say("runs.row_error", language), f"{100.0 * run.estimated_error:.2g} cm"))
+    if run.unconverged:
+        table.append((say("runs.row_rough", language), f"{run.unconverged:,} / {run.steps:,}"))
+    return table
 
 
 def outcome_named(outcome: Outcome, language: str) -> str:
@@ -253,9 +297,19 @@ def device_rows(
 
 def _event(event: Event) -> dict[str, Any]:
     numbers = {
-        f"{name}_{unit.replace('/', '_')}": getattr(event, name) for name, (unit, _) in _EVENT_VALUES.items()
+        f"{name}_{unit.replace('/', '_')}": getattr(event, name) for name, (unit, _) in EVENT_VALUES.items()
     }
     return {"kind": event.kind.value, "mode": event.mode.value, **numbers}
+
+
+def _hit(hit: Hit, names: Sequence[str]) -> dict[str, Any]:
+    return {
+        "time_s": hit.time,
+        "body": names[hit.body],
+        "on": hit.surface if hit.other is None else names[hit.other],
+        "speed_m_s": hit.speed,
+        "impulse_n_s": hit.impulse,
+    }
 
 
 def _hits(run: Run) -> Phrase:
@@ -313,65 +367,3 @@ def attributes(value: object, *names: str) -> dict[str, Any]:
 def by_language(text: Phrase) -> dict[str, str]:
     """Return a text by its languages."""
     return dict(zip(LANGUAGES, text, strict=True))
-
-
-def run_to_dataset(run: Run) -> xr.Dataset:
-    """Return the histories over ``time``, the events over ``event``, and the results as scalars.
-
-    Parameters
-    ----------
-    run : Run
-        The run.
-
-    Returns
-    -------
-    xarray.Dataset
-        Every variable with a unit has ``units`` and ``long_name`` in its attributes.
-    """
-    import xarray as xr  # which takes its time to load
-
-    data = xr.Dataset(
-        coords={
-            "time": ("time", run.time, {"units": "s", "long_name": "time since the record's first sample"})
-        },
-        attrs={
-            "description": sentence(run),
-            "outcome": run.outcome.value,
-            "overturned": int(run.overturned),
-            "contact": run.contact,
-            "gravity": run.gravity,
-            "motion": run.motion.name,
-        },
-    )
-    for name, (_, unit, meaning) in HISTORIES.items():
-        data[name] = ("time", getattr(run, name), {"units": unit, "long_name": meaning})
-    data["mode"] = ("time", run.mode, {"long_name": "how the body moves"})
-    for name, (unit, meaning) in _EVENT_VALUES.items():
-        values = np.array([getattr(event, name) for event in run.events], dtype=np.float64)
-        data[f"event_{name}"] = ("event", values, {"units": unit, "long_name": meaning})
-    data["event_kind"] = ("event", np.array([event.kind.value for event in run.events], dtype=np.str_))
-    data["event_mode"] = ("event", np.array([event.mode.value for event in run.events], dtype=np.str_))
-    for column in QUANTITIES:
-        if column.name not in ("outcome", "overturned", "events"):  # which are told above
-            data[column.name] = ((), getattr(run, column.name), column.attributes)
-    if run.devices:
-        _add_devices(data, run.devices)
-    return data
-
-
-def _attributes(unit: str, meaning: str) -> dict[str, str]:
-    return {"units": unit, "long_name": meaning} if unit else {"long_name": meaning}
-
-
-def _add_devices(data: xr.Dataset, devices: tuple[DeviceResult, ...]) -> None:
-    """Add the devices' results over ``device``, and their forces over ``time`` too."""
-    names = [" ".join(filter(None, (device.kind, device.place))) for device in devices]
-    data["device"] = ("device", np.array(names, dtype=np.str_), {"long_name": "measure and place"})
-    for name, (attribute, unit, meaning) in _DEVICE_VALUES.items():
-        values = np.array([getattr(device, attribute) for device in devices], dtype=np.float64)
-        data[f"device_{name}"] = ("device", values, _attributes(unit, meaning))
-    causes = np.array([device.cause or "" for device in devices], dtype=np.str_)
-    data["device_cause"] = ("device", causes, {"long_name": "why it failed; empty where it holds"})
-    for name, meaning in (("pull", "force along its normal, + pull"), ("shear", "force along its tangent")):
-        forces = np.stack([getattr(device, name) for device in devices], axis=-1)
-        data[f"device_{name}"] = (("time", "device"), forces, {"units": "N", "long_name": meaning})

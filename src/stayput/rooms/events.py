@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.scenario import Scenario
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
 
 _images: Any = ndimage  # its results depend on its arguments, which its types do not tell
 
@@ -334,10 +334,10 @@ class RunInRoom(NamedTuple):
     shut_in: tuple[str, ...]
 
 
-def happens_in(run: SpaceRun, scenario: Scenario) -> RunInRoom:
+def happens_in(run: Run, scenario: Scenario) -> RunInRoom:
     """Return what happens in a run of a room."""
     plan = scenario.floor_plan()
-    tracks = tracks_of(run.pieces, run, run.motion.dt)
+    tracks = tracks_of(run.standing, run, run.motion.dt)
     events = events_of(EndOfRuns(plan), [[track] for track in tracks])
     return RunInRoom(
         tuple(

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.simulation.run import Run
     from stayput.simulation.space_engine import SpaceTrace
-    from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Piece
 
 STIRS = 0.01
@@ -102,14 +102,14 @@ def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     return plan[ConvexHull(plan).vertices]
 
 
-def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | SpaceRun, dt: float) -> list[Track]:
+def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float) -> list[Track]:
     """Return the tracks of the bodies of a run.
 
     Parameters
     ----------
     pieces : sequence of Piece
         The bodies.
-    trace : SpaceTrace or SpaceRun
+    trace : SpaceTrace or Run
         How they moved.
     dt : float
         Time between samples [s].

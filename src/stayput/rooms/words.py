@@ -12,40 +12,16 @@ from stayput.fragility.probabilities import percent
 from stayput.model.floor_plan import PLACES, Door, PersonPlace
 from stayput.rooms.changes import Change, wall_faced
 from stayput.verification.words import sentence_of, shaking_phrase, share_text
-from stayput.wording import inside
+from stayput.wording import called, default_name, inside
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from stayput.fragility import Probability
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
-    from stayput.scenario import Scenario
 
 TOLD = 0.005
 """From this share on something is told in the verdict's sentence."""
-
-
-def default_name(name: str, kinds: Mapping[str, Phrase]) -> tuple[str, str] | None:
-    """Return kind and number of a name such as "bookcase" or "bookcase 2"; None for a name of the user's own.
-
-    With a number the kind may also be written as it is called in either language: "Bookcase 2", "本棚 2".
-    """
-    if name in kinds:
-        return name, ""
-    before, _, number = name.rpartition(" ")
-    if not (number.isascii() and number.isdecimal()):
-        return None
-    called = (kind for kind, words in kinds.items() if before.lower() in (kind, *words))
-    return next(((kind, number) for kind in called), None)
-
-
-def _called(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
-    """Return what something is called by itself, translated where that is a default name."""
-    default = default_name(name, kinds)
-    if default is None:
-        return (name, name)
-    kind, number = default
-    return phrase("rooms.numbered", name=kinds[kind], number=number) if number else kinds[kind]
 
 
 def _within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
@@ -53,8 +29,7 @@ def _within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
     default = default_name(name, kinds)
     if default is None:
         return phrase("rooms.named", name=name)
-    called = _called(name, kinds)
-    return called if default[1] else phrase("rooms.the", name=called)
+    return called(name, kinds) if default[1] else phrase("rooms.the", name=called(name, kinds))
 
 
 _PLACES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
@@ -64,17 +39,17 @@ _DOOR: dict[str, Phrase] = {"door": phrase("rooms.door")}
 
 def place_name(place: PersonPlace) -> Phrase:
     """Return what a place is called, translated where it has no name of its own."""
-    return _called(place.name, _PLACES)
+    return called(place.name, _PLACES)
 
 
 def door_name(door: Door) -> Phrase:
     """Return what a door is called, translated where it has no name of its own."""
-    return _called(door.name, _DOOR)
+    return called(door.name, _DOOR)
 
 
 def piece_name(name: str) -> Phrase:
     """Return what a piece is called, translated where that is a preset's name, with a number or without."""
-    return _called(name, PIECES)
+    return called(name, PIECES)
 
 
 def piece_within(name: str) -> Phrase:
@@ -85,17 +60,12 @@ def piece_within(name: str) -> Phrase:
     return phrase("rooms.a_numbered_piece" if default[1] else "rooms.the_piece", name=piece_name(name))
 
 
-def names_in(scenario: Scenario, language: str) -> tuple[str, ...]:
-    """Return what the pieces of a scene are called in a language."""
-    return tuple(say(piece_name(name), language) for name in scenario.names)
-
-
 def _where_somebody_is(place: PersonPlace) -> Phrase:
     """Return where the person of a place is: "in bed", "at desk 2"."""
     default = default_name(place.name, _PLACES)
     in_bed = default == ("bed", "")  # which has no article then
-    called = place_name(place) if in_bed else _within(place.name, _PLACES)
-    return phrase(f"rooms.{'at' if default is None else _AT[default[0]]}_place", place=called)
+    name = place_name(place) if in_bed else _within(place.name, _PLACES)
+    return phrase(f"rooms.{'at' if default is None else _AT[default[0]]}_place", place=name)
 
 
 def often(share: float, cases: Phrase) -> Phrase:

@@ -33,6 +33,11 @@ class Table(BaseModel):
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
+    def says(self, name: str) -> bool:
+        """Return whether a field was said, and is not what it is by default."""
+        default = type(self).model_fields[name].get_default(call_default_factory=True)
+        return name in self.model_fields_set and getattr(self, name) != default
+
     def __repr_args__(self) -> Iterator[tuple[str | None, Any]]:
         """Yield what was said, and nothing that was left to its default."""
         return (pair for pair in super().__repr_args__() if pair[0] in self.model_fields_set)

@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.motion import Motion
     from stayput.simulation.run import Run
-    from stayput.simulation.space_run import SpaceRun
 
 OF_A_LONE_PIECE = ("initial", "everyday", "measures", "contents")
 """Keys of a piece that stands alone."""
@@ -58,7 +57,8 @@ class Scenario(SceneTables):
     Several pieces, and a room with a plan:
 
     >>> scenario = sp.read_scenario("examples/television.toml")
-    >>> print(scenario.title, *zip(scenario.names, map(str, scenario.run().outcomes)))
+    >>> run = scenario.run()
+    >>> print(scenario.title, *((piece, str(run[piece].outcome)) for piece in run.names))
     Television on a stand ('stand', 'rocked') ('television', 'rocked')
     >>> plan = sp.read_scenario("examples/bedroom.toml").floor_plan()
     >>> plan.width, plan.length, [place.name for place in plan.places]  # m
@@ -100,9 +100,9 @@ class Scenario(SceneTables):
 
     @model_validator(mode="after")
     def _possible(self) -> Self:
-        stated = {field.alias or name: name in self.model_fields_set for name, field in _FIELDS.items()}
-        for key in OF_PIECES if self.alone else OF_A_LONE_PIECE:
-            if stated[key]:
+        for name, field in Scenario.model_fields.items():
+            key = field.alias or name
+            if key in (OF_PIECES if self.alone else OF_A_LONE_PIECE) and self.says(name):
                 raise InputError("scenario.of_pieces" if self.alone else "scenario.of_a_lone_piece", key)
         if self.alone:
             self._check_lone_piece()
@@ -292,7 +292,7 @@ class Scenario(SceneTables):
             dimensions=3 if self.dimensions == 3 else 2,
         )
 
-    def run(self, measures: Sequence[Measure] = ()) -> Run | SpaceRun:
+    def run(self, measures: Sequence[Measure] = ()) -> Run:
         """Simulate what stands, as the file states it.
 
         Parameters
@@ -302,20 +302,15 @@ class Scenario(SceneTables):
         """
         if self.alone:
             with self.naming_file():
-                return self.case(measures).run()
-        whole = self.assembly()
-        if self.plan is None:
-            with self.naming_pieces():
-                return simulate(whole, self.room.room(), self.motion(), gravity=self.gravity)
-        plan = self.floor_plan()
-        with self.naming_file():
-            refuse_what_stands_wrong(self, plan, whole)
+                return self.case(measures).run().named(self.names)
+        whole, plan = self.assembly(), None
+        if self.plan is not None:
+            plan = self.floor_plan()
+            with self.naming_file():
+                refuse_what_stands_wrong(self, plan, whole)
         with self.naming_pieces():
             run = simulate(whole, self.surroundings(), self.motion(), gravity=self.gravity)
-        return replace(run, plan=plan)
-
-
-_FIELDS = Scenario.model_fields
+        return replace(run, names=self.names, plan=plan)
 
 
 def _turned(motion: Motion, turn: float) -> Motion:

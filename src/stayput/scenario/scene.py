@@ -55,7 +55,7 @@ class SceneTables(FromFile):
     """What stands where: the part of a scenario that shaking, measures and draws do not change."""
 
     furniture: Furniture = Field(description="What stands: a table, or a list of them.")
-    joints: Annotated[list[JointTable], Field(max_length=10 * MOST_BODIES)] = Field(
+    joints: Annotated[list[JointTable], Field(min_length=0, max_length=10 * MOST_BODIES)] = Field(
         default=[], description="What joins the pieces."
     )
     static_friction: Annotated[float, between(0.0, 10.0)] = Field(
@@ -107,11 +107,10 @@ class SceneTables(FromFile):
     def _in_the_room(self) -> Self:
         of_a_plan, of_walls = {"doors", "windows", "places"}, {*WALLS_AROUND, "back_wall"}
         if self.plan is None:
-            stated = [*sorted(of_a_plan & self.model_fields_set)]
-            stated += ["room.walls"] if "walls" in self.room.model_fields_set else []
+            stated = [*filter(self.says, sorted(of_a_plan)), *["room.walls"] * self.room.says("walls")]
             if stated:
                 raise InputError("scenario.needs_both", stated[0], other="plan")
-        elif stated := sorted(of_walls & self.room.model_fields_set):
+        elif stated := [*filter(self.room.says, sorted(of_walls))]:
             raise InputError("scenario.only_one", f"room.{stated[0]}", other="plan")
         else:
             try:

@@ -42,12 +42,12 @@ OF_A_PIECE = (
 """Results of each of several pieces."""
 
 
-def sweep(what: Case | Scenario, axes: Mapping[Any, Any], **options: Unpack[SweepOptions]) -> xr.Dataset:
+def sweep(case: Case | Scenario, axes: Mapping[Any, Any], **options: Unpack[SweepOptions]) -> xr.Dataset:
     """Simulate a case or a scenario along axes; the result has a dimension for each.
 
     Parameters
     ----------
-    what : Case or Scenario
+    case : Case or Scenario
         What no axis changes.
     axes : mapping
         Dotted paths and their values; the cases are all combinations. Of a case they are those of
@@ -85,13 +85,13 @@ def sweep(what: Case | Scenario, axes: Mapping[Any, Any], **options: Unpack[Swee
     0.4           False   True  True
     0.5           False  False  True
     """
-    if isinstance(instance_of("case", what, (Case, Scenario)), Case):
-        return sweep_case(cast("Case", what), axes, **options)
+    instance_of("case", case, (Case, Scenario))
+    if isinstance(case, Case):
+        return sweep_case(case, axes, **options)
     for name in ("histories", "executor", "chunk"):
         if options.get(name):
             raise InputError("scenario.sweep_of_a_case", name)
-    scenario = cast("Scenario", what)
-    return _sweep_scenario(scenario, axes, options.get("threads"), options.get("progress"))
+    return _sweep_scenario(case, axes, options.get("threads"), options.get("progress"))
 
 
 def _sweep_scenario(

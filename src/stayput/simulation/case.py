@@ -2,28 +2,39 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Literal, TypedDict, Unpack, overload
+import math
+from collections import Counter
+from dataclasses import dataclass, field, fields, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
 from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
+from stayput.mechanics import columns as col
 from stayput.model.body import Body
 from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 from stayput.model.room import Room
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
-from stayput.simulation.run import LAWS, Contact, Dimensions, Run, run_of
+from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
+from stayput.simulation.run import LAWS, Contact, Dimensions, PieceRun, Run, default_names
 from stayput.wording import Brief, check_language
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.measures.element import DeviceResult
+    from stayput.measures.measure import Held
+    from stayput.mechanics.runner import Traced
     from stayput.simulation.standing import Assembly, Piece
+
+_KINDS, _MODES = tuple(EventKind), tuple(Mode)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -87,54 +98,12 @@ class Case(Brief):
         across = self.body.length is not None and self.motion.y is not None
         return self.body.shape is not None or (across and self.contact == "coulomb")
 
-    def run(self) -> Run | SpaceRun:
+    def run(self) -> Run:
         """Simulate the case."""
-        how = _Options(contact=self.contact, initial=self.initial, gravity=self.gravity)
-        return simulate(self.body, self.room, self.motion, self.measures, dimensions=self.dimensions, **how)
+        given = {field.name: getattr(self, field.name) for field in fields(self)}
+        return simulate(**given)
 
 
-class _Options(TypedDict, total=False):
-    """Options of `simulate` beside the dimensions."""
-
-    contact: Contact
-    initial: State | None
-    gravity: float
-    most_events: int | None
-    step: float | None
-
-
-@overload
-def simulate(
-    body: Body,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure] = ...,
-    *,
-    dimensions: Literal[2],
-    **options: Unpack[_Options],
-) -> Run: ...
-@overload
-def simulate(
-    body: Body,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure] = ...,
-    *,
-    dimensions: Literal[3],
-    **options: Unpack[_Options],
-) -> SpaceRun: ...
-@overload
-def simulate(body: Piece | Assembly, room: Room, motion: Motion, **options: Unpack[_Options]) -> SpaceRun: ...
-@overload
-def simulate(
-    body: Body,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure] = ...,
-    *,
-    dimensions: Dimensions | None = ...,
-    **options: Unpack[_Options],
-) -> Run | SpaceRun: ...
 def simulate(
     body: Body | Piece | Assembly,
     room: Room,
@@ -147,7 +116,7 @@ def simulate(
     gravity: float = STANDARD_GRAVITY,
     most_events: int | None = None,
     step: float | None = None,
-) -> Run | SpaceRun:
+) -> Run:
     """Simulate one body, or an assembly of several in space, in one room under one motion of the floor.
 
     A `Body` is simulated in the plane, or where it has a length and the motion a component ``y``, or a shape
@@ -182,8 +151,8 @@ def simulate(
 
     Returns
     -------
-    Run or SpaceRun
-        Outcome, peaks, events and histories: a `Run` in the plane, a `SpaceRun` in space.
+    Run
+        Outcome, peaks and histories; `Run.engine` tells whether in the plane or in space.
 
     Raises
     ------
@@ -247,3 +216,65 @@ def _assembly_of(what: object, **asked: bool) -> Assembly:
 def law_number(contact: str) -> int:
     """Return the number of a contact law in the mechanics."""
     return LAWS.index(word_of("model.contact", contact, LAWS, "contact"))
+
+
+def run_of(
+    case: Case, traced: Traced, held: Held, devices: tuple[DeviceResult, ...], most_events: int | None = None
+) -> Run:
+    """Return the `Run` of the numbers of the mechanics in the plane."""
+    history = traced.history.T.copy()
+    x, z, tilt, tilt_rate, slide = history[: col.H_SLIDE + 1]
+    first, cut, last = _split(traced.events, most_events)
+    result, outcome = traced.result, list(Outcome)[int(traced.result["outcome"])]
+    none, dt = np.zeros_like(x), case.motion.dt
+    half = 0.5 * (tilt + held.body.resting_tilt)
+    rates = [np.gradient(values, dt) if len(values) > 1 else none for values in (x, z)]
+    piece = PieceRun(
+        outcome=outcome,
+        overturn_time=float(result["end"]) if outcome is Outcome.OVERTURNED else math.nan,
+        fall_time=math.nan,
+        peak_slide=result["peak_slide"].item(),
+        residual_slide=result["residual_slide"].item(),
+        peak_tilt=result["peak_tilt"].item(),
+        residual_tilt=result["residual_tilt"].item(),
+        floor_impacts=result["floor_impacts"].item(),
+        wall_impacts=result["wall_impacts"].item(),
+        body_impacts=0,
+        tilt=tilt,
+        slide=slide,
+        slide_in_plan=np.column_stack((slide, none)),
+        yaw=none,
+        held=held,
+    )
+    return Run(
+        "plane",
+        default_names(1),
+        (piece,),
+        case.room,
+        case.motion,
+        np.arange(len(x), dtype=np.float64) * dt,
+        place=np.column_stack((x, none, z))[np.newaxis],
+        attitude=np.column_stack((np.cos(half), none, np.sin(half), none))[np.newaxis],
+        velocity=np.column_stack((rates[0], none, rates[1]))[np.newaxis],
+        rotation_rate=np.column_stack((none, tilt_rate, none))[np.newaxis],
+        devices=devices,
+        contact=case.contact,
+        initial=case.initial,
+        gravity=case.gravity,
+        slide_rate=history[col.H_SLIDE_RATE],
+        mode=np.array(_MODES)[history[col.H_MODE].astype(np.intp)],
+        events=tuple(_event(row) for part in (first, last) for row in part.tolist()),
+        unlisted=dict(Counter(_KINDS[int(kind)] for kind in cut["kind"])),
+    )
+
+
+def _split(events: NDArray[np.void], most: int | None) -> tuple[NDArray[np.void], ...]:
+    """Return the first rows, those between that are too many, and the last row if some are."""
+    if most is None or len(events) <= most:
+        return events, events[:0], events[:0]
+    return events[: most - 1], events[most - 1 : -1], events[-1:]
+
+
+def _event(row: tuple[float, ...]) -> Event:
+    time, kind, mode, *state = row
+    return Event(time, _KINDS[int(kind)], _MODES[int(mode)], *state)

@@ -56,6 +56,10 @@ class Outcome(StrEnum):
     ROLLED = "rolled"
 
 
+SEVERITY = ("rested", "slid", "rolled", "rocked", "leaning", "overturned", "fell off", "failed")
+"""Outcomes, the worst last."""
+
+
 class Mode(StrEnum):
     """How the body moves at an instant.
 
@@ -139,6 +143,44 @@ class Event:
     tilt_rate: float
     slide: float
     slide_rate: float
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """A body that closed on something faster than 1 cm/s.
+
+    Parameters
+    ----------
+    time : float
+        When [s].
+    body : int
+        Which body.
+    other : int or None
+        Which other body; None for the room.
+    surface : str
+        What of the room: "floor", or as a field of `Room`, such as "left_wall"; empty for another body.
+    speed : float
+        How fast they closed at the point that closed first in the list of contacts [m/s].
+    impulse : float
+        The impulse there in the step [N s].
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> shaking = sp.sine(amplitude=0.0, frequency=1.0, duration=1.0)
+    >>> box = sp.Body.box(width=0.3, length=0.3, height=0.3, mass=10.0)
+    >>> run = sp.simulate(sp.Assembly([sp.Piece(box, at=(0.0, 0.0, 0.02))]), sp.Room(), shaking)
+    >>> first = run.hits[0]
+    >>> print(first.surface, round(first.speed, 2))
+    floor 0.63
+    """
+
+    time: float
+    body: int
+    other: int | None
+    surface: str
+    speed: float
+    impulse: float
 
 
 HISTORIES: dict[str, tuple[int, str, str]] = {

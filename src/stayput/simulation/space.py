@@ -16,12 +16,12 @@ from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
 from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY
 from stayput.simulation.groups import run_in_groups
-from stayput.simulation.outcome import OUTCOMES, Outcome
+from stayput.simulation.outcome import OUTCOMES, Hit, Outcome
 from stayput.simulation.placing import held_body, joint_results, joint_springs, placed, planes_around
+from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
-from stayput.simulation.space_fate import fates_of
+from stayput.simulation.space_fate import fates_of, unrolled, upright_yaws
 from stayput.simulation.space_records import NORMALS, frames_of, matrices, planes_of, surface_of, world_of
-from stayput.simulation.space_run import Hit, SpaceRun
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -35,9 +35,9 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation.groups import Group
     from stayput.simulation.placing import Placed
-    from stayput.simulation.space_engine import SpaceTrace
+    from stayput.simulation.space_engine import Gaps, SpaceTrace
     from stayput.simulation.space_fate import Fate
-    from stayput.simulation.standing import Assembly, Joint
+    from stayput.simulation.standing import Assembly, Joint, Piece
 
 ON_FLOOR_WITHIN = 1e-6
 """Height up to which the lowest point of a body is on the floor [m]."""
@@ -57,7 +57,7 @@ def checked_step(step: float | None) -> float:
 
 def simulate_assembly(
     assembly: Assembly, room: Room, motion: Motion, gravity: float, step: float | None = None
-) -> SpaceRun:
+) -> Run:
     """Simulate pieces in space; see `stayput.simulate`.
 
     The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of
@@ -206,13 +206,14 @@ def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.v
     trace, pieces = traced.trace, [body.piece for body in traced.bodies]
     results = np.zeros(len(pieces), RESULT)
     for body, (result, fate) in enumerate(zip(results, traced.turns_and_fates()[1], strict=True)):
-        falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
-        end = min(falls, default=len(time) - 1)
+        end = len(time) - 1 if fate.fell is None else fate.fell
         # the mechanics know of no body that another bears
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
         result["end"] = time[end]
-        seen = falls or pieces[body].round_side is not None  # the engine's tilt counts what it has rolled
+        seen = (
+            fate.fell is not None or pieces[body].round_side is not None
+        )  # the engine's tilt counts what it has rolled
         result["peak_tilt"] = fate.tilt[: end + 1].max() if seen else trace.peak_tilt[body]
         result["peak_slide"] = fate.way[: end + 1].max()
         result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
@@ -242,7 +243,7 @@ def run_rows_in_space(
 
 def simulate_held(
     held: Held, elements: NDArray[np.void], motion: Motion, initial: State, gravity: float, step: float = STEP
-) -> SpaceRun:
+) -> Run:
     """Simulate a piece with measures in place.
 
     Parameters
@@ -260,7 +261,7 @@ def simulate_held(
     )
 
 
-def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, motion: Motion) -> SpaceRun:
+def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, motion: Motion) -> Run:
     """Return the run of an assembly, with the names of its devices and joints.
 
     Parameters
@@ -292,30 +293,88 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
         )
         for hit in trace.hits
     )
-    run = SpaceRun(
-        pieces,
+    time = motion.dt * np.arange(len(motion.x), dtype=np.float64)
+    attitude = frames_of(pieces, trace.attitude)
+    numbers = trace.peak_tilt, trace.hit_numbers[:-1]
+    return Run(
+        "space",
+        default_names(len(bodies)),
+        piece_runs(pieces, time, trace.place, attitude, trace.gaps, *numbers, held, trace.given_up),
         room,
         motion,
-        planes,
-        motion.dt * np.arange(len(motion.x), dtype=np.float64),
+        time,
         trace.place,
-        frames_of(pieces, trace.attitude),
+        attitude,
         trace.velocity,
         trace.rotation_rate,
-        trace.pressing,
-        hits,
-        trace.hit_numbers[:-1],
-        trace.peak_tilt,
-        trace.gaps,
         tuple(devices),
-        trace.springs,
-        trace.steps,
-        trace.unconverged,
-        trace.error,
-        held,
-        trace.given_up,
         gravity=gravity,
+        standing=pieces,
+        planes=planes,
+        force=trace.pressing,
+        hits=hits,
+        gaps=trace.gaps,
+        springs=trace.springs,
+        steps=trace.steps,
+        unconverged=trace.unconverged,
+        estimated_error=trace.error,
+        given_up=trace.given_up,
     )
-    if lying := [b for b, one in enumerate(pieces) if one.round_side is not None]:
-        run.peak_tilt[lying] = run.tilt[lying].max(axis=1)  # the engine's counts what they have rolled
-    return run
+
+
+def piece_runs(
+    standing: Sequence[Piece],
+    time: NDArray[np.float64],
+    place: NDArray[np.float64],
+    attitude: NDArray[np.float64],
+    gaps: tuple[Gaps, Gaps],
+    peak_tilts: NDArray[np.float64],
+    hit_numbers: NDArray[np.int64],
+    held: Sequence[Held | None],
+    given_up: bool = False,
+) -> tuple[PieceRun, ...]:
+    """Return what bodies did, from their poses in a run.
+
+    Parameters
+    ----------
+    standing : sequence of Piece
+        The bodies as they stood at first.
+    time : ndarray, shape (samples,)
+        Times of the samples [s].
+    place, attitude : ndarray, shape (bodies, samples, 3) and (bodies, samples, 4)
+        Their poses.
+    gaps : tuple of Gaps
+        At first and at the end.
+    peak_tilts : ndarray, shape (bodies,)
+        Largest tilts at any step [rad], which of what lies on its round side count what it has rolled.
+    hit_numbers : ndarray of int, shape (bodies, 3)
+        How often each hit the floor, walls and ceiling, and other bodies.
+    held : sequence of Held or None
+        The measures in place on each.
+    given_up : bool
+        Whether the run took too much work.
+    """
+    turns, runs = matrices(attitude), list[PieceRun]()
+    fates = fates_of(standing, place, turns, gaps, given_up)
+    for b, (one, fate) in enumerate(zip(standing, fates, strict=True)):
+        overturned, fell_off = (
+            math.nan if sample is None else float(time[sample]) for sample in (fate.overturned, fate.fell_off)
+        )
+        runs.append(
+            PieceRun(
+                fate.outcome,
+                overturned,
+                fell_off,
+                float(fate.way[: None if fate.fell is None else fate.fell + 1].max()),
+                float(fate.way[-1]),
+                float(peak_tilts[b] if one.round_side is None else fate.tilt.max()),
+                float(fate.tilt[-1]),
+                *(int(number) for number in hit_numbers[b]),
+                tilt=fate.tilt,
+                slide=fate.way,
+                slide_in_plan=fate.slide,
+                yaw=upright_yaws(one.rest, unrolled(one, turns[b])),
+                held=held[b],
+            )
+        )
+    return tuple(runs)

@@ -182,7 +182,7 @@ LEFT = 0.01
 class Fate(NamedTuple):
     """What became of a body, the samples at which it overturned and fell off, where it did, and how it moved.
 
-    Its tilts [rad] and how far it has slid in plan [m] have the shape (samples,).
+    Its tilts [rad], how far it has slid in plan [m], and that along x and y, shape (samples, 2).
     """
 
     outcome: Outcome
@@ -190,6 +190,12 @@ class Fate(NamedTuple):
     fell_off: int | None
     tilt: NDArray[np.float64]
     way: NDArray[np.float64]
+    slide: NDArray[np.float64]
+
+    @property
+    def fell(self) -> int | None:
+        """The first sample at which it overturned or fell off; None where it did neither."""
+        return min((one for one in (self.overturned, self.fell_off) if one is not None), default=None)
 
 
 def fates_of(
@@ -224,7 +230,7 @@ def fates_of(
         ways = np.linalg.norm(slide, axis=1)
         way, most = ways[pose], int(ways.argmax())
         if given_up or not np.isfinite(place[b]).all():
-            found.append(Fate(Outcome.FAILED, None, None, tilt, way))
+            found.append(Fate(Outcome.FAILED, None, None, tilt, way, slide[pose]))
             continue
         overturned = _first(lies_on_floor(one, places, turns)[pose])
         if overturned is None and touching[b].any():
@@ -248,7 +254,7 @@ def fates_of(
         else:
             turn_in_plan = np.abs(turns[:, :2, :2] - turns[0, :2, :2]).max()
             outcome = Outcome.SLID if ways[most] > SLID or turn_in_plan > ROCKED else Outcome.RESTED
-        found.append(Fate(outcome, overturned, fell_off, tilt, way))
+        found.append(Fate(outcome, overturned, fell_off, tilt, way, slide[pose]))
     return found
 
 

@@ -99,7 +99,7 @@ class Piece:
     >>> from stayput.measures import LBracket
     >>> body, room = sp.Body(width=0.3, height=1.8, mass=80.0, length=0.9), sp.Room(left_wall=sp.Wall(0.02))
     >>> for measures in ([], [LBracket()]):
-    ...     print(sp.simulate(sp.Piece(body, measures=measures), room, sp.near_fault()).outcomes[0])
+    ...     print(sp.simulate(sp.Piece(body, measures=measures), room, sp.near_fault()).outcome)
     overturned
     rocked
 
@@ -110,7 +110,7 @@ class Piece:
     >>> still = sp.sine(amplitude=0.0, frequency=1.0, duration=3.0)
     >>> for tilt in (0.19, 0.24):
     ...     tilted = sp.Piece(shelf, at=(0.0, 0.0, 0.2 * sin(tilt)), tilt=(0.0, tilt, 0.0))
-    ...     print(tilt, *sp.simulate(tilted, sp.Room(), still).outcomes)
+    ...     print(tilt, sp.simulate(tilted, sp.Room(), still).outcome)
     0.19 rocked
     0.24 overturned
     """
@@ -242,7 +242,7 @@ class Joint:
     >>> screws = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=2e3) for x in (-0.15, 0.15)]  # N
     >>> for joints in ([], screws):  # the upper one falls off, or takes all with it
     ...     both = sp.Assembly([lower, upper], joints=joints)
-    ...     print(*sp.simulate(both, sp.Room(), sp.near_fault()).outcomes)
+    ...     print(*(piece.outcome for piece in sp.simulate(both, sp.Room(), sp.near_fault()).pieces))
     rocked fell off
     overturned overturned
     """
@@ -307,7 +307,7 @@ class Assembly:
     >>> lower, upper = sp.Body.box(0.45, 0.9, 1.0, 60.0), sp.Body.box(0.35, 0.9, 0.9, 30.0)
     >>> dresser = sp.Assembly([sp.Piece(lower), sp.Piece(upper, at=(-0.05, 0.0, 1.0))])
     >>> run = sp.simulate(dresser, sp.Room(), sp.near_fault().scaled(0.5))
-    >>> print(f"{run.peak_slide[1]:.2f}")  # of the upper one [m]
+    >>> print(f"{run[1].peak_slide:.2f}")  # of the upper one [m]
     0.08
     """
 

@@ -92,7 +92,7 @@ export function show(shaken, scene) {
   clock.redraw();
 }
 
-const peaks = (run) => (run.pieces ?? [run]).map((one) => one.peak_tilt_rad);
+const peaks = (run) => run.pieces.map((one) => one.peak_tilt_rad);
 
 /** Shows the pictures of the plane or of space, and what belongs to them. */
 function chooseStages({ inSpace, runs }) {

@@ -58,15 +58,15 @@ export function tell(result, titles, events, seek) {
 }
 
 function peaks(run) {
-  const whose = run.pieces?.length > 1 ? [] : [run.pieces?.[0] ?? run];
+  const whose = run.pieces.length > 1 ? [] : run.pieces;
   const parts = whose
     .filter((one) => !one.overturned)
     .flatMap((one) => [
       t("peakTilt", { tilt: number((one.peak_tilt_rad * 180) / Math.PI, 1) }),
       t("peakSlide", { slide: length(one.peak_slide_m) }),
-      ...(one.residual_yaw_rad === undefined
-        ? []
-        : [t("turnedAtEnd", { yaw: number((Math.abs(one.residual_yaw_rad) * 180) / Math.PI, 1) })]),
+      ...(run.scene
+        ? [t("turnedAtEnd", { yaw: number((Math.abs(one.residual_yaw_rad) * 180) / Math.PI, 1) })]
+        : []),
     ]);
   for (const one of run.devices)
     parts.push(

@@ -28,7 +28,7 @@ from stayput.report.room.sheet import (
 )
 from stayput.report.verdict import numbers, svg
 from stayput.rooms.events import CELL
-from stayput.rooms.words import change_label, door_name, names_in, piece_name, place_name
+from stayput.rooms.words import change_label, door_name, piece_name, place_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -261,7 +261,7 @@ def room_plan(verdict: RoomVerdict, language: str) -> str:
 
 def legend(verdict: RoomVerdict, language: str) -> list[tuple[str, str]]:
     """Return the colour and the name of each piece."""
-    called = names_in(verdict.scenario, language)
+    called = [say(piece_name(name), language) for name in verdict.scenario.names]
     return [(swatch_svg(look), name) for look, name in enumerate(called)]
 
 

@@ -12,7 +12,6 @@ from PIL import Image, ImageDraw, ImageFilter
 
 from stayput.catalogue import say
 from stayput.report.frames import FrameLayout
-from stayput.report.history import at_time, slid
 from stayput.report.palette import ALARM, INK, PAPER, ROLE_COLOURS, ROOM, rgb
 from stayput.report.space.scene import body_colour
 from stayput.report.space.shape import OPENINGS, STILL_LOOKS, StillShape, cut
@@ -135,7 +134,9 @@ class SpacePainter:
         run = self._film.scene.run
         if len(run.pieces) > 1:
             return ""
-        tilt, slide = at_time(time, run, np.degrees(run.tilt[0])), at_time(time, run, 100.0 * slid(run)[0])
+        tilt, slide = (
+            float(np.interp(time, run.time, values)) for values in (np.degrees(run.tilt), 100.0 * run.slide)
+        )
         return say("space.state", self._film.language, tilt=tilt, slide=slide)
 
     def _draw_room(self, camera: Camera) -> Image.Image:

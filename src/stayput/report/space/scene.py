@@ -15,7 +15,6 @@ import numpy as np
 
 from stayput.measures.pole import TensionPole
 from stayput.mechanics.space.touching import ROOM
-from stayput.report.history import slid
 from stayput.report.palette import BODY_COLOURS
 from stayput.report.scene import SHIFT_SHOWN, TIME_DIGITS, View, ground_displacement, rounded
 from stayput.report.space.shape import SolidShape, StillShape, shape_of, still_of
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
 
 RATE = 60.0
 """Most poses a second in a scene; pages and films turn between them."""
@@ -71,7 +70,7 @@ class SpaceScene:
 
     Parameters
     ----------
-    run : SpaceRun
+    run : Run
         The run.
     names : tuple of str
         What the bodies are called.
@@ -95,7 +94,7 @@ class SpaceScene:
         Places of people, doors and windows.
     """
 
-    run: SpaceRun
+    run: Run
     names: tuple[str, ...]
     shapes: tuple[SolidShape, ...]
     time: NDArray[np.float64]
@@ -143,7 +142,7 @@ class SpaceScene:
         self, body: int, turn: NDArray[np.float64], place: NDArray[np.float64]
     ) -> NDArray[np.float64]:
         """Return the corners of a body in a pose, shape (vertices, 3) [m]."""
-        solid = self.run.pieces[body].solid
+        solid = self.run.standing[body].solid
         return place + (solid.vertices - solid.centre_of_gravity) @ turn.T
 
     def pose(self, time: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -172,7 +171,6 @@ class SpaceScene:
             ``ties``: ``body``, ``point_m``, ``other``, ``anchor_m``, ``lost_s`` or None; see `DrawnTie`.
         """
         run = self.run
-        histories = {"tilt_rad": run.tilt, "slide_m": slid(run), "yaw_rad": run.yaw}
         return {
             "poses": {
                 "start_s": round(self.start, TIME_DIGITS),
@@ -200,9 +198,11 @@ class SpaceScene:
                     "footprint_m": [rounded(corner) for corner in self.footprint(b)],
                     "place_m": packed(self.place[b]),
                     "attitude": packed(self.attitude[b]),
-                    **{key: packed(self._at_poses(values[b])) for key, values in histories.items()},
+                    "tilt_rad": packed(self._at_poses(piece.tilt)),
+                    "slide_m": packed(self._at_poses(piece.slide)),
+                    "yaw_rad": packed(self._at_poses(piece.yaw)),
                 }
-                for b, one in enumerate(run.pieces)
+                for b, (one, piece) in enumerate(zip(run.standing, run.pieces, strict=True))
             ],
             "still": [one.data() for one in self.still],
             "ties": [
@@ -225,7 +225,7 @@ class SpaceScene:
         def seen(body: int | None, point: NDArray[np.float64]) -> NDArray[np.float64]:
             if body is None:
                 return point
-            solid = self.run.pieces[body].solid
+            solid = self.run.standing[body].solid
             return places[body] + turns[body] @ (point - solid.centre_of_gravity)
 
         return np.stack([seen(tie.body, tie.point), seen(tie.other, tie.anchor)])
@@ -253,16 +253,16 @@ def packed(values: NDArray[np.float64]) -> str:
     return base64.b64encode(values.astype("<f4").tobytes()).decode("ascii")
 
 
-def space_scene(run: SpaceRun, names: tuple[str, ...], beside: Sequence[SpaceRun] = ()) -> SpaceScene:
+def space_scene(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) -> SpaceScene:
     """Make a run in space ready to be drawn.
 
     Parameters
     ----------
-    run : SpaceRun
+    run : Run
         The run, of two samples at least.
     names : tuple of str
         What the bodies are called.
-    beside : sequence of SpaceRun
+    beside : sequence of Run
         Runs that are shown beside each other, this one among them: each picture has room for all of them, so
         that they are to one scale.
     """
@@ -280,15 +280,15 @@ def space_scene(run: SpaceRun, names: tuple[str, ...], beside: Sequence[SpaceRun
     largest = float(np.linalg.norm(ground, axis=1).max())
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
-    shapes = tuple(shape_of(one.solid) for one in run.pieces)
+    shapes = tuple(shape_of(one.solid) for one in run.standing)
     return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
 
 
-def _ties(run: SpaceRun) -> tuple[DrawnTie, ...]:
+def _ties(run: Run) -> tuple[DrawnTie, ...]:
     """Return the devices and joints of a run."""
 
     def in_frame(body: int, spring: np.void, names: tuple[str, str, str]) -> NDArray[np.float64]:
-        solid = run.pieces[body].solid
+        solid = run.standing[body].solid
         return solid.centre_of_gravity + solid.principal[1] @ [float(spring[name]) for name in names]
 
     found: list[DrawnTie] = []
@@ -330,11 +330,11 @@ def _between(
     return places, attitudes / np.linalg.norm(attitudes, axis=-1, keepdims=True)
 
 
-def _outermost(run: SpaceRun) -> tuple[NDArray[np.float64], float]:
+def _outermost(run: Run) -> tuple[NDArray[np.float64], float]:
     """Return the outermost points of the bodies over time, near the start, and their size at first [m]."""
     some = np.linspace(0, len(run.time) - 1, min(len(run.time), _POSES_VIEWED)).astype(np.intp)
     found: list[NDArray[np.float64]] = []
-    for b, one in enumerate(run.pieces):
+    for b, one in enumerate(run.standing):
         arms = one.solid.vertices - one.solid.centre_of_gravity
         turns = np.swapaxes(matrices(run.attitude[b, some]), 1, 2)
         found.append(run.place[b, some, np.newaxis] + arms @ turns)

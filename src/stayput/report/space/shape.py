@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.model.solid import Solid
-    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.run import Run
 
 
 _PANEL = 0.82
@@ -236,7 +236,7 @@ class StillShape(NamedTuple):
         }
 
 
-def still_of(run: SpaceRun) -> tuple[StillShape, ...]:
+def still_of(run: Run) -> tuple[StillShape, ...]:
     """Return what is drawn of the doors, windows and places of a run's room, below its ceiling."""
     if run.plan is None:
         return ()

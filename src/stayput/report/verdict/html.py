@@ -14,7 +14,7 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.page import file_of, framed, rendered, script_json, script_module, write_page
 from stayput.report.palette import mode_looks
 from stayput.report.scene import DRIFT_CORNER
-from stayput.report.summary import piece_sentences
+from stayput.report.summary import sentences_of_piece
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
 from stayput.report.verdict.curves import curves_svg, legend, looks
@@ -214,9 +214,9 @@ def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str
 
 
 def _pair(verdict: Verdict, pair: RunPair, language: str) -> dict[str, Any]:
-    piece, scene = verdict.scenario.piece, pair.scene
+    scene = pair.scene
     labels = [title(option, verdict, language) for option in pair.options]
-    said = [say(piece_sentences(run, piece.preset, piece.name), language) for run in scene.runs]
+    said = [say(sentences_of_piece(run), language) for run in scene.runs]
     sides = [{"label": label, "outcome": one} for label, one in zip(labels, said, strict=True)]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
     about = about_case(pair.kind, len(sides), phrase("common.without"), language)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase, say
-from stayput.catalogue.names import ANY_PIECE, PIECES
+from stayput.catalogue.names import ANY_PIECE
 from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
@@ -23,15 +23,13 @@ from stayput.report.figures import embedded
 from stayput.report.fonts import drawable
 from stayput.report.history import MOVED, cut_run, history, peak_of, window_in_space, window_of
 from stayput.report.names import motion_label
+from stayput.report.plot import plot_run
 from stayput.report.scene import TIME_DIGITS, Scene, scene_of
-from stayput.report.space.plot import plot_space_run
-from stayput.report.space.summary import became
+from stayput.report.summary import sentences
 from stayput.report.verdict import svg
 from stayput.report.verdict.numbers import word
-from stayput.simulation.case import Case
-from stayput.simulation.run import run_of
+from stayput.simulation.case import Case, run_of
 from stayput.simulation.space import simulate_held
-from stayput.simulation.space_run import SpaceRun
 from stayput.verification import Verdict
 from stayput.verification.words import title, title_of_several
 
@@ -181,13 +179,16 @@ def drawn_piece(verdict: Verdict, option: Option, member: Member) -> tuple[Held,
     return drawn_held(body, room, option.measures, draw, scenario.dimensions)
 
 
-def replay_in_space(
-    verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float
-) -> SpaceRun:
+def replay_in_space(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
     """Run a member of a verdict in space again; see `replay`."""
     scenario = verdict.scenario
     held, elements = drawn_piece(verdict, option, member)
-    return simulate_held(held, elements, motion.scaled(scale), scenario.initial.state(), scenario.gravity)
+    run = simulate_held(held, elements, motion.scaled(scale), scenario.initial.state(), scenario.gravity)
+    return _named(run, scenario.piece)
+
+
+def _named(run: Run, piece: PieceTable) -> Run:
+    return run.named([piece.name or piece.preset or ANY_PIECE[0]])
 
 
 def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
@@ -211,18 +212,19 @@ def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, sca
     traced = trace(row[0], shaking(motion.x, motion.z, motion.dt, 0), elements)
     case = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
     results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
-    return run_of(case, traced, held, results, most_events=2)  # the pictures need the last one
+    run = run_of(case, traced, held, results, most_events=2)  # the pictures need the last one
+    return _named(run, scenario.piece)
 
 
 def motion_told(
     verdict: Verdict | AssemblyVerdict,
     member: Member,
-    run: Run | SpaceRun,
+    run: Run,
     shown: tuple[float, float],
     language: str,
 ) -> str:
     """Return which motion a run met, how strong it was, and from when to when it is shown [s]."""
-    motion, in_space = run.motion, isinstance(run, SpaceRun)
+    motion, in_space = run.motion, run.engine == "space"
     return word(
         "motion_in_space" if in_space else "motion_shown",
         language,
@@ -248,15 +250,14 @@ def space_pairs(verdict: Verdict, ground: Suite, language: str) -> list[dict[str
     language : str
         "en" or "ja".
     """
-    piece, options = verdict.scenario.piece, shown_options(verdict)
-    names = [piece.name or say(PIECES.get(piece.preset or "", ANY_PIECE), language)]
+    options = shown_options(verdict)
     labels = [title(option, verdict, language) for option in options]
 
-    def runs_of(member: Member) -> list[SpaceRun]:
+    def runs_of(member: Member) -> list[Run]:
         on_floor = floor_motion(verdict, ground, member)
         return [replay_in_space(verdict, option, member, *on_floor) for option in options]
 
-    return _pairs(verdict, runs_of, labels, names, language)
+    return _pairs(verdict, runs_of, labels, language)
 
 
 def pairs_of_several(verdict: AssemblyVerdict, language: str) -> list[dict[str, Any]]:
@@ -264,20 +265,19 @@ def pairs_of_several(verdict: AssemblyVerdict, language: str) -> list[dict[str, 
     options = [verdict.without, verdict.best] if verdict.best.option.count else [verdict.without]
     labels = [title_of_several(option, verdict, language) for option in options]
 
-    def runs_of(member: Member) -> list[SpaceRun]:
+    def runs_of(member: Member) -> list[Run]:
         return [replay_of_several(verdict, option, member) for option in options]
 
-    return _pairs(verdict, runs_of, labels, verdict.scenario.names, language)
+    return _pairs(verdict, runs_of, labels, language)
 
 
 def _pairs(
     verdict: Verdict | AssemblyVerdict,
-    runs_of: Callable[[Member], list[SpaceRun]],
+    runs_of: Callable[[Member], list[Run]],
     labels: Sequence[str],
-    names: Sequence[str],
     language: str,
 ) -> list[dict[str, Any]]:
-    """Return the typical and the worst case, of runs under options with labels, of bodies with names."""
+    """Return the typical and the worst case, of runs under options with labels."""
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     without = "common.without" if isinstance(verdict, Verdict) else "several.nothing"
@@ -293,10 +293,10 @@ def _pairs(
                 "sides": [
                     {
                         "label": label,
-                        "outcome": say(became(run, names), language),
+                        "outcome": say(sentences(run), language),
                         # several that play at once would be too much for a slow machine
-                        "player": player_page(film_of(shown, names, language, cut), 1.0, 1.5, plays=False),
-                        "histories": embedded(plot_space_run(shown, names=names, language=drawn), "svg"),
+                        "player": player_page(film_of(shown, language, cut), 1.0, 1.5, plays=False),
+                        "histories": embedded(plot_run(shown, language=drawn), "svg"),
                     }
                     for label, run, shown in zip(labels, runs, cut, strict=True)
                 ],
@@ -306,7 +306,7 @@ def _pairs(
     return pairs
 
 
-def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> SpaceRun:
+def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> Run:
     """Run a member of an option again, with its histories."""
     scenario = verdict.scenario
     hazard, stated = Hazard.of(scenario), scenario.uncertainty
@@ -320,7 +320,7 @@ def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, m
         quantities=stated.quantities,
         direction=scenario.direction or 0.0,
     )
-    return run_again(
+    run = run_again(
         scenario.assembly(result.option),
         scenario.surroundings(),
         drawn[member.motion][member.sample],
@@ -328,6 +328,7 @@ def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, m
         float(floors.scales[member.motion]),
         scenario.gravity,
     )
+    return run.named(scenario.names)
 
 
 def histories_svg(pair: RunPair, language: str, outcomes: str) -> str:
