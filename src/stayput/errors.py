@@ -73,12 +73,12 @@ def visible(text: str) -> str:
     >>> visible("red \x1b[31m")
     'red \\x1b[31m'
     """
-    return _CONTROL.sub(lambda found: repr(found[0])[1:-1], text)
+    return _CONTROL.sub(lambda match: repr(match[0])[1:-1], text)
 
 
 def without_control(text: str) -> str:
     """Return a text without its control characters; blanks and tabs stay."""
-    return _CONTROL.sub(lambda found: found[0] if found[0].isspace() else "", text)
+    return _CONTROL.sub(lambda match: match[0] if match[0].isspace() else "", text)
 
 
 def readable(sentence: str) -> str:
@@ -96,9 +96,9 @@ def quoted(value: str) -> str:
 
 def shown(value: object) -> str:
     """Return a value as a sentence shows it: as Python does, or its type and length where that is long."""
-    told = repr(value)
-    if len(told) <= _LONGEST_QUOTE and "\n" not in told:
-        return told
+    text = repr(value)
+    if len(text) <= _LONGEST_QUOTE and "\n" not in text:
+        return text
     length = f" of length {len(value)}" if isinstance(value, Sized) else ""
     return f"{type(value).__name__}{length}"
 
@@ -341,12 +341,12 @@ def numbers(
     try:
         if isinstance(values, str | bytes):
             raise TypeError
-        found = np.array(values, np.float64)
+        array = np.array(values, np.float64)
     except (TypeError, ValueError, OverflowError):
         raise not_allowed(name, repr(values), "common.numbers", field) from None
-    if count is not None and found.shape != (count,):
+    if count is not None and array.shape != (count,):
         raise not_allowed(name, repr(values), phrase("common.so_many_numbers", count=count), field)
-    return found
+    return array
 
 
 def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:

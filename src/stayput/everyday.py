@@ -185,26 +185,26 @@ def tip_over(
     >>> [(case.name, round(case.margin, 2)) for case in tip_over(chest, Everyday(drawers=4))]
     [('all_drawers', 0.76), ('one_drawer', 1.12), ('pull', 1.63)]
     """
-    given = Everyday() if everyday is None else instance_of("everyday", everyday, Everyday)
+    conditions = Everyday() if everyday is None else instance_of("everyday", everyday, Everyday)
     instance_of("body", body, Body)
     GRAVITY.check(gravity)
     _, (lever, below), *_ = body.corners_at_rest
     weight = body.mass * gravity
-    tilt = math.atan2(given.carpet, body.base_width)
+    tilt = math.atan2(conditions.carpet, body.base_width)
     cos, sin = math.cos(tilt), math.sin(tilt)
     restoring = weight * (lever * cos + below * sin)  # the base lies below the centre: below < 0
-    load, overhang = given.load * gravity, body.base_insets[1]
+    load, overhang = conditions.load * gravity, body.base_insets[1]
 
     def with_drawers(name: str, share: float, extension: float) -> TipOverCase:
         by_drawers = share * weight * extension * cos
         by_load = load * ((overhang + extension) * cos + body.height * sin)
         return TipOverCase(name, restoring, by_drawers + by_load)
 
-    pull = given.pull * min(given.pull_height, body.height)
+    pull = conditions.pull * min(conditions.pull_height, body.height)
     cases = [TipOverCase(PULL, restoring, pull)]
-    if given.drawers:
-        share, extension = given.drawer_share, given.drawer_extension
-        cases.append(with_drawers(ONE_DRAWER, share / given.drawers, extension))
+    if conditions.drawers:
+        share, extension = conditions.drawer_share, conditions.drawer_extension
+        cases.append(with_drawers(ONE_DRAWER, share / conditions.drawers, extension))
         cases.append(with_drawers(ALL_DRAWERS, share, extension))
     else:
         cases.append(with_drawers(LOAD, 0.0, 0.0))

@@ -204,7 +204,7 @@ class Pool:
     def _results(self, calls: Iterable[Callable[[], T]], *, in_order: bool) -> Generator[tuple[int, T]]:
         todo = enumerate(calls)
         completed: dict[int, Future[T]] = {}
-        given = 0
+        yielded = 0
         try:
             while True:
                 # A completed call counts until it is given: a slow first call must not let results pile up.
@@ -213,9 +213,9 @@ class Pool:
                     if numbered is None:
                         break
                     self._hand_in(*numbered, {})
-                number = given if in_order else next(iter(completed), None)
+                number = yielded if in_order else next(iter(completed), None)
                 if number in completed:
-                    given += 1
+                    yielded += 1
                     yield number, completed.pop(number).result()
                 elif self._under_way:
                     completed.update(self._wait())

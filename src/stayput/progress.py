@@ -76,8 +76,8 @@ def bar(
         yield lambda count: None
         return
     with _progress() as progress:
-        told = say(what, _language.get())
-        task = progress.add_task(told, total=total, unit=say(unit, _language.get()))
+        text = say(what, _language.get())
+        task = progress.add_task(text, total=total, unit=say(unit, _language.get()))
         try:
             yield lambda count: progress.advance(task, count)
         finally:
@@ -90,20 +90,20 @@ class Tally:
 
     total: int
     advance: Callable[[int], None]
-    told: Callable[[int, int], None] | None
+    on_progress: Callable[[int, int], None] | None
     done: int = 0
 
     def __call__(self, count: int) -> None:
         """Add work that was just done."""
         self.done += count
         self.advance(count)
-        if self.told is not None:
-            self.told(self.done, max(self.total, self.done))
+        if self.on_progress is not None:
+            self.on_progress(self.done, max(self.total, self.done))
 
 
 @contextmanager
 def tally(
-    total: int | None, what: str, shown: bool | None, told: Callable[[int, int], None] | None = None
+    total: int | None, what: str, shown: bool | None, on_progress: Callable[[int, int], None] | None = None
 ) -> Generator[Tally]:
     """Yield a tally of work beside a progress bar; see `bar`.
 
@@ -111,12 +111,12 @@ def tally(
     ----------
     total, what, shown
         As of `bar`.
-    told : callable, optional
+    on_progress : callable, optional
         Called with what is done and all that is to do, as far as it is known; an exception that it raises
         stops the work.
     """
     with bar(total, what, shown) as advance:
-        yield Tally(total or 0, advance, told)
+        yield Tally(total or 0, advance, on_progress)
 
 
 def is_drawn() -> bool:

@@ -114,20 +114,19 @@ class InNetcdf(InJson, ABC):
     def save(self, path: str | Path) -> Path:
         """Write it to a file (.nc); see `InJson.save`."""
         target, dataset = check_target(path, NETCDF), self.to_dataset()
-        fields = [
-            one.name for one in dataclasses.fields(cast("Any", self))
-        ]  # which live as long as the value
-        own = {id(getattr(self, name)): name for name in map(str, dataset.variables) if name in fields}
+        # arrays of fields live as long as the value, so that their ids stay theirs
+        fields = [field.name for field in dataclasses.fields(cast("Any", self))]
+        names = {id(getattr(self, name)): name for name in map(str, dataset.variables) if name in fields}
         added: dict[str, Any] = {}
 
         def keep(array: NDArray[Any]) -> Any:
-            if id(array) not in own:
+            if id(array) not in names:
                 # NetCDF 3 knows no tables, and takes a dimension without a length for one that grows
                 if array.dtype.kind not in "fiub" or array.size == 0:
                     return _numbers(array)
-                name = own[id(array)] = f"stayput_{len(added)}"
+                name = names[id(array)] = f"stayput_{len(added)}"
                 added[name] = (tuple(f"{name}_{axis}" for axis in range(array.ndim)), array)
-            return {"variable": own[id(array)], "dtype": array.dtype.str, "sha256": _array_digest(array)}
+            return {"variable": names[id(array)], "dtype": array.dtype.str, "sha256": _array_digest(array)}
 
         content = json.dumps(_content(self, keep), allow_nan=False)
         attributes = {"stayput_version": stayput.__version__, _PARTS: content}
@@ -239,8 +238,8 @@ def _encoded(value: Any, keep: Keep) -> Any:
     if isinstance(value, Kept):
         return {"kept": _name(type(value)), "parts": _encoded(value.kept(), keep)}
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        given = [field.name for field in dataclasses.fields(value) if field.init]
-        fields = {name: _encoded(getattr(value, name), keep) for name in given}
+        names = [field.name for field in dataclasses.fields(value) if field.init]
+        fields = {name: _encoded(getattr(value, name), keep) for name in names}
         return {"object": _name(type(value)), "fields": fields}
     raise InputError("saved.not_ours", value=type(value).__qualname__)
 
@@ -295,10 +294,10 @@ def _class(name: str, parent: type | None = None) -> Any:
     ValueError
         It is none of them.
     """
-    module, _, own = name.rpartition(".")
+    module, _, class_name = name.rpartition(".")
     if module.split(".")[0] != __package__:
         raise ValueError(name)
-    kind = getattr(import_module(module), own)
+    kind = getattr(import_module(module), class_name)
     fits = dataclasses.is_dataclass(kind) if parent is None else issubclass(kind, parent)
     if not isinstance(kind, type) or not fits:
         raise ValueError(name)

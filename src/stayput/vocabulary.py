@@ -106,7 +106,7 @@ WORDS: dict[str, dict[str, str]] = {
 """What the words of a kind stand for, each as `plain_word` gives it."""
 
 
-def meant(kind: str, given: Said) -> Said | str:
+def meant(kind: str, value: Said) -> Said | str:
     """Return the name of a preset for what people call it; anything else as it is.
 
     Examples
@@ -116,9 +116,9 @@ def meant(kind: str, given: Said) -> Said | str:
     >>> meant("intensity", "震度６強")
     '6-upper'
     """
-    if not isinstance(given, str) or not given or len(given) > LONGEST_WORD:
-        return given
-    return WORDS[kind].get(plain_word(given), given)
+    if not isinstance(value, str) or not value or len(value) > LONGEST_WORD:
+        return value
+    return WORDS[kind].get(plain_word(value), value)
 
 
 def also_called(presets: Iterable[str]) -> list[str]:
@@ -140,7 +140,7 @@ def listed(presets: Collection[str]) -> Phrase:
 
 
 def preset_meant(
-    kind: str, name: str | Phrase, given: object, known: Collection[str], field: str | None = None
+    kind: str, name: str | Phrase, value: object, known: Collection[str], field: str | None = None
 ) -> str:
     """Return the name of a preset for what people call it.
 
@@ -150,7 +150,7 @@ def preset_meant(
         Of `WORDS`.
     name : str or Phrase
         What a sentence calls it; see `stayput.errors.finite`.
-    given : object
+    value : object
         The word.
     known : collection of str
         The presets.
@@ -162,7 +162,7 @@ def preset_meant(
     InputError
         No preset is called so.
     """
-    word = meant(kind, given)
+    word = meant(kind, value)
     if not isinstance(word, str) or word not in known:
-        raise unknown(name, given, known, field, also_called(known), listed(known))
+        raise unknown(name, value, known, field, also_called(known), listed(known))
     return word

@@ -36,13 +36,13 @@ def check_language(language: str) -> str:
 
 def brief(value: Any, first: int = 1) -> str:
     """Return a dataclass as Python makes it: its first fields, and others that differ from their defaults."""
-    told: list[str] = []
-    for one in fields(value):
-        own = getattr(value, one.name)
-        usual = one.default_factory() if callable(one.default_factory) else one.default
-        if one.compare and (own != usual or len(told) < first):
-            told.append(f"{one.name}={own:.6g}" if isinstance(own, float) else f"{one.name}={own!r}")
-    return f"{type(value).__name__}({', '.join(told)})"
+    parts: list[str] = []
+    for field in fields(value):
+        now = getattr(value, field.name)
+        usual = field.default_factory() if callable(field.default_factory) else field.default
+        if field.compare and (now != usual or len(parts) < first):
+            parts.append(f"{field.name}={now:.6g}" if isinstance(now, float) else f"{field.name}={now!r}")
+    return f"{type(value).__name__}({', '.join(parts)})"
 
 
 class Brief:
@@ -90,10 +90,10 @@ def default_name(name: str, kinds: Mapping[str, Phrase]) -> tuple[str, str] | No
 
 def called(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
     """Return what something is called by itself, translated where that is a default name."""
-    found = default_name(name, kinds)
-    if found is None:
+    default = default_name(name, kinds)
+    if default is None:
         return (name, name)
-    kind, number = found
+    kind, number = default
     return phrase("rooms.numbered", name=kinds[kind], number=number) if number else kinds[kind]
 
 

@@ -169,7 +169,7 @@ def test_a_piece_that_never_overturns_needs_no_measure_where_the_runs_can_tell(
     total = done.summary.events["city"]
     (row,) = rows_of_results(done)
     assert row["finding"] == finding
-    assert dict(total.found) == {finding: 1}
+    assert dict(total.findings) == {finding: 1}
     assert f",{finding}," in (tmp_path / "out" / "pieces.csv").read_text(encoding="utf-8-sig")
     assert done.folder.joinpath("summary.csv").read_text(encoding="utf-8-sig").count(f"pieces_{finding}") == 1
     for language, cell, sentence in zip(("en", "ja"), cells, sentences, strict=True):

@@ -1,4 +1,4 @@
-"""Each part of the package imports only from those below it, and no two of its types share a name."""
+"""Each part imports only from those below it, no two types share a name, and names say what a thing is."""
 
 from __future__ import annotations
 
@@ -93,3 +93,24 @@ def test_no_two_types_share_a_name():
     """A reader who meets a name knows which it is, wherever that is."""
     count = Counter(name for file in SOURCES.rglob("*.py") for name in types(file))
     assert not [name for name, times in count.items() if times > 1]
+
+
+VAGUE = {"one", "own", "told", "found", "given"}
+"""Names of variables and arguments that do not say what a thing is."""
+
+NOT_YET_NAMED = {"app", "cli", "report", "simulation"}
+
+
+def vague_names(file: Path) -> list[str]:
+    return [
+        f"{file.relative_to(SOURCES)}:{node.lineno} {name}"
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if (isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and (name := node.id) in VAGUE)
+        or (isinstance(node, ast.arg) and (name := node.arg) in VAGUE)
+    ]
+
+
+@pytest.mark.parametrize("part", sorted(set(LEVELS) - NOT_YET_NAMED))
+def test_names_say_what_a_thing_is(part):
+    files = (file for file in SOURCES.rglob("*.py") if part_of(file) == part)
+    assert not [name for file in files for name in vague_names(file)]

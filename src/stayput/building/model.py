@@ -151,8 +151,8 @@ class ShakenFloors:
             word_of("motion.the_component", component, rows, "component")
             return model.histories(rows[component], motion.dt, storeys).peaks()
 
-        found = list(model.in_order((partial(peaks_of, _ground(motion)) for motion in motions), threads))
-        peaks = np.array(found).reshape(-1, 2, len(storeys))
+        pairs = list(model.in_order((partial(peaks_of, _ground(motion)) for motion in motions), threads))
+        peaks = np.array(pairs).reshape(-1, 2, len(storeys))
         return FloorPeaks(np.array(storeys), peaks[:, 0], peaks[:, 1])
 
 
@@ -237,11 +237,11 @@ class ShearModel(ShakenFloors):
         if not self.name:
             object.__setattr__(self, "name", f"{len(masses)}-mass shear model")
 
-    def _row(self, field: str, given: float | Sequence[float]) -> tuple[float, ...]:
+    def _row(self, field: str, value: float | Sequence[float]) -> tuple[float, ...]:
         """Check a field, and set it to a tuple of floats, one for each mass."""
         about, wanted = parameter_of(ShearModel, field), len(list_of("masses", self.masses))
-        number = isinstance(given, Real) and field != "masses"
-        values = (given,) * wanted if number else list_of(field, given)
+        number = isinstance(value, Real) and field != "masses"
+        values = (value,) * wanted if number else list_of(field, value)
         if (count := len(values)) != wanted:
             raise InputError("building.model_values", field, name=about.label, count=count, wanted=wanted)
         row = tuple(about.check(value) for value in values)

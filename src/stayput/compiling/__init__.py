@@ -125,9 +125,9 @@ class Entry:
         from stayput.compiling.machine_code import MachineCode
 
         # it is made of the sources in the folders of all functions that it names, and of theirs
-        own = Path(self.py_func.__code__.co_filename).parent
-        others = {Path(named.__code__.co_filename).parent for named in _named_in(self.py_func, set())} - {own}
-        code = MachineCode(f"{self.__module__}.{self.__name__}", kinds, (own, *sorted(others)))
+        folder = Path(self.py_func.__code__.co_filename).parent
+        others = {Path(f.__code__.co_filename).parent for f in _named_in(self.py_func, set())} - {folder}
+        code = MachineCode(f"{self.__module__}.{self.__name__}", kinds, (folder, *sorted(others)))
         if (address := code.load()) is not None:
             return self._caller(address, kinds)
         for announce in _announcements:

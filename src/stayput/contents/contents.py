@@ -241,29 +241,29 @@ class Contents:
         needs_doors = {"door_mass": DOORS[1:], "leaf": ("sliding",)}
         for name in ("door_mass", "leaf", "lip", "setback", "width", "height"):
             about, value = parameter_of(Contents, name), getattr(self, name)
-            told: dict[str, Any] = {"name": about.label, "value": value, "unit": about.unit}
+            values: dict[str, Any] = {"name": about.label, "value": value, "unit": about.unit}
             if value == about.default:
                 continue
             if self.doors not in (kinds := needs_doors.get(name, DOORS)):
                 needed = ", ".join(map(repr, kinds))
-                raise InputError("contents.without_doors", name, **told, doors=self.doors, needed=needed)
+                raise InputError("contents.without_doors", name, **values, doors=self.doors, needed=needed)
             if name not in needs_doors and self.drawers != "none":
-                raise InputError("contents.in_drawers", name, **told, drawers=self.drawers)
+                raise InputError("contents.in_drawers", name, **values, drawers=self.drawers)
 
     @property
     def of_kind(self) -> ContentsKind:
         """The preset, with what is given in its place."""
-        own = {name: getattr(self, name) for name in ContentsKind.__dataclass_fields__}
-        given = {name: value for name, value in own.items() if value is not None}
-        return replace(CONTENTS[self.kind], **given)
+        fields = {name: getattr(self, name) for name in ContentsKind.__dataclass_fields__}
+        stated = {name: value for name, value in fields.items() if value is not None}
+        return replace(CONTENTS[self.kind], **stated)
 
     @property
     def friction(self) -> tuple[float, float]:
         """Static and kinetic coefficient of what slides: the items, or the drawers."""
         kind = self.of_kind
         static, kinetic = (kind.static_friction, kind.kinetic_friction) if self.drawers == "none" else RUNNERS
-        given = self.static_friction, self.kinetic_friction
-        return static if given[0] is None else given[0], kinetic if given[1] is None else given[1]
+        stated = self.static_friction, self.kinetic_friction
+        return static if stated[0] is None else stated[0], kinetic if stated[1] is None else stated[1]
 
     @property
     def levels(self) -> int:

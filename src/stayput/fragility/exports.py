@@ -48,15 +48,15 @@ def identifiers(curves: Sequence[FragilityCurve]) -> list[str]:
     InputError
         A curve that is not fitted or is of one motion, without a name, or two curves with the same name.
     """
-    given = list_of("curves", curves, FragilityCurve)
-    if not given:
+    checked = list_of("curves", curves, FragilityCurve)
+    if not checked:
         raise InputError("fragility.no_curves")
-    for curve in given:
+    for curve in checked:
         if curve.state is not CurveState.FITTED:
             raise InputError("fragility.not_fitted", name=repr(curve.name), state=repr(curve.state.value))
         if curve.one_motion:
             raise InputError("fragility.of_one_motion", name=repr(curve.name))
-    return plain_names([curve.name for curve in given])
+    return plain_names([curve.name for curve in checked])
 
 
 def plain_names(names: Sequence[str]) -> list[str]:

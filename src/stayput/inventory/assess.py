@@ -174,8 +174,8 @@ def assess(
     scatter_path = None if uncertainty is None else Path(uncertainty)
     if map_path is None and (field is not None or scatter_path is not None):
         raise InputError("inventory_tables.no_map", "shakemap")
-    given = {"inventory": table, "shake map": map_path, "uncertainty": scatter_path}
-    files = {name: path for name, path in given.items() if path is not None}
+    paths = {"inventory": table, "shake map": map_path, "uncertainty": scatter_path}
+    files = {name: path for name, path in paths.items() if path is not None}
     digests = {name: _digest(name, path) for name, path in files.items()}
     shaking = None if map_path is None else read_shakemap(map_path, field, scatter_path)
     scenarios = read_scenarios(scenario, shaking, changed)

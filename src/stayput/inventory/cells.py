@@ -173,9 +173,9 @@ def _parted(text: str) -> tuple[str, str] | None:
 def _factor(written: str, unit: str) -> tuple[float, float] | None:
     """Return what a number in a unit is multiplied with and divided by to be in another of its kind."""
     for units in UNITS.values():
-        own, wanted = units.get(written), units.get(unit)
-        if own is not None and wanted is not None:
-            return (1.0, 1.0) if own == wanted else (own.times * wanted.over, own.over * wanted.times)
+        now, wanted = units.get(written), units.get(unit)
+        if now is not None and wanted is not None:
+            return (1.0, 1.0) if now == wanted else (now.times * wanted.over, now.over * wanted.times)
     return None
 
 

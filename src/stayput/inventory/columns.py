@@ -285,13 +285,13 @@ class ColumnMapping:
         InputError
             A name that the table does not have, or a unit that is none.
         """
-        found: dict[str, tuple[int, NumberUnit | None]] = {}
+        places: dict[str, tuple[int, NumberUnit | None]] = {}
         for name, header in self.pairs:
             place, unit = _find(name, header, names)
-            if place in {other for other, _ in found.values()}:
+            if place in {other for other, _ in places.values()}:
                 raise InputError("inventory.column_twice", "columns", name=quoted(header))
-            found[name] = place, unit
-        return found, {_find(IGNORE, header, names)[0] for header in self.ignored}
+            places[name] = place, unit
+        return places, {_find(IGNORE, header, names)[0] for header in self.ignored}
 
 
 def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit | None]:

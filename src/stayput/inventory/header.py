@@ -263,14 +263,14 @@ class _Reading:
         self.look_at_cells()
         if not self.doubts:
             return
-        told = [about for about, _ in self.doubts[:SHOWN]]
-        if more := len(self.doubts) - len(told):
-            told.append(phrase("inventory_tables.more_doubts", count=more))
+        doubts = [about for about, _ in self.doubts[:SHOWN]]
+        if more := len(self.doubts) - len(doubts):
+            doubts.append(phrase("inventory_tables.more_doubts", count=more))
         proposal = self.proposal()
         raise InputError(
             "inventory_tables.unclear",
             "columns",
-            doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
+            doubts=("; ".join(en for en, _ in doubts), "；".join(ja for _, ja in doubts)),
             proposal=proposal,
             fill=phrase("inventory_tables.fill") if "?" in proposal else "",
         )
@@ -289,7 +289,7 @@ class _Reading:
         numeric = bool(kind) or name in (*LISTS, "count")
         if converted or kind == "currency" or (decimal_comma and numeric):
             readers.append(converting_reader(name, unit, kind, name in LISTS, decimal_comma))
-        return (lambda cell: reduce(lambda read, one: one(read), readers, cell)) if readers else None
+        return (lambda cell: reduce(lambda read, convert: convert(read), readers, cell)) if readers else None
 
     def along_the_wall(self, decimal_comma: bool) -> tuple[int, CellReader] | None:
         """Return the place of the size along the wall and its reader; one without a unit has the depth's."""
@@ -367,15 +367,15 @@ def header_of(
 def _headings_in(row: Sequence[Cell]) -> list[str]:
     """Return the headings in a row, of which there are two at least, and half of what it holds; else none."""
     filled = [cell for cell in row if not is_empty(cell)]
-    found = [cell for cell in filled if isinstance(cell, str) and is_heading(cell)]
-    return found if len(found) > 1 and 2 * len(found) >= len(filled) else []
+    headings = [cell for cell in filled if isinstance(cell, str) and is_heading(cell)]
+    return headings if len(headings) > 1 and 2 * len(headings) >= len(filled) else []
 
 
 def _refuse_headings_elsewhere(names: Sequence[str], sample: Sequence[Sequence[Cell]]) -> None:
     """Refuse headings that stand below a title, or go over two rows."""
     known, below_a_title = sum(map(is_heading, names)), not _headings_in(names)
     for row, cells in enumerate(sample[: ROWS_OF_A_TITLE if below_a_title else 1], 2):
-        found = _headings_in(cells)
-        if len(found) > (known if below_a_title else 0):
-            names_found = ", ".join(map(shown, found[:SHOWN]))
+        headings = _headings_in(cells)
+        if len(headings) > (known if below_a_title else 0):
+            names_found = ", ".join(map(shown, headings[:SHOWN]))
             raise InputError("inventory_tables.headings_below", "inventory", row=row, found=names_found)

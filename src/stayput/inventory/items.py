@@ -423,18 +423,18 @@ def contents_of(cells: Mapping[str, Cell], body: Body, scenario: Scenario) -> Co
     if kind is None and table is None:
         name = next(iter(stated))
         raise refusal("missing_beside", "contents", other=name)
-    given: dict[str, Any] = {} if table is None else table.model_dump(exclude_unset=True)
-    given |= stated if kind is None else {"kind": kind, **stated}
+    values: dict[str, Any] = {} if table is None else table.model_dump(exclude_unset=True)
+    values |= stated if kind is None else {"kind": kind, **stated}
     loads = numbers_of("load", cells.get("load"), "kg")
     if len(loads) == 1:
-        given |= {"loads": None, "mass_share": loads[0] / body.mass}
+        values |= {"loads": None, "mass_share": loads[0] / body.mass}
     elif loads:  # they say how many shelves there are, and what is on all of them
-        given = {name: value for name, value in given.items() if name not in ("shelves", "mass_share")}
-        given["loads"] = loads
-    elif given.get("loads"):
-        given["loads"] = tuple(given["loads"])
+        values = {name: value for name, value in values.items() if name not in ("shelves", "mass_share")}
+        values["loads"] = loads
+    elif values.get("loads"):
+        values["loads"] = tuple(values["loads"])
     try:
-        contents = Contents(**given)
+        contents = Contents(**values)
     except InputError as error:
         columns = {"kind": "contents", "loads": "load"}
         raise error.about(columns.get(error.field or "", error.field)) from None

@@ -86,15 +86,15 @@ class Findings:
         if about not in self.found:
             reasons = {"reason": english, "reason_ja": japanese, "same": True}
             self.found[about] = {"about": about[0], **reasons, "rows": 0, "first": []}
-        found = self.found[about]
-        found["same"] &= found["reason"] == english
-        found["rows"] += 1
-        if len(found["first"]) < FIRST_ALIKE:
-            found["first"].append(dict(zip(REJECTED, piece, strict=False)))
+        finding = self.found[about]
+        finding["same"] &= finding["reason"] == english
+        finding["rows"] += 1
+        if len(finding["first"]) < FIRST_ALIKE:
+            finding["first"].append(dict(zip(REJECTED, piece, strict=False)))
 
     def told(self) -> list[dict[str, Any]]:
         """Return the findings, that of most rows first."""
-        return sorted(self.found.values(), key=lambda found: -found["rows"])
+        return sorted(self.found.values(), key=lambda finding: -finding["rows"])
 
 
 class Rejects:
@@ -264,8 +264,8 @@ def _fill(
                 ]
                 not_put = chain.from_iterable(each.row["not_possible"] for each in item.exposures)
                 for named in {each["name"]: each for each in not_put}.values():
-                    told = (item.row["row"], item.id, item.row["name"], named["reason"], named["reason_ja"])
-                    impossible.add(told, named["name"])
+                    cause = (item.row["row"], item.id, item.row["name"], named["reason"], named["reason_ja"])
+                    impossible.add(cause, named["name"])
                 width = header.width_of(cells)
                 counts["choices"] += sum(map(len, units))
                 counts["pieces"] += 1

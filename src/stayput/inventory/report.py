@@ -104,10 +104,10 @@ def _map_cell(total: Total, best: bool, where: str, language: str) -> dict[str, 
     share, untold = total.share(which), total.untold(which)
     unknown = math.isnan(share)
     fill = "#ffffff" if unknown else UNTOLD if untold else colour(share)
-    told = "?" if unknown else share_of(total, which, language)
-    told = tell("cell", language, place=where, share=told, pieces=pieces_counted(total.pieces))
+    text = "?" if unknown else share_of(total, which, language)
+    text = tell("cell", language, place=where, share=text, pieces=pieces_counted(total.pieces))
     shown = ("" if unknown else percent(share)) + ("?" if unknown or untold else "")
-    return {"fill": fill, "ink": _ink(fill), "shown": shown, "told": told}
+    return {"fill": fill, "ink": _ink(fill), "shown": shown, "told": text}
 
 
 def _by_number(name: str) -> list[tuple[bool, int, str]]:
@@ -162,11 +162,11 @@ def report_html(
         "impossible": impossible_told(facts, language),
         "rejects": [
             {
-                "rows": rows_told(found, language),
-                "pieces": first_of([_called(row) for row in found["first"]], found["rows"], language),
-                "reason": reason_told(found, language),
+                "rows": rows_told(finding, language),
+                "pieces": first_of([_called(row) for row in finding["first"]], finding["rows"], language),
+                "reason": reason_told(finding, language),
             }
-            for found in facts["rejects alike"]
+            for finding in facts["rejects alike"]
         ],
         "rejects_counted": tell("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
         "done": done(facts, manifest, contents, language),

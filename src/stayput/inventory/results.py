@@ -78,7 +78,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
 
     def interval(name: str, about: str) -> list[Any]:
         ends = {"": about, "_low": "95 % interval from", "_high": "95 % interval to"}
-        return [number(f"{name}{end}", told) for end, told in ends.items()]
+        return [number(f"{name}{end}", meaning) for end, meaning in ends.items()]
 
     slides = [
         number("slide_median", "median of the peak slide [m], infinite where so many overturn"),

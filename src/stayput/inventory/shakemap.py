@@ -189,14 +189,14 @@ class MapField(NamedTuple):
 
     def levels(self, values: ArrayLike) -> NDArray[np.float64]:
         """Return the levels of values; those of places that do not shake are as low as can be."""
-        given = np.asarray(values, np.float64)
+        array = np.asarray(values, np.float64)
         if self.mercalli:
-            each, places = np.unique(np.clip(given, *MERCALLI), return_inverse=True)
-            peaks = [math.log10(pgv_of_mercalli(one)) for one in each.tolist()]
-            return np.array(peaks)[places].reshape(given.shape)
+            each, places = np.unique(np.clip(array, *MERCALLI), return_inverse=True)
+            peaks = [math.log10(pgv_of_mercalli(intensity)) for intensity in each.tolist()]
+            return np.array(peaks)[places].reshape(array.shape)
         if self.measure.is_logarithm:
-            return given
-        return np.log10(np.maximum(self.factor * given, self.factor * self.low))
+            return array
+        return np.log10(np.maximum(self.factor * array, self.factor * self.low))
 
     def scatters(self, values: ArrayLike, deviations: ArrayLike | None) -> NDArray[np.float64] | None:
         """Return the standard deviations of the levels.
@@ -208,13 +208,13 @@ class MapField(NamedTuple):
         deviations : array_like, optional
             Their standard deviations: of an intensity itself, else of the natural logarithm.
         """
-        given = None if deviations is None else np.asarray(deviations, np.float64)
+        array = None if deviations is None else np.asarray(deviations, np.float64)
         if self.mercalli:
             rise = mercalli_rise(np.clip(np.asarray(values, np.float64), *MERCALLI))
-            return np.hypot(MERCALLI_SCATTER, (0.0 * rise if given is None else given) / rise)
-        if given is None or self.measure.is_logarithm:
-            return given
-        return given / math.log(10.0)
+            return np.hypot(MERCALLI_SCATTER, (0.0 * rise if array is None else array) / rise)
+        if array is None or self.measure.is_logarithm:
+            return array
+        return array / math.log(10.0)
 
 
 def field_of(column: str) -> MapField | None:

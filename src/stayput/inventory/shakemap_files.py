@@ -216,8 +216,8 @@ def _column(name: str) -> str:
 def _field(header: list[str], wanted: str | None, path: Path) -> tuple[MapField, bool]:
     fields = [field for name in header if (field := field_of(name)) is not None]
     expected = sorted((*PLACE, *(field.name for field in fields)))
-    given = sorted(name for name in header if name != SIGMA)
-    if not fields or (wanted is None and len(fields) > 1) or given != expected or header.count(SIGMA) > 1:
+    names = sorted(name for name in header if name != SIGMA)
+    if not fields or (wanted is None and len(fields) > 1) or names != expected or header.count(SIGMA) > 1:
         columns = ", ".join(header) or phrase("inventory.nothing")
         raise InputError("inventory.map_columns", "shakemap", columns=columns)
     return (fields[0] if wanted is None else _chosen(fields, wanted, path)), SIGMA in header

@@ -62,7 +62,7 @@ class Total:
     loss: float | None = None
     loss_best: float | None = None
     unknown: int = 0
-    found: Counter[str] = field(default_factory=Counter[str])
+    findings: Counter[str] = field(default_factory=Counter[str])
     lessened: Counter[tuple[str, str]] = field(default_factory=Counter[tuple[str, str]])
     filled: int = 0
     out: float = 0.0
@@ -75,7 +75,7 @@ class Total:
         if row["finding"] is None:
             self.unknown += row["count"]
             return
-        self.found[row["finding"]] += row["count"]
+        self.findings[row["finding"]] += row["count"]
         if row["best_lessens"] is not None:
             self.lessened[row["finding"], row["best_lessens"]] += row["count"]
         taken = "best_" if row["finding"] == Finding.HELPED else ""
@@ -127,7 +127,7 @@ class Total:
             **{f"share_overturned_best{end}": self.share(f"_best{end}") for end in ENDS},
             "expected_loss": self.loss,
             "expected_loss_best": self.loss_best,
-            **{f"pieces_{finding}": self.found[finding] for finding in Finding},
+            **{f"pieces_{finding}": self.findings[finding] for finding in Finding},
             "contents_out_share": self.share_out,
             "contents_out_share_best": self.share_out_best,
         }

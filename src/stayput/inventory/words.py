@@ -72,16 +72,16 @@ def first_of(items: Sequence[str], total: int, language: str) -> str:
     return (", " if language == "en" else "、").join([*items, "…"] if total > len(items) else items)
 
 
-def rows_told(found: Mapping[str, Any], language: str) -> str:
+def rows_told(finding: Mapping[str, Any], language: str) -> str:
     """Return how many rows have a finding in common, and which are the first of them."""
-    places = first_of([str(row["row"]) for row in found["first"]], found["rows"], language)
-    return tell("rows_alike", language, rows=rows_counted(found["rows"]), places=places)
+    places = first_of([str(row["row"]) for row in finding["first"]], finding["rows"], language)
+    return tell("rows_alike", language, rows=rows_counted(finding["rows"]), places=places)
 
 
-def reason_told(found: Mapping[str, Any], language: str) -> str:
+def reason_told(finding: Mapping[str, Any], language: str) -> str:
     """Return the reason of a finding; that of its first row as an example, where others differ from it."""
-    reason = found["reason" if language == "en" else "reason_ja"]
-    return reason if found["same"] else tell("such_as", language, reason=reason)
+    reason = finding["reason" if language == "en" else "reason_ja"]
+    return reason if finding["same"] else tell("such_as", language, reason=reason)
 
 
 def impossible_told(facts: Mapping[str, Any], language: str) -> list[str]:
@@ -90,11 +90,11 @@ def impossible_told(facts: Mapping[str, Any], language: str) -> list[str]:
         tell(
             "not_possible",
             language,
-            name=measures_named(found["about"], language),
-            rows=rows_told(found, language),
-            reason=reason_told(found, language),
+            name=measures_named(finding["about"], language),
+            rows=rows_told(finding, language),
+            reason=reason_told(finding, language),
         )
-        for found in facts["measures not possible"]
+        for finding in facts["measures not possible"]
     ]
 
 
@@ -175,29 +175,29 @@ def against_event(event: str) -> Phrase:
 
 def findings_told(total: Total, language: str) -> str:
     """Return what the runs show: of how many pieces a measure helps, none is needed, or nothing is shown."""
-    told: list[str] = []
-    for finding in filter(total.found.get, Finding):
+    sentences: list[str] = []
+    for finding in filter(total.findings.get, Finding):
         lessened = [
             tell("against_counted", language, count=count, against=against_event(event))
             for event in RANKING_ORDER
             if (count := total.lessened[finding, event])
         ]
         values = {"against": say("common.listed", language).join(lessened), "safe": percent(SAFE)}
-        pieces, least = pieces_counted(total.found[finding]), least_motions()
-        told.append(tell(f"{finding}_counted", language, pieces=pieces, least=least, **values))
-    return joined(told, language)
+        pieces, least = pieces_counted(total.findings[finding]), least_motions()
+        sentences.append(tell(f"{finding}_counted", language, pieces=pieces, least=least, **values))
+    return joined(sentences, language)
 
 
 def further(total: Total, language: str) -> str:
     """Return what else is known of the pieces: what helps, the loss, what comes out, what is unknown."""
-    told = [findings_told(total, language)]
+    sentences = [findings_told(total, language)]
     if total.loss is not None:
         loss, best = amount(total.loss), amount(total.loss_best)
-        told.append(tell("expected_loss", language, loss=loss, best=best))
-    told.append(inside_told(total, language))
+        sentences.append(tell("expected_loss", language, loss=loss, best=best))
+    sentences.append(inside_told(total, language))
     if total.unknown:
-        told.append(tell("nothing_known", language, pieces=pieces_counted(total.unknown)))
-    return joined(told, language)
+        sentences.append(tell("nothing_known", language, pieces=pieces_counted(total.unknown)))
+    return joined(sentences, language)
 
 
 def inside_told(total: Total, language: str) -> str:
@@ -225,18 +225,18 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
     read = [tell("read", language, rows=rows_counted(facts["rows"]), how=read_as(facts))]
     read += [*reversed(_columns_told(facts, language)), empty_told(facts, language)]
     choices = counted_phrase(facts["choices"], "combination", "通り")
-    told = [
+    sentences = [
         joined(read, language),
         *(_scenario(scenario, language) for scenario in manifest["scenarios"]),
         tell("units", language, choices=choices, units=f"{facts['units']:,}"),
         tell("slide_limit", language, limit=manifest["slide limit"]),
     ]
     if contents:
-        told.append(tell("contents_followed", language, most=MOTIONS))
-    told += [tell("intervals", language), tell("best_chosen", language)]
+        sentences.append(tell("contents_followed", language, most=MOTIONS))
+    sentences += [tell("intervals", language), tell("best_chosen", language)]
     if manifest["shake map"]:
-        told.append(tell("shake_map", language, map=tuple(manifest["shake map"])))
-    return [*told, tell("version", language, version=manifest["version"])]
+        sentences.append(tell("shake_map", language, map=tuple(manifest["shake map"])))
+    return [*sentences, tell("version", language, version=manifest["version"])]
 
 
 def _scenario(scenario: Mapping[str, Any], language: str) -> str:
@@ -283,8 +283,8 @@ def printed_lines(
     lines += _columns_told(facts, language)
     if facts["rejects"]:
         lines.append(tell("printed_rejects", language, rows=rows_counted(facts["rejects"])))
-    for found in facts["rejects alike"]:
-        alike, reason = rows_told(found, language), reason_told(found, language)
+    for finding in facts["rejects alike"]:
+        alike, reason = rows_told(finding, language), reason_told(finding, language)
         lines.append(tell("reason_of_rows", language, rows=alike, reason=reason))
     lines.append(empty_told(facts, language))
     without = facts["pieces"] - facts["with coordinates"]

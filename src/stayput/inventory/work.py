@@ -233,7 +233,7 @@ class Work:
         self.store, self.scenarios = store, scenarios
         self.floor_memory = floor_memory
         self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
-        motions, samples = (max(getattr(one, of) for one in self.settings) for of in ("motions", "samples"))
+        motions, samples = (max(getattr(case, of) for case in self.settings) for of in ("motions", "samples"))
         self.kind = record_type(motions, samples)
         self.outcomes = OutcomeStore(folder / OUTCOMES, self.kind, store.facts()["units"])
         self.done = self.outcomes.done

@@ -195,15 +195,15 @@ class WedgeStopper(UnderTheBase):
         On its flat base a piece slides and does not tip while the floor's friction is below width/height; the
         rubber takes that away, and what it gives in lean is little for such a piece.
         """
-        found: list[Phrase] = []
+        cautions: list[Phrase] = []
         if room.floor.surface in SOFT:
-            found.append(phrase("measures.wedge_sinks", measure=self.label))
+            cautions.append(phrase("measures.wedge_sinks", measure=self.label))
         slender, friction = body.width / body.height, room.floor.kinetic_friction
         if friction < slender:
-            found.append(
+            cautions.append(
                 phrase("measures.wedge_squat", measure=self.label, slender=slender, friction=friction)
             )
-        return tuple(found)
+        return tuple(cautions)
 
     def badly_installed(self, room: Room) -> BadlyInstalled | None:
         """Return it too short, so that the edge stands on its thin part."""

@@ -74,8 +74,8 @@ class OtherFriction(UnderTheBase):
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body on a floor with this friction, on the base and on its edges alike."""
         edges = {field.name: None for field in fields(room.floor) if "edge_" in field.name}
-        own = {"static_friction": self.static_friction, "kinetic_friction": self.kinetic_friction}
-        floor = replace(room.floor, **edges, **own, surface=self.surface)
+        friction = {"static_friction": self.static_friction, "kinetic_friction": self.kinetic_friction}
+        floor = replace(room.floor, **edges, **friction, surface=self.surface)
         standing = body if self.base is None else replace(body, base=self.base)
         return Held(standing, replace(room, floor=floor), (), (self,))
 

@@ -279,15 +279,15 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
     refuse_conflicts(asked)
     if asked and body.shape is not None:
         raise InputError("model.another_shape", "measures")
-    found: dict[int, tuple[Element, ...]] = {}
+    elements_of: dict[int, tuple[Element, ...]] = {}
     for place in sorted(range(len(asked)), key=lambda n: _ORDER.index(asked[n].acts_on)):
         held = instance_of(f"apply() of {asked[place].kind}", asked[place].apply(body, room), Held)
-        body, room, found[place] = held.body, held.room, held.elements
-    elements = tuple(element for place in range(len(asked)) for element in found[place])
+        body, room, elements_of[place] = held.body, held.room, held.elements
+    elements = tuple(element for place in range(len(asked)) for element in elements_of[place])
     if dimensions == 3:
         if body.length is None:
             raise InputError("solids.no_length", "length")
-        elements = tuple(one for element in elements for one in element.spread(body.length))
+        elements = tuple(part for element in elements for part in element.spread(body.length))
     return Held(body, room, elements, asked)
 
 

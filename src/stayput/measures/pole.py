@@ -115,13 +115,13 @@ class TensionPole(Measure):
 
     def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
         """Return that the ceiling's board hardly bears it, and that it is long."""
-        found: list[Phrase] = []
+        cautions: list[Phrase] = []
         if room.ceiling is not None and room.ceiling.construction == "plasterboard" and self.strength is None:
-            found.append(phrase("measures.pole_on_board", measure=self.label))
+            cautions.append(phrase("measures.pole_on_board", measure=self.label))
         height = self.ceiling_height if room.ceiling is None else room.ceiling.height
         if height is not None and height - body.height > LONG:
-            found.append(phrase("measures.pole_long", measure=self.label, most=LONG))
-        return tuple(found)
+            cautions.append(phrase("measures.pole_long", measure=self.label, most=LONG))
+        return tuple(cautions)
 
     def badly_installed(self, room: Room) -> BadlyInstalled | None:
         """Return them hardly tightened."""
@@ -151,8 +151,8 @@ class TensionPole(Measure):
                 raise InputError("measures.dropped_ceiling", "room.ceiling", measure=self.label)
             ceiling = "joist"
         link = in_series(POLE, CEILING_LINKS[ceiling], TOP_BOARDS[self.top])
-        given = {"strength": self.strength, "stiffness": self.stiffness, "ultimate": self.give}
-        return replace(link, **{name: value for name, value in given.items() if value is not None})
+        stated = {"strength": self.strength, "stiffness": self.stiffness, "ultimate": self.give}
+        return replace(link, **{name: value for name, value in stated.items() if value is not None})
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the ceiling."""

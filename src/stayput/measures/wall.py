@@ -93,8 +93,8 @@ class WallDevice(Measure):
 
     def _as_given(self, chain: Link) -> Link:
         """Return the chain of one with what is given in place of what follows from its links."""
-        given = {name: getattr(self, name) for name in ("strength", "stiffness", "ultimate")}
-        changed = {name: value for name, value in given.items() if value is not None}
+        stated = {name: getattr(self, name) for name in ("strength", "stiffness", "ultimate")}
+        changed = {name: value for name, value in stated.items() if value is not None}
         if self.strength is not None:
             changed["fails"] = phrase("measures.as_given")
         return replace(chain, **changed)

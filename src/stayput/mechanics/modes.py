@@ -90,8 +90,8 @@ def _share_base_friction(rows, case, a, G, wrench):
     a, b = (left.mu_slip, -left.nl, -left.tl), (right.mu_slip, -right.nl, -right.tl)
     to_right, to_left = shared_friction(case, a, b, 1.0, shift), shared_friction(case, a, b, -1.0, shift)
     for k in range(2):
-        row, own = rows[k], own_friction(case, k)[1]
-        row.flat_slip_right, row.flat_slip_left = value_or(own, to_right), value_or(own, to_left)
+        row, stated = rows[k], own_friction(case, k)[1]
+        row.flat_slip_right, row.flat_slip_left = value_or(stated, to_right), value_or(stated, to_left)
 
 
 @inner

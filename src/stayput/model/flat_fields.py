@@ -72,15 +72,15 @@ def fields_of(path: str, value: Body | Room | Floor | Wall | Ceiling | State | N
         name = path.removeprefix("room.")
         none = Ceiling(1.0) if name == "ceiling" else Wall(0.0)
         return fields_of(path, none) | {distance_to(name): math.inf}
-    found: dict[str, float] = {}
+    numbers_at: dict[str, float] = {}
     for about in parameters(value):
-        given: Any = getattr(value, about.name)
+        content: Any = getattr(value, about.name)
         if about.choices:
-            numbers = (about.choices.index(given),)
+            numbers = (about.choices.index(content),)
         else:
-            numbers = given if about.name in PAIRS else (math.nan if given is None else given,)
-        found |= zip(_paths(path, about), numbers, strict=True)
-    return found
+            numbers = content if about.name in PAIRS else (math.nan if content is None else content,)
+        numbers_at |= zip(_paths(path, about), numbers, strict=True)
+    return numbers_at
 
 
 def distance_to(name: str) -> str:
@@ -114,16 +114,16 @@ def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
 
 def _made(path: str, numbers: Mapping[str, float]) -> Any:
     """Return the value that numbers belong to; the inverse of `fields_of`."""
-    given: dict[str, Any] = {}
+    stated: dict[str, Any] = {}
     for about in parameters(KINDS[path]):
         values = tuple(numbers[name] for name in _paths(path, about))
         if about.name in PAIRS:
-            given[about.name] = values
+            stated[about.name] = values
         elif about.choices:
-            given[about.name] = _word(about, values[0])
+            stated[about.name] = _word(about, values[0])
         elif about.default is not None or not math.isnan(values[0]):
-            given[about.name] = values[0]
-    return KINDS[path](**given)
+            stated[about.name] = values[0]
+    return KINDS[path](**stated)
 
 
 def _word(about: Parameter, place: float) -> str:

@@ -289,12 +289,12 @@ class FloorPlan:
             if len(items) > MOST_PLACES:
                 raise InputError("rooms.too_many", kind, count=len(items), most=MOST_PLACES)
         for kind, items in (("doors", self.doors), ("windows", self.windows)):
-            for number, one in enumerate(items):
-                end, most = one.start + one.width, self.side(one.wall)
+            for number, item in enumerate(items):
+                end, most = item.start + item.width, self.side(item.wall)
                 if end > most + 1e-9:
                     raise InputError("rooms.beyond_wall", f"{kind}[{number}]", end=end, most=most)
         for kind, items in (("doors", self.doors), ("places", self.places)):
-            names = [one.name for one in items]
+            names = [item.name for item in items]
             for number, name in enumerate(names):
                 if name in names[:number]:
                     raise InputError("rooms.same_name", f"{kind}[{number}].name", name=repr(name))

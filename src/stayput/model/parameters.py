@@ -159,8 +159,8 @@ def arguments(**about: Mapping[str, Any]) -> Callable[[F], F]:
     """
 
     def declare(function: F) -> F:
-        given = inspect.signature(function).parameters
-        defaults = {name: given[name].default for name in about}
+        signature = inspect.signature(function).parameters
+        defaults = {name: signature[name].default for name in about}
         function.__dict__["parameters"] = tuple(
             Parameter(name, MISSING if default is inspect.Parameter.empty else default, **about[name])
             for name, default in defaults.items()

@@ -152,12 +152,12 @@ def _box_like(points: NDArray[np.float64], size: float) -> Hull | None:
         return None
     faces = sorted(_from_smallest(face) for face in order[_BOX_FACES].tolist())
     loops = np.array(faces, np.int64)
-    found = planes_of_faces(points, tuple(loops))
-    beyond = points @ found[:, :3].T - found[:, 3]
+    planes = planes_of_faces(points, tuple(loops))
+    beyond = points @ planes[:, :3].T - planes[:, 3]
     on_face = np.zeros((8, 6), np.bool_)
     on_face[loops, np.arange(6)[:, np.newaxis]] = True
     if np.all(np.where(on_face, np.abs(beyond) <= TOLERANCE * size, beyond < -10.0 * TOLERANCE * size)):
-        return Hull(points, tuple(loops), found)
+        return Hull(points, tuple(loops), planes)
     return None
 
 

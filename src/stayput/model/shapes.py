@@ -72,7 +72,7 @@ class Shapes:
 
     @classmethod
     def hull(
-        cls, vertices: ArrayLike, mass: float, *, rims: ArrayLike = (), **own: Unpack[OwnFields]
+        cls, vertices: ArrayLike, mass: float, *, rims: ArrayLike = (), **extra: Unpack[OwnFields]
     ) -> Self:
         """Make the convex hull of points, by default filled evenly.
 
@@ -86,7 +86,7 @@ class Shapes:
         rims : array_like, shape (r, 7), optional
             Circular edges: centre [m], unit axis out of the body, radius [m]. The corners on them stand for
             the circles, which they are inscribed in; a plane meets the circle itself.
-        **own
+        **extra
             ``centre_of_gravity``: G, inside the body, shape (3,) [m]. ``inertia``: the tensor about G along
             the axes of the frame, shape (3, 3) [kg m²]. ``feet``: the points that touch the floor in place of
             the lowest corners: feet, casters, a plinth, shape (f, 3) [m]. ``base``: what bears on the floor,
@@ -106,10 +106,10 @@ class Shapes:
         >>> [round(place, 3) + 0.0 for place in wedge.solid.centre_of_gravity.tolist()]  # m
         [-0.067, 0.0, 0.4]
         """
-        return cls.of_shape(Solid(vertices, mass, rims=rims, **own))
+        return cls.of_shape(Solid(vertices, mass, rims=rims, **extra))
 
     @classmethod
-    def box(cls, width: float, length: float, height: float, mass: float, **own: Unpack[OwnFields]) -> Self:
+    def box(cls, width: float, length: float, height: float, mass: float, **extra: Unpack[OwnFields]) -> Self:
         """Make a box, by default filled evenly.
 
         Parameters
@@ -118,7 +118,7 @@ class Shapes:
             Sides along x, y and z [m]: the depth of a piece of furniture, its length across, its height.
         mass : float
             Mass [kg].
-        **own
+        **extra
             As for `hull`.
         """
         sides = np.array([side("width", width), side("length", length), side("height", height)])
@@ -126,10 +126,10 @@ class Shapes:
         mass = checked_mass(mass)
         inertia = mass * inertia_of(np.diag(sides**2) / 12.0)
         filled: OwnFields = {"centre_of_gravity": (0.0, 0.0, sides[2] / 2), "inertia": inertia}
-        return cls.hull(sides * corners, mass, **(filled | own))
+        return cls.hull(sides * corners, mass, **(filled | extra))
 
     @classmethod
-    def cylinder(cls, diameter: float, height: float, mass: float, **own: Unpack[OwnFields]) -> Self:
+    def cylinder(cls, diameter: float, height: float, mass: float, **extra: Unpack[OwnFields]) -> Self:
         """Make an upright cylinder, by default filled evenly; see `cone`.
 
         Parameters
@@ -138,14 +138,14 @@ class Shapes:
             Sizes [m].
         mass : float
             Mass [kg].
-        **own
+        **extra
             As for `hull`.
         """
         across = side("diameter", diameter)
-        return cls.cone(across, across, height, mass, **own)
+        return cls.cone(across, across, height, mass, **extra)
 
     @classmethod
-    def cone(cls, bottom: float, top: float, height: float, mass: float, **own: Unpack[OwnFields]) -> Self:
+    def cone(cls, bottom: float, top: float, height: float, mass: float, **extra: Unpack[OwnFields]) -> Self:
         """Make an upright truncated cone, by default filled evenly.
 
         Centre of gravity and inertia are those of the round body. Corners and faces are those of the
@@ -159,7 +159,7 @@ class Shapes:
             Height [m].
         mass : float
             Mass [kg].
-        **own
+        **extra
             As for `hull`.
         """
         R, r, h = side("bottom", bottom) / 2, side("top", top) / 2, side("height", height)
@@ -169,7 +169,7 @@ class Shapes:
         filled: OwnFields = {"centre_of_gravity": (0.0, 0.0, z_g), "inertia": inertia}
         ends = [np.column_stack((radius * _circle(), np.full(SIDES, z))) for radius, z in ((R, 0.0), (r, h))]
         rims = [(0.0, 0.0, 0.0, 0.0, 0.0, -1.0, R), (0.0, 0.0, h, 0.0, 0.0, 1.0, r)]
-        return cls.hull(np.concatenate(ends), mass, rims=rims, **(filled | own))
+        return cls.hull(np.concatenate(ends), mass, rims=rims, **(filled | extra))
 
     @classmethod
     def mesh(
@@ -180,7 +180,7 @@ class Shapes:
         mass: float | None = None,
         density: float | None = None,
         up: str = "z",
-        **own: Unpack[OwnFields],
+        **extra: Unpack[OwnFields],
     ) -> Self:
         """Make a body from the closed and convex mesh of an STL or OBJ file, by default filled evenly.
 
@@ -199,7 +199,7 @@ class Shapes:
         up : str
             Axis of the file that points up, "x", "y" or "z"; y and x of the body follow cyclically: with
             "y" the file's z is the body's x, the front.
-        **own
+        **extra
             As for `hull`, in the frame of the body.
 
         Raises
@@ -217,7 +217,7 @@ class Shapes:
         assert mass is not None
         low, high = vertices.min(axis=0), vertices.max(axis=0)
         origin = np.array([*(low + high)[:2] / 2, low[2]])
-        return cls.hull(vertices - origin, mass, **own)
+        return cls.hull(vertices - origin, mass, **extra)
 
 
 def _circle() -> NDArray[np.float64]:

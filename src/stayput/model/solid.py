@@ -175,7 +175,7 @@ class Solid:
     @property
     def _inputs(self) -> dict[str, Any]:
         """All that a solid is made of, by the names of its arguments."""
-        return {one.name: getattr(self, one.name) for one in fields(self) if one.init}
+        return {about.name: getattr(self, about.name) for about in fields(self) if about.init}
 
     @property
     def base_points(self) -> NDArray[np.float64]:

@@ -67,7 +67,7 @@ def numbers(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> NDArr
     except (TypeError, ValueError, OverflowError):
         raise InputError("solids.wrong_shape", name, name=called, shape=text, given=_IRREGULAR) from None
     fits = array.ndim == len(shape) and all(
-        side in (None, given) for side, given in zip(shape, array.shape, strict=True)
+        side in (None, actual) for side, actual in zip(shape, array.shape, strict=True)
     )
     if not fits or not array.size:
         raise InputError("solids.wrong_shape", name, name=called, shape=text, given=str(array.shape))
@@ -102,8 +102,8 @@ def checked_centre(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
     point = numbers("centre_of_gravity", value, (3,))
     depth = float((hull.planes[:, :3] @ point - hull.planes[:, 3]).max())
     if depth > TOLERANCE * size_of(hull.vertices):
-        told = f"({', '.join(f'{x:.4g}' for x in point)})"
-        raise InputError("solids.cg_outside", "centre_of_gravity", point=told, depth=depth)
+        text = f"({', '.join(f'{x:.4g}' for x in point)})"
+        raise InputError("solids.cg_outside", "centre_of_gravity", point=text, depth=depth)
     return point
 
 
@@ -117,14 +117,14 @@ def checked_inertia(
         raise InputError("solids.inertia_not_symmetric", "inertia", difference=difference)
     tensor = (tensor + tensor.T) / 2.0
     moments = np.linalg.eigvalsh(tensor)
-    told = ", ".join(f"{moment:.4g}" for moment in moments)
+    text = ", ".join(f"{moment:.4g}" for moment in moments)
     if not (moments[0] > 0.0 and moments[2] <= (1.0 + 1e-9) * (moments[0] + moments[1])):
-        raise InputError("solids.inertia_not_possible", "inertia", moments=told)
+        raise InputError("solids.inertia_not_possible", "inertia", moments=text)
     # what other units would give: kg mm², g m²
     low = 1e-7 * float(np.linalg.eigvalsh(usual)[0])
     high = 4.0 * mass * float((np.ptp(hull.vertices, axis=0) ** 2).sum())
     if not low <= moments[0] <= moments[2] <= high:
-        raise InputError("solids.inertia_size", "inertia", moments=told, low=low, high=high)
+        raise InputError("solids.inertia_size", "inertia", moments=text, low=low, high=high)
     return read_only(tensor)
 
 
@@ -137,8 +137,8 @@ def checked_feet(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
     most = np.array([*(high[:2] + reach), 0.5 * (low[2] + high[2])])
     astray = ((feet < low - reach) | (feet > most)).any(axis=1)
     if astray.any():
-        told = f"({', '.join(f'{x:.4g}' for x in feet[astray][0])})"
-        raise InputError("solids.foot_astray", "feet", point=told, reach=reach)
+        text = f"({', '.join(f'{x:.4g}' for x in feet[astray][0])})"
+        raise InputError("solids.foot_astray", "feet", point=text, reach=reach)
     return feet
 
 
@@ -259,7 +259,7 @@ def _hint(size: float, unit: str) -> str | Phrase:
     """Return the question for a unit in which a mesh would have a usual size, or "" where none is."""
     low, high = _USUAL_SIZE
     sizes = {other: size / UNITS[unit] * metres for other, metres in UNITS.items()}
-    likely = [other for other, told in sizes.items() if low <= told <= high]
+    likely = [other for other, scaled in sizes.items() if low <= scaled <= high]
     return phrase("solids.is_the_unit", unit=likely[0]) if likely and unit not in likely else ""
 
 

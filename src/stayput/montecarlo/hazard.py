@@ -122,7 +122,7 @@ class Ground:
         if scatter == 0.0:
             return 10.0 ** (level / growth(self.measure)) * self.to_zero
         each = GroundStrength("JMA", level, scatter).drawn(len(self.motions), seed)
-        return np.array([10.0 ** (one.level / growth(self.measure)) for one in each]) * self.to_zero
+        return np.array([10.0 ** (ground.level / growth(self.measure)) for ground in each]) * self.to_zero
 
     def stated(self, strength: GroundStrength | None, scale: float | None, seed: int) -> NDArray[np.float64]:
         """Return the factors to what a scenario states: a strength with its scatter, or a factor (default 1).
@@ -140,9 +140,9 @@ class Ground:
             return np.full(len(self.motions), 1.0 if scale is None else scale)
         each = strength.drawn(len(self.motions), seed)
         if strength.measure == "JMA":
-            steps = np.array([10.0 ** (one.level / growth(JMA_INTENSITY)) for one in each])
+            steps = np.array([10.0 ** (ground.level / growth(JMA_INTENSITY)) for ground in each])
             return steps * self.to_jma_zero
-        return np.array([one.median for one in each])
+        return np.array([ground.median for ground in each])
 
     def intensities(self, factors: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the JMA intensities of the motions times factors."""

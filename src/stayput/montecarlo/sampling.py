@@ -357,9 +357,9 @@ def rows_of(
                 numbers[path] = _drawn_rebound(numbers[path], columns["wall_restitution"])
         return Rows(case_rows(numbers, count), no_elements(0, count), masses)
     each = [drawn_held(body, room, measures, draw, dimensions) for row in drawn for draw in row]
-    leaf_rows = [{**fields_of("body", one.body), **fields_of("room", one.room)} for one, _ in each]
+    leaf_rows = [{**fields_of("body", fixed.body), **fields_of("room", fixed.room)} for fixed, _ in each]
     numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
-    masses, elements = np.array([one.body.mass for one, _ in each]), np.stack([rows for _, rows in each])
+    masses, elements = np.array([fixed.body.mass for fixed, _ in each]), np.stack([rows for _, rows in each])
     return Rows(case_rows(numbers, count), elements, masses)
 
 

@@ -163,8 +163,8 @@ def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:
             continue
         alone = replace(room, **{other: None for other in WALLS_AROUND if other != name})
         planes = planes_around(assembly.members, alone)
-        seen = [room_seen(one, alone, planes) for one in assembly.members if one.body.shape is None]
-        behind = [one.left_wall.gap for one in seen if one.left_wall is not None]
+        seen = [room_seen(member, alone, planes) for member in assembly.members if member.body.shape is None]
+        behind = [around.left_wall.gap for around in seen if around.left_wall is not None]
         most = min((REACH - (gap - stated.gap) for gap in behind if gap <= REACH), default=math.inf)
         drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})
     return drawn_surfaces(drawn, draw)
@@ -192,8 +192,8 @@ class RunsOfSeveral(Outcomes):
 
     def of_bodies(self) -> Iterator[Outcomes]:
         """Yield the outcomes of each of the pieces."""
-        for own in np.moveaxis(self.results, -1, 0):
-            yield Outcomes.of(own, self.device_failed)
+        for results in np.moveaxis(self.results, -1, 0):
+            yield Outcomes.of(results, self.device_failed)
 
 
 def run_several(
@@ -331,16 +331,16 @@ def _runs(
 ) -> RunsOfSeveral:
     """Return the runs of an option, of which each has its devices with their utilisation."""
     shape = (*results.shape[:2], -1)
-    devices = np.array([one for one, _ in each], DEVICE).reshape(shape)
-    used = np.array([one for _, one in each], np.float64).reshape(shape)
-    own = results[..., list(counted)]
+    devices = np.array([row for row, _ in each], DEVICE).reshape(shape)
+    used = np.array([row for _, row in each], np.float64).reshape(shape)
+    counted_results = results[..., list(counted)]
     return RunsOfSeveral(
-        overturned=(own["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
+        overturned=(counted_results["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
         missing=(results["outcome"] == FAILED_OUTCOME).any(axis=-1),
-        hit_wall=np.any(own["wall_impacts"] > 0, axis=-1),
+        hit_wall=np.any(counted_results["wall_impacts"] > 0, axis=-1),
         device_failed=(devices["failure"] != HOLDS).any(axis=-1),
-        slide=own["peak_slide"].max(axis=-1),
-        tilt=own["peak_tilt"].max(axis=-1),
+        slide=counted_results["peak_slide"].max(axis=-1),
+        tilt=counted_results["peak_tilt"].max(axis=-1),
         results=results,
         devices=devices,
         used=used,

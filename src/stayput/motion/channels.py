@@ -178,8 +178,8 @@ def _of_one_sensor(channels: Sequence[Channel]) -> bool:
     lines = [line for c in channels if (line := line_of(c.label) or _direction(c.label))]
     sensors = [sensor for c in channels if (sensor := _sensor(c))]
     # Figures that are each channel's own count the channels, or are its azimuth or peak.
-    own = len(set(sensors)) == len(sensors) and all(sensor.replace(" ", "").isdecimal() for sensor in sensors)
-    return len(set(lines)) == len(lines) and (len(set(sensors)) < 2 or own)
+    counts = len(set(sensors)) == len(sensors) and all(s.replace(" ", "").isdecimal() for s in sensors)
+    return len(set(lines)) == len(lines) and (len(set(sensors)) < 2 or counts)
 
 
 def labels_phrase(labels: Iterable[str]) -> Phrase:
@@ -274,9 +274,9 @@ def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, C
     """Return which channel becomes which component: x, and y and z where only one channel can be meant."""
     if component is None and channels[0].role:
         return {channel.role: channel for channel in channels}
-    given = None if component is None else _chosen(channels, component)
+    chosen = None if component is None else _chosen(channels, component)
     # The sensor at the surface and the one in the borehole below it are two records.
-    below = all(channel.borehole for channel in channels) if given is None else channels[given].borehole
+    below = all(channel.borehole for channel in channels) if chosen is None else channels[chosen].borehole
     beside = [i for i, channel in enumerate(channels) if channel.borehole == below]
     horizontal = [i for i in _horizontal(channels) if i in beside]
     vertical = [i for i in beside if i not in horizontal]
@@ -288,12 +288,12 @@ def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, C
         of_one &= (
             len({frozenset(direction(c.label) for c in channels if c.borehole == b) for b in (0, 1)}) == 1
         )
-    if given is None and not (together and of_one):
+    if chosen is None and not (together and of_one):
         labels = _numbered(channels, horizontal)
         if together:
             raise InputError("motion.two_sensors", "component", channels=labels, option="columns")
         raise InputError("motion.many_channels", "component", count=len(channels), channels=labels)
-    x = (horizontal or vertical)[0] if given is None else given
+    x = (horizontal or vertical)[0] if chosen is None else chosen
     assigned = {"x": channels[x]}
     if x in horizontal and together and of_one:
         others = {"y": [i for i in horizontal if i != x], "z": vertical}

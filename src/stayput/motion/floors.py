@@ -86,8 +86,8 @@ def of_the_ground(motion: Motion, rule: str) -> Motion:
         The motion is of an upper floor.
     """
     if motion.floor:
-        told, floor = phrase(f"motion.ground_alone_{rule}"), floor_phrase(motion.floor)
+        reason, floor = phrase(f"motion.ground_alone_{rule}"), floor_phrase(motion.floor)
         raise InputError(
-            "motion.not_of_the_ground", "motion", motion=excerpt(motion.name), floor=floor, rule=told
+            "motion.not_of_the_ground", "motion", motion=excerpt(motion.name), floor=floor, rule=reason
         )
     return motion

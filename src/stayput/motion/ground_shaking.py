@@ -250,7 +250,7 @@ def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
         A still motion.
     """
     single = (motion.component(name) for name in ("x", "y") if name in motion.components)
-    peak = max(one.pga if measure == "PGA" else one.pgv for one in single)
+    peak = max(part.pga if measure == "PGA" else part.pgv for part in single)
     if not peak > 0.0:
         raise InputError("motion.still_floor")
     return peak

@@ -57,7 +57,7 @@ def check_one_record(parts: Mapping[str, Motion]) -> None:
             raise InputError("motion.motion_dt_differs", name, component=name, dt=motion.dt, x_dt=x.dt)
         if motion.floor != x.floor:
             of, other = (
-                floor_phrase(one.floor) if one.floor else phrase("motion.ground") for one in (x, motion)
+                floor_phrase(part.floor) if part.floor else phrase("motion.ground") for part in (x, motion)
             )
             raise InputError("motion.two_floors", name, component=name, of=of, other=other)
 
@@ -70,12 +70,12 @@ def _alike(a: NDArray[np.float64], b: NDArray[np.float64]) -> bool:
 
 
 def _check_origins(first: str, a: Listing, second: str, b: Listing) -> None:
-    one, other = a.origin, b.origin
-    if one and other and plain_origin(one) == plain_origin(other):
+    origin, other = a.origin, b.origin
+    if origin and other and plain_origin(origin) == plain_origin(other):
         return
     # A title in which no direction was found may have it among its words, and so differ.
-    if one and other and a.labels["x"] and b.labels["x"]:
-        about: dict[str, Any] = {"one": _told(one), "other": _told(other)}
+    if origin and other and a.labels["x"] and b.labels["x"]:
+        about: dict[str, Any] = {"one": _told(origin), "other": _told(other)}
         raise InputError("motion.two_records", second, first=first, second=second, **about)
     warn(InputWarning("motion.origin_unstated", second, first=first, second=second))
 

@@ -65,22 +65,22 @@ def checked_samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """
 
     def refused(why: str, **values: object) -> InputError:
-        told = phrase(f"motion.{why}", **values)
-        return InputError("motion.samples_not_a_row", name, component=name, kind=told)
+        kind = phrase(f"motion.{why}", **values)
+        return InputError("motion.samples_not_a_row", name, component=name, kind=kind)
 
     if np.ma.is_masked(values):
         raise refused("masked")
     try:
-        given = np.asarray(values)
+        raw = np.asarray(values)
     except (TypeError, ValueError):
         raise refused("no_array") from None
-    if given.dtype.kind not in "iuf":
-        raise refused("of_kind", kind=given.dtype)
-    if given.ndim != 1:
-        raise refused("of_shape", shape=str(given.shape))
-    if not 2 <= given.size <= MOST_SAMPLES:
-        raise InputError("motion.samples_count", name, component=name, count=given.size, most=MOST_SAMPLES)
-    array = np.array(given, dtype=np.float64, order="C")
+    if raw.dtype.kind not in "iuf":
+        raise refused("of_kind", kind=raw.dtype)
+    if raw.ndim != 1:
+        raise refused("of_shape", shape=str(raw.shape))
+    if not 2 <= raw.size <= MOST_SAMPLES:
+        raise InputError("motion.samples_count", name, component=name, count=raw.size, most=MOST_SAMPLES)
+    array = np.array(raw, dtype=np.float64, order="C")
     bad = np.flatnonzero(~np.isfinite(array))
     if bad.size:
         value, index = float(array[bad[0]]), int(bad[0])

@@ -183,8 +183,8 @@ class Motion:
     @property
     def components(self) -> dict[str, NDArray[np.float64]]:
         """The components that are there, x first: name → acceleration [m/s²], shape (n,)."""
-        given = {"x": self.x, "y": self.y, "z": self.z}
-        return {name: values for name, values in given.items() if values is not None}
+        axes = {"x": self.x, "y": self.y, "z": self.z}
+        return {name: values for name, values in axes.items() if values is not None}
 
     @property
     def duration(self) -> float:
@@ -317,8 +317,8 @@ class Motion:
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""
         word_of("motion.the_component", name, self.components, "component")
-        own = self.listing and self.listing.of(x=name)
-        return replace(self, x=self.components[name], y=None, z=None, listing=own)
+        listing = self.listing and self.listing.of(x=name)
+        return replace(self, x=self.components[name], y=None, z=None, listing=listing)
 
     def peaks(self) -> dict[str, integrals.Peaks]:
         """Return the peaks of every component that is there, x first."""
@@ -442,17 +442,17 @@ class Motion:
             The time steps differ, or the lengths by more than 1 %; or they are of two events, stations or
             sensors, of one direction, or have the same samples. Where the files do not say, it is warned.
         """
-        given = {key: motion for key, motion in (("x", x), ("y", y), ("z", z)) if motion is not None}
-        check_one_record(given)
-        length, cut = common_length({key: len(motion) for key, motion in given.items()})
-        sources = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in given.items())
-        samples: dict[str, Any] = {key: motion.x[:length] for key, motion in given.items()}
-        labels = {key: motion.listing.labels["x"] if motion.listing else "" for key, motion in given.items()}
+        parts = {key: motion for key, motion in (("x", x), ("y", y), ("z", z)) if motion is not None}
+        check_one_record(parts)
+        length, cut = common_length({key: len(motion) for key, motion in parts.items()})
+        sources = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in parts.items())
+        samples: dict[str, Any] = {key: motion.x[:length] for key, motion in parts.items()}
+        labels = {key: motion.listing.labels["x"] if motion.listing else "" for key, motion in parts.items()}
         return cls(
             x.dt,
             **samples,
             name=x.name if name is None else name,
-            synthetic=any(motion.synthetic for motion in given.values()),
+            synthetic=any(motion.synthetic for motion in parts.values()),
             source=f"{sources}{cut}",
             floor=x.floor,
             listing=x.listing and x.listing._replace(labels=labels),

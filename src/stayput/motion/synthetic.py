@@ -97,9 +97,9 @@ def sine(
     >>> sine(5.0, 1.0).pga
     5.0
     """
-    given = (amplitude, frequency, duration, phase, dt, quiet)
+    values = (amplitude, frequency, duration, phase, dt, quiet)
     a0, f, length, angle, step, still = (
-        about.check(value) for about, value in zip(parameters(sine), given, strict=True)
+        about.check(value) for about, value in zip(parameters(sine), values, strict=True)
     )
     _check_step(step, 1.0 / f)
     n, zeros, step = _steps(length, step, still)

@@ -191,7 +191,7 @@ def quantity_of(text: str) -> str | None:
 
 
 def acceleration_unit(
-    stated: str | None, given: str | None, header: str = "", *, step_missing: bool = False
+    stated: str | None, passed: str | None, header: str = "", *, step_missing: bool = False
 ) -> float:
     """Return the size of the unit of a file's numbers [m/s²].
 
@@ -199,7 +199,7 @@ def acceleration_unit(
     ----------
     stated : str, optional
         Unit that the file states.
-    given : str, optional
+    passed : str, optional
         Unit that the caller states.
     header : str
         What the file says besides; a unit that it mentions is not taken, but compared.
@@ -220,9 +220,9 @@ def acceleration_unit(
         name = phrase(f"motion.{quantity}")
         raise InputError("motion.stated_quantity", unit=excerpt(stated), quantity=name)
     known, mentioned = stated and known_unit(stated), stated or mentioned_unit(header)
-    if known and given is not None and unit_factor(known) != unit_factor(given):
-        raise not_the_files_own("unit", excerpt(given), excerpt(stated or ""))
-    if not known and given is None:
+    if known and passed is not None and unit_factor(known) != unit_factor(passed):
+        raise not_the_files_own("unit", excerpt(passed), excerpt(stated or ""))
+    if not known and passed is None:
         if stated is not None:
             raise unknown_unit(stated)
         about: dict[str, Any] = {"known": UNIT_NAMES, "option": "unit"}
@@ -231,16 +231,16 @@ def acceleration_unit(
         if step_missing:
             raise InputError("motion.no_unit_nor_step", "unit", other_option="dt", **about)
         raise InputError("motion.no_unit", "unit", **about)
-    factor = unit_factor(known or given or "")
+    factor = unit_factor(known or passed or "")
     if not known and mentioned and ACCELERATION_UNITS.get(known_unit(mentioned) or "") != factor:
-        warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=mentioned))
+        warn(InputWarning("motion.unit_mentioned", "unit", given=passed, mentioned=mentioned))
     return factor
 
 
-def not_the_files_own(field: str, given: str | Phrase, stated: str | Phrase) -> InputError:
+def not_the_files_own(field: str, passed: str | Phrase, stated: str | Phrase) -> InputError:
     """Return the refusal of a unit or a time step ("dt") that is not the one that the file states."""
     what = phrase("motion.the_unit" if field == "unit" else "motion.the_time_step")
-    return InputError("motion.not_the_files_own", field, what=what, given=given, stated=stated)
+    return InputError("motion.not_the_files_own", field, what=what, given=passed, stated=stated)
 
 
 def unknown_unit(unit: str) -> InputError:
@@ -249,13 +249,13 @@ def unknown_unit(unit: str) -> InputError:
     return InputError("motion.unknown_stated_unit", "unit", **about)
 
 
-def time_step(stated: float | None, given: float | None) -> float:
+def time_step(stated: float | None, dt: float | None) -> float:
     """Return the time step of a file's samples [s]; arguments and errors as for `acceleration_unit`."""
-    if stated is None and given is None:
+    if stated is None and dt is None:
         raise InputError("motion.no_time_step", "dt", option="dt")
-    if stated is not None and given is not None and not math.isclose(stated, given, rel_tol=_STEP_TOLERANCE):
-        raise not_the_files_own("dt", f"{given:g} s", f"{stated:g} s")
-    step = stated if stated is not None else given or 0.0
+    if stated is not None and dt is not None and not math.isclose(stated, dt, rel_tol=_STEP_TOLERANCE):
+        raise not_the_files_own("dt", f"{dt:g} s", f"{stated:g} s")
+    step = stated if stated is not None else dt or 0.0
     return within("motion.name_time_step", step, *STEP_RANGE, "s", "dt")
 
 

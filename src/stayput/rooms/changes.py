@@ -114,8 +114,8 @@ class FreeFloor:
         """
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
-        others = (one for number, one in enumerate(self.pieces) if number != but_piece)
-        taken = [outline_of((one.solid.vertices @ one.turn.T) + np.asarray(one.at)) for one in others]
+        others = (piece for number, piece in enumerate(self.pieces) if number != but_piece)
+        taken = [outline_of((piece.solid.vertices @ piece.turn.T) + np.asarray(piece.at)) for piece in others]
         taken += [place.corners for place in self.plan.places if place.name != but_place]
         taken += [
             _before(self.plan, door.wall, door.start, door.width, door.width) for door in self.plan.doors
@@ -195,7 +195,7 @@ def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
         all_placed = placed(part.assembly.members, part.room)
     except InputError:  # no wall behind, no ceiling known
         return False
-    pieces, held = [one.piece for one in all_placed], all_placed[place].held
+    pieces, held = [body.piece for body in all_placed], all_placed[place].held
     assert held is not None
     if any(inside_each_other(*pair) > DEEPEST for pair in combinations(pieces, 2)):
         return False  # a wedge leans it into what stands on it
@@ -230,10 +230,10 @@ def _in_an_opening(plan: FloorPlan, wall: str, along: float, height: float) -> b
     """Return whether a point of a wall is in or at a door or a window, whose upper edges are not known."""
     openings = [(door, 0.0) for door in plan.doors] + [(window, window.sill) for window in plan.windows]
     return any(
-        one.wall == wall
+        opening.wall == wall
         and height > low - FRAME
-        and one.start - FRAME < along < one.start + one.width + FRAME
-        for one, low in openings
+        and opening.start - FRAME < along < opening.start + opening.width + FRAME
+        for opening, low in openings
     )
 
 
@@ -259,14 +259,14 @@ def places_at_walls(
     for wall, heading in FACING.items():
         if half_length > 0.5 * plan.side(wall):
             continue
-        found: list[tuple[float, float]] = []
+        places: list[tuple[float, float]] = []
         for along in _spread(half_length, plan.side(wall) - half_length):
             at = plan.on_wall(wall, along, half_depth + BEHIND)
             corners = rectangle(at, 2.0 * half_depth, 2.0 * half_length, heading)
             if floor.fits(corners, height=height, but_piece=body):
-                found.append(at)
-        if found:
-            yield wall, found
+                places.append(at)
+        if places:
+            yield wall, places
 
 
 def _spread(low: float, high: float) -> list[float]:
@@ -287,7 +287,7 @@ def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:
     floor : FreeFloor
         Where it may be put.
     """
-    found: list[PersonPlace] = []
+    places: list[PersonPlace] = []
     for heading in (place.heading, place.heading + math.pi / 2.0):
         half_x, half_y = (
             0.5 * np.ptp(rectangle((0.0, 0.0), place.width, place.length, heading), axis=0)
@@ -296,8 +296,8 @@ def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:
             for y in _spread(half_y, floor.plan.length - half_y):
                 corners = rectangle((x, y), place.width, place.length, heading)
                 if floor.fits(corners, height=place.high, but_place=place.name):
-                    found.append(replace(place, at=(x, y), heading=math.remainder(heading, 2.0 * math.pi)))
-    return found
+                    places.append(replace(place, at=(x, y), heading=math.remainder(heading, 2.0 * math.pi)))
+    return places
 
 
 def reach(track: Track) -> NDArray[np.float64]:

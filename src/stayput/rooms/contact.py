@@ -75,8 +75,8 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     if track.stays:
         return None
     low, high = _bounds(track.corners())
-    own = rectangle(place.at, place.width, place.length, place.heading)
-    least, most = (*own.min(axis=0), place.low), (*own.max(axis=0), place.high)
+    corners = rectangle(place.at, place.width, place.length, place.heading)
+    least, most = (*corners.min(axis=0), place.low), (*corners.max(axis=0), place.high)
     near = np.all((low <= most) & (high >= least), axis=1)
     touching = _touching(
         track.sample, near, track.dt, lambda k: separation(_body_at(track, k), box_of(place, len(k)))
@@ -101,9 +101,9 @@ def _speed_within(track: Track, place: PersonPlace, touching: _Touching) -> floa
             (place.low, place.high),
         )
     )
-    own = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
+    grid = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
     cos, sin = math.cos(place.heading), math.sin(place.heading)
-    points = own @ np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]) + [*place.at, 0.0]
+    points = grid @ np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]) + [*place.at, 0.0]
     shape = track.shape
     reach = shape.corners @ shape.normals.T
     low, high = reach.min(axis=0), reach.max(axis=0)
@@ -124,19 +124,19 @@ def _speed_within(track: Track, place: PersonPlace, touching: _Touching) -> floa
     return max(touching.closing, fastest / track.dt)
 
 
-def meet(one: Track, other: Track) -> bool:
+def meet(track: Track, other: Track) -> bool:
     """Return whether two pieces come together that were run each by itself under the same motion."""
-    if one.stays and other.stays:
+    if track.stays and other.stays:
         return False
-    sample = np.union1d(one.sample, other.sample)
-    first, second = (np.searchsorted(track.sample, sample, side="right") - 1 for track in (one, other))
-    (low, high), (least, most) = _bounds(one.corners()), _bounds(other.corners())
+    sample = np.union1d(track.sample, other.sample)
+    first, second = (np.searchsorted(run.sample, sample, side="right") - 1 for run in (track, other))
+    (low, high), (least, most) = _bounds(track.corners()), _bounds(other.corners())
     near = np.all((low[first] <= most[second]) & (high[first] >= least[second]), axis=1)
 
     def gap_at(k: NDArray[np.intp]) -> NDArray[np.float64]:
-        return separation(_body_at(one, first[k]), _body_at(other, second[k]))
+        return separation(_body_at(track, first[k]), _body_at(other, second[k]))
 
-    return _touching(sample, near, one.dt, gap_at) is not None
+    return _touching(sample, near, track.dt, gap_at) is not None
 
 
 class _Touching(NamedTuple):

@@ -51,9 +51,9 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
     for number, change in enumerate(changes):
         field, what = f"decided[{number}]", instance_of("decided", change, Change).what
         body = names.index(what) if what in names else None
-        place = next((n for n, one in enumerate(plan.places) if one.name == what), None)
+        place = next((n for n, spot in enumerate(plan.places) if spot.name == what), None)
         if body is None and place is None:
-            there = ", ".join(map(repr, [*names, *(one.name for one in plan.places)]))
+            there = ", ".join(map(repr, [*names, *(spot.name for spot in plan.places)]))
             raise InputError("rooms.decided_unknown", field, name=repr(what), there=there)
         if (change.measure is None) == (change.at is None):
             raise InputError("rooms.decided_both", field, name=repr(what))
@@ -62,7 +62,7 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
                 raise InputError("rooms.decided_on_no_piece", field, name=repr(what))
             measures[body] = (*measures.get(body, ()), change.measure)
             continue
-        if what in {one.what for one in moves}:
+        if what in {move.what for move in moves}:
             raise InputError("rooms.decided_twice", field, name=repr(what))
         if body is not None and what not in single:
             raise InputError("rooms.decided_joined", field, name=repr(what))
@@ -93,7 +93,7 @@ def moved_as_decided(question: Question, as_it_is: Answer, change: Change) -> Mo
     """Return a decided move, with the tracks of a piece where it stands then."""
     names, plan = question.scenario.names, question.plan
     if change.what not in names:
-        number = next(n for n, one in enumerate(plan.places) if one.name == change.what)
+        number = next(n for n, spot in enumerate(plan.places) if spot.name == change.what)
         place = _place_moved(plan.places[number], change)
         return Move(change, plan.with_places({number: place}), OtherTracks({}, as_it_is.missing))
     body = names.index(change.what)
@@ -111,17 +111,17 @@ def changes_between(before: Scenario, after: Scenario) -> tuple[Change, ...]:
     stated = [room.stated.measures for room in (before, after)]
     pieces = [room.assembly(room.stated).members for room in (before, after)]
     single = [{group[0] for group in groups_of(room) if len(group) == 1} for room in (before, after)]
-    found: list[Change] = []
+    changes: list[Change] = []
     for number, (name, was, now) in enumerate(zip(before.names, *pieces, strict=True)):
-        if all(number in own for own in single) and (was.at, was.heading) != (now.at, now.heading):
-            found.append(Change(name, at=now.at[:2], heading=now.heading))
+        if all(number in alone for alone in single) and (was.at, was.heading) != (now.at, now.heading):
+            changes.append(Change(name, at=now.at[:2], heading=now.heading))
         had = list(stated[0][number])
         for measure in stated[1][number]:
             if measure in had:
                 had.remove(measure)
             else:
-                found.append(Change(name, measure))
+                changes.append(Change(name, measure))
     for was, now in zip(before.floor_plan().places, after.floor_plan().places, strict=True):
         if (was.at, was.heading) != (now.at, now.heading):
-            found.append(Change(was.name, at=now.at, heading=now.heading))
-    return tuple(found)
+            changes.append(Change(was.name, at=now.at, heading=now.heading))
+    return tuple(changes)

@@ -65,10 +65,10 @@ class Answer(NamedTuple):
         tracks: dict[int, list[Track]] = {}
         outcomes: dict[int, Outcomes] = {}
         missing = np.zeros(runs[0].results.shape[:2], np.bool_)
-        for part, own in zip(parts, runs, strict=True):
-            missing |= own.missing
+        for part, part_runs in zip(parts, runs, strict=True):
+            missing |= part_runs.missing
             for place, body in enumerate(part.bodies):
-                tracks[body], outcomes[body] = own.of_tracks(place), own.of_body(place)
+                tracks[body], outcomes[body] = part_runs.of_tracks(place), part_runs.of_body(place)
         by_number = [tracks[body] for body in sorted(tracks)]
         return cls(
             by_number,
@@ -81,30 +81,30 @@ class Answer(NamedTuple):
     @property
     def overturning(self) -> list[float]:
         """The chance that each piece overturns."""
-        return [one.probability_of_overturning().estimate for one in self.outcomes]
+        return [outcomes.probability_of_overturning().estimate for outcomes in self.outcomes]
 
     def joined(self, more: Answer) -> Answer:
         """Return this and what happens in further samples of the same motions."""
         motions = len(self.missing)
 
-        def joined(own: NDArray[Any], other: NDArray[Any]) -> NDArray[Any]:
+        def joined(array: NDArray[Any], other: NDArray[Any]) -> NDArray[Any]:
             """Join what is of runs along the last axis, motion by motion."""
-            pair = ((one, one.shape[-1] // motions) for one in (own, other))
-            rows = [one.reshape(*one.shape[:-1], motions, samples) for one, samples in pair]
-            return np.concatenate(rows, axis=-1).reshape(*own.shape[:-1], own.shape[-1] + other.shape[-1])
+            pair = ((part, part.shape[-1] // motions) for part in (array, other))
+            rows = [part.reshape(*part.shape[:-1], motions, samples) for part, samples in pair]
+            return np.concatenate(rows, axis=-1).reshape(*array.shape[:-1], array.shape[-1] + other.shape[-1])
 
         hits = tuple(
-            tuple(Hits(*map(joined, one, other)) for one, other in zip(own, others, strict=True))
-            for own, others in zip(self.events.hits, more.events.hits, strict=True)
+            tuple(Hits(*map(joined, row, other)) for row, other in zip(rows, others, strict=True))
+            for rows, others in zip(self.events.hits, more.events.hits, strict=True)
         )
         blocked = joined(self.events.blocked, more.events.blocked)
         shut_in = joined(self.events.shut_in, more.events.shut_in)
-        never = [np.zeros(one.events.runs, np.bool_) for one in (self, more)]
+        never = [np.zeros(answer.events.runs, np.bool_) for answer in (self, more)]
         pairs = sorted({*self.met, *more.met}, key=lambda pair: pair[::-1])
         return Answer(
             [
-                joined(np.array(own, object), np.array(other, object)).tolist()
-                for own, other in zip(self.tracks, more.tracks, strict=True)
+                joined(np.array(tracks, object), np.array(other, object)).tolist()
+                for tracks, other in zip(self.tracks, more.tracks, strict=True)
             ],
             tuple(Outcomes.joined([*pair]) for pair in zip(self.outcomes, more.outcomes, strict=True)),
             np.concatenate([self.missing, more.missing], axis=1),
@@ -133,20 +133,20 @@ class RoomState(NamedTuple):
 
 def anybody(flags: NDArray[np.bool_], shape: tuple[int, ...]) -> NDArray[np.bool_]:
     """Return whether something happens in any row, shape (motions, samples)."""
-    found = np.zeros(flags.shape[1:], np.bool_)
+    happens = np.zeros(flags.shape[1:], np.bool_)
     for row in flags:
-        found |= row
-    return found.reshape(shape)
+        happens |= row
+    return happens.reshape(shape)
 
 
 def hits_by(events: Events, *, but: int | None = None, only: int | None = None) -> NDArray[np.bool_]:
     """Return which places are hit by any piece, by any but one, or by one only, shape (places, runs)."""
-    found = np.zeros((len(events.hits), events.runs), np.bool_)
-    for row, hits in zip(found, events.hits, strict=True):
-        for body, one in enumerate(hits):
+    hit = np.zeros((len(events.hits), events.runs), np.bool_)
+    for row, hits in zip(hit, events.hits, strict=True):
+        for body, hits_of_body in enumerate(hits):
             if body != but and only in (None, body):
-                row |= one.happened
-    return found
+                row |= hits_of_body.happened
+    return hit
 
 
 def risk_of(hits: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDArray[np.bool_]) -> float:
@@ -155,8 +155,8 @@ def risk_of(hits: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDA
     if not len(hits) or not known.any():
         return 0.0 if known.any() else math.nan
     spared = np.ones(int(known.sum()))
-    for place, own in zip(places, hits, strict=True):
-        spared *= 1.0 - presence(place) * own[known]
+    for place, hit in zip(places, hits, strict=True):
+        spared *= 1.0 - presence(place) * hit[known]
     return float(np.mean(1.0 - spared))
 
 
@@ -187,9 +187,9 @@ class Move(NamedTuple):
 def in_order(changes: Iterable[ChangeVerdict]) -> tuple[ChangeVerdict, ...]:
     """Return changes, the best first: those that help, and then the others; moving asks less than fixing."""
 
-    def key(one: ChangeVerdict) -> tuple[float, ...]:
-        fixes = one.change.measure is not None
-        return not one.helps, round(one.risk, 4), one.shut_in.estimate, one.fallen, fixes
+    def key(verdict: ChangeVerdict) -> tuple[float, ...]:
+        fixes = verdict.change.measure is not None
+        return not verdict.helps, round(verdict.risk, 4), verdict.shut_in.estimate, verdict.fallen, fixes
 
     return tuple(sorted(changes, key=key))
 
@@ -215,8 +215,8 @@ def changes_of(question: Question, state: RoomState) -> Iterator[ChangeVerdict]:
         for body in sorted(harmful | falling_pieces(as_it_is), key=harm, reverse=True)
         for each in measures_tried(scenario, whole, body)
     ]
-    with closing(question.runs_of_each([held for _, held in tried])) as found:
-        for (change, held), runs in zip(tried, found, strict=True):
+    with closing(question.runs_of_each([held for _, held in tried])) as all_runs:
+        for (change, held), runs in zip(tried, all_runs, strict=True):
             yield compared(Move(change, plan, OtherTracks.of(held, runs)), state)
 
 
@@ -249,16 +249,16 @@ def harmful_pieces(state: RoomState) -> set[int]:
     _, as_it_is, ends = state
     events, missing, places = as_it_is.events, as_it_is.missing, ends.plan.places
     risk = risk_of(hits_by(events), places, missing)
-    found: set[int] = set()
+    harmful: set[int] = set()
     blocked = events.blocked.sum() + events.shut_in.sum()
     for body in range(len(as_it_is.tracks)):
-        others = [own for number, own in enumerate(as_it_is.tracks) if number != body]
+        others = [tracks for number, tracks in enumerate(as_it_is.tracks) if number != body]
         less = risk_of(hits_by(events, but=body), places, missing) < risk
         if not less and blocked and others:
             less = sum(flags.sum() for flags in ends.of_all(others)) < blocked
         if less or (blocked and not others):
-            found.add(body)
-    return found
+            harmful.add(body)
+    return harmful
 
 
 def falling_pieces(as_it_is: Answer) -> set[int]:
@@ -286,25 +286,25 @@ def effect_of(
         Returns the contacts of a piece with a place.
     """
     _, as_it_is, ends = state
-    tracks = [way.tracks.get(body, own) for body, own in enumerate(as_it_is.tracks)]
+    tracks = [way.tracks.get(body, unchanged) for body, unchanged in enumerate(as_it_is.tracks)]
     before = as_it_is.events
-    found = tuple(
+    all_hits = tuple(
         tuple(
-            hits(place, own) if body in way.tracks or place != was else known[body]
-            for body, own in enumerate(tracks)
+            hits(place, body_tracks) if body in way.tracks or place != was else known[body]
+            for body, body_tracks in enumerate(tracks)
         )
         for place, was, known in zip(plan.places, ends.plan.places, before.hits, strict=True)
     )
-    events = Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
+    events = Events(all_hits, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
     missing = as_it_is.missing | way.missing
     shape, after = missing.shape, hits_by(events)
 
-    def chance(own: NDArray[np.bool_], without: NDArray[np.bool_]) -> tuple[Probability, Difference]:
-        flags = anybody(own, shape)
+    def chance(with_change: NDArray[np.bool_], without: NDArray[np.bool_]) -> tuple[Probability, Difference]:
+        flags = anybody(with_change, shape)
         return probability(flags, missing), difference(flags, anybody(without, shape), missing)
 
     fell = [
-        chance(_overturned(then), _overturned(own)) for then, own in zip(tracks, as_it_is.tracks, strict=True)
+        chance(_overturned(then), _overturned(now)) for then, now in zip(tracks, as_it_is.tracks, strict=True)
     ]
     return RoomEffect(
         *chance(after, hits_by(before)),
@@ -355,7 +355,7 @@ def _best_at_wall(
             continue
         question.advance(0)  # who has left may end it here
         over = swept(ways, [outline + shift for outline in outlines])
-        hits = np.array([own | over[:, one].any(axis=1) for one, own in zip(cells, others, strict=True)])
+        hits = np.array([hit | over[:, at].any(axis=1) for at, hit in zip(cells, others, strict=True)])
         risk = risk_of(hits, places, missing)
         if risk < least - 1e-12:
             best, least = (middle, shift), risk
@@ -369,7 +369,7 @@ def _best_at_wall(
 
 def _swept_by_any(as_it_is: Answer, ways: Ways) -> NDArray[np.bool_]:
     """Return over which cells any piece moves in each run at most, shape (runs, nx · ny)."""
-    (over, *others) = (swept(ways, [reach(track) for track in own]) for own in as_it_is.tracks)
+    (over, *others) = (swept(ways, [reach(track) for track in tracks]) for tracks in as_it_is.tracks)
     for other in others:
         over |= other
     return over
@@ -389,4 +389,4 @@ def _best_place(
         share = over[:, ways.cells(place.corners)].any(axis=1).mean()
         return float(share), away(place)
 
-    return min((one for one in others if away(one) >= SAME), key=key, default=None)
+    return min((place for place in others if away(place) >= SAME), key=key, default=None)

@@ -68,7 +68,7 @@ class Ways:
         outlines : iterable of ndarray, shape (n, 2)
             Their corners, counter-clockwise [m].
         """
-        found = np.zeros((len(self.x), len(self.y)), np.bool_)
+        over = np.zeros((len(self.x), len(self.y)), np.bool_)
         for corners in outlines:
             (x_low, y_low), (x_high, y_high) = corners.min(axis=0), corners.max(axis=0)
             xs = slice(*np.searchsorted(self.x, (x_low, x_high)))
@@ -77,8 +77,8 @@ class Ways:
             inside = np.ones((x.size, y.size), np.bool_)
             for (x1, y1), (x2, y2) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
                 inside &= (x2 - x1) * (y - y1) - (y2 - y1) * (x - x1) >= 0.0
-            found[xs, ys] |= inside
-        return found
+            over[xs, ys] |= inside
+        return over
 
     def cells(self, corners: NDArray[np.float64]) -> NDArray[np.intp]:
         """Return the numbers of the cells that a convex outline covers, x-major."""
@@ -212,17 +212,17 @@ class Events:
 
     def hit(self, place: int) -> NDArray[np.bool_]:
         """Return whether a place is hit by any piece, shape (runs,)."""
-        return np.any([one.happened for one in self.hits[place]], axis=0)
+        return np.any([hits.happened for hits in self.hits[place]], axis=0)
 
 
 def hits_of(place: PersonPlace, tracks: Sequence[Track]) -> Hits:
     """Return the contacts of a piece, whose tracks are given by run, with a place."""
-    found = np.full((3, len(tracks)), np.nan)
+    contacts = np.full((3, len(tracks)), np.nan)
     for run, track in enumerate(tracks):
         contact = contact_with_place(track, place)
         if contact is not None:
-            found[:, run] = contact
-    return Hits(*found)
+            contacts[:, run] = contact
+    return Hits(*contacts)
 
 
 class EndOfRuns:
@@ -252,9 +252,9 @@ class EndOfRuns:
 
     def of_all(self, tracks: Sequence[Sequence[Track]]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """Return the same of all runs, shape (doors, runs) and (places, runs), from tracks [body][run]."""
-        found = [self.of(run) for run in zip(*tracks, strict=True)]
+        ends = [self.of(run) for run in zip(*tracks, strict=True)]
         blocked, shut_in = (
-            np.array([pair[i] for pair in found], np.bool_).reshape(len(found), -1).T for i in (0, 1)
+            np.array([pair[i] for pair in ends], np.bool_).reshape(len(ends), -1).T for i in (0, 1)
         )
         return blocked, shut_in
 
@@ -278,7 +278,7 @@ def events_of(ends: EndOfRuns, tracks: Sequence[Sequence[Track]]) -> Events:
     tracks : sequence of sequence of Track, [body][run]
         Where the pieces were.
     """
-    hits = tuple(tuple(hits_of(place, own) for own in tracks) for place in ends.plan.places)
+    hits = tuple(tuple(hits_of(place, piece_tracks) for piece_tracks in tracks) for place in ends.plan.places)
     return Events(hits, *ends.of_all(tracks))
 
 
@@ -287,14 +287,14 @@ def collisions(tracks: Sequence[Sequence[Track]]) -> dict[tuple[int, int], NDArr
 
     The pieces ran each by themselves: what they do after they have met is not known.
     """
-    found: dict[tuple[int, int], NDArray[np.bool_]] = {}
+    met_by: dict[tuple[int, int], NDArray[np.bool_]] = {}
     for b in range(len(tracks)):
         for a in range(b):
             pairs = zip(tracks[a], tracks[b], strict=True)
             met = np.array([meet(*pair) for pair in pairs])
             if met.any():
-                found[a, b] = met
-    return found
+                met_by[a, b] = met
+    return met_by
 
 
 def shares_covered(ends: EndOfRuns, tracks: Sequence[Track], which: NDArray[np.bool_]) -> NDArray[np.float64]:
@@ -343,9 +343,9 @@ def happens_in(run: Run, scenario: Scenario) -> RunInRoom:
         tuple(
             (name, place.name)
             for place, hits in zip(plan.places, events.hits, strict=True)
-            for name, one in zip(scenario.names, hits, strict=True)
-            if one.happened[0]
+            for name, hit in zip(scenario.names, hits, strict=True)
+            if hit.happened[0]
         ),
-        tuple(door.name for door, own in zip(plan.doors, events.blocked, strict=True) if own[0]),
-        tuple(place.name for place, own in zip(plan.places, events.shut_in, strict=True) if own[0]),
+        tuple(door.name for door, blocked in zip(plan.doors, events.blocked, strict=True) if blocked[0]),
+        tuple(place.name for place, shut in zip(plan.places, events.shut_in, strict=True) if shut[0]),
     )

@@ -152,7 +152,7 @@ class _Planner:
     def __init__(self, question: Question, state: RoomState, home: Home, decisions: Decisions) -> None:
         self.question, self.state, self.home, self.decisions = question, state, home, decisions
         hits = state.as_it_is.events.hits
-        struck = {body for own in hits for body, one in enumerate(own) if one.happened.any()}
+        struck = {body for row in hits for body, hit in enumerate(row) if hit.happened.any()}
         self.harmful = struck | harmful_pieces(state)
         self.falling = falling_pieces(state.as_it_is)
         self.drilled: dict[str, Fix] = {}
@@ -182,16 +182,16 @@ class _Planner:
         """
         needed = self._by_gain(chosen)
         reached = in_order_of_gain(self._together(needed))
-        for one in [one for one in reversed(needed) if not one.step.decided]:
-            others = [other for other in needed if other is not one]
+        for choice in [choice for choice in reversed(needed) if not choice.step.decided]:
+            others = [other for other in needed if other is not choice]
             without = in_order_of_gain(self._together(others))
             if without <= reached:
                 needed, reached = others, without
         all_of_them = for_people(self._together(needed))
-        for number, one in enumerate(needed, start=1):
-            others = [other for other in needed if other is not one]
+        for number, choice in enumerate(needed, start=1):
+            others = [other for other in needed if other is not choice]
             yield replace(
-                one.step,
+                choice.step,
                 together=self._together(needed[:number]),
                 for_people=for_people(self._together(others)) > all_of_them,
             )
@@ -199,43 +199,43 @@ class _Planner:
     def _by_gain(self, chosen: list[ChosenStep]) -> list[ChosenStep]:
         done: list[ChosenStep] = []
         while chosen:
-            effects = [self._together([*done, one]) for one in chosen]
+            effects = [self._together([*done, choice]) for choice in chosen]
             keys = [
-                (in_order_of_gain(effect), one.step.cost_class, in_order_of_gain(one.step.alone))
-                for one, effect in zip(chosen, effects, strict=True)
+                (in_order_of_gain(effect), choice.step.cost_class, in_order_of_gain(choice.step.alone))
+                for choice, effect in zip(chosen, effects, strict=True)
             ]
             done.append(chosen.pop(keys.index(min(keys))))
         return done
 
     def _together(self, done: list[ChosenStep]) -> RoomEffect:
         """Return what some of the steps bring together."""
-        moves = [one for one in done if one.step.move is not None]
-        relocated = {one.step.what for one in moves}
+        moves = [choice for choice in done if choice.step.move is not None]
+        relocated = {choice.step.what for choice in moves}
         way = OtherTracks({}, self.state.as_it_is.missing)
-        for one in moves:
-            way = way.joined(one.here)
+        for choice in moves:
+            way = way.joined(choice.here)
         fixes: dict[tuple[int, ...], list[ChosenStep]] = {}
-        for one in done:
-            if one.step.fix is not None:
-                fixes.setdefault(one.step.fix.part.bodies, []).append(one)
-        for group, own in fixes.items():
-            if len(own) > 1:
-                way = way.joined(self._held_together(group, own))
+        for choice in done:
+            if choice.step.fix is not None:
+                fixes.setdefault(choice.step.fix.part.bodies, []).append(choice)
+        for group, choices in fixes.items():
+            if len(choices) > 1:
+                way = way.joined(self._held_together(group, choices))
             else:
-                (one,) = own
-                way = way.joined(one.there if one.step.what in relocated else one.here)
-        places = dict(one.place for one in moves if one.place)
+                (choice,) = choices
+                way = way.joined(choice.there if choice.step.what in relocated else choice.here)
+        places = dict(choice.place for choice in moves if choice.place)
         return self._effect(self.question.plan.with_places(places), way)
 
     def _held_together(self, group: tuple[int, ...], fixes: Sequence[ChosenStep]) -> OtherTracks:
         """Return how pieces that stand on or are joined to each other move, of which several are held."""
-        key = frozenset(one.step.what for one in fixes)
+        key = frozenset(choice.step.what for choice in fixes)
         if key not in self._groups:
             whole = self.question.whole
-            for one in fixes:
-                assert one.step.fix is not None
-                body = group[one.step.fix.place]
-                bought = [purchase.measure for purchase in one.step.fix.purchases]
+            for choice in fixes:
+                assert choice.step.fix is not None
+                body = group[choice.step.fix.place]
+                bought = [purchase.measure for purchase in choice.step.fix.purchases]
                 whole = with_measures(whole, body, bought)
             part = part_with(self.question.scenario, group, whole)
             runs = self.question.run([part])[0]
@@ -260,23 +260,23 @@ class _Planner:
         question, state = self.question, self.state
         decided = [moved_as_decided(question, state.as_it_is, change) for change in self.decisions.moves]
         moves = decided or moves_of(question, state, self.harmful - set(self.decisions.measures))
-        found = [(move, self._effect(move.plan, move.way)) for move in moves]
+        tried = [(move, self._effect(move.plan, move.way)) for move in moves]
         if decided:
-            return found
-        helping = [pair for pair in found if pair[1].helps]
+            return tried
+        helping = [pair for pair in tried if pair[1].helps]
         return [min(helping, key=lambda pair: in_order_of_gain(pair[1]))] if helping else []
 
     def _moving(self, move: Move, effect: RoomEffect) -> ChosenStep:
         scenario, what = self.question.scenario, move.change.what
         bodies = list(move.way.tracks) or sorted(self.harmful)
-        deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
+        deciding = {quantity: None for body in bodies for quantity in inputs_in_room((), scenario, body)}
         overturned = self._overturned(bodies[0]) if move.way.tracks else None
         decided = move.change in self.decisions.moves
         step = PlanStep(
             what, move.change, None, effect, effect, overturned, None, tuple(deciding), decided=decided
         )
         was = self.question.plan.places
-        places = (own for own in enumerate(move.plan.places) if own[1] != was[own[0]])
+        places = ((n, place) for n, place in enumerate(move.plan.places) if place != was[n])
         return ChosenStep(step, next(places, None), move.way, move.way)
 
     def _after(self, moves: Sequence[Move]) -> Assembly:
@@ -304,12 +304,12 @@ class _Planner:
         fix, here, there = self._fitted(best, body, whole)
         if not fix.enough:
             self._with_drilling(body, whole)
-        undrilled = [one for one in tried if not any(measure.drilled for measure in one.measures)]
+        undrilled = [trial for trial in tried if not any(measure.drilled for measure in trial.measures)]
         instead = None
         if fix.drilled and undrilled:
             instead = self._fitted(min(undrilled, key=merit), body, whole)[0]
         scenario, was = self.question.scenario, self._overturned(body)
-        deciding = inputs_in_room(tuple(one.measure for one in fix.purchases), scenario, body)
+        deciding = inputs_in_room(tuple(purchase.measure for purchase in fix.purchases), scenario, body)
         what, alone, as_decided = scenario.names[body], fix.alone, decided is not None
         step = PlanStep(what, None, fix, alone, alone, was, instead, deciding, decided=as_decided)
         return ChosenStep(step, None, here, there)
@@ -324,13 +324,13 @@ class _Planner:
     def _helpful(self, body: int, whole: Assembly, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece, and return those that help and can be put on it in ``whole``."""
         as_it_is, group = self.state.as_it_is, group_of(self.question.scenario, body)
-        here = OtherTracks({one: as_it_is.tracks[one] for one in group}, as_it_is.missing)
+        here = OtherTracks({number: as_it_is.tracks[number] for number in group}, as_it_is.missing)
         bare = self._own_risk(here)
         return [
-            one
-            for one in self._tried(body, sets)
-            if (one.own < bare or frees(one.effect) or self._steadies(one, body))
-            and self._held(body, one.measures, whole) is not None
+            trial
+            for trial in self._tried(body, sets)
+            if (trial.piece_risk < bare or frees(trial.effect) or self._steadies(trial, body))
+            and self._held(body, trial.measures, whole) is not None
         ]
 
     def _tried_as_decided(self, body: int, whole: Assembly, measures: tuple[Measure, ...]) -> Trial:
@@ -349,27 +349,27 @@ class _Planner:
         soft = self.question.scenario.surroundings().floor.surface in SOFT
         for kinds in sets:
             measures = tuple(MEASURES[kind]() for kind in kinds)
-            if soft and any(isinstance(one, WedgeStopper) for one in measures):  # it sinks in
+            if soft and any(isinstance(measure, WedgeStopper) for measure in measures):  # it sinks in
                 continue
             part = self._held(body, measures, self.question.whole)
             if part is not None:
                 parts.append((measures, part))
         runs = self.question.run([part for _, part in parts])
         return [
-            self._as_tried(measures, part, own, body)
-            for (measures, part), own in zip(parts, runs, strict=True)
+            self._as_tried(measures, part, part_runs, body)
+            for (measures, part), part_runs in zip(parts, runs, strict=True)
         ]
 
     def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> Trial:
         way = OtherTracks.of(part, runs)
-        effect, own = self._effect(self.question.plan, way), self._own_risk(way)
+        effect, piece_risk = self._effect(self.question.plan, way), self._own_risk(way)
         overturns = runs.of_body(part.bodies.index(body)).probability_of_overturning()
-        return Trial(measures, way, effect, own, overturns)
+        return Trial(measures, way, effect, piece_risk, overturns)
 
     def _own_risk(self, way: OtherTracks) -> float:
         """Return the chance that a person is hit by some pieces, whatever others do."""
         places, missing = self.question.plan.places, self.state.as_it_is.missing | way.missing
-        hits = [[self._hits(place, own).happened for own in way.tracks.values()] for place in places]
+        hits = [[self._hits(place, tracks).happened for tracks in way.tracks.values()] for place in places]
         return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
 
     def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
@@ -389,7 +389,7 @@ class _Planner:
         measures, part = tried.measures, self._with(body, tried.measures, whole)
         purchases = purchases_of(self.question, part, measures, body)
         piece = whole.members[body]
-        fitted = tuple(in_number(one, piece.body.length or 0.0) for one in purchases)
+        fitted = tuple(in_number(purchase, piece.body.length or 0.0) for purchase in purchases)
         more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
         if fitted != measures and more is not None and here is not None:
             measures, part = fitted, more
@@ -415,14 +415,14 @@ class _Planner:
 
         The classes are the ground's: under motions of upper floors there is none.
         """
-        if self.question.floors.floor or all(one.enough for one in purchases):
+        if self.question.floors.floor or all(purchase.enough for purchase in purchases):
             return None
-        measures = tuple(one.measure for one in purchases)
+        measures = tuple(purchase.measure for purchase in purchases)
         now, threads = self.question.floors.median_intensity, self.question.threads
         for level in (intensity_of_class(name) for name in WEAKER_CLASSES):
             if level < now:
                 floors = floors_of(self.question.scenario, threads, factor_to_intensity(now, level))
                 weaker = self.question._replace(floors=floors)
-                if all(one.enough for one in purchases_of(weaker, part, measures, body)):
+                if all(purchase.enough for purchase in purchases_of(weaker, part, measures, body)):
                     return level
         return None

@@ -75,13 +75,13 @@ def peak_forces(place: int, held: Held, devices: NDArray[np.void], mass: float) 
     mass : float
         By what the forces are multiplied: the body's mass [kg] where they are per unit mass.
     """
-    found: PeakForces = {}
+    peaks: PeakForces = {}
     for element, device in zip(held.elements, devices, strict=True):
         each = mass / element.count
-        own = DeviceForces(*(each * float(device[name]) for name in ("peak_pull", "peak_push", "peak_shear")))
-        known = found.get((place, element.kind), own)
-        found[place, element.kind] = DeviceForces(*map(max, own, known))
-    return found
+        new = DeviceForces(*(each * float(device[name]) for name in ("peak_pull", "peak_push", "peak_shear")))
+        known = peaks.get((place, element.kind), new)
+        peaks[place, element.kind] = DeviceForces(*map(max, new, known))
+    return peaks
 
 
 class RoomPart(NamedTuple):
@@ -121,12 +121,12 @@ class RoomPart(NamedTuple):
 def groups_of(scenario: Scenario) -> tuple[tuple[int, ...], ...]:
     """Return which pieces stand on or are joined to one another, in the order of the first of each group."""
     names, group = scenario.names, list(range(len(scenario.names)))
-    bonds = [(number, names.index(one.on)) for number, one in enumerate(scenario.pieces) if one.on]
-    bonds += [(names.index(one.first), names.index(one.second)) for one in scenario.joints]
+    bonds = [(number, names.index(piece.on)) for number, piece in enumerate(scenario.pieces) if piece.on]
+    bonds += [(names.index(joint.first), names.index(joint.second)) for joint in scenario.joints]
     for first, second in bonds:
         kept, gone = sorted((group[first], group[second]))
         group = [kept if number == gone else number for number in group]
-    return tuple(tuple(i for i, own in enumerate(group) if own == number) for number in sorted(set(group)))
+    return tuple(tuple(i for i, root in enumerate(group) if root == number) for number in sorted(set(group)))
 
 
 def group_of(scenario: Scenario, body: int) -> tuple[int, ...]:
@@ -151,7 +151,7 @@ def part_with(scenario: Scenario, bodies: tuple[int, ...], whole: Assembly) -> R
 
 def with_piece(whole: Assembly, body: int, piece: Piece) -> Assembly:
     """Return an assembly with another piece in the place of one."""
-    return replace(whole, members=[piece if n == body else one for n, one in enumerate(whole.members)])
+    return replace(whole, members=[piece if n == body else member for n, member in enumerate(whole.members)])
 
 
 def with_measures(whole: Assembly, body: int, measures: Iterable[Measure]) -> Assembly:
@@ -270,7 +270,7 @@ class Question(NamedTuple):
             runs.device_failed[motion, sample] = (devices["failure"] != HOLDS).any()
             fell = (results["outcome"] == OVERTURNED_OUTCOME).tolist()
             runs.tracks[motion * samples + sample] = [
-                replace(track, overturned=own) for track, own in zip(tracks, fell, strict=True)
+                replace(track, overturned=overturned) for track, overturned in zip(tracks, fell, strict=True)
             ]
 
         def calls() -> Generator[Callable[[], None]]:
@@ -311,10 +311,10 @@ def _run_in_space(
 ) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
     """Return RESULT of the pieces of a part, DEVICE of what holds and joins them, forces, and tracks."""
     traced = trace_draw(part.assembly, part.room, draw, shaking, gravity)
-    results, pieces = results_of(traced, shaking.times), [one.piece for one in traced.bodies]
+    results, pieces = results_of(traced, shaking.times), [body.piece for body in traced.bodies]
     peaks: PeakForces = {}
-    for place, held, own in traced.held():
-        peaks |= peak_forces(place, held, traced.trace.devices[own], 1.0)
+    for place, held, rows in traced.held():
+        peaks |= peak_forces(place, held, traced.trace.devices[rows], 1.0)
     return results, traced.trace.devices, peaks, tracks_of(pieces, traced.trace, shaking.dt)
 
 

@@ -54,7 +54,7 @@ def product(purchase: Purchase) -> Phrase:
 
 def products(fix: Fix) -> Phrase:
     """Return all that is put on a piece, as it stands within a sentence."""
-    english, japanese = joined((product(one) for one in fix.purchases), "action_plan.plus")
+    english, japanese = joined((product(purchase) for purchase in fix.purchases), "action_plan.plus")
     return inside(english), japanese
 
 
@@ -134,13 +134,13 @@ def too_weak(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | None:
     """Return that a fix is not strong enough, and what it bears and up to which shaking; None if it is."""
     if fix.enough:
         return None
-    told = [_bears(purchase) for purchase in fix.purchases if not purchase.enough]
+    sentences = [_bears(purchase) for purchase in fix.purchases if not purchase.enough]
     if fix.enough_to is None:
-        told.append(phrase("action_plan.weak_anywhere"))
+        sentences.append(phrase("action_plan.weak_anywhere"))
     else:
-        told.append(phrase("action_plan.weak_to", strength=class_phrase(fix.enough_to)))
+        sentences.append(phrase("action_plan.weak_to", strength=class_phrase(fix.enough_to)))
     weak = phrase("action_plan.weak", strength=class_phrase(plan.verdict.intensity, plan.verdict.floor))
-    return weak, joined(told, "action_plan.next")
+    return weak, joined(sentences, "action_plan.next")
 
 
 def _bears(purchase: Purchase) -> Phrase:
@@ -182,7 +182,7 @@ def falls(plan: ActionPlan) -> Phrase | None:
     names = plan.verdict.scenario.names
     after = {} if plan.together is None else dict(zip(names, plan.together.overturned, strict=True))
 
-    def told(name: str) -> Phrase:
+    def sentence(name: str) -> Phrase:
         was = share_text(before[name])
         if name not in after:
             return phrase("action_plan.piece_falls", piece=piece_name(name), was=was)
@@ -191,7 +191,7 @@ def falls(plan: ActionPlan) -> Phrase | None:
 
     often = [name for name in names if before[name] >= FALLS or (after and after[name].estimate >= FALLS)]
     often.sort(key=lambda name: -before[name])
-    return joined(map(told, often)) if often else None
+    return joined(map(sentence, often)) if often else None
 
 
 def effects(effect: RoomEffect, plan: ActionPlan, before: RoomEffect | None = None) -> Phrase:

@@ -138,18 +138,18 @@ def purchases_of(
     )
     member = replace(piece, measures=strong)
     runs = question.run([part._replace(assembly=with_piece(part.assembly, place, member))])[0]
-    found: list[Purchase] = []
+    purchases: list[Purchase] = []
     for measure in measures:
         weakest = next((element for element in held.elements if element.kind == measure.kind), None)
         if weakest is None:  # it bears no force
-            found.append(Purchase(measure))
+            purchases.append(Purchase(measure))
             continue
         normal, tangent = weakest.normal.shared(weakest.count), weakest.tangent.shared(weakest.count)
         across = min(tangent.limit_plus, tangent.limit_minus) if tangent.stiffness > 0.0 else math.inf
         holds = DeviceForces(normal.limit_plus, normal.limit_minus, across)
         needed = quantile_of(runs.peaks, (place, measure.kind)).times(MARGIN)
-        found.append(Purchase(measure, needed, holds, weakest.normal.weakest))
-    return tuple(found)
+        purchases.append(Purchase(measure, needed, holds, weakest.normal.weakest))
+    return tuple(purchases)
 
 
 def in_number(purchase: Purchase, length: float) -> Measure:
@@ -241,17 +241,17 @@ class Fix:
     @property
     def enough(self) -> bool:
         """Whether all are strong enough for the shaking of the plan, as far as computed strengths tell."""
-        return all(one.enough for one in self.purchases)
+        return all(purchase.enough for purchase in self.purchases)
 
     @property
     def kinds(self) -> tuple[str, ...]:
         """The kinds of its measures."""
-        return tuple(one.measure.kind for one in self.purchases)
+        return tuple(purchase.measure.kind for purchase in self.purchases)
 
     @property
     def drilled(self) -> bool:
         """Whether it takes holes in a wall."""
-        return any(one.measure.drilled for one in self.purchases)
+        return any(purchase.measure.drilled for purchase in self.purchases)
 
     @property
     def cost_class(self) -> int:
@@ -302,12 +302,12 @@ class PlanStep:
     @property
     def grade(self) -> Grade:
         """Its grade: that of the weakest of its inputs."""
-        return max(one.grade for one in self.inputs)
+        return max(quantity.grade for quantity in self.inputs)
 
     @property
     def weakest(self) -> tuple[Input, ...]:
         """The inputs of that grade."""
-        return tuple(one for one in self.inputs if one.grade == self.grade)
+        return tuple(quantity for quantity in self.inputs if quantity.grade == self.grade)
 
     @property
     def cost_class(self) -> int:
@@ -388,12 +388,12 @@ ALIKE = 0.005
 
 
 class Trial(NamedTuple):
-    """Measures on a piece that have run where it stands; ``own`` is the risk from its part of the room."""
+    """Measures on a piece that have run where it stands; ``piece_risk``: from its part of the room alone."""
 
     measures: tuple[Measure, ...]
     way: OtherTracks
     effect: RoomEffect
-    own: float
+    piece_risk: float
     overturns: Probability
 
 
@@ -426,11 +426,11 @@ def for_people(effect: RoomEffect) -> tuple[float, ...]:
 
 def merit(tried: Trial) -> tuple[float, ...]:
     """Return the sort key of measures on a piece: of those that bring the same, what it falls with least."""
-    own, effect = round(tried.own / ALIKE), tried.effect
+    risk, effect = round(tried.piece_risk / ALIKE), tried.effect
     ways = round(effect.shut_in.estimate / ALIKE), round(effect.blocked.estimate / ALIKE)
-    return (own, *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
+    return (risk, *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
 
 
 def frees(effect: RoomEffect) -> bool:
     """Return whether a way out is free more often, clearly or not."""
-    return any(one.estimate < 0.0 for one in (effect.shut_in_change, effect.blocked_change))
+    return any(change.estimate < 0.0 for change in (effect.shut_in_change, effect.blocked_change))

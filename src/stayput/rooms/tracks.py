@@ -77,8 +77,8 @@ class Track:
 
     def corners(self, chosen: slice | NDArray[np.intp] = slice(None)) -> NDArray[np.float64]:
         """Return where its corners are at some of the samples [m], shape (k, n, 3)."""
-        own = self.shape.corners @ np.swapaxes(self.turn[chosen], 1, 2)
-        return own + self.place[chosen][:, np.newaxis]
+        corners = self.shape.corners @ np.swapaxes(self.turn[chosen], 1, 2)
+        return corners + self.place[chosen][:, np.newaxis]
 
     def outline(self, number: int) -> NDArray[np.float64]:
         """Return what it covers in plan at the number-th of its samples: corners in order, shape (n, 2)."""
@@ -89,11 +89,11 @@ class Track:
         return replace(self, place=self.place + np.array([*shift, 0.0]))
 
 
-def at_rest(one: Piece, dt: float = 1.0) -> Track:
+def at_rest(piece: Piece, dt: float = 1.0) -> Track:
     """Return the track of a piece that stays where it stands."""
     chosen = np.zeros(1, np.intp)
-    shape = ConvexShape.of(one.solid)
-    return Track(shape, chosen, one.place[np.newaxis], one.turn[np.newaxis], np.zeros(1), dt)
+    shape = ConvexShape.of(piece.solid)
+    return Track(shape, chosen, piece.place[np.newaxis], piece.turn[np.newaxis], np.zeros(1), dt)
 
 
 def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -115,17 +115,17 @@ def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float) -> li
         Time between samples [s].
     """
     turns = matrices(frames_of(pieces, trace.attitude))
-    found: list[Track] = []
-    for b, one in enumerate(pieces):
-        shape, place, turn = ConvexShape.of(one.solid), trace.place[b], turns[b]
+    tracks: list[Track] = []
+    for b, piece in enumerate(pieces):
+        shape, place, turn = ConvexShape.of(piece.solid), trace.place[b], turns[b]
         moved = _stirring(shape, place, turn)
         v, w = trace.velocity[b, moved], trace.rotation_rate[b, moved]
-        own = np.einsum("kji,kj->ki", turn[moved], w)
+        spin = np.einsum("kji,kj->ki", turn[moved], w)
         energy = 0.5 * (
-            shape.mass * np.sum(v * v, axis=1) + np.einsum("ki,ij,kj->k", own, shape.inertia, own)
+            shape.mass * np.sum(v * v, axis=1) + np.einsum("ki,ij,kj->k", spin, shape.inertia, spin)
         )
-        found.append(Track(shape, moved, place[moved], np.ascontiguousarray(turn[moved]), energy, dt))
-    return found
+        tracks.append(Track(shape, moved, place[moved], np.ascontiguousarray(turn[moved]), energy, dt))
+    return tracks
 
 
 def track_in_plane(

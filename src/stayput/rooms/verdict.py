@@ -192,14 +192,14 @@ class RoomEffect:
     @property
     def fallen(self) -> float:
         """How many pieces overturn, on average."""
-        return sum(one.estimate for one in self.overturned)
+        return sum(chance.estimate for chance in self.overturned)
 
     def _clear(self, sign: float) -> tuple[str, ...]:
         """Return what changes clearly in one direction, each once."""
-        falls = (("overturned", one) for one in self.overturned_change)
-        ways = ("shut_in", self.shut_in_change), ("blocked", self.blocked_change)
-        changes = (("hit", self.hit_change), *ways, *falls)
-        return tuple(dict.fromkeys(name for name, one in changes if one.clear and sign * one.estimate > 0.0))
+        falls = (("overturned", change) for change in self.overturned_change)
+        others = ("hit", self.hit_change), ("shut_in", self.shut_in_change), ("blocked", self.blocked_change)
+        clear = (name for name, diff in (*others, *falls) if diff.clear and sign * diff.estimate > 0.0)
+        return tuple(dict.fromkeys(clear))
 
 
 @dataclass(frozen=True, slots=True)
@@ -314,7 +314,7 @@ class RoomVerdict(InJson):
     @property
     def best(self) -> ChangeVerdict | None:
         """The best single change, or None where none makes anything better."""
-        return next((one for one in self.changes if one.helps), None)
+        return next((change for change in self.changes if change.helps), None)
 
     def piece_changed(self, change: ChangeVerdict) -> tuple[Probability, Difference] | None:
         """Return how often the piece of a change overturns with it, and the difference; None of a place."""

@@ -99,13 +99,13 @@ def verify_room(
     total = len(groups_of(question.scenario)) * each
     with tally(total, "progress.verifying", progress, on_progress) as count:
 
-        def told(verdict: RoomVerdict) -> RoomVerdict:
+        def reported(verdict: RoomVerdict) -> RoomVerdict:
             so_far = replace(verdict, runs=count.done, seconds=time.perf_counter() - began)
             if on_verdict is not None:
                 on_verdict(so_far)
             return so_far
 
-        (*_, last) = map(told, _verdicts(question._replace(advance=count), limit, changes=changes))
+        (*_, last) = map(reported, _verdicts(question._replace(advance=count), limit, changes=changes))
     return replace(last, complete=True)
 
 
@@ -159,10 +159,10 @@ def _verdicts(question: Question, slide_limit: float, *, changes: bool) -> Itera
         known = state, verdict_of(question, state, slide_limit)
         yield known[1]
     if changes and known is not None:
-        (state, verdict), found = known, list[ChangeVerdict]()
+        (state, verdict), verdicts = known, list[ChangeVerdict]()
         for change in changes_of(question, state):
-            found.append(change)
-            yield replace(verdict, changes=in_order(found))
+            verdicts.append(change)
+            yield replace(verdict, changes=in_order(verdicts))
 
 
 def verdict_of(question: Question, state: RoomState, slide_limit: float) -> RoomVerdict:
@@ -190,7 +190,7 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
             )
         )
     pieces.sort(key=lambda piece: (-round(piece.risk, 9), -piece.probabilities["overturned"].estimate))
-    at_rest = ends.of([own[0].at_first for own in as_it_is.tracks])[0]
+    at_rest = ends.of([runs[0].at_first for runs in as_it_is.tracks])[0]
     motions, samples = shape
     return RoomVerdict(
         scenario=scenario,
@@ -238,14 +238,14 @@ def _place(number: int, question: Question, masses: Sequence[float], as_it_is: A
         HitVerdict(
             names[body],
             masses[body],
-            probability(one.happened.reshape(shape), missing),
-            _quantiles(one.speed[one.happened]),
-            _quantiles(one.energy[one.happened]),
+            probability(hits.happened.reshape(shape), missing),
+            _quantiles(hits.speed[hits.happened]),
+            _quantiles(hits.energy[hits.happened]),
         )
-        for body, one in enumerate(events.hits[number])
-        if one.happened.any()
+        for body, hits in enumerate(events.hits[number])
+        if hits.happened.any()
     ]
-    by.sort(key=lambda one: -one.probability.estimate)
+    by.sort(key=lambda hit: -hit.probability.estimate)
     return PlaceVerdict(
         question.plan.places[number],
         probability(events.hit(number).reshape(shape), missing),

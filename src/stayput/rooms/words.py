@@ -26,10 +26,10 @@ TOLD = 0.005
 
 def _within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
     """Return what something is called within a sentence: "the desk", "desk 2", "“My own”"."""
-    found = default_name(name, kinds)
-    if found is None:
+    default = default_name(name, kinds)
+    if default is None:
         return phrase("rooms.named", name=name)
-    return called(name, kinds) if found[1] else phrase("rooms.the", name=called(name, kinds))
+    return called(name, kinds) if default[1] else phrase("rooms.the", name=called(name, kinds))
 
 
 _PLACES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
@@ -54,18 +54,18 @@ def piece_name(name: str) -> Phrase:
 
 def piece_within(name: str) -> Phrase:
     """Return the same as it stands within a sentence: "the bookcase", "bookcase 2", "“My shelf”"."""
-    found = default_name(name, PIECES)
-    if found is None:
+    default = default_name(name, PIECES)
+    if default is None:
         return phrase("rooms.named", name=name)
-    return phrase("rooms.a_numbered_piece" if found[1] else "rooms.the_piece", name=piece_name(name))
+    return phrase("rooms.a_numbered_piece" if default[1] else "rooms.the_piece", name=piece_name(name))
 
 
 def _where_somebody_is(place: PersonPlace) -> Phrase:
     """Return where the person of a place is: "in bed", "at desk 2"."""
-    found = default_name(place.name, _PLACES)
-    in_bed = found == ("bed", "")  # which has no article then
+    default = default_name(place.name, _PLACES)
+    in_bed = default == ("bed", "")  # which has no article then
     name = place_name(place) if in_bed else _within(place.name, _PLACES)
-    return phrase(f"rooms.{'at' if found is None else _AT[found[0]]}_place", place=name)
+    return phrase(f"rooms.{'at' if default is None else _AT[default[0]]}_place", place=name)
 
 
 def often(share: float, cases: Phrase) -> Phrase:
@@ -97,8 +97,8 @@ def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
     stated = verdict.scenario.shaking.strength
     key = "rooms.strength_scattered" if stated is not None and stated.scatter else "rooms.strength"
     strength = say(key, language, strength=shaking_phrase(verdict))
-    told = sentence_of([say(part, language) for part in _clauses(verdict)], language)
-    return strength + (told[0].lower() + told[1:] if language == "en" else told)
+    sentence = sentence_of([say(part, language) for part in _clauses(verdict)], language)
+    return strength + (sentence[0].lower() + sentence[1:] if language == "en" else sentence)
 
 
 def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
@@ -116,18 +116,18 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
     def happens(key: str, chance: Probability, **values: Phrase) -> Phrase:
         return phrase(key, often=often(chance.estimate, next(cases)), interval=ends_of(chance), **values)
 
-    worst = sorted(verdict.places, key=lambda one: -one.hit.estimate)
-    told = [place for place in worst if place.hit.estimate >= TOLD] or [place for place in worst if place.by]
+    worst = sorted(verdict.places, key=lambda place: -place.hit.estimate)
+    hit = [place for place in worst if place.hit.estimate >= TOLD] or [place for place in worst if place.by]
     if not verdict.places:
         yield phrase("rooms.no_places")
-    elif not told:
+    elif not hit:
         next(cases)
         yield phrase("rooms.nobody_hit", count=verdict.hit.runs, cases=of_one, interval=ends_of(verdict.hit))
-    for place in told:
+    for place in hit:
         first = place.by[0]
         values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
         yield happens("rooms.hits", first.probability, **values)
-    named = {place.by[0].piece for place in told}
+    named = {place.by[0].piece for place in hit}
     falling = [piece for piece in verdict.pieces if piece.falls and piece.name not in named]
     falling.sort(key=lambda piece: -piece.probabilities["overturned"].estimate)
     if falling:
@@ -138,7 +138,7 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
     for door in verdict.doors:
         if door.blocked.estimate >= TOLD:
             yield happens("rooms.blocked", door.blocked, door=_within(door.door.name, _DOOR))
-    shut = max(verdict.places, key=lambda one: one.shut_in.estimate, default=None)
+    shut = max(verdict.places, key=lambda place: place.shut_in.estimate, default=None)
     if shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
 
@@ -163,7 +163,7 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
     assert change.at is not None
     assert change.heading is not None
     x, y = change.at
-    place = next((one.place for one in verdict.places if one.place.name == change.what), None)
+    place = next((spot.place for spot in verdict.places if spot.place.name == change.what), None)
     if place is not None and change.what not in verdict.scenario.names:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
         how = phrase("rooms.turned" if turned else "rooms.moved", place=_within(place.name, _PLACES))
@@ -186,10 +186,10 @@ def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) 
 
 def _effect(result: ChangeVerdict, verdict: RoomVerdict) -> Phrase:
     what = next(iter(result.better), "hit")
-    own = verdict.piece_changed(result) if what == "overturned" else None
+    changed = verdict.piece_changed(result) if what == "overturned" else None
     if what in ("shut_in", "blocked"):
-        own = getattr(result, what), getattr(result, f"{what}_change")
-    chance, change = own or (result.hit, result.hit_change)
+        changed = getattr(result, what), getattr(result, f"{what}_change")
+    chance, change = changed or (result.hit, result.hit_change)
     held, bare = chance.estimate, chance.estimate - change.estimate
     goes = "stays" if share_text(held) == share_text(bare) else "falls" if held < bare else "rises"
     return phrase(
@@ -202,10 +202,10 @@ def _effect(result: ChangeVerdict, verdict: RoomVerdict) -> Phrase:
 
 def tags(result: ChangeVerdict) -> list[Phrase]:
     """Return what a change is clearly better in, and what worse; that nothing is clear, where nothing is."""
-    found = [("fewer", name) for name in result.better] + [("more", name) for name in result.worse]
+    changes = [("fewer", name) for name in result.better] + [("more", name) for name in result.worse]
     # a way out that is free is more than a door
-    told = [(way, name) for way, name in found if name != "blocked" or (way, "shut_in") not in found]
-    return [phrase(f"rooms.{way}_{name}") for way, name in told] or [phrase("rooms.nothing_clear")]
+    shown = [(way, name) for way, name in changes if name != "blocked" or (way, "shut_in") not in changes]
+    return [phrase(f"rooms.{way}_{name}") for way, name in shown] or [phrase("rooms.nothing_clear")]
 
 
 def best_sentence(verdict: RoomVerdict, language: str) -> str:

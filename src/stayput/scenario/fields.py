@@ -132,10 +132,10 @@ def typed_field(about: Parameter, meaning: str | None = None, *, optional: bool 
 
 
 def _field(about: Parameter, **changed: Any) -> Any:
-    own: dict[str, Any] = {"default": about.default, "description": about.meaning} | changed
-    if own["default"] is MISSING:
-        own["default"] = ...
-    return between(about.low, about.high, about.unit, **own)
+    options: dict[str, Any] = {"default": about.default, "description": about.meaning} | changed
+    if options["default"] is MISSING:
+        options["default"] = ...
+    return between(about.low, about.high, about.unit, **options)
 
 
 def one_of(names: Collection[str], kind: str | None = None) -> Any:

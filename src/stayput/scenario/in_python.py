@@ -80,8 +80,8 @@ def scenario_of(
     }
     stated: dict[str, Any] = {}
     if motions is None:
-        given = {"intensity": shaking} if isinstance(shaking, str | float | int) else shaking
-        stated = dict(cast("Mapping[str, Any]", given))
+        table = {"intensity": shaking} if isinstance(shaking, str | float | int) else shaking
+        stated = dict(cast("Mapping[str, Any]", table))
     for name, value, kind in (("building", building, (Building, ShearModel)), ("storey", storey, int)):
         if value is not None:
             if name in stated:
@@ -89,16 +89,16 @@ def scenario_of(
             stated[name] = instance_of(name, _plain(value), kind)
     data["shaking"] = stated
     sets = named_sets(() if measures is None else measures)
-    in_files = all(type(one) is MEASURES.get(one.kind) for named in sets for one in named.measures)
+    in_files = all(type(item) is MEASURES.get(item.kind) for named in sets for item in named.measures)
     if sets and in_files:
         data["measures"] = [
-            {"name": named.name, "combine": [table_of(one) for one in named.measures]} for named in sets
+            {"name": named.name, "combine": [table_of(item) for item in named.measures]} for named in sets
         ]
     scenario = Scenario.parse(data | _plain(dict(tables)))
     if uncertainty is not None:
         instance_of("uncertainty", uncertainty, Uncertainty)
-    own = None if in_files and (sets or measures is None) else sets
-    return scenario.with_python(motions, own, uncertainty)
+    compared = None if in_files and (sets or measures is None) else sets
+    return scenario.with_python(motions, compared, uncertainty)
 
 
 def scenario_of_case(
@@ -111,34 +111,34 @@ def scenario_of_case(
     """Make a scenario of a case; its own measures are compared with none, beside others."""
     if case.contact != "coulomb":
         raise InputError("verification.needs_coulomb", "contact", contact=case.contact)
-    own = named_sets([case.measures]) if case.measures else []
+    in_place = named_sets([case.measures]) if case.measures else []
     own_tables = {
         "initial": asdict(case.initial),
         "gravity": case.gravity,
         "dimensions": 3 if case.in_space else 2,
     }
     further = named_sets(() if measures is None else measures)
-    sets = {one.name: one.measures for one in (*own, *further)}
+    sets = {named.name: named.measures for named in (*in_place, *further)}
     tables = dict(tables) | own_tables
-    compared = None if measures is None and not own else sets
+    compared = None if measures is None and not in_place else sets
     return scenario_of(case.body, case.room, case.motion, compared, uncertainty, tables=tables)
 
 
 def named_sets(measures: MeasureSets) -> list[NamedMeasures]:
     """Return measures that are compared under their names: one's own, or those of their kinds."""
     if isinstance(measures, Mapping):
-        return [NamedMeasures(name, _together(one)) for name, one in measures.items()]
-    sets = [_together(one) for one in list_of("measures", measures)]
-    return [NamedMeasures(" + ".join(one.kind for one in together), together) for together in sets]
+        return [NamedMeasures(name, _together(members)) for name, members in measures.items()]
+    sets = [_together(members) for members in list_of("measures", measures)]
+    return [NamedMeasures(" + ".join(measure.kind for measure in together), together) for together in sets]
 
 
-def _together(given: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
-    if isinstance(given, str):
-        raise InputError("scenario.measure_by_name", "measures", value=repr(given))
-    if isinstance(given, tuple | list):
-        together = list_of("measures", given, Measure)
+def _together(measures: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
+    if isinstance(measures, str):
+        raise InputError("scenario.measure_by_name", "measures", value=repr(measures))
+    if isinstance(measures, tuple | list):
+        together = list_of("measures", measures, Measure)
     else:
-        together = (instance_of("measures", given, Measure),)
+        together = (instance_of("measures", measures, Measure),)
     refuse_conflicts(together)
     return together
 
@@ -146,7 +146,7 @@ def _together(given: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
 def _plain(value: Any) -> Any:
     """Return a value with Python's own numbers in the place of NumPy's single ones, also within mappings."""
     if isinstance(value, Mapping):
-        return {key: _plain(one) for key, one in cast("Mapping[Any, Any]", value).items()}
+        return {key: _plain(item) for key, item in cast("Mapping[Any, Any]", value).items()}
     single = isinstance(value, np.generic | np.ndarray) and value.ndim == 0
     return cast("np.generic", value).item() if single else cast("Any", value)
 
@@ -166,12 +166,12 @@ def _motions(shaking: StatedShaking) -> Suite | None:
 
 def _set_fields(value: Body | Floor | Wall | Ceiling, base: Floor | None = None) -> dict[str, Any]:
     """Return the fields of a value that say something, or differ from another; with lists for tuples."""
-    found: dict[str, Any] = {}
-    for one in fields(value):
-        own: object = getattr(value, one.name)
-        if own is not None and (base is None or own != getattr(base, one.name)):
-            found[one.name] = [*cast("tuple[float, float]", own)] if isinstance(own, tuple) else own
-    return found
+    table: dict[str, Any] = {}
+    for field in fields(value):
+        entry: object = getattr(value, field.name)
+        if entry is not None and (base is None or entry != getattr(base, field.name)):
+            table[field.name] = [*cast("tuple[float, float]", entry)] if isinstance(entry, tuple) else entry
+    return table
 
 
 def _room_table(room: Room) -> dict[str, Any]:
@@ -181,7 +181,7 @@ def _room_table(room: Room) -> dict[str, Any]:
         "floor": _set_fields(room.floor, base) | ({"surface": surface} if surface else {})
     }
     for name in (*WALLS_AROUND, "ceiling"):
-        own: Wall | Ceiling | None = getattr(room, name)
-        if own is not None:
-            table[name] = _set_fields(own)
+        around: Wall | Ceiling | None = getattr(room, name)
+        if around is not None:
+            table[name] = _set_fields(around)
     return table

@@ -93,7 +93,7 @@ def _table_of(kind: str, measure: type[Measure]) -> type[MeasureTable]:
     return create_model(name, __base__=MeasureTable, __doc__=measure.about[0], **fields)
 
 
-TABLES: dict[str, type[MeasureTable]] = {kind: _table_of(kind, one) for kind, one in MEASURES.items()}
+TABLES: dict[str, type[MeasureTable]] = {kind: _table_of(kind, measure) for kind, measure in MEASURES.items()}
 """The table of each kind of measure."""
 
 
@@ -116,7 +116,7 @@ _TAGGED: list[Any] = [Annotated[table, Tag(f"<{kind}>")] for kind, table in TABL
 if TYPE_CHECKING:
     SingleChoice = MeasureTable
 else:
-    SingleChoice = Annotated[reduce(lambda one, other: one | other, _TAGGED), Discriminator(_tag)]
+    SingleChoice = Annotated[reduce(lambda a, b: a | b, _TAGGED), Discriminator(_tag)]
 
 
 class CombinedTable(Table):
@@ -135,18 +135,18 @@ class CombinedTable(Table):
     @property
     def title(self) -> str:
         """What they are called."""
-        return self.name or " + ".join(one.type_name for one in self.combine)
+        return self.name or " + ".join(table.type_name for table in self.combine)
 
     def measures(self) -> tuple[Measure, ...]:
         """Make what is in place together."""
-        return tuple(one.measure() for one in self.combine)
+        return tuple(table.measure() for table in self.combine)
 
 
 if TYPE_CHECKING:
     MeasureChoice = MeasureTable | CombinedTable
 else:
     _COMBINED = Annotated[CombinedTable, Tag(f"<{COMBINE}>")]
-    MeasureChoice = Annotated[reduce(lambda one, other: one | other, _TAGGED, _COMBINED), Discriminator(_tag)]
+    MeasureChoice = Annotated[reduce(lambda a, b: a | b, _TAGGED, _COMBINED), Discriminator(_tag)]
 """A measure, or several together."""
 
 
@@ -161,14 +161,14 @@ def of_known_type(place: str = "measures", *, nested: bool = False) -> BeforeVal
         Whether none of them may combine several.
     """
 
-    def check(given: object) -> object:
-        _refuse_wrong_type(given, place, nested=nested)
-        return given
+    def check(value: object) -> object:
+        _refuse_wrong_type(value, place, nested=nested)
+        return value
 
     return BeforeValidator(check)
 
 
-def _refuse_wrong_type(given: object, place: str, *, nested: bool) -> None:
+def _refuse_wrong_type(value: object, place: str, *, nested: bool) -> None:
     """Refuse a measure of no type, or of one that there is not; the tables check the rest.
 
     Raises
@@ -176,14 +176,14 @@ def _refuse_wrong_type(given: object, place: str, *, nested: bool) -> None:
     InputError
         What is wrong.
     """
-    for number, one in enumerate(cast("list[object]", given) if isinstance(given, list) else ()):
+    for number, item in enumerate(cast("list[object]", value) if isinstance(value, list) else ()):
         name = f"{place}[{number}]"
-        if isinstance(one, BaseModel):
+        if isinstance(item, BaseModel):
             continue
-        if not isinstance(one, dict):
+        if not isinstance(item, dict):
             allowed = phrase("scenario.table_with_type" if nested else "scenario.one_of_tables")
-            raise InputError("common.not_allowed", name, value=shown(one), hint="", allowed=allowed)
-        table, of_type = cast("dict[str, object]", one), f"{name}.type"
+            raise InputError("common.not_allowed", name, value=shown(item), hint="", allowed=allowed)
+        table, of_type = cast("dict[str, object]", item), f"{name}.type"
         if COMBINE in table and not nested:
             if "type" in table:
                 raise InputError("scenario.only_one", of_type, other=f"{name}.{COMBINE}")

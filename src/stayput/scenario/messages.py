@@ -32,7 +32,7 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
     within : str
         Dotted name of that table; "" for a whole scenario.
     """
-    error = min(errors, key=lambda one: one["type"] != "extra_forbidden")
+    error = min(errors, key=lambda detail: detail["type"] != "extra_forbidden")
     place = error["loc"]
     name = _dotted(place) if not within else f"{within}.{_dotted(place)}"
     if error["type"] == "extra_forbidden":
@@ -51,8 +51,8 @@ def _in_its_list(error: InputError, place: str) -> InputError:
     """Return a refusal of a table of a list, "furniture.mass", with its place there: "furniture[1].mass"."""
     plain = re.sub(r"\[\d+\]", "", place)
     beginning = re.compile(rf"\b{re.escape(plain)}(?=[.\[\]])")
-    found = error.rewritten(lambda text: beginning.sub(place, text))
-    return found.about(place) if error.field == plain else found
+    renamed = error.rewritten(lambda text: beginning.sub(place, text))
+    return renamed.about(place) if error.field == plain else renamed
 
 
 def _unknown_key(name: str, place: Sequence[str | int], schema: dict[str, Any]) -> InputError:
@@ -103,7 +103,7 @@ def kinds(node: dict[str, Any], schema: dict[str, Any]) -> list[dict[str, Any]]:
         return kinds(schema["$defs"][node["$ref"].rsplit("/", 1)[-1]], schema)
     several = node.get("anyOf") or node.get("oneOf")
     if several:
-        return [kind for one in several if one.get("type") != "null" for kind in kinds(one, schema)]
+        return [kind for option in several if option.get("type") != "null" for kind in kinds(option, schema)]
     return [node]
 
 
@@ -132,16 +132,16 @@ def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
     return node
 
 
-def _allowed(node: dict[str, Any], schema: dict[str, Any], given: object = None) -> Phrase:
+def _allowed(node: dict[str, Any], schema: dict[str, Any], value: object = None) -> Phrase:
     """Return what a node of the schema allows, in words; where a name was given, no table beside names."""
     allowed = kinds(node, schema)
-    if isinstance(given, str) and any("enum" in kind for kind in allowed):
+    if isinstance(value, str) and any("enum" in kind for kind in allowed):
         allowed = [kind for kind in allowed if "properties" not in kind]
     if sum("properties" in kind for kind in allowed) > 1:
         return phrase("scenario.one_of_tables")
     several = [_in_words(kind, schema) for kind in allowed]
     english, japanese = (
-        say("scenario.or", language).join(one[place] for one in several)
+        say("scenario.or", language).join(words[place] for words in several)
         for place, language in enumerate(LANGUAGES)
     )
     return english, japanese

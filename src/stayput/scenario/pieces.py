@@ -47,7 +47,7 @@ PointOfRoom = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
 
 def in_place(tables: Sequence[SingleChoice] | None) -> tuple[Measure, ...]:
     """Make the measures that are in place together."""
-    return tuple(one.measure() for one in tables or ())
+    return tuple(table.measure() for table in tables or ())
 
 
 @fields_of(
@@ -112,8 +112,8 @@ class PieceTable(ValueTable):
     def _check_shape(self) -> None:
         """Raise `InputError` where it has no shape, or two."""
         shape = {*(about.name for about in parameters(Body)), *_ROUND, "mesh", "preset", "shelves"}
-        given = {key for key in shape - {"mass", "base"} if getattr(self, key) is not None}
-        if not self.is_furniture and given not in _SHAPES:
+        stated = {key for key in shape - {"mass", "base"} if getattr(self, key) is not None}
+        if not self.is_furniture and stated not in _SHAPES:
             raise InputError("scenario.one_shape", "furniture", name=self.title)
         for key in () if self.preset else ("width", "height", "mass"):
             if getattr(self, key) is None and (self.is_furniture or key == "mass"):
@@ -159,12 +159,12 @@ class PieceTable(ValueTable):
         """
         if self.is_furniture:
             return self.body()
-        own = {"mass": self.mass} | ({} if self.base is None else {"base": self.base})
+        known = {"mass": self.mass} | ({} if self.base is None else {"base": self.base})
         if self.mesh is not None:
-            return Body.mesh(folder / self.mesh, unit=self.unit or "", **own)
+            return Body.mesh(folder / self.mesh, unit=self.unit or "", **known)
         if self.diameter is not None:
-            return Body.cylinder(self.diameter, self.height, **own)
-        return Body.cone(self.bottom or 0.0, self.top or 0.0, self.height, **own)
+            return Body.cylinder(self.diameter, self.height, **known)
+        return Body.cone(self.bottom or 0.0, self.top or 0.0, self.height, **known)
 
 
 class JointTable(Table):
@@ -192,8 +192,8 @@ class JointTable(Table):
         InputError
             One that is not possible.
         """
-        given = self.model_dump(exclude={"first", "second"}, exclude_none=True)
-        return Joint(names.index(self.first), names.index(self.second), **given)
+        stated = self.model_dump(exclude={"first", "second"}, exclude_none=True)
+        return Joint(names.index(self.first), names.index(self.second), **stated)
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,4 +240,4 @@ class OptionTable(Table):
 
     def on(self, name: str) -> tuple[Measure, ...]:
         """Make the measures on a piece."""
-        return tuple(one for held in self.pieces if held.name == name for one in in_place(held.measures))
+        return tuple(item for held in self.pieces if held.name == name for item in in_place(held.measures))

@@ -64,6 +64,6 @@ class PlaceTable(ValueTable):
 
     def place(self) -> PersonPlace:
         """Make the place."""
-        given = self.model_dump(exclude={"name", "kind", "at", "heading"}, exclude_none=True)
+        stated = self.model_dump(exclude={"name", "kind", "at", "heading"}, exclude_none=True)
         made = PersonPlace.of(self.kind, (self.at[0], self.at[1]), self.heading, self.name)
-        return replace(made, **given)
+        return replace(made, **stated)

@@ -161,7 +161,7 @@ class Scenario(SceneTables):
     def in_python(self) -> dict[str, Any]:
         """What was given as Python objects and a file does not say; None each where it was not."""
         quantities, stated = self.uncertainty.quantities, self.uncertainty.as_stated
-        drawn = {name: one for name, one in quantities.marginals.items() if name not in stated}
+        drawn = {name: marginal for name, marginal in quantities.marginals.items() if name not in stated}
         return {
             "motions": self.shaking.in_python,
             "building": self.shaking.building and self.shaking.building.in_python,

@@ -305,8 +305,8 @@ def refuse_what_stands_wrong(scenario: SceneTables, plan: FloorPlan, whole: Asse
         called = repr(names[number])
         if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
             values: dict[str, Any] = {"width": plan.width, "length": plan.length}
-            for axis, one in enumerate("xy"):
-                values |= {f"low_{one}": float(low[axis]), f"high_{one}": float(high[axis])}
+            for axis, letter in enumerate("xy"):
+                values |= {f"low_{letter}": float(low[axis]), f"high_{letter}": float(high[axis])}
             raise InputError("rooms.in_a_wall", name, name=called, **values)
         if low[2] < -DEEPEST:
             values = {"body": called, "depth": -float(low[2]), "surface": phrase("simulation.floor")}

@@ -197,9 +197,9 @@ class ShakingTable(Table):
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        given = [key for key in SOURCES if getattr(self, key) is not None]
-        if len(given) > 1:
-            first, second = (f"shaking.{key}" for key in given[:2])
+        sources = [key for key in SOURCES if getattr(self, key) is not None]
+        if len(sources) > 1:
+            first, second = (f"shaking.{key}" for key in sources[:2])
             raise InputError("scenario.only_one", second, other=first)
         if self.record is None:
             of_folders = () if isinstance(self.suite, str) else ("component", "unit", *sorted(OPTIONS))
@@ -210,11 +210,11 @@ class ShakingTable(Table):
                 value = repr(self.vertical)
                 raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
         chosen_columns(self.columns, "shaking.columns")
-        stated = [f"shaking.{key}" for key in STRENGTHS if getattr(self, key) is not None]
-        if len(stated) > 1:
-            raise InputError("scenario.only_one", stated[1], name=stated[1], other=stated[0])
-        if self.scale is not None and stated:
-            raise InputError("scenario.only_one", "shaking.scale", other=stated[0])
+        strengths = [f"shaking.{key}" for key in STRENGTHS if getattr(self, key) is not None]
+        if len(strengths) > 1:
+            raise InputError("scenario.only_one", strengths[1], name=strengths[1], other=strengths[0])
+        if self.scale is not None and strengths:
+            raise InputError("scenario.only_one", "shaking.scale", other=strengths[0])
         if self.member is not None and not self.of_a_suite:
             raise InputError("scenario.member_of_one", "shaking.member")
         self._check_building()
@@ -222,8 +222,8 @@ class ShakingTable(Table):
 
     def _check_building(self) -> None:
         if (self.building is None) != (self.storey is None):
-            given, missing = ("storey", "building") if self.building is None else ("building", "storey")
-            name, other = f"shaking.{given}", f"shaking.{missing}"
+            stated, missing = ("storey", "building") if self.building is None else ("building", "storey")
+            name, other = f"shaking.{stated}", f"shaking.{missing}"
             raise InputError("scenario.needs_both", name, other=other)
         if self.building is not None and self.storey is not None and self.storey > self.building.highest():
             allowed = phrase("scenario.roof", roof=self.building.highest())
@@ -248,7 +248,7 @@ class ShakingTable(Table):
         if self._in_python is not None:
             return len(self._in_python) > 1
         single = (self.record, self.sine, self.builtin)
-        return self.suite is not None or (self.strength is not None and all(one is None for one in single))
+        return self.suite is not None or (self.strength is not None and all(key is None for key in single))
 
     def motion(self, folder: Path) -> Motion:
         """Make the motion under the furniture; of a suite, that of its ``member``.
@@ -274,8 +274,8 @@ class ShakingTable(Table):
         InputError
             A record cannot be read.
         """
-        given = self._given(folder)
-        floor = self._on_floor(Suite(tuple(map(self._scaled, given)), given.name))
+        suite = self._given(folder)
+        floor = self._on_floor(Suite(tuple(map(self._scaled, suite)), suite.name))
         return Suite(tuple(map(self._with_vertical, floor)), floor.name)
 
     def ground(self, folder: Path) -> Suite:
@@ -290,14 +290,14 @@ class ShakingTable(Table):
             A record cannot be read, or is of an upper floor where the strength of the ground is stated, or
             others are of the ground.
         """
-        given, strength = self._given(folder), self.strength
-        if strength is not None or not all(motion.floor for motion in given):
-            for motion in given:
+        suite, strength = self._given(folder), self.strength
+        if strength is not None or not all(motion.floor for motion in suite):
+            for motion in suite:
                 of_the_ground(motion, "suite" if strength is None else "strength")
         if strength is None or strength.measure == "JMA":
-            return given
-        unit = (motion.scaled(1.0 / strength.peak(motion)) for motion in given)
-        return Suite(tuple(unit), given.name)
+            return suite
+        unit = (motion.scaled(1.0 / strength.peak(motion)) for motion in suite)
+        return Suite(tuple(unit), suite.name)
 
     @property
     def stated(self) -> str | None:
@@ -308,8 +308,8 @@ class ShakingTable(Table):
     def strength(self) -> GroundStrength | None:
         """What the ground is scaled to; None where the motions keep their own strength."""
         if self.intensity is not None:
-            given = self.intensity
-            return strength_of_intensity(intensity_of_class(given) if isinstance(given, str) else given)
+            stated = self.intensity
+            return strength_of_intensity(intensity_of_class(stated) if isinstance(stated, str) else stated)
         if self.sa is not None:
             return strength_of_sa(self.sa.period, self.sa.value)
         if self.earthquake is not None:

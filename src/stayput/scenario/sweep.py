@@ -140,10 +140,10 @@ def _with(node: Any, parts: list[str], value: Any, path: str) -> Any:
     """Return a node with another value at a path below it; the node itself stays as it is."""
     if not parts:
         return value
-    found = _PART.fullmatch(parts[0])
-    if found is None or not isinstance(node, dict):
+    match = _PART.fullmatch(parts[0])
+    if match is None or not isinstance(node, dict):
         raise InputError("scenario.no_such_path", path, path=path)
-    table, (key, place) = cast("dict[str, Any]", node), found.groups()
+    table, (key, place) = cast("dict[str, Any]", node), match.groups()
     below: Any = table.get(key, {} if len(parts) > 1 else None)
     if isinstance(below, list) and (place is not None or len(parts) > 1):
         items = cast("list[Any]", below)

@@ -85,8 +85,8 @@ class ContentsTable(ValueTable):
         loads = self.loads
         if loads is None and not {"shelves", "mass_share"} & self.model_fields_set:
             loads = shelves
-        given = self.model_dump(exclude={"loads"})
-        return Contents(**given, loads=None if loads is None else tuple(loads))
+        stated = self.model_dump(exclude={"loads"})
+        return Contents(**stated, loads=None if loads is None else tuple(loads))
 
 
 @fields_of(Floor, optional=("static_friction", "kinetic_friction", "settlement"))
@@ -102,13 +102,13 @@ class FloorTable(ValueTable):
 
     def floor(self) -> Floor:
         """Make the floor."""
-        given = self.model_dump(exclude={"surface"}, exclude_none=True)
-        return replace(Floor() if self.surface is None else Floor.of(self.surface), **given)
+        stated = self.model_dump(exclude={"surface"}, exclude_none=True)
+        return replace(Floor() if self.surface is None else Floor.of(self.surface), **stated)
 
 
-def floor_of(given: str | FloorTable) -> Floor:
+def floor_of(floor: str | FloorTable) -> Floor:
     """Make the floor of a surface preset or of a table."""
-    return Floor.of(given) if isinstance(given, str) else given.floor()
+    return Floor.of(floor) if isinstance(floor, str) else floor.floor()
 
 
 @fields_of(Wall)
@@ -249,16 +249,16 @@ class BuildingTable(ValueTable):
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        own = self.masses is not None or self.stiffnesses is not None
-        if own and (self.masses is None or self.stiffnesses is None):
-            given, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
-            name, other = f"shaking.building.{given}", f"shaking.building.{missing}"
+        in_detail = self.masses is not None or self.stiffnesses is not None
+        if in_detail and (self.masses is None or self.stiffnesses is None):
+            stated, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
+            name, other = f"shaking.building.{stated}", f"shaking.building.{missing}"
             raise InputError("scenario.needs_both", name, other=other)
-        for key in REGULAR if own else ():
+        for key in REGULAR if in_detail else ():
             if key in self.model_fields_set and getattr(self, key) not in (None, False):
                 name = f"shaking.building.{key}"
                 raise InputError("scenario.only_one", name, other="shaking.building.masses")
-        if not own and self.storeys is None:
+        if not in_detail and self.storeys is None:
             name, allowed = "shaking.building.storeys", parameter_of(Building, "storeys")
             words = phrase("scenario.whole_number", low=allowed.low, high=allowed.high, unit="")
             raise InputError("scenario.missing", name, allowed=words)
@@ -277,8 +277,8 @@ class BuildingTable(ValueTable):
                 vertical_amplification=self.vertical_amplification,
                 name=f"{len(self.masses)}-mass building",
             )
-        given = self.model_dump(exclude={"masses", "stiffnesses"}, exclude_none=True)
-        return Building(**given)
+        stated = self.model_dump(exclude={"masses", "stiffnesses"}, exclude_none=True)
+        return Building(**stated)
 
     @property
     def yields(self) -> bool:

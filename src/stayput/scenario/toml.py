@@ -115,10 +115,10 @@ def _refused(file: Path, why: str, **values: object) -> InputError:
 
 def _refuse_excess(file: Path, text: str) -> None:
     """Refuse what goes beyond the bounds; the text is not yet known to be TOML."""
-    bare = _LITERAL.sub(lambda found: "" if found[0].startswith("#") else "s", text)
+    bare = _LITERAL.sub(lambda match: "" if match[0].startswith("#") else "s", text)
     depth = 0
-    for found in _BRACKET.finditer(bare):
-        depth = depth + 1 if found[0] in "[{" else max(0, depth - 1)
+    for bracket in _BRACKET.finditer(bare):
+        depth = depth + 1 if bracket[0] in "[{" else max(0, depth - 1)
         if depth > DEEPEST:
             raise _refused(file, "too_deep", most=DEEPEST)
     dots = (part.count(".") for part in _BETWEEN_KEYS.split(bare))
@@ -131,8 +131,8 @@ def _whole_numbers(value: object) -> Iterator[int]:
     if isinstance(value, int):
         yield value
     elif isinstance(value, dict):
-        for one in cast("dict[str, Any]", value).values():
-            yield from _whole_numbers(one)
+        for item in cast("dict[str, Any]", value).values():
+            yield from _whole_numbers(item)
     elif isinstance(value, list):
-        for one in cast("list[Any]", value):
-            yield from _whole_numbers(one)
+        for item in cast("list[Any]", value):
+            yield from _whole_numbers(item)

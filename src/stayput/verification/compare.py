@@ -139,9 +139,9 @@ def compare(
         installed: dict[str, AsInstalled] = {}
         if faulty:
             bad = _rows(tuple(option for option, *_ in faulty), scenario, settings, samples)
-            found = run_level(bad, floors, threads=threads, progress=count)
+            bad_runs = run_level(bad, floors, threads=threads, progress=count)
             well = {option.name: runs for option, runs in zip(options, here, strict=True)}
-            for (option, how, share), runs in zip(faulty, found, strict=True):
+            for (option, how, share), runs in zip(faulty, bad_runs, strict=True):
                 installed[option.name] = _as_installed(how, share, well[option.name], runs, limit)
         inside = contents_verdicts(options, scenario, floors, settings.seed, threads)
         floors_at = cache(partial(hazard.at, threads=threads))
@@ -186,13 +186,13 @@ def _badly_installed(
     options: tuple[Option, ...], scenario: Scenario
 ) -> list[tuple[Option, tuple[Phrase, ...], float]]:
     """Return the options badly installed of which the scenario asks a share, what is wrong, and the share."""
-    found: list[tuple[Option, tuple[Phrase, ...], float]] = []
+    faulty: list[tuple[Option, tuple[Phrase, ...], float]] = []
     for option in options:
         bad, wrong = option.badly_installed(scenario.room.room()) or (option, ())
         share = scenario.uncertainty.badly(max(each.share for each in wrong)) if wrong else 0.0
         if share > 0.0:
-            found.append((bad, tuple(each.how for each in wrong), share))
-    return found
+            faulty.append((bad, tuple(each.how for each in wrong), share))
+    return faulty
 
 
 def _as_installed(
@@ -268,21 +268,21 @@ def ranked_outcomes(
     slide_limit : float
         Slide that counts as too far [m].
     """
-    chances, bare, others = [one.probabilities(slide_limit) for one in runs], runs[0], len(runs) - 1
+    chances, bare, count = [each.probabilities(slide_limit) for each in runs], runs[0], len(runs) - 1
     order = sorted(range(len(runs)), key=lambda i: (*severity(chances[i], costs[i]), i))
     for rank, i in enumerate(order, start=1):
-        own, missing = runs[i], runs[i].missing | bare.missing
-        typical, worst = members(own)
-        told: dict[str, Any] = {
+        held, missing = runs[i], runs[i].missing | bare.missing
+        typical, worst = members(held)
+        fields: dict[str, Any] = {
             "rank": rank,
             "probabilities": chances[i],
-            "change": difference(own.overturned, bare.overturned, missing, comparisons=others) if i else None,
-            "slide": Quantiles.of(own.slide, own.overturned),
-            "tilt": Quantiles.of(own.tilt, own.overturned),
+            "change": difference(held.overturned, bare.overturned, missing, comparisons=count) if i else None,
+            "slide": Quantiles.of(held.slide, held.overturned),
+            "tilt": Quantiles.of(held.tilt, held.overturned),
             "typical": typical,
             "worst": worst,
         }
-        yield i, told
+        yield i, fields
 
 
 def device_summary(
@@ -401,11 +401,11 @@ def _verdicts_of_several(
             pieces=tuple(
                 PieceVerdict(
                     name,
-                    own.probabilities(slide_limit),
-                    Quantiles.of(own.slide, own.overturned),
-                    Quantiles.of(own.tilt, own.overturned),
+                    outcomes.probabilities(slide_limit),
+                    Quantiles.of(outcomes.slide, outcomes.overturned),
+                    Quantiles.of(outcomes.tilt, outcomes.overturned),
                 )
-                for name, own in zip(scenario.names, runs[i].of_bodies(), strict=True)
+                for name, outcomes in zip(scenario.names, runs[i].of_bodies(), strict=True)
             ),
             devices=_devices(scenario, assemblies[i], runs[i]),
         )
@@ -415,12 +415,12 @@ def _verdicts_of_several(
 
 def _devices(scenario: Scenario, assembly: Assembly, runs: RunsOfSeveral) -> tuple[DeviceOfSeveral, ...]:
     """Return a summary of each device and joint, in the order of the runs'."""
-    names, found = scenario.names, list[DeviceOfSeveral]()
+    names, devices = scenario.names, list[DeviceOfSeveral]()
     for name, body in zip(names, placed(assembly.members, scenario.surroundings()), strict=True):
         for element in () if body.held is None else body.held.elements:
-            summary = device_summary(element.kind, element, len(found), runs)
-            found.append(DeviceOfSeveral((name,), summary))
+            summary = device_summary(element.kind, element, len(devices), runs)
+            devices.append(DeviceOfSeveral((name,), summary))
     for joint in assembly.joints:
         pieces = names[joint.first], names[joint.second]
-        found.append(DeviceOfSeveral(pieces, device_summary(JOINT, None, len(found), runs)))
-    return tuple(found)
+        devices.append(DeviceOfSeveral(pieces, device_summary(JOINT, None, len(devices), runs)))
+    return tuple(devices)

@@ -64,7 +64,7 @@ class Leaving:
     @classmethod
     def of(cls, spilt: Sequence[Spill]) -> Leaving | None:
         """Return how things leave over several runs; none where nothing leaves a piece that stands."""
-        standing = (_leaving(one) for one in spilt if not one.overturned)
+        standing = (_leaving(spill) for spill in spilt if not spill.overturned)
         heights, speeds = np.concatenate([np.zeros((2, 0)), *standing], axis=1)
         if not len(heights):
             return None
@@ -144,7 +144,7 @@ def contents_verdicts(
     def overturns(other: Body) -> list[Probability]:
         """Return how often another body overturns, by option."""
         runs = run_level(rows(other), floors, threads=threads)
-        return [probability(one.overturned, one.missing) for one in runs]
+        return [probability(outcomes.overturned, outcomes.missing) for outcomes in runs]
 
     spilt = _followed(rows(body), body, contents, floors, threads)
     less = overturns(emptied(body, contents))
@@ -157,7 +157,7 @@ def contents_verdicts(
             wide = [probability(fallen, ~fallen)] * len(options)
         else:
             wide = overturns(pulled_out)
-    return [_verdict(*one, contents) for one in zip(spilt, less, wide, strict=True)]
+    return [_verdict(*parts, contents) for parts in zip(spilt, less, wide, strict=True)]
 
 
 def runs_of_contents(contents: Contents, motions: int) -> int:
@@ -213,8 +213,8 @@ def spilt_under(
 def share_out(spilt: Sequence[Spill | None], contents: Contents) -> Probability:
     """Return the share of the items that come out, over the runs that were not given up."""
     each = contents.levels * contents.items
-    items = np.array([0 if one is None else each for one in spilt])
-    out = np.array([0 if one is None else np.count_nonzero(one.out) for one in spilt])
+    items = np.array([0 if spill is None else each for spill in spilt])
+    out = np.array([0 if spill is None else np.count_nonzero(spill.out) for spill in spilt])
     return probability_of_counts(out, items, each - items)
 
 
@@ -223,7 +223,7 @@ def _followed(
 ) -> list[list[Spill | None]]:
     """Return what comes out of each option under each motion."""
     floor = PreparedFloor.of(floors.motions, floors.scales, floors.dimensions)
-    found: list[list[Spill | None]] = [[None] * len(floors.motions) for _ in rows]
+    spills: list[list[Spill | None]] = [[None] * len(floors.motions) for _ in rows]
 
     def follow(place: int, number: int) -> tuple[int, int, Spill | None]:
         return place, number, spilt_under(rows[place], number, floor, body, contents, leaving=True)
@@ -231,20 +231,20 @@ def _followed(
     places = np.ndindex(len(rows), len(floors.motions))
     with Pool(threads) as pool:
         for _, (place, number, spilt) in pool.as_completed(partial(follow, *at) for at in places):
-            found[place][number] = spilt
-    return found
+            spills[place][number] = spilt
+    return spills
 
 
 def _verdict(
     spilt: Sequence[Spill | None], empty: Probability, open_: Probability | None, contents: Contents
 ) -> ContentsVerdict:
-    made = [one for one in spilt if one is not None]
-    fell = np.array([one is not None and one.overturned for one in spilt])
+    made = [spill for spill in spilt if spill is not None]
+    fell = np.array([spill is not None and spill.overturned for spill in spilt])
     return ContentsVerdict(
         out=share_out(spilt, contents),
-        toppled=float(np.mean([one.share_toppled for one in made])) if made else np.nan,
-        mass_out=float(np.mean([one.mass_out for one in made])) if made else np.nan,
-        rigid=probability(fell[:, np.newaxis], np.array([one is None for one in spilt])[:, np.newaxis]),
+        toppled=float(np.mean([spill.share_toppled for spill in made])) if made else np.nan,
+        mass_out=float(np.mean([spill.mass_out for spill in made])) if made else np.nan,
+        rigid=probability(fell[:, np.newaxis], np.array([spill is None for spill in spilt])[:, np.newaxis]),
         emptied=empty,
         opened=open_,
         leaving=Leaving.of(made),

@@ -180,21 +180,21 @@ def verify(
     in_python = {"room": room, "shaking": shaking, **place, "measures": measures, "uncertainty": uncertainty}
     if isinstance(what, str | PathLike):
         raise InputError("scenario.only_a_path", "what", value=repr(str(what)))
-    given = instance_of("what", what, (Scenario, Case, Body))
+    subject = instance_of("what", what, (Scenario, Case, Body))
     tables: dict[str, Any] = {"uncertainty": stated} if stated else {}
-    match given:
+    match subject:
         case Body():
             if shaking is None:
                 raise InputError("verification.no_shaking", "shaking")
             scenario = scenario_of(
-                given, room or Room(), shaking, measures, uncertainty, **place, tables=tables
+                subject, room or Room(), shaking, measures, uncertainty, **place, tables=tables
             )
         case Case():
-            _refuse_beside(given, {key: in_python[key] for key in ("room", "shaking", *place)})
-            scenario = scenario_of_case(given, measures, uncertainty, tables=tables)
+            _refuse_beside(subject, {key: in_python[key] for key in ("room", "shaking", *place)})
+            scenario = scenario_of_case(subject, measures, uncertainty, tables=tables)
         case _:
-            _refuse_beside(given, in_python | settings)
-            scenario = given
+            _refuse_beside(subject, in_python | settings)
+            scenario = subject
     if scenario.plan is not None:
         raise InputError("rooms.use_verify_room", "what")
     if not scenario.alone:
@@ -202,14 +202,14 @@ def verify(
             raise InputError("several.levels", "levels")
         return verify_several(scenario, **runs)
     further = list_of("intensity_measures", intensity_measures, IntensityMeasure)
-    known = dict.fromkeys(intensity_measure(one.key, "intensity_measures") for one in further)
+    known = dict.fromkeys(intensity_measure(measure.key, "intensity_measures") for measure in further)
     return compare(
         scenario, levels=levels, further=[*known], every_run=every_run, on_verdict=on_verdict, **runs
     )
 
 
-def _refuse_beside(what: Scenario | Case, given: dict[str, Any]) -> None:
+def _refuse_beside(what: Scenario | Case, stated: dict[str, Any]) -> None:
     """Refuse what something says already, given beside it."""
-    for name, value in given.items():
+    for name, value in stated.items():
         if value is not None:
             raise InputError("verification.said_already", name, name=name, kind=type(what).__name__)

@@ -285,17 +285,17 @@ def _grade(option: Option, verdict: Verdict) -> Phrase:
 
 def everyday_cases(scenario: Scenario) -> tuple[tuple[TipOverCase, Phrase], ...]:
     """Return the cases of tip-over without an earthquake, the smallest margin first, each in words."""
-    given, body = _everyday(scenario), scenario.piece.body()
+    everyday, body = _everyday(scenario), scenario.piece.body()
 
     def said(case: TipOverCase) -> Phrase:
-        height = min(given.pull_height, body.height)
+        height = min(everyday.pull_height, body.height)
         key = f"verification.everyday_{case.name}"
-        words = phrase(key, drawers=given.drawers, load=given.load, pull=given.pull, height=height)
-        if given.carpet == 0.0:
+        words = phrase(key, drawers=everyday.drawers, load=everyday.load, pull=everyday.pull, height=height)
+        if everyday.carpet == 0.0:
             return words
-        return phrase("verification.everyday_on_carpet", case=words, carpet=1e3 * given.carpet)
+        return phrase("verification.everyday_on_carpet", case=words, carpet=1e3 * everyday.carpet)
 
-    return tuple((case, said(case)) for case in tip_over(body, given, scenario.gravity))
+    return tuple((case, said(case)) for case in tip_over(body, everyday, scenario.gravity))
 
 
 def _everyday(scenario: Scenario) -> Everyday:
@@ -306,8 +306,8 @@ def _everyday(scenario: Scenario) -> Everyday:
 def everyday_note(verdict: Verdict) -> Phrase:
     """Return the case in which the piece tips over most easily without an earthquake, and its margin."""
     furniture = verdict.scenario.piece
-    given = _everyday(verdict.scenario)
-    tags = [about.tag(getattr(given, about.name)) for about in parameters(Everyday)]
+    everyday = _everyday(verdict.scenario)
+    tags = [about.tag(getattr(everyday, about.name)) for about in parameters(Everyday)]
     worst, said = everyday_cases(verdict.scenario)[0]
     return phrase(
         "verification.everyday_tips" if worst.tips else "verification.everyday_stays",

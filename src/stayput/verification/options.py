@@ -203,9 +203,9 @@ def options_of_several(
 def _usual(scenario: Scenario) -> tuple[AssemblyOption, ...]:
     """Return the options where a file names none: its joints and measures, or the usual ones."""
     stated, joints = scenario.stated, bool(scenario.joints)
-    found = [AssemblyOption("joined", True, ((),) * len(scenario.names))] if joints else []
+    options = [AssemblyOption("joined", True, ((),) * len(scenario.names))] if joints else []
     if any(stated.measures):
-        return (*found, stated)
+        return (*options, stated)
     carried = {piece.on for piece in scenario.pieces if piece.is_furniture}
     for kinds, chosen in (
         (ON_TOP, [piece.is_furniture and piece.title not in carried for piece in scenario.pieces]),
@@ -216,10 +216,10 @@ def _usual(scenario: Scenario) -> tuple[AssemblyOption, ...]:
         for kind in kinds:
             measures = tuple((MEASURES[kind](),) if on else () for on in chosen)
             if not joints or kind in ALONE:
-                found.append(AssemblyOption(kind, False, measures))
+                options.append(AssemblyOption(kind, False, measures))
             if joints:
-                found.append(AssemblyOption(f"joined + {kind}", True, measures))
-    return tuple(found)
+                options.append(AssemblyOption(f"joined + {kind}", True, measures))
+    return tuple(options)
 
 
 SOFT = 0.2e-3
@@ -266,7 +266,7 @@ def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
     return (
         Input(phrase("verification.size_and_mass"), furniture_tag(scenario.piece)),
         *_around(scenario, after, replaced),
-        *(one for measure in option.measures for one in _of_measure(measure)),
+        *(quantity for measure in option.measures for quantity in _of_measure(measure)),
     )
 
 
@@ -296,18 +296,18 @@ def inputs_in_room(measures: tuple[Measure, ...], scenario: Scenario, number: in
     """
     table, room = scenario.pieces[number], scenario.surroundings()
     known = table.preset is None or table.mass not in (None, FURNITURE[table.preset].mass)
-    found = [Input(phrase("verification.size_and_mass"), GIVEN if known else Confidence.LOW.value)]
-    found += _around(scenario, room.floor, any(isinstance(one, OtherFriction) for one in measures))
+    basis = [Input(phrase("verification.size_and_mass"), GIVEN if known else Confidence.LOW.value)]
+    basis += _around(scenario, room.floor, any(isinstance(measure, OtherFriction) for measure in measures))
     stated = scenario.room.model_fields_set
     for measure in measures:
-        found += _of_measure(measure)
+        basis += _of_measure(measure)
         if isinstance(measure, WallDevice) and "walls" not in stated:
-            found.append(Input(phrase("verification.the_wall"), Confidence.LOW.value))
+            basis.append(Input(phrase("verification.the_wall"), Confidence.LOW.value))
     ceiling = scenario.room.ceiling
     on_ceiling = any(isinstance(measure, TensionPole) for measure in measures)
     if on_ceiling and ceiling is not None and "construction" not in ceiling.model_fields_set:
-        found.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
-    return tuple(found)
+        basis.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
+    return tuple(basis)
 
 
 def _around(scenario: Scenario | Scenario, floor: Floor, replaced: bool) -> Iterator[Input]:

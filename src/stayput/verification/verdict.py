@@ -226,7 +226,7 @@ class Verdict(Ranking[OptionVerdict]):
 
     def __repr__(self) -> str:
         ranked = ", ".join(
-            f"{one.option.name} {one.probabilities[OVERTURNED].text}" for one in self.options[:3]
+            f"{option.option.name} {option.probabilities[OVERTURNED].text}" for option in self.options[:3]
         )
         more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
         return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more})"

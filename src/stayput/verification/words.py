@@ -231,7 +231,7 @@ def _overturns(option: OptionVerdict | AssemblyOptionVerdict, verdict: Ranked, w
 
     What overturns, and what there is none of, is told by the catalogue's module ``where``.
     """
-    bare, held = (one.probabilities[OVERTURNED].estimate for one in (verdict.without, option))
+    bare, held = (ranked.probabilities[OVERTURNED].estimate for ranked in (verdict.without, option))
     it, change = phrase(f"{where}.it"), option.change
     if change is None:
         return phrase("verification.overturns", it=it, falls=falls_phrase(bare))

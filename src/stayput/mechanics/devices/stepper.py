@@ -272,10 +272,10 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
         ends = (y0, k0, f0, g0), (y1, k1, f1, g1)
         excursion = excursion_bound(case, y0, y1, h)
         if near or least < 0.0 or not inactive or not gaps_stay_open(s, work, excursion):
-            found, h, k1, f1, g1, least = first_event(
+            hit, h, k1, f1, g1, least = first_event(
                 contacts, rows, case, s, work, base, load, ends, least, near, inactive, excursion, h, levels
             )
-            if found:
+            if hit:
                 y1 = state_of(s)
                 if least < 0.0:
                     why = reason_of_end(s)

@@ -80,12 +80,12 @@ def _square_from(touching, m, s, old):
 
 
 @inner
-def _unused(kept, touching, found):
+def _unused(kept, touching, count):
     """Return the number of a contact that no point has, if it can be of one that was open."""
     spare = 0
     for q in range(MOST_TOUCHING):
         taken = False
-        for m in range(found):
+        for m in range(count):
             taken = taken or touching[m, 4] == q
         if not taken:
             spare = q
@@ -95,18 +95,18 @@ def _unused(kept, touching, found):
 
 
 @inner
-def _recognize(kept, touching, found, body, s):
+def _recognize(kept, touching, count, body, s):
     """Set the last column of points that touch to the numbers of their contacts among those of their pair.
 
     Each closed one of the step before goes on at the point that is nearest to where it was on body a, unless
     that is nearer to another. So a point that lands is a new one, whatever touched before.
     """
-    for m in range(found):
+    for m in range(count):
         touching[m, 4] = -1.0
     for q in range(MOST_TOUCHING):
         nearest, at = (SAME * body.radius) ** 2, -1
         if kept[q, 3] != OPEN:
-            for m in range(found):
+            for m in range(count):
                 square = _square_from(touching, m, s, kept[q])
                 if square < nearest:
                     nearest, at = square, m
@@ -114,9 +114,9 @@ def _recognize(kept, touching, found, body, s):
             other = int(touching[at, 4])
             if other < 0 or nearest < _square_from(touching, at, s, kept[other]):
                 touching[at, 4] = float(q)
-    for m in range(found):
+    for m in range(count):
         if touching[m, 4] < 0.0:
-            touching[m, 4] = float(_unused(kept, touching, found))
+            touching[m, 4] = float(_unused(kept, touching, count))
 
 
 @inline
@@ -177,10 +177,10 @@ def _find_between(world, poses, scratch, kept, ratio, h, count):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         bends = sag(bodies[a], poses[a], h) + sag(bodies[b], poses[b], h)
-        _, found, n = _touch_pair(world, poses, scratch, j, TOGETHER_BETWEEN + bends)
+        _, touched, n = _touch_pair(world, poses, scratch, j, TOGETHER_BETWEEN + bends)
         first, mine = count, kept[first_key + j * MOST_TOUCHING : first_key + (j + 1) * MOST_TOUCHING]
-        _recognize(mine, touching, found, bodies[a], poses[a])
-        for m in range(found):
+        _recognize(mine, touching, touched, bodies[a], poses[a])
+        for m in range(touched):
             c = contacts[count]
             c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
             c.nx, c.ny, c.nz = n

@@ -152,19 +152,19 @@ def _move_all_out(world, poses, scratch, h):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         body, other, s, r = bodies[a], bodies[b], poses[a], poses[b]
-        _, found, n = touch(body, s, other, r, 0.0, axes[j], faces, loops, edges, corners, polygons, touching)
+        _, count, n = touch(body, s, other, r, 0.0, axes[j], faces, loops, edges, corners, polygons, touching)
         bent = sag(body, s, h) + sag(other, r, h)
-        if found and deepest(touching, found) >= -bent - LEFT:
+        if count and deepest(touching, count) >= -bent - LEFT:
             continue
-        for m in range(found):
+        for m in range(count):
             if touching[m, 3] < -bent:
                 place = touching[m, 0], touching[m, 1], touching[m, 2]
                 lever, arm = added(place, -1.0, place_of(s)), added(place, -1.0, place_of(r))
                 both = mobility(body, s, lever, n) + mobility(other, r, arm, n)
-                size = -touching[m, 3] / both / found  # each of them moves all of a face
+                size = -touching[m, 3] / both / count  # each of them moves all of a face
                 _nudge_along(body, s, lever, n, size)
                 _nudge_along(other, r, arm, n, -size)
-        if found:
+        if count:
             place_corners(bodies[a : a + 1], poses[a : a + 1], points, corners)
             place_corners(bodies[b : b + 1], poses[b : b + 1], points, corners)
     for b in range(bodies.shape[0]):

@@ -76,7 +76,7 @@ def gives_way(contacts, count, kept, over_sample):
     the floor has its peaks at samples, where steps end. One over a sample has its peak in the middle, of
     which its halves tell nothing: they have to have friction to spare, and no time is noted.
     """
-    found, first = False, 0
+    changed, first = False, 0
     while first < count:
         end, sticks = end_of(contacts, first, count), True
         for k in range(first, end):
@@ -87,12 +87,12 @@ def gives_way(contacts, count, kept, over_sample):
         if sticks and min(most, last) > 0.0 and (now < least * most or then < least * last):
             if over_sample:
                 return True
-            found = True
+            changed = True
             for k in range(first, end):
                 kept[1, contacts[k].key, 3] = 0.0
                 kept[1, contacts[k].key, 4] = 0.0 if now <= 0.0 else now / (now - then)
         first = end
-    return found
+    return changed
 
 
 @inner

@@ -23,10 +23,10 @@ SQUARE = 1e-3
 
 @inner
 def _energy(bodies, poses):
-    found = 0.0
+    energy = 0.0
     for b in range(bodies.shape[0]):
-        found += kinetic_energy(bodies[b], poses[b])
-    return found
+        energy += kinetic_energy(bodies[b], poses[b])
+    return energy
 
 
 @inner
@@ -50,19 +50,19 @@ def mark_what_hits(contacts, count, marks, speed):
     """Mark with 1 the bodies at contacts that close faster than a speed, and all that presses on these."""
     for b in range(marks.shape[0]):
         marks[b] = 0
-    found = False
+    spread = False
     for k in range(count):
         c = contacts[k]
         if c.closing < -speed and c.pn > 0.0:
             marks[c.a] = 1
-            found = True
-    while found:
-        found = False
+            spread = True
+    while spread:
+        spread = False
         for k in range(count):
             c = contacts[k]
             if c.b != ROOM and c.pn > 0.0 and marks[c.a] != marks[c.b]:
                 marks[c.a] = marks[c.b] = 1
-                found = True
+                spread = True
 
 
 @inner

@@ -73,22 +73,22 @@ def _normal(s, face):
 @inner
 def _least(body, corners, axis):
     """Return the least of axis·x over the hull of a body."""
-    found = math.inf
+    least = math.inf
     for i in range(body.first_point, body.first_point + body.hull):
-        found = min(found, dot(axis, _corner(corners, i)))
-    return found
+        least = min(least, dot(axis, _corner(corners, i)))
+    return least
 
 
 @inner
 def _best_face(body, s, other, faces, loops, corners):
     """Return the face of a body beyond which the other lies farthest, and how far."""
-    best, found = -math.inf, -1
+    best, face = -math.inf, -1
     for f in range(body.first_face, body.first_face + body.faces):
         n = _normal(s, faces[f])
         apart = _least(other, corners, n) - dot(n, _corner(corners, loops[faces[f].first]))
         if apart > best:
-            best, found = apart, f
-    return found, best
+            best, face = apart, f
+    return face, best
 
 
 @inner
@@ -186,13 +186,13 @@ def _facing(body, s, faces, loops, corners, n):
         reach = dot(n, _corner(corners, i))
         if reach < nearest:
             nearest, outermost = reach, i
-    least, found = math.inf, -1
+    least, face = math.inf, -1
     for f in range(body.first_face, body.first_face + body.faces):
         if _has_corner(faces[f], loops, outermost):
             looks = dot(n, _normal(s, faces[f]))
             if looks < least:
-                least, found = looks, f
-    return found
+                least, face = looks, f
+    return face
 
 
 @inner
@@ -235,18 +235,18 @@ def _thin_out(polygon, count, n, touching):
         # off the directions that boxes have
         sine, cosine = sine_and_cosine(d * (2.0 * math.pi / MOST_TOUCHING) + 0.1)
         way = added((cosine * u[0], cosine * u[1], cosine * u[2]), sine, v)
-        far, found = -math.inf, -1
+        far, farthest = -math.inf, -1
         for m in range(count):
             reach = dot(way, (polygon[m, 0], polygon[m, 1], polygon[m, 2]))
             if reach > far:
-                far, found = reach, m
+                far, farthest = reach, m
         known = False
         for m in range(kept):
-            known = known or touching[m, 4] == found
+            known = known or touching[m, 4] == farthest
         if not known:
             for c in range(4):
-                touching[kept, c] = polygon[found, c]
-            touching[kept, 4] = found
+                touching[kept, c] = polygon[farthest, c]
+            touching[kept, 4] = farthest
             kept += 1
     return kept
 
@@ -292,10 +292,10 @@ def _apart_along(a, s, b, r, axis_of, edges, faces, loops, corners):
     """
     if axis_of[1] < 0:
         face = axis_of[0]
-        own = _has_face(a, face)
-        n = _normal(s, faces[face]) if own else _normal(r, faces[face])
+        on_a = _has_face(a, face)
+        n = _normal(s, faces[face]) if on_a else _normal(r, faces[face])
         level = dot(n, _corner(corners, loops[faces[face].first]))
-        return _least(b if own else a, corners, n) - level, n
+        return _least(b if on_a else a, corners, n) - level, n
     i, j = axis_of[0], axis_of[1]
     p, q = _corner(corners, edges[i, 0]), _corner(corners, edges[j, 0])
     along_a, along_b = _along(edges, corners, i), _along(edges, corners, j)
@@ -353,11 +353,11 @@ def touch(a, s, b, r, closed, axis_of, faces, loops, edges, corners, polygons, t
             return apart, 0, none
         if apart >= -SHALLOW:
             if axis_of[1] < 0:
-                found, towards = _meet_on_face(
+                count, towards = _meet_on_face(
                     a, s, b, r, axis_of[0], closed, faces, loops, corners, polygons, touching
                 )
-                if found:
-                    return deepest(touching, found), found, towards
+                if count:
+                    return deepest(touching, count), count, towards
             else:
                 point, crosses = _crossing(edges, corners, axis_of[0], axis_of[1])
                 if crosses:
@@ -372,16 +372,16 @@ def touch(a, s, b, r, closed, axis_of, faces, loops, edges, corners, polygons, t
     axis_of[0], axis_of[1] = face, -1
     if apart > closed:
         return apart, 0, none
-    found, towards = _meet_on_face(a, s, b, r, face, closed, faces, loops, corners, polygons, touching)
-    if found and apart >= -SHALLOW:
-        return deepest(touching, found), found, towards
+    count, towards = _meet_on_face(a, s, b, r, face, closed, faces, loops, corners, polygons, touching)
+    if count and apart >= -SHALLOW:
+        return deepest(touching, count), count, towards
     near = NEAR * (a.radius + b.radius)
     edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart, near, edges, corners)
-    if edge_a < 0 and not found:
+    if edge_a < 0 and not count:
         # the faces that separate them most do not lie on each other: edges that do nearly as well must touch
         edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart - SHALLOW, math.inf, edges, corners)
-    if edge_a < 0 or (found and apart_e <= apart + PREFER_FACES):
-        return apart, found, towards
+    if edge_a < 0 or (count and apart_e <= apart + PREFER_FACES):
+        return apart, count, towards
     axis_of[0], axis_of[1] = edge_a, edge_b
     if apart_e > closed:
         return apart_e, 0, none

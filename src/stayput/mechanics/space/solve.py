@@ -359,19 +359,19 @@ def _let_slip(contacts, count, poses, h):
     In an impact a contact that did not slip before keeps its static one. Where one would slip since another
     that turned back stands, that one goes on to slip: it has not stuck yet.
     """
-    found = False
+    slips = False
     for k in range(count):
         d = contacts[k]
         if d.stood and d.mu > d.mu_kinetic and _gives_beside(contacts, count, d, poses, h):
             d.mu, d.stood = d.mu_kinetic, SLIPS_ON
-            found = True
-    if found:
+            slips = True
+    if slips:
         return True
     for k in range(count):
         if _gives(contacts, count, contacts[k], poses, h):
             contacts[k].mu = contacts[k].mu_kinetic
-            found = True
-    return found
+            slips = True
+    return slips
 
 
 @inline

@@ -75,10 +75,10 @@ def _speed(body, s):
 @inner
 def fastest(bodies, poses):
     """Return a bound of the speeds of all bodies."""
-    found = 0.0
+    speed = 0.0
     for b in range(bodies.shape[0]):
-        found = max(found, _speed(bodies[b], poses[b]))
-    return found
+        speed = max(speed, _speed(bodies[b], poses[b]))
+    return speed
 
 
 @inner
@@ -195,7 +195,7 @@ def _extrapolate(bodies, poses, third):
     float
         The largest difference of a body's points [m], with what that of velocities adds.
     """
-    found = 0.0
+    largest = 0.0
     for b in range(bodies.shape[0]):
         body, whole, halves = bodies[b], poses[1, b], poses[3, b]
         d = added(place_of(whole), -1.0, place_of(halves))
@@ -204,7 +204,7 @@ def _extrapolate(bodies, poses, third):
         q, r = attitude(whole), attitude(halves)
         q = q[0] - r[0], q[1] - r[1], q[2] - r[2], q[3] - r[3]
         turn = 2.0 * math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-        found = max(found, norm(d) + body.radius * turn + LASTS * (norm(v) + body.radius * norm(w)))
+        largest = max(largest, norm(d) + body.radius * turn + LASTS * (norm(v) + body.radius * norm(w)))
         if not moves(halves):
             copy_pose(halves, whole)
             continue
@@ -215,7 +215,7 @@ def _extrapolate(bodies, poses, third):
         whole.lx, whole.ly, whole.lz = added(momentum, third, more)
         q = r[0] + third * q[0], r[1] + third * q[1], r[2] + third * q[2], r[3] + third * q[3]
         set_attitude(body, whole, q)
-    return found
+    return largest
 
 
 @inner
@@ -242,10 +242,10 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
     """
     contacts, kept, work = scratch[0], scratch[1], output[5]
     springs, pulls, devices = held
-    found, count = (0.0 if _rub_alike(kept[0], kept[1]) else RUBS), 0
+    status, count = (0.0 if _rub_alike(kept[0], kept[1]) else RUBS), 0
     for half in range(2):
-        if found < 0.0 and springs.shape[0] == 0:
-            return found
+        if status < 0.0 and springs.shape[0] == 0:
+            return status
         second = half if h > dt else 0  # whether it is in the time after the next sample
         push = mean_push(acceleration, k + second, t + 0.5 * half * h - second * dt, 0.5 * h, dt, gravity)
         before, factor = kept[2 * half], 0.5 * ratio if half == 0 else 1.0
@@ -253,21 +253,21 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
             world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, 0.0, scratch, before, factor, work
         )
         if meets < 0.5 * h:
-            return min(found, CHANGED)
+            return min(status, CHANGED)
         keep(contacts, count, kept[2], scratch[7][3])
         if give(springs, pulls, devices, poses[2 + half], dt * k + t + 0.5 * (1 + half) * h):
-            return min(found, CHANGED)
+            return min(status, CHANGED)
         if h > dt and half == 0:
             note_pressing(output[0], k + 1, contacts, count, 0.5 * h)
             note_forces(pulls, output[1][k + 1])
-        if found == 0.0 and not _rub_alike(kept[1], kept[2]):
+        if status == 0.0 and not _rub_alike(kept[1], kept[2]):
             _note_switches(kept, half)
-            found = RUBS
-        if found == 0.0 and not _bear_alike(kept[1], kept[2]):
-            found = CHANGED
-    if found == 0.0 and gives_way(contacts, count, kept, h > dt):
+            status = RUBS
+        if status == 0.0 and not _bear_alike(kept[1], kept[2]):
+            status = CHANGED
+    if status == 0.0 and gives_way(contacts, count, kept, h > dt):
         return CHANGED if h > dt else RUBS
-    if found == 0.0:
+    if status == 0.0:
         return _extrapolate(world[0], poses, -1.0 / 3.0)
     error = _extrapolate(world[0], poses, 0.0) if springs.shape[0] > 0 else math.inf
-    return error if error <= HARMLESS * allowed else found
+    return error if error <= HARMLESS * allowed else status

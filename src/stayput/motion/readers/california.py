@@ -150,9 +150,9 @@ def _check_number(part: _ChannelText, last_line: str, position: int) -> str:
     """Return the channel's direction; its numbers in the header and in the last line must agree."""
     labels = part.labels()
     end = _CSMIP_END.search(_plain(last_line))
-    given = {number for number, _ in labels} | ({int(end[1])} if end else set[int]())
-    if len(given) > 1:
-        listing = " and ".join(map(str, sorted(given)))
+    numbers = {number for number, _ in labels} | ({int(end[1])} if end else set[int]())
+    if len(numbers) > 1:
+        listing = " and ".join(map(str, sorted(numbers)))
         raise InputError("motion.csmip_two_numbers", channel=position, numbers=listing)
     directions = [direction for _, direction in labels]
     if len({plain_label(direction) for direction in directions}) > 1:

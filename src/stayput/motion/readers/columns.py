@@ -307,15 +307,15 @@ def chosen_columns(columns: object, name: str = "columns") -> dict[str, str]:
     if isinstance(columns, str):
         pairs = named_columns(columns, "motion.columns_like", name)
     else:
-        given = cast("Mapping[Any, Any]", columns if isinstance(columns, Mapping) else {})
-        pairs = [(role, str(column)) for role, column in given.items() if isinstance(column, str | int)]
+        table = cast("Mapping[Any, Any]", columns if isinstance(columns, Mapping) else {})
+        pairs = [(role, str(column)) for role, column in table.items() if isinstance(column, str | int)]
     for role, _ in pairs:
         if role not in ROLES:
             raise unknown(name, role, ROLES, name)
     chosen = dict(pairs)
-    told = excerpt(columns) if isinstance(columns, str) else shown(cast("object", columns))
+    written = excerpt(columns) if isinstance(columns, str) else shown(cast("object", columns))
     if "x" not in chosen or not len(pairs) == len(chosen) == len(set(chosen.values())):
-        raise InputError("motion.columns_like", name, name=name, value=told)
+        raise InputError("motion.columns_like", name, name=name, value=written)
     return {role: chosen[role] for role in ROLES if role in chosen}
 
 
@@ -341,18 +341,18 @@ def places_of(chosen: Mapping[str, str], headings: Sequence[str], count: int) ->
     places: list[int] = []
     for role, column in chosen.items():
         if column.isascii() and column.isdecimal():
-            found = [int(column) - 1] if 1 <= int(column) <= count else []
+            matches = [int(column) - 1] if 1 <= int(column) <= count else []
         else:
             wanted = _plain(column)
-            found = [i for i, text in enumerate(plain) if text == wanted]
-            found = found or [i for i, text in enumerate(bare) if text == wanted]
-        if len(found) != 1 or found[0] in places:
+            matches = [i for i, text in enumerate(plain) if text == wanted]
+            matches = matches or [i for i, text in enumerate(bare) if text == wanted]
+        if len(matches) != 1 or matches[0] in places:
             english, japanese = zip(*map(excerpt, (*headings[:10], "")), strict=True)
             listed = ", ".join((f"1–{count}", *english[:-1])), "、".join((f"1–{count}", *japanese[:-1]))
             raise InputError(
                 "motion.no_such_column", "columns", role=role, column=excerpt(column), known=listed
             )
-        places += found
+        places += matches
     return places
 
 

@@ -252,9 +252,9 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
 
 def _stated_order(lines: Sequence[str], count: int) -> list[str]:
     """Return the headings that lines state: "columns: t, UD, NS", "column 1: t, column 2: UD", "ch1: UD"."""
-    found = [m for line in lines for m in _NUMBERED.finditer(line)]
-    numbered = {int(m[2]): m[4].strip() for m in found if m[2] and not m[1]}
-    named = [m for m in found if (m[1] or m[3]) and _all_directions([m[4]])]
+    matches = [m for line in lines for m in _NUMBERED.finditer(line)]
+    numbered = {int(m[2]): m[4].strip() for m in matches if m[2] and not m[1]}
+    named = [m for m in matches if (m[1] or m[3]) and _all_directions([m[4]])]
     if named and not numbered and count > 1:  # behind the time; a channel that is not named keeps its letter
         numbered = dict(enumerate(("t", "x", "y", "z")[:count], 1))
         numbered |= {1 + (int(m[2]) if m[2] else "_xyz".index(m[3].lower())): m[4].strip() for m in named}

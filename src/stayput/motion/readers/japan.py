@@ -71,8 +71,8 @@ def _jma_header(text: str) -> tuple[list[str], list[str], int]:
 def _jma_entry(header: list[str], key: re.Pattern[str]) -> str:
     """Return what stands behind "=" in the header line of a key; "" where there is none."""
     entries = (line.partition("=") for line in header)
-    found = (value for name, equals, value in entries if equals and key.match(name.strip()))
-    return next(found, "").strip(" ,\t")
+    values = (value for name, equals, value in entries if equals and key.match(name.strip()))
+    return next(values, "").strip(" ,\t")
 
 
 def _read_jma(text: str, unit: str | None, dt: float | None) -> list[Channel]:

@@ -74,9 +74,9 @@ def _unit_in(text: str) -> str | None:
 def _unit_with_factor(text: str) -> str | None:
     """Return a heading's factor: what stands in brackets as "0.1 gal" or "X 1000", or "*10" anywhere."""
     for content in BRACKET.findall(text):
-        found = _FACTOR.fullmatch(content.strip())
-        unit = found and (found["after"] or found["before"])
-        if found and (known_unit(unit) if unit else mentioned_unit(text)):
+        match = _FACTOR.fullmatch(content.strip())
+        unit = match and (match["after"] or match["before"])
+        if match and (known_unit(unit) if unit else mentioned_unit(text)):
             return content
     scaled = _SCALED.search(text)
     return scaled and scaled[0]
@@ -124,7 +124,7 @@ def axes_of(headings: Headings) -> dict[str, int]:
 
 
 def column_factors(
-    headings: Headings, count: int, stated: str | None, given: str | None, above: str, *, step_missing: bool
+    headings: Headings, count: int, stated: str | None, passed: str | None, above: str, *, step_missing: bool
 ) -> list[float]:
     """Return the size of each column's unit [m/s²]; that of the time's has no meaning.
 
@@ -136,7 +136,7 @@ def column_factors(
         How many columns there are.
     stated : str, optional
         Unit that the comments state.
-    given : str, optional
+    passed : str, optional
         Unit that the caller states.
     above : str
         All that stands above the numbers.
@@ -149,17 +149,17 @@ def column_factors(
         A column is no acceleration, no unit is stated or given, or two of them contradict each other.
     """
     columns = {i: text for i, text in enumerate(headings.texts) if i != headings.time}
-    own = {i: unit_factor(unit) for i, text in columns.items() if (unit := _own_unit(text, stated, given))}
-    if columns and len(own) == len(columns):
-        return [own.get(i, 1.0) for i in range(count)]
-    if len(set(own.values())) > 1:  # a unit that is stated or given contradicts none of them
-        bare = next(text for i, text in columns.items() if i not in own)
+    scale = {i: unit_factor(unit) for i, text in columns.items() if (unit := _own_unit(text, stated, passed))}
+    if columns and len(scale) == len(columns):
+        return [scale.get(i, 1.0) for i in range(count)]
+    if len(set(scale.values())) > 1:  # a unit that is stated or given contradicts none of them
+        bare = next(text for i, text in columns.items() if i not in scale)
         raise InputError("motion.column_no_unit", column=excerpt(bare))
-    factor = acceleration_unit(stated, given, above, step_missing=step_missing)
-    return [own.get(i, factor) for i in range(count)]
+    factor = acceleration_unit(stated, passed, above, step_missing=step_missing)
+    return [scale.get(i, factor) for i in range(count)]
 
 
-def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
+def _own_unit(text: str, stated: str | None, passed: str | None) -> str | None:
     """Return the unit in a heading, which neither the comments nor the caller may contradict."""
     if _SPECTRAL.match(text):
         raise InputError("motion.not_acceleration", where=excerpt(text), quantity=phrase("motion.spectral"))
@@ -173,13 +173,13 @@ def _own_unit(text: str, stated: str | None, given: str | None) -> str | None:
             raise InputError("motion.not_acceleration", where=excerpt(text), quantity=name)
         names = (name for name in BRACKET.findall(text) if not (is_direction(name) and name.isalnum()))
         unknown = next(filter(_LIKE_A_UNIT.fullmatch, names), None)
-        if unknown is not None and given is not None:
-            warn(InputWarning("motion.unit_mentioned", "unit", given=given, mentioned=unknown))
+        if unknown is not None and passed is not None:
+            warn(InputWarning("motion.unit_mentioned", "unit", given=passed, mentioned=unknown))
         elif unknown is not None and stated is None:
             raise unknown_unit(unknown)
         return None
     if stated is not None and unit_factor(stated) != unit_factor(unit):
         raise InputError("motion.two_units", first=excerpt(stated), second=excerpt(text))
-    if given is not None and unit_factor(given) != unit_factor(unit):
-        raise not_the_files_own("unit", excerpt(given), excerpt(text))
+    if passed is not None and unit_factor(passed) != unit_factor(unit):
+        raise not_the_files_own("unit", excerpt(passed), excerpt(text))
     return unit

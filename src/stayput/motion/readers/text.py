@@ -350,10 +350,10 @@ def lacks(what: str) -> InputError:
     return InputError("motion.no_header_entry", what=phrase(f"motion.{what}"))
 
 
-def not_as_stated(what: str, stated: float, found: float, unit: str = "") -> InputError:
+def not_as_stated(what: str, stated: float, actual: float, unit: str = "") -> InputError:
     """Return the refusal of a file whose header states another value than its samples have."""
     return InputError(
-        "motion.not_as_stated", what=phrase(f"motion.{what}"), stated=stated, found=found, unit=unit
+        "motion.not_as_stated", what=phrase(f"motion.{what}"), stated=stated, found=actual, unit=unit
     )
 
 

@@ -101,8 +101,8 @@ COMPONENTS = {
 
 def _random_factor(f: NDArray[np.float64], common: NDArray[np.float64], draw: Draws) -> NDArray[np.float64]:
     """Return a random smooth factor on each frequency, partly common to all components."""
-    own = draw.noise(len(_OCTAVES))
-    knots = ROUGHNESS * (math.sqrt(SHARED) * common + math.sqrt(1.0 - SHARED) * own)
+    alone = draw.noise(len(_OCTAVES))
+    knots = ROUGHNESS * (math.sqrt(SHARED) * common + math.sqrt(1.0 - SHARED) * alone)
     return np.exp(np.interp(np.log(np.maximum(f, 1e-4)), _OCTAVES, knots))
 
 
