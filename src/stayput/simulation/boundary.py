@@ -314,9 +314,9 @@ def crossings_of(
     point: NDArray[np.intp], lower: ArrayLike, upper: ArrayLike, direction: ArrayLike
 ) -> NDArray[np.void]:
     """Return CROSSING records of columns, ordered by point and then by amplitude."""
-    found = np.zeros(len(point), CROSSING)
-    found["point"], found["lower"], found["upper"], found["direction"] = point, lower, upper, direction
-    return found[np.lexsort((found["lower"], found["point"]))]
+    rows = np.zeros(len(point), CROSSING)
+    rows["point"], rows["lower"], rows["upper"], rows["direction"] = point, lower, upper, direction
+    return rows[np.lexsort((rows["lower"], rows["point"]))]
 
 
 def sampled_crossings(falls: NDArray[np.bool_], amplitudes: NDArray[np.float64]) -> NDArray[np.void]:
@@ -331,18 +331,18 @@ def bisected(crossings: NDArray[np.void], runs: RunPoints, tolerance: float) -> 
 
     Where an interval has several crossings, one of the given direction is found; which one is not defined.
     """
-    found = crossings.copy()
-    lower, upper = found["lower"], found["upper"]
+    narrowed = crossings.copy()
+    lower, upper = narrowed["lower"], narrowed["upper"]
     for _ in range(MOST_HALVINGS):
         wide = np.flatnonzero(upper - lower > tolerance * upper)
         if not len(wide):
             break
         middle = 0.5 * (lower[wide] + upper[wide])
-        falls, _ = runs(found["point"][wide], middle)
-        below = falls == (found["direction"][wide] < 0)
+        falls, _ = runs(narrowed["point"][wide], middle)
+        below = falls == (narrowed["direction"][wide] < 0)
         lower[wide] = np.where(below, middle, lower[wide])
         upper[wide] = np.where(below, upper[wide], middle)
-    return found
+    return narrowed
 
 
 def hidden_crossings(

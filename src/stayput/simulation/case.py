@@ -100,8 +100,8 @@ class Case(Brief):
 
     def run(self) -> Run:
         """Simulate the case."""
-        given = {field.name: getattr(self, field.name) for field in fields(self)}
-        return simulate(**given)
+        arguments = {field.name: getattr(self, field.name) for field in fields(self)}
+        return simulate(**arguments)
 
 
 def simulate(
@@ -176,19 +176,19 @@ def simulate(
         assembly = _assembly_of(body, **of_a_body, dimensions=dimensions not in (None, 3))
         instance_of("room", room, Room)
         return simulate_assembly(assembly, room, Motion.given(motion), gravity, step)
-    given = Case(body, room, motion, contact, start, gravity, asked, dimensions)
-    body = given.body
+    checked = Case(body, room, motion, contact, start, gravity, asked, dimensions)
+    body = checked.body
     refuse_bad_start(body, room, start)
-    if given.in_space:
+    if checked.in_space:
         from stayput.simulation.space import checked_step, simulate_held
 
         if contact != "coulomb":
             raise InputError("model.paper_in_space", "contact")
-        placed = hold(body, room, given.measures, dimensions=3)
+        placed = hold(body, room, checked.measures, dimensions=3)
         return simulate_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
     if most_events is not None:
         most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
-    held = hold(body, room, given.measures)
+    held = hold(body, room, checked.measures)
     refuse_bad_start(held.body, held.room, start)
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
     shaken = shaking(motion.x, motion.z, motion.dt, law_number(contact))
@@ -202,14 +202,14 @@ def _assembly_of(what: object, **asked: bool) -> Assembly:
     """Return what stands as an assembly; raise `InputError` for what only a `Body` by its section has."""
     from stayput.simulation.standing import Assembly, Piece
 
-    given = instance_of("body", what, (Body, Piece, Assembly))
+    standing = instance_of("body", what, (Body, Piece, Assembly))
     for name in asked:
         if asked[name]:
             raise InputError("model.of_a_body", name, name=name)
     return (
-        given
-        if isinstance(given, Assembly)
-        else Assembly([Piece(given) if isinstance(given, Body) else given])
+        standing
+        if isinstance(standing, Assembly)
+        else Assembly([Piece(standing) if isinstance(standing, Body) else standing])
     )
 
 

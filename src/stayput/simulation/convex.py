@@ -67,11 +67,11 @@ class ConvexShape:
 
 def _different(directions: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return unit vectors without those that are parallel to one before."""
-    found: list[NDArray[np.float64]] = []
-    for one in directions:
-        if not any(1.0 - abs(float(one @ other)) <= PARALLEL for other in found):
-            found.append(one)
-    return np.array(found)
+    different: list[NDArray[np.float64]] = []
+    for direction in directions:
+        if not any(1.0 - abs(float(direction @ other)) <= PARALLEL for other in different):
+            different.append(direction)
+    return np.array(different)
 
 
 class Convex(NamedTuple):
@@ -82,17 +82,17 @@ class Convex(NamedTuple):
     edges: NDArray[np.float64]
 
 
-def separation(one: Convex, other: Convex) -> NDArray[np.float64]:
+def separation(body: Convex, other: Convex) -> NDArray[np.float64]:
     """Return the largest gap along any axis that may separate two bodies [m], shape (k,)."""
-    crossed = np.cross(one.edges[:, :, np.newaxis], other.edges[:, np.newaxis])
+    crossed = np.cross(body.edges[:, :, np.newaxis], other.edges[:, np.newaxis])
     crossed = crossed.reshape(len(crossed), -1, 3)
     size = np.linalg.norm(crossed, axis=2)
     slight = size <= SLIGHT
     crossed = crossed / np.where(slight, 1.0, size)[..., np.newaxis]
-    axes = np.concatenate([one.normals, other.normals, crossed], axis=1)
-    first, second = (body.corners @ np.swapaxes(axes, 1, 2) for body in (one, other))
+    axes = np.concatenate([body.normals, other.normals, crossed], axis=1)
+    first, second = (convex.corners @ np.swapaxes(axes, 1, 2) for convex in (body, other))
     gaps = np.maximum(first.min(axis=1) - second.max(axis=1), second.min(axis=1) - first.max(axis=1))
-    faces = one.normals.shape[1] + other.normals.shape[1]
+    faces = body.normals.shape[1] + other.normals.shape[1]
     gaps[:, faces:][slight] = -np.inf  # parallel edges span no axis
     return gaps.max(axis=1)
 
@@ -107,15 +107,15 @@ def box_of(place: PersonPlace, count: int) -> Convex:
     return Convex(corners, axes, axes)
 
 
-def inside_each_other(one: Piece, other: Piece | PersonPlace) -> float:
+def inside_each_other(piece: Piece, other: Piece | PersonPlace) -> float:
     """Return how deep a piece stands in another, or where a person is, at first [m]; 0 where it does not."""
     box = box_of(other, 1) if isinstance(other, PersonPlace) else _at_first(other)
-    return max(0.0, -float(separation(_at_first(one), box)[0]))
+    return max(0.0, -float(separation(_at_first(piece), box)[0]))
 
 
-def _at_first(one: Piece) -> Convex:
-    shape = ConvexShape.of(one.solid)
+def _at_first(piece: Piece) -> Convex:
+    shape = ConvexShape.of(piece.solid)
     corners, normals, edges = (
-        values[np.newaxis] @ one.turn.T for values in (shape.corners, shape.normals, shape.edges)
+        values[np.newaxis] @ piece.turn.T for values in (shape.corners, shape.normals, shape.edges)
     )
-    return Convex(corners + one.place, normals, edges)
+    return Convex(corners + piece.place, normals, edges)

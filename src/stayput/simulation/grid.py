@@ -170,7 +170,7 @@ def _extreme_rows(block: CaseBlock) -> set[int]:
     for side in ("left", "right"):
         static, kinetic = (
             np.where(
-                np.isnan(own := rows[f"{side}_edge_{kind}_friction"]), rows[f"edge_{kind}_friction"], own
+                np.isnan(edge := rows[f"{side}_edge_{kind}_friction"]), rows[f"edge_{kind}_friction"], edge
             )
             for kind in ("static", "kinetic")
         )

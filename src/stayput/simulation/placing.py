@@ -324,16 +324,16 @@ def hold_piece(piece: Piece, room: Room, planes: NDArray[np.void]) -> Held:
     if height == 0.0:
         held = hold(body, seen, piece.measures, dimensions=3)
     else:
-        own = hold(body, seen, [one for one in piece.measures if one.acts_on == "the body"], dimensions=3)
-        tall = Body(body.width, height + body.height, own.body.mass, length=body.length)
-        ties = [_raised(one, height, body) for one in piece.measures if one.acts_on == "the tie"]
+        on_body = hold(body, seen, [m for m in piece.measures if m.acts_on == "the body"], dimensions=3)
+        tall = Body(body.width, height + body.height, on_body.body.mass, length=body.length)
+        ties = [_raised(tie, height, body) for tie in piece.measures if tie.acts_on == "the tie"]
         tied = hold(tall, seen, ties, dimensions=3)
         elements = tuple(
             replace(element, point=(element.point[0], element.point[1] - height)) for element in tied.elements
         )
-        held = Held(own.body, tied.room, elements, tuple(piece.measures))
+        held = Held(on_body.body, tied.room, elements, tuple(piece.measures))
     if held.room.ceiling != seen.ceiling:
-        pole = next(one for one in piece.measures if one.acts_on == "the tie")
+        pole = next(tie for tie in piece.measures if tie.acts_on == "the tie")
         raise InputError("measures.no_ceiling", "room.ceiling", measure=pole.label)
     return held
 
@@ -353,9 +353,9 @@ def room_seen(piece: Piece, room: Room, planes: NDArray[np.void]) -> Room:
     seen: dict[str, Wall | None] = dict.fromkeys(WALLS_AROUND)
     for plane in planes[1:]:
         name = surface_of(plane)
-        own = piece.turn.T @ NORMALS[name]
+        normal = piece.turn.T @ NORMALS[name]
         for side in WALLS_AROUND:
-            if np.dot(own, NORMALS[side]) > 1.0 - ALONG:
+            if np.dot(normal, NORMALS[side]) > 1.0 - ALONG:
                 # to a picometre, so that a gap is to the bit what it is for a piece alone
                 gap = round(piece.along(NORMALS[name])[0] - float(plane["offset"]), 12)
                 seen[side] = replace(getattr(room, name), gap=max(0.0, gap))

@@ -287,9 +287,9 @@ class Run(InNetcdf):
 
     def __repr__(self) -> str:
         each = ", ".join(
-            f"{one.outcome.value}{f' after {one.overturn_time:.2f} s' if one.overturned else ''} "
-            f"(slide {one.peak_slide:.3g} m, tilt {one.peak_tilt:.3g} rad)"
-            for one in self.pieces[:4]
+            f"{piece.outcome.value}{f' after {piece.overturn_time:.2f} s' if piece.overturned else ''} "
+            f"(slide {piece.peak_slide:.3g} m, tilt {piece.peak_tilt:.3g} rad)"
+            for piece in self.pieces[:4]
         )
         more = f", and {len(self.pieces) - 4} more" if len(self.pieces) > 4 else ""
         where = "the plane" if self.engine == "plane" else "space"
@@ -347,7 +347,7 @@ class Run(InNetcdf):
     @property
     def end(self) -> float:
         """When the run ends [s]: with its last sample, or as the body turns over in the plane."""
-        return max(float(self.time[-1]), *(one.overturn_time for one in self.pieces if one.overturned), 0.0)
+        return max(float(self.time[-1]), *(p.overturn_time for p in self.pieces if p.overturned), 0.0)
 
     def count(self, kind: EventKind) -> int:
         """Return how many events of a kind there were, listed or not."""
@@ -361,7 +361,7 @@ class Run(InNetcdf):
     @property
     def measures(self) -> tuple[Measure, ...]:
         """The measures that were in place, on all pieces."""
-        return tuple(measure for one in self.pieces if one.held is not None for measure in one.held.measures)
+        return tuple(measure for p in self.pieces if p.held is not None for measure in p.held.measures)
 
     @property
     def device_failures(self) -> int:

@@ -46,7 +46,7 @@ ON_FLOOR_WITHIN = 1e-6
 def warn_of_settlement(assembly: Assembly, room: Room) -> None:
     """Warn where bodies of another shape stand on a floor that settles: only boxes have the base for that."""
     shaped = (piece for piece in assembly.members if piece.body.shape is not None)
-    if room.floor.settlement and any(one.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for one in shaped):
+    if room.floor.settlement and any(p.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for p in shaped):
         warn(InputWarning("simulation.settles", value=room.floor.settlement))
 
 
@@ -87,10 +87,10 @@ class AssemblyTrace(NamedTuple):
     def held(self) -> Iterator[tuple[int, Held, slice]]:
         """Yield the numbers of the pieces of furniture, their measures, and where their devices are."""
         first = 0
-        for number, one in enumerate(self.bodies):
-            if one.held is not None:
-                yield number, one.held, slice(first, first + len(one.springs))
-            first += len(one.springs)
+        for number, body in enumerate(self.bodies):
+            if body.held is not None:
+                yield number, body.held, slice(first, first + len(body.springs))
+            first += len(body.springs)
 
 
 def trace_assembly(
@@ -126,7 +126,7 @@ def trace_assembly(
     """
     planes = planes_around(assembly.members, room)
     bodies = placed(assembly.members, room, strength, drawn_floor)
-    joints = joint_springs([one.piece for one in bodies], assembly.joints)
+    joints = joint_springs([body.piece for body in bodies], assembly.joints)
     return _traced(bodies, planes, joints, assembly.friction, shaking, gravity, step)
 
 
@@ -275,12 +275,12 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
     """
     bodies, planes, trace, gravity = traced
     devices: list[DeviceResult] = []
-    for number, one, own in traced.held():
-        found = trace.springs[own], trace.devices[own], trace.forces[:, own]
-        devices += device_results(one, *found, mass=1.0, member=number)
+    for number, measures, rows in traced.held():
+        records = trace.springs[rows], trace.devices[rows], trace.forces[:, rows]
+        devices += device_results(measures, *records, mass=1.0, member=number)
     between = slice(len(trace.springs) - len(joints), None)
     devices += joint_results(joints, trace.springs[between], trace.devices[between], trace.forces[:, between])
-    pieces, held = tuple(one.piece for one in bodies), tuple(one.held for one in bodies)
+    pieces, held = tuple(body.piece for body in bodies), tuple(body.held for body in bodies)
     surfaces = [surface_of(plane) for plane in planes]
     hits = tuple(
         Hit(
@@ -356,7 +356,7 @@ def piece_runs(
     """
     turns, runs = matrices(attitude), list[PieceRun]()
     fates = fates_of(standing, place, turns, gaps, given_up)
-    for b, (one, fate) in enumerate(zip(standing, fates, strict=True)):
+    for b, (piece, fate) in enumerate(zip(standing, fates, strict=True)):
         overturned, fell_off = (
             math.nan if sample is None else float(time[sample]) for sample in (fate.overturned, fate.fell_off)
         )
@@ -367,13 +367,13 @@ def piece_runs(
                 fell_off,
                 float(fate.way[: None if fate.fell is None else fate.fell + 1].max()),
                 float(fate.way[-1]),
-                float(peak_tilts[b] if one.round_side is None else fate.tilt.max()),
+                float(peak_tilts[b] if piece.round_side is None else fate.tilt.max()),
                 float(fate.tilt[-1]),
                 *(int(number) for number in hit_numbers[b]),
                 tilt=fate.tilt,
                 slide=fate.way,
                 slide_in_plan=fate.slide,
-                yaw=upright_yaws(one.rest, unrolled(one, turns[b])),
+                yaw=upright_yaws(piece.rest, unrolled(piece, turns[b])),
                 held=held[b],
             )
         )

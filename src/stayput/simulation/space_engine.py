@@ -44,8 +44,8 @@ class SpaceShaking:
     @classmethod
     def of(cls, motion: Motion) -> SpaceShaking:
         """Return a motion along x, y and z."""
-        given = motion.components
-        each = [given.get(name, np.zeros(len(motion.x))) for name in "xyz"]
+        components = motion.components
+        each = [components.get(name, np.zeros(len(motion.x))) for name in "xyz"]
         return cls(np.stack(each, axis=1), motion.dt)
 
     def refined(self, parts: int) -> SpaceShaking:
@@ -91,10 +91,10 @@ def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64], back: NDArray[np
     from_planes = noted[:alone].reshape(len(planes), -1)
     room = np.full((len(bodies), len(planes)), np.inf)
     for least, body in zip(room, bodies, strict=True):
-        own = slice(body["first_point"], body["first_point"] + body["points"])
+        corners = slice(body["first_point"], body["first_point"] + body["points"])
         first_rim = len(points) + body["first_rim"]
         round_edges = slice(first_rim, first_rim + body["rims"])
-        least[:] = np.concatenate([from_planes[:, own], from_planes[:, round_edges]], axis=1).min(axis=1)
+        least[:] = np.concatenate([from_planes[:, corners], from_planes[:, round_edges]], axis=1).min(axis=1)
     between = np.full((len(bodies), len(bodies)), np.inf)
     between[pairs["a"], pairs["b"]] = between[pairs["b"], pairs["a"]] = noted[alone:]
     return Gaps(room[back], between[np.ix_(back, back)])
@@ -234,20 +234,20 @@ def run_world(
     # impacts enlarge rounding: bodies run in the order of their places, however they are listed
     order = np.lexsort((poses["z"], poses["y"], poses["x"]))
     back = np.argsort(order)
-    world, own = (world[0][order], *world[1:]), springs.copy()  # all pairs have one law
-    own["body"], own["other"] = back[springs["body"]], np.append(back, ROOM)[springs["other"]]
-    order_of_springs = np.lexsort((own["other"], own["body"]))
-    own, back_of_springs = own[order_of_springs], np.argsort(order_of_springs)
+    world, numbered = (world[0][order], *world[1:]), springs.copy()  # all pairs have one law
+    numbered["body"], numbered["other"] = back[springs["body"]], np.append(back, ROOM)[springs["other"]]
+    order_of_springs = np.lexsort((numbered["other"], numbered["body"]))
+    numbered, back_of_springs = numbered[order_of_springs], np.argsort(order_of_springs)
     both = np.zeros((4, bodies), POSE)
     both[0] = poses[order]
-    held = own, np.zeros(len(springs), PULL), np.zeros(len(springs), DEVICE)
+    held = numbered, np.zeros(len(springs), PULL), np.zeros(len(springs), DEVICE)
     held[2]["failure_time"] = np.nan
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
     numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(5)
     work[3] = (FIRST_WORK + WORK_A_SECOND * bodies * dt * (samples - 1)) * max(1.0, STEP / step)
     output = histories, forces, hits, numbers, peaks, work
-    omega, longer = fastest_vibration(own, world[0]), LONGER_HELD if len(springs) else LONGER
+    omega, longer = fastest_vibration(numbered, world[0]), LONGER_HELD if len(springs) else LONGER
     longest, refined = min(step, dt, SMOOTH / omega), min(longer * step, SMOOTH_REFINED / omega)
     times = np.array([dt, longest, gravity, lies, refined])
     scratch = scratch_of(world, len(springs))

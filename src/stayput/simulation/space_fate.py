@@ -66,9 +66,9 @@ def upright_yaws(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArra
     return np.unwrap(yaws(rest, turn)[last])
 
 
-def unrolled(one: Piece, turn: NDArray[np.float64]) -> NDArray[np.float64]:
+def unrolled(piece: Piece, turn: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return rotations without what a body that lies on its round side has rolled: its first side is down."""
-    side = one.round_side
+    side = piece.round_side
     if side is None:
         return turn
     phi = _rolled_by(side, turn)[..., np.newaxis, np.newaxis]
@@ -83,13 +83,13 @@ def _rolled_by(side: RoundSide, turn: NDArray[np.float64]) -> NDArray[np.float64
     return np.unwrap(np.arctan2(_along(turn, 2, across), _along(turn, 2, side.up)))
 
 
-def rolled(one: Piece, turn: NDArray[np.float64]) -> NDArray[np.float64]:
+def rolled(piece: Piece, turn: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return how far a body that lies on its round side has rolled in plan [m], shape (samples, 2).
 
     It is the way of a body of the mean radius R that does not slip: R dφ, φ what has passed over the line of
     contact, across the axis as that lies at the time. One that slips or spins has other ways.
     """
-    side = one.round_side
+    side = piece.round_side
     if side is None:
         return np.zeros((len(turn), 2))
     ahead = np.stack([-_along(turn, 1, side.axis), _along(turn, 0, side.axis)], axis=1)
@@ -98,7 +98,7 @@ def rolled(one: Piece, turn: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.cumsum(steps[:, np.newaxis] * ahead, axis=0)
 
 
-def slides(one: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
+def slides(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return how far the base has slid in plan [m], shape (samples, 2).
 
     It is the way of the foot that is lowest, less that which it moved as the body turned about the vertical
@@ -108,23 +108,23 @@ def slides(one: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) ->
 
     Parameters
     ----------
-    one : Piece
+    piece : Piece
         The body at first.
     place : ndarray, shape (samples, 3)
         Where its centre of gravity is [m].
     turn : ndarray, shape (samples, 3, 3)
         The rotation of its frame into the room's.
     """
-    side = one.round_side
-    feet = (one.solid.base_points if side is None else side.line) - one.solid.centre_of_gravity
+    side = piece.round_side
+    feet = (piece.solid.base_points if side is None else side.line) - piece.solid.centre_of_gravity
     lowest = np.stack([_along(turn, 2, foot) for foot in feet]).argmin(axis=0)
     lows = feet[lowest].T
-    first = one.place + feet @ one.turn.T
+    first = piece.place + feet @ piece.turn.T
     foot = first[:, 2].argmin()
-    stood = (first[foot] + (feet - feet[foot]) @ one.rest.T)[:, :2]
+    stood = (first[foot] + (feet - feet[foot]) @ piece.rest.T)[:, :2]
     middle = 0.5 * (stood.min(axis=0) + stood.max(axis=0))
     x, y = (stood[lowest] - middle).T
-    angle = yaws(one.rest, turn)
+    angle = yaws(piece.rest, turn)
     cos, sin = np.cos(angle), np.sin(angle)
     stays = cos * x - sin * y, sin * x + cos * y
     return np.stack([place[:, i] + _along(turn, i, lows) - middle[i] - stays[i] for i in range(2)], axis=1)
@@ -195,7 +195,7 @@ class Fate(NamedTuple):
     @property
     def fell(self) -> int | None:
         """The first sample at which it overturned or fell off; None where it did neither."""
-        return min((one for one in (self.overturned, self.fell_off) if one is not None), default=None)
+        return min((i for i in (self.overturned, self.fell_off) if i is not None), default=None)
 
 
 def fates_of(
@@ -221,18 +221,18 @@ def fates_of(
     first, last = gaps
     touching = last.bodies <= TOUCHES
     bears = _bears(pieces, first)
-    found: list[Fate] = []
-    for b, one in enumerate(pieces):
+    fates: list[Fate] = []
+    for b, piece in enumerate(pieces):
         moved, pose = _moves(place[b], turn[b])
         places, turned = _chosen(place[b], moved), _chosen(turn[b], moved)
-        turns = unrolled(one, turned)
-        tilt, slide = tilts(one.rest, turns)[pose], slides(one, places, turns)
+        turns = unrolled(piece, turned)
+        tilt, slide = tilts(piece.rest, turns)[pose], slides(piece, places, turns)
         ways = np.linalg.norm(slide, axis=1)
         way, most = ways[pose], int(ways.argmax())
         if given_up or not np.isfinite(place[b]).all():
-            found.append(Fate(Outcome.FAILED, None, None, tilt, way, slide[pose]))
+            fates.append(Fate(Outcome.FAILED, None, None, tilt, way, slide[pose]))
             continue
-        overturned = _first(lies_on_floor(one, places, turns)[pose])
+        overturned = _first(lies_on_floor(piece, places, turns)[pose])
         if overturned is None and touching[b].any():
             overturned = _since(tilt > LIES)
         fell_off = _falls_off(b, pieces, place, turn, bears, touching)
@@ -247,15 +247,15 @@ def fates_of(
             outcome = Outcome.LEANING
         elif tilt.max() > ROCKED:
             outcome = Outcome.ROCKED
-        elif max(SLID, 2.0 * np.linalg.norm((slide - rolled(one, turned))[most])) < ways[most]:
+        elif max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, turned))[most])) < ways[most]:
             outcome = Outcome.ROLLED
         elif np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
             outcome = Outcome.ROCKED
         else:
             turn_in_plan = np.abs(turns[:, :2, :2] - turns[0, :2, :2]).max()
             outcome = Outcome.SLID if ways[most] > SLID or turn_in_plan > ROCKED else Outcome.RESTED
-        found.append(Fate(outcome, overturned, fell_off, tilt, way, slide[pose]))
-    return found
+        fates.append(Fate(outcome, overturned, fell_off, tilt, way, slide[pose]))
+    return fates
 
 
 def _moves(
@@ -277,18 +277,18 @@ def _chosen(poses: NDArray[np.float64], moved: NDArray[np.intp]) -> NDArray[np.f
     return np.moveaxis(np.take(np.moveaxis(poses, 0, -1), moved, axis=-1), -1, 0)
 
 
-def lies_on_floor(one: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
+def lies_on_floor(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return whether a body is tilted by 90°, or touches the floor with more than its base, shape (samples,).
 
     More than its base is what is above the lowest tenth of its height, and above its feet. What lies on its
     round side at first has overturned where it stands on an end: where it is tilted by more than 45°.
     """
-    if one.round_side is not None:
-        return tilts(one.rest, turn) > LIES
-    z = one.solid.vertices[:, 2]
-    base = max(z.min() + BASE * np.ptp(z), one.solid.base_points[:, 2].max())
-    low = heights(one.solid, place, turn, above=float(base))
-    return (tilts(one.rest, turn) >= math.pi / 2) | (low <= ON_THE_FLOOR)
+    if piece.round_side is not None:
+        return tilts(piece.rest, turn) > LIES
+    z = piece.solid.vertices[:, 2]
+    base = max(z.min() + BASE * np.ptp(z), piece.solid.base_points[:, 2].max())
+    low = heights(piece.solid, place, turn, above=float(base))
+    return (tilts(piece.rest, turn) >= math.pi / 2) | (low <= ON_THE_FLOOR)
 
 
 def _bears(pieces: Sequence[Piece], first: Gaps) -> NDArray[np.bool_]:
@@ -296,7 +296,7 @@ def _bears(pieces: Sequence[Piece], first: Gaps) -> NDArray[np.bool_]:
 
     What stands on the floor too is borne by that.
     """
-    reach = [one.along((0.0, 0.0, 1.0)) for one in pieces]
+    reach = [piece.along((0.0, 0.0, 1.0)) for piece in pieces]
     low, top = (np.array(ends) for ends in zip(*reach, strict=True))
     below = top[:, np.newaxis] <= low + ON_THE_FLOOR
     return (first.bodies <= TOUCHES) & below & (first.room[:, 0] > TOUCHES)
@@ -331,8 +331,8 @@ def _falls_off(
 
 def _first(happens: NDArray[np.bool_]) -> int | None:
     """Return the first sample at which something happens."""
-    found = np.flatnonzero(happens)
-    return int(found[0]) if len(found) else None
+    samples = np.flatnonzero(happens)
+    return int(samples[0]) if len(samples) else None
 
 
 def _since(happens: NDArray[np.bool_]) -> int | None:

@@ -37,21 +37,21 @@ def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
             [turn[1, 0] - turn[0, 1], turn[0, 2] + turn[2, 0], turn[2, 1] + turn[1, 2], 0.0],
         ]
     )
-    found = products[place] / (4.0 * largest)
-    found[place] = largest
-    return found / np.linalg.norm(found)
+    quaternion = products[place] / (4.0 * largest)
+    quaternion[place] = largest
+    return quaternion / np.linalg.norm(quaternion)
 
 
 def product(q: NDArray[np.float64], r: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the quaternion that turns by r and then by q, shape (..., 4)."""
     w, x, y, z = (q[..., part] for part in range(4))
     a, b, c, d = (r[..., part] for part in range(4))
-    found = np.empty(np.broadcast_shapes(q.shape, r.shape))
-    found[..., 0] = w * a - x * b - y * c - z * d
-    found[..., 1] = w * b + x * a + y * d - z * c
-    found[..., 2] = w * c - x * d + y * a + z * b
-    found[..., 3] = w * d + x * c - y * b + z * a
-    return found
+    quaternion = np.empty(np.broadcast_shapes(q.shape, r.shape))
+    quaternion[..., 0] = w * a - x * b - y * c - z * d
+    quaternion[..., 1] = w * b + x * a + y * d - z * c
+    quaternion[..., 2] = w * c - x * d + y * a + z * b
+    quaternion[..., 3] = w * d + x * c - y * b + z * a
+    return quaternion
 
 
 def matrices(q: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -63,11 +63,11 @@ def matrices(q: NDArray[np.float64]) -> NDArray[np.float64]:
     a, b, c = 2.0 * x, 2.0 * y, 2.0 * z
     xx, yy, zz, xy, xz, yz = a * x, b * y, c * z, a * y, a * z, b * z
     wx, wy, wz = w * a, w * b, w * c
-    found = np.empty((3, 3, *q.shape[:-1]))
-    found[0, 0], found[0, 1], found[0, 2] = 1.0 - (yy + zz), xy - wz, xz + wy
-    found[1, 0], found[1, 1], found[1, 2] = xy + wz, 1.0 - (xx + zz), yz - wx
-    found[2, 0], found[2, 1], found[2, 2] = xz - wy, yz + wx, 1.0 - (xx + yy)
-    return np.moveaxis(found, (0, 1), (-2, -1))
+    turns = np.empty((3, 3, *q.shape[:-1]))
+    turns[0, 0], turns[0, 1], turns[0, 2] = 1.0 - (yy + zz), xy - wz, xz + wy
+    turns[1, 0], turns[1, 1], turns[1, 2] = xy + wz, 1.0 - (xx + zz), yz - wx
+    turns[2, 0], turns[2, 1], turns[2, 2] = xz - wy, yz + wx, 1.0 - (xx + yy)
+    return np.moveaxis(turns, (0, 1), (-2, -1))
 
 
 def pose_of(
@@ -99,7 +99,7 @@ def pose_of(
 
 def frames_of(pieces: Sequence[Piece], attitudes: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the attitudes of frames from those of principal axes, shape (bodies, samples, 4)."""
-    back = [quaternion_of(one.solid.principal[1]) * np.array([1.0, -1.0, -1.0, -1.0]) for one in pieces]
+    back = [quaternion_of(piece.solid.principal[1]) * np.array([1.0, -1.0, -1.0, -1.0]) for piece in pieces]
     return np.stack([product(q, r) for q, r in zip(attitudes, back, strict=True)])
 
 
@@ -158,10 +158,10 @@ def _add(
         for side in ("left", "right")
     )
 
-    def own(place: NDArray[np.float64]) -> NDArray[np.float64]:
+    def in_axes(place: NDArray[np.float64]) -> NDArray[np.float64]:
         return (place - about) @ axes
 
-    vertices = own(solid.vertices)
+    vertices = in_axes(solid.vertices)
     first = len(points)
     on_rim: NDArray[np.bool_] = np.any(on_rims(solid), axis=0)
     above = _above_feet(solid, solid.vertices)
@@ -179,7 +179,7 @@ def _add(
         stands = np.concatenate([solid.feet, _cut_off(solid.vertices[~above], solid.feet)])
         points += [
             (*v, *(back if x < 0.0 else front), 1, 0)
-            for v, x in zip(own(stands), stands[:, 0] - about[0], strict=True)
+            for v, x in zip(in_axes(stands), stands[:, 0] - about[0], strict=True)
         ]
     body["restitution"], body["landing_place"] = floor["floor_restitution"], floor["landing_place"]
     for kind in ("static", "kinetic"):
@@ -191,7 +191,7 @@ def _add(
     body["radius"] = np.linalg.norm(vertices, axis=1).max()
     body["first_rim"], body["rims"] = len(rims), len(solid.rims)
     rims += [
-        (*own(rim[:3]), *(rim[3:6] @ axes), rim[6], int(free), 1)
+        (*in_axes(rim[:3]), *(rim[3:6] @ axes), rim[6], int(free), 1)
         for rim, free in zip(solid.rims, _above_feet(solid, solid.rims[:, :3]), strict=True)
     ]
     body["first_face"], body["faces"] = len(faces), len(solid.faces)
@@ -235,13 +235,13 @@ def _cut_off(low: NDArray[np.float64], feet: NDArray[np.float64]) -> NDArray[np.
 
 def on_rims(solid: Solid) -> NDArray[np.bool_]:
     """Return which corners lie on which rim, shape (rims, n): planes meet the rim itself."""
-    found = np.zeros((len(solid.rims), len(solid.vertices)), np.bool_)
-    for own, rim in zip(found, solid.rims, strict=True):
+    on_rim = np.zeros((len(solid.rims), len(solid.vertices)), np.bool_)
+    for row, rim in zip(on_rim, solid.rims, strict=True):
         arms = solid.vertices - rim[:3]
         along = arms @ rim[3:6]
         across = np.linalg.norm(arms - along[:, np.newaxis] * rim[3:6], axis=1)
-        own[:] = (np.abs(along) <= 1e-6) & (np.abs(across - rim[6]) <= 0.01 * rim[6])
-    return found
+        row[:] = (np.abs(along) <= 1e-6) & (np.abs(across - rim[6]) <= 0.01 * rim[6])
+    return on_rim
 
 
 NORMALS = {
@@ -258,7 +258,7 @@ NORMALS = {
 def surface_of(plane: np.void) -> str:
     """Return which surface of the room a PLANE is, by the name in `Room`."""
     normal = tuple(float(plane[axis]) for axis in ("nx", "ny", "nz"))
-    return next(name for name, own in NORMALS.items() if own == normal)
+    return next(name for name, direction in NORMALS.items() if direction == normal)
 
 
 APART = 1e-6
@@ -286,7 +286,7 @@ def planes_of(pieces: Sequence[Piece], room: np.void) -> NDArray[np.void]:
         )
         if math.isfinite(gap):
             normal = NORMALS[name]
-            outermost = min(one.along(normal)[0] for one in pieces)
+            outermost = min(piece.along(normal)[0] for piece in pieces)
             offset = -gap if name == "ceiling" else outermost - gap
             if abs(outermost - offset) < APART:
                 offset = outermost - APART

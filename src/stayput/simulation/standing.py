@@ -31,10 +31,10 @@ _VECTORS = (
 """Fields of three numbers, the most of each, and their units."""
 
 
-def _vector(name: str, given: object, most: float, unit: str) -> tuple[float, ...]:
+def _vector(name: str, vector: object, most: float, unit: str) -> tuple[float, ...]:
     """Return three numbers, or raise `InputError`."""
     called = phrase(f"simulation.{name}")
-    values = numbers(called, given, name, count=3)
+    values = numbers(called, vector, name, count=3)
     return tuple(within(called, value, -most, most, unit, name) for value in values)
 
 
@@ -174,12 +174,12 @@ class Piece:
 
     def along(self, direction: tuple[float, float, float]) -> tuple[float, float]:
         """Return how far its corners and round edges reach along a unit vector, least and most [m]."""
-        own = self.turn.T @ direction
+        in_frame = self.turn.T @ direction
         place = float(np.dot(self.at, direction))
         rims = self.solid.rims
-        reach = rims[:, 6] * np.linalg.norm(np.cross(rims[:, 3:6], own), axis=1)
-        centres = rims[:, :3] @ own
-        ends = place + np.concatenate([self.solid.vertices @ own, centres - reach, centres + reach])
+        reach = rims[:, 6] * np.linalg.norm(np.cross(rims[:, 3:6], in_frame), axis=1)
+        centres = rims[:, :3] @ in_frame
+        ends = place + np.concatenate([self.solid.vertices @ in_frame, centres - reach, centres + reach])
         return float(ends.min()), float(ends.max())
 
 
