@@ -179,12 +179,12 @@ def film(
     motion = scenario.motion()
     if kind != "html" and seconds is None and motion.duration > limits.film:
         raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
-    told: dict[str, Any] = {"language": language, "seconds": seconds, "note": note, "progress": progress}
+    options: dict[str, Any] = {"language": language, "seconds": seconds, "note": note, "progress": progress}
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
         shown = _shown(scenario, held=held)
         run = replace(shown, motion=replace(shown.motion, name=named(shown.motion.name)))
-        animate_run(run, path, **told)
+        animate_run(run, path, **options)
         return path.read_bytes()
 
 

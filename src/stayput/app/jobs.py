@@ -148,11 +148,11 @@ class Jobs:
         with self._lock:
             self._expire()
             active = [job for job in self._jobs.values() if job.ended is None]
-            own = [job for job in active if job.client.address == client.address]
+            from_address = [job for job in active if job.client.address == client.address]
             if (
                 len(active) >= limits.jobs_running + limits.jobs_waiting
-                or len(own) >= limits.jobs_per_address
-                or sum(job.client == client for job in own) >= limits.jobs_per_page
+                or len(from_address) >= limits.jobs_per_address
+                or sum(job.client == client for job in from_address) >= limits.jobs_per_page
             ):
                 raise refused(429, "app.many_jobs", retry_after=10, count=len(active))
             job = Job(secrets.token_hex(16), total, client, motions, lease, before=before)

@@ -101,13 +101,13 @@ class Readers:
         ) as process:
             self._process = process
             try:
-                told, _ = process.communicate(pickle.dumps(task), task.limits.reading_seconds)
+                answer, _ = process.communicate(pickle.dumps(task), task.limits.reading_seconds)
             except subprocess.TimeoutExpired:
                 process.kill()
                 error = InputError("app.reading_slow", seconds=task.limits.reading_seconds)
                 return ReadingResult(None, error)
         try:
-            return pickle.loads(told)
+            return pickle.loads(answer)
         except (EOFError, pickle.UnpicklingError):  # it ended without its whole answer
             return ReadingResult(None, None)
 
@@ -309,11 +309,11 @@ class Motions:
         """
         limits, now, in_use = self._limits, time.monotonic(), self._in_use()
         with self._lock:
-            free = {name: one for name, one in self._stored.items() if name not in in_use}
-            for name in [name for name, one in free.items() if now - one.last_used > limits.keep]:
+            free = {name: motion for name, motion in self._stored.items() if name not in in_use}
+            for name in [name for name, motion in free.items() if now - motion.last_used > limits.keep]:
                 self._drop(name)
                 del free[name]
-            while len(free) > limits.motions or sum(one.size for one in free.values()) > limits.motion_bytes:
+            while len(free) > limits.motions or sum(m.size for m in free.values()) > limits.motion_bytes:
                 name = first_to_go(free.values()).shaking["record"]
                 self._drop(name)
                 del free[name]

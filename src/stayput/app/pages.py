@@ -80,7 +80,7 @@ def page_of(folder: str) -> str:
     modules = [f"{path}/{file}" for path in needed for file in _names(*FOLDERS[path]) if file.endswith(".js")]
     home = "../" if folder else ""
     html = resources.files(package).joinpath(name, "index.html").read_text(encoding="utf-8")
-    return templates.from_string(html).render(modules=[home + one.lstrip("/") for one in modules])
+    return templates.from_string(html).render(modules=[home + module.lstrip("/") for module in modules])
 
 
 @cache
@@ -107,7 +107,7 @@ def page_routes() -> list[Mount | Route]:
 
     async def words_table(request: Request) -> Response:
         language = language_of(request)
-        names = ", ".join(f'{one}: "words-{one}.json"' for one in LANGUAGES)
+        names = ", ".join(f'{code}: "words-{code}.json"' for code in LANGUAGES)
         text = (
             f"export const LANGUAGES = {json.dumps(LANGUAGES)};\n"
             f"export const FILES = {{ {names} }};\n"
@@ -126,7 +126,7 @@ def page_routes() -> list[Mount | Route]:
             for folder in PAGES
             for name in ("", "index.html")
         ),
-        *(Route(f"/words-{one}.json", _file(words(one), "application/json")) for one in LANGUAGES),
+        *(Route(f"/words-{code}.json", _file(words(code), "application/json")) for code in LANGUAGES),
         Route("/words_table.js", words_table),
         Route("/room", to_room),
         *(Mount(f"/{path}".rstrip("/"), PackageFiles(*folder)) for path, folder in reversed(FOLDERS.items())),

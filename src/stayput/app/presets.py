@@ -123,7 +123,7 @@ def presets(limits: Limits) -> replies.PresetsReply:
         ],
         intensities=[_intensity(name, start) for name, start in CLASSES],
         measures=[_measure(name, kind) for name, kind in MEASURES.items()],
-        numbers={name: _parameter(one) for name, one in NUMBERS.items()},
+        numbers={name: _parameter(number) for name, number in NUMBERS.items()},
         modes=[
             replies.ModeReply(id=mode.value, label=Words.of(names.MODES[mode]), colour=colour)
             for mode, colour in MODE_COLOURS.items()

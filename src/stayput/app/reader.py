@@ -69,16 +69,16 @@ def read(task: ReadingTask) -> ReadingResult:
     return ReadingResult(motion, None, tuple(map(_on_page, warnings)))
 
 
-def _on_page(told: T) -> T:
+def _on_page(note: T) -> T:
     """Return what is told of a record, with options called by the page's controls or by their flags."""
-    ways, field = dict[str, object](), told.field
+    ways, field = dict[str, object](), note.field
     for key in ("option", "other_option"):
-        option = told.values.get(key)
+        option = note.values.get(key)
         if option in _CONTROLS:
             ways[key] = phrase("app.control", label=phrase(_CONTROLS[option]))
         elif option in OPTIONS:
             ways[key], field = phrase("app.flag", flag=f"--{option.replace('_', '-')}"), None
-    return type(told)(told.code, field, context=told.context, **told.values | ways) if ways else told
+    return type(note)(note.code, field, context=note.context, **note.values | ways) if ways else note
 
 
 def _read(task: ReadingTask) -> Motion:

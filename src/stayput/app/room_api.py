@@ -137,8 +137,8 @@ def _before(body: RoomRequest, scenario: Scenario, service: Service) -> Scenario
         error = refused_scene.error
         field = error.field and error.field.replace("scene", "before", 1)
         raise RefusedError(refused_scene.status_code, error.about(field)) from None
-    given, asked = _unchanged(before), _unchanged(scenario)
-    others = [name for name, value in given.items() if value != asked[name]]
+    unchanged, asked = _unchanged(before), _unchanged(scenario)
+    others = [name for name, value in unchanged.items() if value != asked[name]]
     if others:
         raise refused(422, "app.another_room", "before", others=", ".join(others))
     return before
@@ -148,7 +148,7 @@ def _unchanged(scenario: Scenario) -> dict[str, object]:
     """Return what changes leave as it is: all but where pieces and people are, and measures."""
     moved = {"at", "heading", "against", "along", "gap", "measures"}
     same = scenario.model_dump(exclude={"title": True, "places": True, "furniture": {"__all__": moved}})
-    places = [replace(one.place(), at=(0.0, 0.0), heading=0.0) for one in scenario.places]
+    places = [replace(place.place(), at=(0.0, 0.0), heading=0.0) for place in scenario.places]
     return {**same, "places": places}
 
 
@@ -194,8 +194,8 @@ def _plan(
     except InputError as error:
         if job.before is None:
             raise
-        told = error.told("en"), error.told("ja")
-        raise RefusedError(422, InputError("app.before_refused", "before", why=told)) from None
+        sentences = error.told("en"), error.told("ja")
+        raise RefusedError(422, InputError("app.before_refused", "before", why=sentences)) from None
 
 
 def _key(language: Language, home: Home) -> str:

@@ -168,8 +168,8 @@ def _fate(run: Run, sentence: Phrase) -> dict[str, Any]:
     return {
         "outcome": run.outcome.value,
         "sentence": Words.of(sentence),
-        "overturned": any(one.overturned for one in run.pieces),
-        "overturn_time_s": min((one.overturn_time for one in run.pieces if one.overturned), default=None),
+        "overturned": any(p.overturned for p in run.pieces),
+        "overturn_time_s": min((p.overturn_time for p in run.pieces if p.overturned), default=None),
         "pieces": pieces,
     }
 
@@ -278,20 +278,20 @@ def _device(device: DeviceResult, run: Run, scene: SpaceScene) -> Any:
 
 def _events(run: Run) -> list[run_replies.SpaceEventReply]:
     """Return when each piece first slides and lifts an edge, its hits on the room, and when it overturns."""
-    found: list[tuple[float, EventKind, int]] = [
+    events: list[tuple[float, EventKind, int]] = [
         (hit.time, HITS[hit.surface], hit.body) for hit in run.hits[:MOST_EVENTS] if hit.surface
     ]
-    for number, one in enumerate(run.pieces):
+    for number, piece in enumerate(run.pieces):
         first = {
-            EventKind.SLIP: _first(run.time, one.slide > SLID),
-            EventKind.UPLIFT: _first(run.time, one.tilt > ROCKED),
-            EventKind.OVERTURNED: one.overturn_time,
+            EventKind.SLIP: _first(run.time, piece.slide > SLID),
+            EventKind.UPLIFT: _first(run.time, piece.tilt > ROCKED),
+            EventKind.OVERTURNED: piece.overturn_time,
         }
-        found += [(time, kind, number) for kind, time in first.items() if not math.isnan(time)]
-    found.sort(key=lambda event: event[0])
+        events += [(time, kind, number) for kind, time in first.items() if not math.isnan(time)]
+    events.sort(key=lambda event: event[0])
     return [
         run_replies.SpaceEventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)
-        for time, kind, piece in found
+        for time, kind, piece in events
     ]
 
 
@@ -315,13 +315,13 @@ def shaking_reply(scenario: Scenario) -> ShakingReply:
     if not np.isfinite(intensities).all():
         raise refused(422, "motion.still_floor", "scene.shaking")
     middle, deviation = float(np.median(intensities)), float(np.std(intensities))
-    told = None if strength is None else phrase("verification.strength", strength=strength.told(len(factors)))
+    text = None if strength is None else phrase("verification.strength", strength=strength.told(len(factors)))
     return ShakingReply(
         intensity=middle,
         deviation=deviation,
         intensity_class=None if ground.motions.floor else intensity_class(middle),
         sentence=Words.of(_sentence(middle, deviation, ground.motions.floor)),
-        about=None if told is None else Words.of(told),
+        about=None if text is None else Words.of(text),
     )
 
 

@@ -108,12 +108,12 @@ def uploaded_motions(scenario: Scenario) -> frozenset[str]:
     return frozenset(name for key in RECORD_FILES if isinstance(name := getattr(shaking, key), str))
 
 
-def refusal(error: InputError, own: bool = False) -> RefusedError:
-    """Return a refusal with the sentence of an error; ``own``: measures came beside the scene."""
+def refusal(error: InputError, beside: bool = False) -> RefusedError:
+    """Return a refusal with the sentence of an error; ``beside``: measures came beside the scene."""
     field = error.field or ""
     if re.split(r"[.\[]", field)[0] not in TABLES:
         return RefusedError(422, error.about(None))
-    if own and field.startswith("measures"):
+    if beside and field.startswith("measures"):
         known = error.renamed("measures[0].combine", "measures").anywhere()
         return RefusedError(422, known)
     return RefusedError(422, error.about(f"scene.{field}"))

@@ -59,9 +59,9 @@ AnyOfClient = TypeVar("AnyOfClient", bound=OfClient)
 
 def first_to_go(kept: Collection[AnyOfClient]) -> AnyOfClient:
     """Return what goes where too much is kept: the oldest of the page with most, at the address with most."""
-    of_address = Counter(one.client.address for one in kept)
-    of_page = Counter(one.client for one in kept)
-    return max(kept, key=lambda one: (of_address[one.client.address], of_page[one.client], -one.last_used))
+    of_address = Counter(item.client.address for item in kept)
+    of_page = Counter(item.client for item in kept)
+    return max(kept, key=lambda x: (of_address[x.client.address], of_page[x.client], -x.last_used))
 
 
 class StoppedError(Exception):
@@ -176,9 +176,9 @@ class Workers:
         if self.asking.total() >= self._threads + self._waiting or self.asking[client.address] > others:
             raise refused(503, "app.busy", retry_after=2)
         self.asking[client.address] += 1
-        own = self._own.setdefault(client, asyncio.Semaphore(self._threads))
+        of_client = self._own.setdefault(client, asyncio.Semaphore(self._threads))
         try:
-            async with own, self._free:
+            async with of_client, self._free:
                 return await asyncio.get_running_loop().run_in_executor(self._pool, quietly)
         except InputError as error:
             raise RefusedError(422, error.about(None)) from None

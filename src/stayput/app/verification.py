@@ -61,15 +61,15 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     InputError
         A measure of the user's that cannot be applied.
     """
-    own = own_measures(scenario)
-    if not own:
+    yours = own_measures(scenario)
+    if not yours:
         compared_options(scenario)
         return scenario
-    tables: list[dict[str, Any]] = [{"name": YOURS, "combine": [table_of(measure) for measure in own]}]
-    seen = {own}
-    alone = [(measure,) for measure in own]
+    tables: list[dict[str, Any]] = [{"name": YOURS, "combine": [table_of(measure) for measure in yours]}]
+    seen = {yours}
+    alone = [(measure,) for measure in yours]
     body, room = scenario.piece.body(), scenario.room.room()
-    for measures in (own, *alone):
+    for measures in (yours, *alone):
         hold(body, room, measures)
     for measures in (*alone, *(option.measures for option in usual() if compare_usual)):
         if measures not in seen:
@@ -174,8 +174,8 @@ def _estimates(verdict: Verdict) -> list[verdict_replies.EstimateReply]:
 
 def _looked_at(verdict: Verdict) -> OptionVerdict:
     """Return the option that the page's reader has put together: without measures where there is none."""
-    own = (each for each in verdict.options if each.option.name == YOURS and each.option.measures)
-    return next(own, verdict.without)
+    yours = (each for each in verdict.options if each.option.name == YOURS and each.option.measures)
+    return next(yours, verdict.without)
 
 
 def _option_data(result: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> dict[str, Any]:
