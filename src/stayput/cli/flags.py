@@ -127,14 +127,14 @@ def takes(flags: Mapping[str, Any]) -> Callable[[Callable[..., None]], Callable[
     def with_flags(command: Callable[..., None]) -> Callable[..., None]:
         signature = inspect.signature(command, eval_str=True)
         parameters: list[inspect.Parameter] = []
-        for one in signature.parameters.values():
-            each = [one.replace(name=name, annotation=kind, default=None) for name, kind in flags.items()]
-            parameters += each if one.name == "said" else [one]
+        for param in signature.parameters.values():
+            each = [param.replace(name=name, annotation=kind, default=None) for name, kind in flags.items()]
+            parameters += each if param.name == "said" else [param]
 
         @wraps(command)
-        def run(**given: Any) -> None:
-            values = {name: given.pop(name) for name in flags}
-            command(**given, said={name: value for name, value in values.items() if value not in (None, [])})
+        def run(**args: Any) -> None:
+            values = {name: args.pop(name) for name in flags}
+            command(**args, said={name: value for name, value in values.items() if value not in (None, [])})
 
         cast("Any", run).__signature__ = signature.replace(parameters=parameters)
         return run
@@ -346,25 +346,25 @@ def opened(
     from stayput.scenario import Scenario
     from stayput.scenario.toml import read_toml
 
-    given = {"shaking": EXAMPLE["shaking"]} if "body" in said else EXAMPLE
+    tables = {"shaking": EXAMPLE["shaking"]} if "body" in said else EXAMPLE
     if path is not None:
-        given = table_of_input("SCENARIO") if is_stream(path) else read_toml(path)
-    several = isinstance(given.get("furniture"), list)
+        tables = table_of_input("SCENARIO") if is_stream(path) else read_toml(path)
+    several = isinstance(tables.get("furniture"), list)
     for flag, wanted in {**of_one, "--body": "body" in said}.items() if several else ():
         if wanted:
             raise InputError("scenario.flag_of_one", flag, flag=flag)
-    data = changed(given, said, path)
-    read = [*motion_files(given, path), *motion_files(data, path)]
+    data = changed(tables, said, path)
+    read = [*motion_files(tables, path), *motion_files(data, path)]
     check_apart(outputs, read if path is None else [path, *read])
-    own = path is not None and motion_files(data) == motion_files(given)
+    same_motions = path is not None and motion_files(data) == motion_files(tables)
     try:
         return Scenario.parse(
-            data, Path() if path is None else path.parent, called(path) if path and own else ""
+            data, Path() if path is None else path.parent, called(path) if path and same_motions else ""
         )
     except InputError as error:
         if path is not None:
             try:
-                Scenario.parse(given)
+                Scenario.parse(tables)
             except InputError as alone:
                 if str(alone) == str(error):
                     raise error.at(called(path)) from None
@@ -394,8 +394,8 @@ def tables_of_motion(
     for flag, key, _ in _settings(said, "MOTION"):
         if not key.startswith("shaking."):
             raise InputError("cli.set_of_shaking", key, flag=flag)
-    given = said if motion is None else {**said, "motion": motion}
-    tables = changed({**EXAMPLE, "shaking": {"suite": suite}}, given, motion_flag="MOTION")
+    flags = said if motion is None else {**said, "motion": motion}
+    tables = changed({**EXAMPLE, "shaking": {"suite": suite}}, flags, motion_flag="MOTION")
     check_apart(outputs, motion_files(tables))
     return tables
 

@@ -75,8 +75,8 @@ def translate(command: Any, language: Language) -> None:
     if language == "ja":  # which Typer cannot shorten by words
         command.short_help = command.help.partition("\n")[0]
     for param in command.params:
-        own = param.help in TEXTS  # others are Typer's flags of completion
-        param.help = say(param.help if own else f"cli_help.{param.name}", language)
+        ours = param.help in TEXTS  # others are Typer's flags of completion
+        param.help = say(param.help if ours else f"cli_help.{param.name}", language)
         if isinstance(param.show_default, str):
             param.show_default = say(param.show_default, language)
     for each in getattr(command, "commands", {}).values():
@@ -100,7 +100,7 @@ def japanese_help(command: Any, ctx: Any, width: int) -> str:
         if (record := param.get_help_record(ctx)) is not None:
             rows[f"{param.param_type_name}s"].append((record[0], param.help, _facts(param)))
     rows["commands"] = [
-        (name, one.short_help, "") for name, one in getattr(command, "commands", {}).items() if not one.hidden
+        (name, sub.short_help, "") for name, sub in getattr(command, "commands", {}).items() if not sub.hidden
     ]
     usage = f"{say('cli_help.usage', 'ja')}：{ctx.command_path} {' '.join(command.collect_usage_pieces(ctx))}"
     about = (_indented(folded(part, width - 2).splitlines()) for part in command.help.split("\n\n"))
@@ -124,8 +124,8 @@ def _facts(param: Any) -> str:
         None if low is None else say("cli_help.range", "ja", low=low, high=high),
         say("cli_help.required", "ja") if param.required else None,
     ]
-    told = say("common.listed", "ja").join(fact for fact in facts if fact is not None)
-    return f"[{told}]" if told else ""
+    brackets = say("common.listed", "ja").join(fact for fact in facts if fact is not None)
+    return f"[{brackets}]" if brackets else ""
 
 
 def _listed(rows: Sequence[tuple[str, str, str]], width: int) -> str:
@@ -136,15 +136,15 @@ def _listed(rows: Sequence[tuple[str, str, str]], width: int) -> str:
     column = widest + _BETWEEN
     lines: list[str] = []
     for name, text, facts in rows:
-        told = [line for part in text.split("\n") for line in folded(part, width - column).splitlines()]
-        if facts and "\n" not in text and cell_len(told[-1] + facts) + _BETWEEN <= width - column:
-            told[-1] += " " * _BETWEEN + facts
+        block = [line for part in text.split("\n") for line in folded(part, width - column).splitlines()]
+        if facts and "\n" not in text and cell_len(block[-1] + facts) + _BETWEEN <= width - column:
+            block[-1] += " " * _BETWEEN + facts
         elif facts:
-            told.append(facts)
+            block.append(facts)
         beside = cell_len(name) <= widest
-        first = told.pop(0) if beside else ""
+        first = block.pop(0) if beside else ""
         lines.append(name + " " * (column - cell_len(name)) + first)
-        lines += [" " * column + line for line in told]
+        lines += [" " * column + line for line in block]
     return _indented(lines)
 
 

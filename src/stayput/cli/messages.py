@@ -106,16 +106,16 @@ class CommandGroup(TyperGroup):
         """
         printed: set[str] = set()
 
-        def of_flags(told: Told) -> Told:
+        def of_flags(notice: Told) -> Told:
             """Return a refusal or a warning with flags in the place of the arguments that it names."""
             flags = _flags_of(self.get_command(ctx, ctx.invoked_subcommand or ""))
             named = {
                 key: _flag(value, flags)
                 for key in _ARGUMENTS
-                if isinstance(value := told.values.get(key), str)
+                if isinstance(value := notice.values.get(key), str)
             }
-            values = told.values | {key: flag for key, flag in named.items() if flag is not None}
-            return type(told)(told.code, told.field, context=told.context, **values)
+            values = notice.values | {key: flag for key, flag in named.items() if flag is not None}
+            return type(notice)(notice.code, notice.field, context=notice.context, **values)
 
         def warn(warning: InputWarning) -> None:
             sentence = of_flags(warning).told(self._language)

@@ -153,8 +153,8 @@ def _print_info(motion: Motion, lang: str) -> None:
         values = (
             None if key == "pgd_m" and part["displacement_drifts"] else part[key] for part in parts.values()
         )
-        told = ("–" if value is None else f"{factor * value:.3g}" for value in values)
-        rows.append([say(label, lang), *told])
+        cells = ("–" if value is None else f"{factor * value:.3g}" for value in values)
+        rows.append([say(label, lang), *cells])
     names = {"x": "cli.along", "y": "cli.across", "z": "cli.up"}
     headings = ["", *(say(names[part], lang) for part in parts)]
     console.print(plain_table(headings, rows, justify="right"))
@@ -281,7 +281,7 @@ def plot(
         from stayput.report.building import building_title, plot_building
 
         parts = [] if spectra is None else spectra.split(",")
-        storeys = [round(one) for one in numbers("--spectra", spectra or "", parts, range(99), "3,8")]
+        storeys = [round(storey) for storey in numbers("--spectra", spectra or "", parts, range(99), "3,8")]
         for storey in storeys:
             response.model.place(storey)
         plot_building(response, out, storeys or None, title=building_title(response, lang), language=lang)
@@ -387,8 +387,8 @@ def convert(
     write_text(out, record.text(ending))
     if not is_stream(out):
         parts = ", ".join(record.components)
-        told = say("cli.wrote_motion", lang, file=out, count=len(record), dt=record.dt, components=parts)
-        note(told, aside=False)
+        written = say("cli.wrote_motion", lang, file=out, count=len(record), dt=record.dt, components=parts)
+        note(written, aside=False)
 
 
 def _ending(out: Path, form: str | None) -> str:

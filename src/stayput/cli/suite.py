@@ -69,8 +69,8 @@ def suite(
         raise unknown("--fit", fit, FITS, "--fit")
     if target is not None and "intensity" in said:
         raise InputError("scenario.only_one", "--target", other="--intensity")
-    for flag, given in (("--select", select is not None), ("--fit", fit != "scale")):
-        if target is None and given:
+    for flag, asked in (("--select", select is not None), ("--fit", fit != "scale")):
+        if target is None and asked:
             raise InputError("cli.flag_without", "--target", flag=flag, other="--target")
     wanted = None if target is None else _target_of(target)
     first, last = numbers("--band", band, band.split(","), (2,), "0.1,5")
@@ -149,7 +149,7 @@ def _print_end(
 
     number, kind = len(motions), "synthetic motion" if motions.synthetic else "motion"
     japanese = f"{'模擬' if motions.synthetic else ''}地震動{number}本"
-    count, at = (counted(number, kind), japanese), [published_intensity(one) for one in motions.intensities]
+    count, at = (counted(number, kind), japanese), [published_intensity(i) for i in motions.intensities]
     typer.echo(say("cli.suite", lang, count=count, low=min(at), high=max(at)))
     if target is not None:
         off = motions.deviation(target, periods)

@@ -81,7 +81,7 @@ def _print_one(verdict: Verdict, lang: str) -> None:
         lines.append(_Line(str(result.rank), row.name or row.label, cells, label, row.reason))
     impossible = zip(impossible_rows(verdict, lang), verdict.impossible, strict=True)
     rejected = [
-        (one.option.name if one.option.own_name else label, label, why) for (label, why), one in impossible
+        (item.option.name if item.option.own_name else label, label, why) for (label, why), item in impossible
     ]
     headings = (text("measure"), *_events(verdict, lang), *inside, text("brief_slide"), *capacities)
     jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
@@ -132,13 +132,13 @@ def _events(verdict: Verdict | AssemblyVerdict, lang: str) -> list[str]:
 def _shares(shares: Iterable[tuple[Any, Probability | None]], lang: str) -> list[str]:
     from stayput.report.verdict import numbers
 
-    return [numbers.NO_NUMBER if one is None else numbers.probability(one, lang) for _, one in shares]
+    return [numbers.NO_NUMBER if share is None else numbers.probability(share, lang) for _, share in shares]
 
 
-def _slide(told: str, median: float, lang: str) -> str:
+def _slide(slide: str, median: float, lang: str) -> str:
     from stayput.report.verdict.numbers import word
 
-    return word("brief_falls", lang) if math.isinf(median) else told
+    return word("brief_falls", lang) if math.isinf(median) else slide
 
 
 def _print_ranking(
@@ -252,6 +252,6 @@ def _print_room(verdict: RoomVerdict, lang: str) -> None:
 
 def _listed(verdict: RoomVerdict) -> tuple[ChangeVerdict, ...]:
     """Return the changes that help and the next few; all where only one would be left out."""
-    first = sorted(verdict.changes, key=lambda one: not one.helps)
-    shown = sum(one.helps for one in first) + _NEXT
+    first = sorted(verdict.changes, key=lambda change: not change.helps)
+    shown = sum(change.helps for change in first) + _NEXT
     return tuple(first if len(first) <= shown + 1 else first[:shown])

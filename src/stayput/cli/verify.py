@@ -95,7 +95,7 @@ def verify(
         "dropped_ceiling": dropped_ceiling,
     }
     if plan is None and any(home.values()):
-        flags = ", ".join(f"--{name}".replace("_", "-") for name, given in home.items() if given)
+        flags = ", ".join(f"--{name}".replace("_", "-") for name, wanted in home.items() if wanted)
         raise InputError("cli.flag_without", "--plan", flag=flags, other="--plan")
     over = _over(curves, im)
     of_one = {"--measure": measure, "--curves": curves}
@@ -191,16 +191,16 @@ def _write_curves(
     from stayput.verification.words import title
 
     files, left_out = write_curves(verdict, measure, folder, lang)
-    told: list[str] = []
+    sentences: list[str] = []
     for result in verdict.options:
         curve = result.curves[measure]
         name = title(result.option, verdict, lang) if lang == "ja" else curve.name
-        told.append(say("cli.curve", lang, name=name, told=curve.texts))
+        sentences.append(say("cli.curve", lang, name=name, told=curve.texts))
         if curve.lognormal is not None:
-            told.append(f"  {say(curve.lognormal.texts, lang)}")
+            sentences.append(f"  {say(curve.lognormal.texts, lang)}")
     if measure == MMI:
-        told.append(say("fragility.mmi_scatter", lang))
-    for sentence in () if aside else told:
+        sentences.append(say("fragility.mmi_scatter", lang))
+    for sentence in () if aside else sentences:
         typer.echo(sentence)
     for sentence in left_out:
         note(sentence)
