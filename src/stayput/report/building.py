@@ -134,13 +134,13 @@ def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None
     """
     style(axis, zero=False)
     axis.axvline(0.0, color=MUTED, linewidth=0.6)
-    found = model.modes
+    modal = model.modes
     floors = np.arange(len(model.masses) + 1)
     for i in range(min(modes, len(model.masses))):
         colour, line = LINES[i % len(LINES)]
-        percent = 100.0 * found.effective_mass[i]
-        label = say("plots.mode_shape", language, number=i + 1, period=found.periods[i], percent=percent)
-        values = np.append(0.0, found.participation[i] * found.shapes[:, i])
+        percent = 100.0 * modal.effective_mass[i]
+        label = say("plots.mode_shape", language, number=i + 1, period=modal.periods[i], percent=percent)
+        values = np.append(0.0, modal.participation[i] * modal.shapes[:, i])
         axis.plot(values, floors, color=colour, linestyle=line, marker="o", markersize=4.0, label=label)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))
     label_axes(axis, language, "plots.mode_shapes", "plots.floor")

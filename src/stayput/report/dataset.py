@@ -46,12 +46,12 @@ def run_to_dataset(run: Run) -> xr.Dataset:
         "attitude": ((*moved, "part"), run.attitude, "", "unit quaternion that turns the piece's frame"),
         "velocity": ((*moved, "axis"), run.velocity, "m/s", "rate of the place"),
         "rotation_rate": ((*moved, "axis"), run.rotation_rate, "rad/s", "along the room's axes"),
-        "tilt": (moved, [one.tilt for one in run.pieces], "rad", "angle from rest"),
-        "yaw": (moved, [one.yaw for one in run.pieces], "rad", "turn about the vertical"),
-        "slide": (moved, [one.slide for one in run.pieces], "m", "how far the base has slid or rolled"),
+        "tilt": (moved, [piece.tilt for piece in run.pieces], "rad", "angle from rest"),
+        "yaw": (moved, [piece.yaw for piece in run.pieces], "rad", "turn about the vertical"),
+        "slide": (moved, [piece.slide for piece in run.pieces], "m", "how far the base has slid or rolled"),
         "slide_in_plan": (
             (*moved, "level_axis"),
-            [one.slide_in_plan for one in run.pieces],
+            [piece.slide_in_plan for piece in run.pieces],
             "m",
             "the same along x and y",
         ),
@@ -74,15 +74,15 @@ def run_to_dataset(run: Run) -> xr.Dataset:
         },
         {"description": sentence(run), "motion": run.motion.name, "engine": run.engine},
     )
-    data["outcome"] = ("piece", [one.outcome.value for one in run.pieces])
+    data["outcome"] = ("piece", [piece.outcome.value for piece in run.pieces])
     for column in QUANTITIES:
         if column.name.startswith("device_"):
             data[column.name] = ((), getattr(run, column.name), column.attributes)
         elif column.name not in ("outcome", "events"):
-            values = [getattr(one, column.name) for one in run.pieces]
+            values = [getattr(piece, column.name) for piece in run.pieces]
             data[column.name] = ("piece", values, column.attributes)
     fell = _attributes("s", "time at which it fell off what it stood on, or nan")
-    data["fall_time"] = ("piece", [one.fall_time for one in run.pieces], fell)
+    data["fall_time"] = ("piece", [piece.fall_time for piece in run.pieces], fell)
     if run.engine == "plane":
         _add_events(data, run)
     if run.devices:

@@ -142,7 +142,7 @@ def draw_curve(axis: Axes, curve: FragilityCurve, language: str, **line: Any) ->
         The axes hold a curve over another measure.
     """
     over = [
-        gid.removeprefix(_SHARES) for one in axis.lines if (gid := one.get_gid() or "").startswith(_SHARES)
+        gid.removeprefix(_SHARES) for each in axis.lines if (gid := each.get_gid() or "").startswith(_SHARES)
     ]
     _refuse_other_measures([*over, curve.measure.key])
     style(axis, zero=False)
@@ -217,7 +217,7 @@ def _finish(axis: Axes, curves: Sequence[FragilityCurve], measure: IntensityMeas
     _label(axis, measure, language)
     if not measure.is_logarithm:
         tens = 10.0 ** np.arange(math.floor(math.log10(first)), math.ceil(math.log10(last)) + 1)
-        axis.set_xticks([one for one in np.outer(tens, _DIGITS).ravel() if first <= one <= last])
+        axis.set_xticks([tick for tick in np.outer(tens, _DIGITS).ravel() if first <= tick <= last])
     axis.set_xlim(first, last)
     for middle, name in shaded_classes(axis, first, last, language) if measure == JMA_INTENSITY else ():
         axis.text(middle, 1.06, name, ha="center", va="center", fontsize=FONT - 1.5, color=MUTED)
@@ -234,8 +234,8 @@ def draw_ranking(axis: Axes, verdict: Verdict, language: str) -> None:
         ends = [[max(0.0, estimate - low)], [max(0.0, high - estimate)]]
         axis.barh(place, estimate, 0.55, color=COMPONENT_COLOURS["x"])
         axis.errorbar(estimate, place, xerr=ends, color=INK, capsize=3.0, linewidth=1.0)
-        told = numbers.share(chance.estimate, language)
-        axis.text(high + 1.5, place, told, va="center", fontsize=FONT - 1.0)
+        share = numbers.share(chance.estimate, language)
+        axis.text(high + 1.5, place, share, va="center", fontsize=FONT - 1.0)
     labels = [drawable(title(option.option, verdict, language)) for option in verdict.options]
     axis.set_yticks(range(len(labels)), labels, fontsize=FONT - 1.0)
     axis.set_ylim(len(labels) - 0.4, -0.6)

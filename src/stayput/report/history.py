@@ -135,12 +135,12 @@ def window_in_space(runs: Sequence[Run], longest: float = LONGEST) -> tuple[floa
     times = runs[0].time
     first, last = float(times[-1]), 0.0
     for run in runs:
-        tilt = np.max([one.tilt for one in run.pieces], axis=0)
-        slide = np.max([one.slide for one in run.pieces], axis=0)
+        tilt = np.max([piece.tilt for piece in run.pieces], axis=0)
+        slide = np.max([piece.slide for piece in run.pieces], axis=0)
         moved = np.flatnonzero((tilt > MOVED) | (slide > MOVED))
         if len(moved):
             first = min(first, float(times[moved[0]]))
-        falls = [one.overturn_time for one in run.pieces if one.overturned]
+        falls = [piece.overturn_time for piece in run.pieces if piece.overturned]
         last = max(last, *falls or [float(times[tilt.argmax()])])
     if first >= last:  # nothing moves: the strongest shaking is shown
         first = last = float(times[np.abs(runs[0].motion.x).argmax()])
@@ -157,8 +157,8 @@ def cut_run(run: Run, start: float, end: float) -> Run:
     kept = (run.time >= start - 1e-9) & (run.time <= end + 1e-9)
     along = ("place", "attitude", "velocity", "rotation_rate", "force")
     of_piece = ("tilt", "slide", "slide_in_plan", "yaw")
-    cut = [{name: getattr(one, name)[kept] for name in of_piece} for one in run.pieces]
-    pieces = tuple(replace(one, **parts) for one, parts in zip(run.pieces, cut, strict=True))
+    cut = [{name: getattr(piece, name)[kept] for name in of_piece} for piece in run.pieces]
+    pieces = tuple(replace(piece, **parts) for piece, parts in zip(run.pieces, cut, strict=True))
     poses = {name: getattr(run, name)[:, kept] for name in along}
     return replace(run, time=run.time[kept], pieces=pieces, **poses)
 

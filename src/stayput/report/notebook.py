@@ -84,8 +84,8 @@ def motion_html(motion: Motion) -> str:
     heads = ["", *peaks]
     intensity = _intensity(motion)
     table: list[Sequence[str]] = [
-        (say("notebook.pga"), *(f"{one.pga:.3g}" for one in peaks.values())),
-        (say("notebook.pgv"), *(f"{100.0 * one.pgv:.3g}" for one in peaks.values())),
+        (say("notebook.pga"), *(f"{peak.pga:.3g}" for peak in peaks.values())),
+        (say("notebook.pgv"), *(f"{100.0 * peak.pgv:.3g}" for peak in peaks.values())),
         (say("notebook.duration"), f"{motion.duration:.4g}"),
         (say("notebook.step"), f"{motion.dt:g}"),
     ]
@@ -171,10 +171,10 @@ def _drawn(draw: Callable[[Axes], None], width: float, height: float) -> Figure:
 
 def _shown(said: str, figure: Figure, table: Iterable[Sequence[str]], heads: Sequence[str] = ()) -> str:
     """Return a sentence, a picture and a table as HTML that needs nothing else."""
-    cells = "".join(f"<th>{html.escape(one)}</th>" for one in heads)
+    cells = "".join(f"<th>{html.escape(head)}</th>" for head in heads)
     head = f"<thead><tr>{cells}</tr></thead>" if heads else ""
     lines = [
-        f"<tr><th>{html.escape(first)}</th>{''.join(f'<td>{html.escape(one)}</td>' for one in rest)}</tr>"
+        f"<tr><th>{html.escape(first)}</th>{''.join(f'<td>{html.escape(cell)}</td>' for cell in rest)}</tr>"
         for first, *rest in table
     ]
     return (

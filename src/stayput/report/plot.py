@@ -162,7 +162,7 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
         _draw_plan(axis, run, language)
         axis.legend(handles=_piece_handles(run, language), fontsize=FONT - 1.0, framealpha=0.85)
         return
-    further = any(one.get_gid() == LINE for one in axis.lines)
+    further = any(artist.get_gid() == LINE for artist in axis.lines)
     several, alone = len(run.pieces) > 1 and what != "acceleration", {"gid": LINE, **line}
     if further:
         legend = axis.get_legend()
@@ -198,7 +198,7 @@ def _histories(run: Run, what: RunHistory) -> list[tuple[NDArray[np.float64], ND
     if run.engine == "plane" and what != "yaw":
         shown = history(run)
         return [(shown.time, scale * getattr(shown, what))]
-    return [(run.time, scale * getattr(one, what)) for one in run.pieces]
+    return [(run.time, scale * getattr(piece, what)) for piece in run.pieces]
 
 
 def plot_motion(
@@ -328,12 +328,12 @@ def _draw_pieces(axis: Axes, run: Run, what: RunHistory, language: str) -> None:
     """Draw one history of each piece over time, and when it overturned and fell off."""
     style(axis)
     histories, most = _histories(run, what), 0.0
-    for b, (one, (times, values)) in enumerate(zip(run.pieces, histories, strict=True)):
+    for b, (piece, (times, values)) in enumerate(zip(run.pieces, histories, strict=True)):
         axis.plot(times, values, linestyle=_dashes(b), color=_colour(run, b), linewidth=1.3)
         most = max(most, float(np.abs(values).max()))
         for time, text, marker in (
-            (one.overturn_time, "plots.overturned", _OVERTURNED),
-            (one.fall_time, "plots.fell_off", _FELL_OFF),
+            (piece.overturn_time, "plots.overturned", _OVERTURNED),
+            (piece.fall_time, "plots.fell_off", _FELL_OFF),
         ):
             if run.engine == "space" and math.isfinite(time):
                 looks: dict[str, Any] = {"color": _colour(run, b), "label": say(text, language, time=time)}
@@ -387,8 +387,8 @@ def _tilt_limits(run: Run) -> tuple[float, float]:
 def _draw_bands(bands: tuple[Axes, ...], run: Run) -> dict[Mode, list[tuple[float, float]]]:
     """Draw the modes as faint bands behind histories; return when and how long the body was in each [s]."""
     spans = history(run).spans()
-    found = {mode: [(start, end - start) for start, end, one in spans if one is mode] for mode in Mode}
-    present = {mode: widths for mode, widths in found.items() if widths}
+    bars = {mode: [(start, end - start) for start, end, m in spans if m is mode] for mode in Mode}
+    present = {mode: widths for mode, widths in bars.items() if widths}
     for axis in bands:
         for mode, widths in present.items():
             if mode is not Mode.REST:
@@ -434,8 +434,8 @@ def _piece_handles(run: Run, language: str) -> list[Line2D]:
         for b, name in enumerate(names_of(run, language))
     ]
     for happened, outcome, marker in (
-        (any(one.overturned for one in run.pieces), "overturned", _OVERTURNED),
-        (any(one.fell_off for one in run.pieces), "fell off", _FELL_OFF),
+        (any(piece.overturned for piece in run.pieces), "overturned", _OVERTURNED),
+        (any(piece.fell_off for piece in run.pieces), "fell off", _FELL_OFF),
     ):
         if happened:
             looks: dict[str, Any] = {"markersize": 8.0, "markeredgecolor": INK, "color": "none"}

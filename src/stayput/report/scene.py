@@ -260,8 +260,8 @@ def run_data(run: Run, shown: History, at: NDArray[np.float64]) -> dict[str, Any
             for device in run.devices
         ],
         "shapes": [
-            {**attributes(one, "kind", "role", "when"), "points": list(one.points), "device": one.element}
-            for one in (() if run.held is None else sketch(run.held))
+            {**attributes(part, "kind", "role", "when"), "points": list(part.points), "device": part.element}
+            for part in (() if run.held is None else sketch(run.held))
         ],
     }
 

@@ -65,9 +65,9 @@ def sentences(run: Run, sides: tuple[str, str] = LEFT_AND_RIGHT) -> Phrase:
     if len(names) == 1:
         return _in_space(run.piece, names[0])
     fallen = [
-        (min(time for time in (one.overturn_time, one.fall_time) if math.isfinite(time)), name)
-        for one, name in zip(run.pieces, names, strict=True)
-        if one.overturned or one.fell_off
+        (min(time for time in (piece.overturn_time, piece.fall_time) if math.isfinite(time)), name)
+        for piece, name in zip(run.pieces, names, strict=True)
+        if piece.overturned or piece.fell_off
     ]
     if not fallen:
         return phrase("space.none_fell", count=len(names))
@@ -127,26 +127,26 @@ def piece_results(run: Run) -> list[dict[str, Any]]:
     return [
         {
             "name": name,
-            "outcome": one.outcome.value,
-            "overturned": None if lost else one.overturned,
-            "overturn_time_s": number(one.overturn_time),
-            "fell_off": None if lost else one.fell_off,
-            "fall_time_s": number(one.fall_time),
-            "peak_tilt_rad": number(one.peak_tilt),
-            "peak_slide_m": number(one.peak_slide),
-            "residual_tilt_rad": number(one.residual_tilt),
+            "outcome": piece.outcome.value,
+            "overturned": None if lost else piece.overturned,
+            "overturn_time_s": number(piece.overturn_time),
+            "fell_off": None if lost else piece.fell_off,
+            "fall_time_s": number(piece.fall_time),
+            "peak_tilt_rad": number(piece.peak_tilt),
+            "peak_slide_m": number(piece.peak_slide),
+            "residual_tilt_rad": number(piece.residual_tilt),
             "residual_slide_m": [
                 number(way)
-                for way in ((one.residual_slide, 0.0) if plane else one.slide_in_plan[-1].tolist())
+                for way in ((piece.residual_slide, 0.0) if plane else piece.slide_in_plan[-1].tolist())
             ],
-            "residual_yaw_rad": number(one.yaw[-1]),
+            "residual_yaw_rad": number(piece.yaw[-1]),
             "place_m": [number(part) for part in place[-1].tolist()],
             "attitude": [number(part) for part in attitude[-1].tolist()],
-            "floor_impacts": one.floor_impacts,
-            "wall_impacts": one.wall_impacts,
-            "impacts_on_bodies": one.body_impacts,
+            "floor_impacts": piece.floor_impacts,
+            "wall_impacts": piece.wall_impacts,
+            "impacts_on_bodies": piece.body_impacts,
         }
-        for name, one, place, attitude in zip(run.names, run.pieces, run.place, run.attitude, strict=True)
+        for name, piece, place, attitude in zip(run.names, run.pieces, run.place, run.attitude, strict=True)
     ]
 
 
@@ -227,20 +227,20 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
     peak, key = (motion.pga, "runs") if plane else (peak_of(motion), "space")
     shaken = {"name": motion_place(motion, language), "duration": motion.duration, "peak": peak}
     table = [(say("runs.row_motion", language), say(f"{key}.row_motion_value", language, **shaken))]
-    for b, (name, one) in enumerate(zip(names, run.pieces, strict=True)):
+    for b, (name, piece) in enumerate(zip(names, run.pieces, strict=True)):
         open_side = say("runs.open_side", language) if plane and slides_off(run) else ""
         rolls = not plane and len(run.standing[b].solid.rims) > 0
         values = {
-            "outcome": outcome_named(one.outcome, language),
-            "overturned": f"{one.overturn_time:.2f} s" if one.overturned else "-",
-            "fell_off": f"{one.fall_time:.2f} s" if one.fell_off else "-",
-            "tilt": f"{math.degrees(one.peak_tilt):.2f}°",
-            "way" if rolls else "slide": f"{100.0 * one.peak_slide:.2f} cm{open_side}",
-            "residual": f"{100.0 * one.residual_slide:{'+' if plane else ''}z.2f} cm",
-            "yaw": f"{math.degrees(np.abs(one.yaw).max()):.1f}°",
-            "floor": str(one.floor_impacts),
-            "walls" if run.room.ceiling is None else "walls_and_ceiling": str(one.wall_impacts),
-            "bodies": str(one.body_impacts),
+            "outcome": outcome_named(piece.outcome, language),
+            "overturned": f"{piece.overturn_time:.2f} s" if piece.overturned else "-",
+            "fell_off": f"{piece.fall_time:.2f} s" if piece.fell_off else "-",
+            "tilt": f"{math.degrees(piece.peak_tilt):.2f}°",
+            "way" if rolls else "slide": f"{100.0 * piece.peak_slide:.2f} cm{open_side}",
+            "residual": f"{100.0 * piece.residual_slide:{'+' if plane else ''}z.2f} cm",
+            "yaw": f"{math.degrees(np.abs(piece.yaw).max()):.1f}°",
+            "floor": str(piece.floor_impacts),
+            "walls" if run.room.ceiling is None else "walls_and_ceiling": str(piece.wall_impacts),
+            "bodies": str(piece.body_impacts),
         }
         absent = {"yaw"} if plane else set[str]()
         absent |= {"fell_off", "bodies"} if len(names) == 1 else set()
@@ -258,8 +258,8 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
 
 def outcome_named(outcome: Outcome, language: str) -> str:
     """Return an outcome in a word: in English as `Run.outcome` has it, but that of a failed run."""
-    own = language == "en" and outcome is not Outcome.FAILED
-    return outcome.value if own else say(OUTCOMES[outcome.value], language)
+    as_is = language == "en" and outcome is not Outcome.FAILED
+    return outcome.value if as_is else say(OUTCOMES[outcome.value], language)
 
 
 def place_called(device: DeviceResult, members: Sequence[str], language: str = "en") -> str:
@@ -361,7 +361,7 @@ def number(value: float) -> float | None:
 
 def attributes(value: object, *names: str) -> dict[str, Any]:
     """Return attributes of a value by their names; None in place of a number that is not finite."""
-    return {name: number(own) if isinstance(own := getattr(value, name), float) else own for name in names}
+    return {name: number(part) if isinstance(part := getattr(value, name), float) else part for name in names}
 
 
 def by_language(text: Phrase) -> dict[str, str]:

@@ -73,7 +73,7 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
     content = {
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
-        "sentences": [say(told, language) for told in _sentences(plan)],
+        "sentences": [say(sentence, language) for sentence in _sentences(plan)],
         "letters": sizes.letters,
         "dense": sizes == SIZES[-1],
         "plan": drawing,
@@ -83,7 +83,7 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
         "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
         "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
-        "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
+        "weakest": listed_once(plan, lambda step: [joined(item.label for item in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
     }
     return rendered("room/card.html", content)
@@ -94,16 +94,16 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
     if together is None and falling is None and not plan.unsolved:
         yield phrase("action_plan.nothing")
-    told = {} if together is None else worth_telling(together, plan)
-    if told:
+    chances = {} if together is None else worth_telling(together, plan)
+    if chances:
         now, then = (
             joined(
                 phrase("action_plan.chance", what=phrase(f"rooms.chance_of_{key}"), share=share)
                 for key, share in shares.items()
             )
             for shares in (
-                {key: share_text(was) for key, (_, was) in told.items()},
-                {key: with_ends(chance) for key, (chance, _) in told.items()},
+                {key: share_text(was) for key, (_, was) in chances.items()},
+                {key: with_ends(chance) for key, (chance, _) in chances.items()},
             )
         )
         only, strength = motion_phrase(verdict), shaking_phrase(verdict)
@@ -150,40 +150,40 @@ def listed_once(
     plan: ActionPlan, of: Callable[[PlanStep], Iterable[Phrase]], language: str
 ) -> list[tuple[str, str]]:
     """Return what is said of steps, each sentence once, with the numbers of the steps before it."""
-    found: dict[str, list[int]] = {}
+    numbered: dict[str, list[int]] = {}
     for number, step in enumerate(plan.steps, 1):
-        for told in of(step):
-            found.setdefault(say(told, language), []).append(number)
-    return [(", ".join(map(str, numbers)), told) for told, numbers in found.items()]
+        for sentence in of(step):
+            numbered.setdefault(say(sentence, language), []).append(number)
+    return [(", ".join(map(str, numbers)), sentence) for sentence, numbers in numbered.items()]
 
 
 def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
     """Return what to look at before which steps, or before which of their variants without drilling."""
-    found: dict[tuple[bool, Phrase], list[str]] = {}
+    numbered: dict[tuple[bool, Phrase], list[str]] = {}
     for number, step in enumerate(plan.steps, 1):
         empty = "" if step.overturned is None else phrase("action_plan.empty")
         ways = [[phrase("action_plan.check_move", empty=empty)] if step.fix is None else checks(step.fix)]
         ways += [] if step.instead is None else [checks(step.instead)]
-        for undrilled, own in enumerate(ways):
-            found.setdefault((bool(undrilled), joined(own, "action_plan.next")), []).append(str(number))
-    steps = {key: ", ".join(numbers) for key, numbers in found.items()}
+        for undrilled, way in enumerate(ways):
+            numbered.setdefault((bool(undrilled), joined(way, "action_plan.next")), []).append(str(number))
+    steps = {key: ", ".join(numbers) for key, numbers in numbered.items()}
     return [
-        (_own(language, "steps_instead", steps=of) if undrilled else of, say(told, language))
-        for (undrilled, told), of in steps.items()
+        (_own(language, "steps_instead", steps=of) if undrilled else of, say(sentence, language))
+        for (undrilled, sentence), of in steps.items()
     ]
 
 
 def _row(number: int, plan: ActionPlan, scale: int, language: str) -> dict[str, Any]:
     """Return a step as it is read; what is known of its inputs is for the screen, see `listed_once`."""
-    step, own = plan.steps[number - 1], partial(_own, language)
+    step, text = plan.steps[number - 1], partial(_own, language)
     grade = {"grade": step.grade.value, "meaning": MEANINGS[step.grade]}
     return {
         "number": number,
         "heading": say(heading(step, plan), language),
-        "decided": own("decided") if step.decided else "",
-        "cost": own("free") if step.fix is None else own("cost", level=step.cost_class),
+        "decided": text("decided") if step.decided else "",
+        "cost": text("free") if step.fix is None else text("cost", level=step.cost_class),
         "grade": step.grade.value,
-        "known": [own("grade", **grade), own("weakest", inputs=joined(one.label for one in step.weakest))],
+        "known": [text("grade", **grade), text("weakest", inputs=joined(x.label for x in step.weakest))],
         "drawing": "" if step.fix is None else Markup(elevation_svg(step.fix, step.what, scale, language)),
         "done": _block(step.fix, _lines(number, plan), plan, language),
         "other": _other(step, plan, language),
@@ -213,17 +213,17 @@ def _dead_end(plan: ActionPlan, language: str) -> dict[str, Any] | None:
     names += plan.unsolved
     if not names:
         return None
-    own = partial(_own, language)
+    text = partial(_own, language)
     before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
     drilled = {name: fix for name, fix in plan.drilled.items() if name in plan.unsolved}
     blocks = (
-        (own("drilled_on", piece=piece_name(name)), fix, _lines_of_other(fix, before[name], plan))
+        (text("drilled_on", piece=piece_name(name)), fix, _lines_of_other(fix, before[name], plan))
         for name, fix in drilled.items()
     )
     return {
-        "heading": own("not_enough", pieces=joined(map(piece_name, dict.fromkeys(names)))),
-        "sentences": [*([own("ask_landlord")] if plan.home.no_drilling else []), own("out_of_reach")],
-        "drilled": [(told, _block(fix, lines, plan, language)) for told, fix, lines in blocks],
+        "heading": text("not_enough", pieces=joined(map(piece_name, dict.fromkeys(names)))),
+        "sentences": [*([text("ask_landlord")] if plan.home.no_drilling else []), text("out_of_reach")],
+        "drilled": [(title, _block(fix, lines, plan, language)) for title, fix, lines in blocks],
     }
 
 
@@ -233,8 +233,8 @@ def _block(
     """Return what is said of a move or of measures: that they are too weak, and lines with headings."""
     weak = None if fix is None else too_weak(fix, plan)
     return {
-        "warning": None if weak is None else [say(told, language) for told in weak],
-        "lines": [(_own(language, key), say(told, language)) for key, told in lines],
+        "warning": None if weak is None else [say(sentence, language) for sentence in weak],
+        "lines": [(_own(language, key), say(sentence, language)) for key, sentence in lines],
     }
 
 
@@ -243,27 +243,27 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     step = plan.steps[number - 1]
     fix = step.fix
     if fix is not None:
-        yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
-        yield "where", joined((where(one, fix) for one in fix.purchases), "action_plan.next")
-    told: list[Phrase] = []
+        yield "buy", joined(to_buy(purchase, fix) for purchase in fix.purchases)
+        yield "where", joined((where(purchase, fix) for purchase in fix.purchases), "action_plan.next")
+    sentences: list[Phrase] = []
     if (was := step.overturned) is not None:  # else it is the place of a person that is moved
         moved = step.alone.overturned[plan.verdict.scenario.names.index(step.what)]
         now = moved if fix is None else fix.overturns
         if fix is not None or now.estimate != was.estimate:
-            told.append(_overturns(was.estimate, now))
-    told += what_it_brings(number, plan)
-    yield "effect" if fix is None or fix.enough else "reaches", joined(told, "action_plan.next")
+            sentences.append(_overturns(was.estimate, now))
+    sentences += what_it_brings(number, plan)
+    yield "effect" if fix is None or fix.enough else "reaches", joined(sentences, "action_plan.next")
     if fix is not None and fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")
 
 
 def _lines_of_other(fix: Fix, was: float, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     """Yield the same of another way, for a piece that overturns so often as the room is."""
-    told = [_overturns(was, fix.overturns)]
+    sentences = [_overturns(was, fix.overturns)]
     if not changes_nothing(fix.alone):
-        told.append(effects(fix.alone, plan))
-    yield "effect" if fix.enough else "reaches", joined(told, "action_plan.next")
-    yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
+        sentences.append(effects(fix.alone, plan))
+    yield "effect" if fix.enough else "reaches", joined(sentences, "action_plan.next")
+    yield "buy", joined(to_buy(purchase, fix) for purchase in fix.purchases)
     if fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")
 

@@ -41,13 +41,13 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
                 "shut_in": interval_data(place.shut_in),
                 "by": [
                     {
-                        "piece": one.piece,
-                        "mass_kg": number(one.mass),
-                        "probability": interval_data(one.probability),
-                        "speed_m_s": quantiles_data(one.speed),
-                        "energy_J": quantiles_data(one.energy),
+                        "piece": hit.piece,
+                        "mass_kg": number(hit.mass),
+                        "probability": interval_data(hit.probability),
+                        "speed_m_s": quantiles_data(hit.speed),
+                        "energy_J": quantiles_data(hit.energy),
                     }
-                    for one in place.by
+                    for hit in place.by
                 ],
             }
             for place in verdict.places
@@ -60,7 +60,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
             {
                 "name": piece.name,
                 "engine": "plane" if piece.in_plane else "space",
-                "probabilities": {event: interval_data(one) for event, one in piece.probabilities.items()},
+                "probabilities": {event: interval_data(p) for event, p in piece.probabilities.items()},
                 "peak_slide_m": quantiles_data(piece.slide),
                 "falls": piece.falls,
                 "risk": number(piece.risk),
@@ -70,15 +70,15 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
         ],
         "cell_m": CELL,
         "collisions": [
-            {"pieces": list(pair), "probability": interval_data(one)}
-            for pair, one in verdict.collisions.items()
+            {"pieces": list(pair), "probability": interval_data(chance)}
+            for pair, chance in verdict.collisions.items()
         ],
-        "changes": [_change(one, verdict) for one in verdict.changes],
+        "changes": [_change(change, verdict) for change in verdict.changes],
     }
 
 
 def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
-    change, own = result.change, verdict.piece_changed(result)
+    change, overturned = result.change, verdict.piece_changed(result)
     ends = ("hit", "hit_change", "shut_in", "shut_in_change")
     return {
         "what": change.what,
@@ -89,8 +89,8 @@ def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
         "at_m": None if change.at is None else list(change.at),
         "heading_rad": change.heading,
         **{name: interval_data(getattr(result, name)) for name in ends},
-        "overturned": None if own is None else interval_data(own[0]),
-        "overturned_change": None if own is None else interval_data(own[1]),
+        "overturned": None if overturned is None else interval_data(overturned[0]),
+        "overturned_change": None if overturned is None else interval_data(overturned[1]),
         "risk": number(result.risk),
         "helps": result.helps,
         "better": list(result.better),
@@ -116,8 +116,8 @@ def _ends(value: Probability | Difference | None) -> Iterable[float | None]:
 def _rows(verdict: RoomVerdict) -> Iterator[tuple[str, str, str, Probability, Difference | None]]:
     for place in verdict.places:
         yield "hit", place.place.name, "", place.hit, None
-        for one in place.by:
-            yield "hit", place.place.name, one.piece, one.probability, None
+        for hit in place.by:
+            yield "hit", place.place.name, hit.piece, hit.probability, None
         yield "shut_in", place.place.name, "", place.shut_in, None
     for door in verdict.doors:
         yield "blocked", door.door.name, "", door.blocked, None
@@ -126,12 +126,12 @@ def _rows(verdict: RoomVerdict) -> Iterator[tuple[str, str, str, Probability, Di
             yield event, piece.name, "", chance, None
     for (first, second), chance in verdict.collisions.items():
         yield "meet", first, second, chance, None
-    for one in verdict.changes:
-        label = change_label(one.change, verdict, "en")
-        yield "hit_with", label, "", one.hit, one.hit_change
-        yield "shut_in_with", label, "", one.shut_in, one.shut_in_change
-        if (own := verdict.piece_changed(one)) is not None:
-            yield "overturned_with", label, "", *own
+    for result in verdict.changes:
+        label = change_label(result.change, verdict, "en")
+        yield "hit_with", label, "", result.hit, result.hit_change
+        yield "shut_in_with", label, "", result.shut_in, result.shut_in_change
+        if (overturned := verdict.piece_changed(result)) is not None:
+            yield "overturned_with", label, "", *overturned
 
 
 def plan_data(plan: ActionPlan) -> dict[str, Any]:
@@ -163,7 +163,7 @@ def _step(step: PlanStep, plan: ActionPlan) -> dict[str, Any]:
         "together": _effect(step.together),
         **attributes(step, "for_people", "decided", "cost_class"),
         "grade": step.grade.value,
-        "weakest": [list(one.label) for one in step.weakest],
+        "weakest": [list(item.label) for item in step.weakest],
     }
 
 
@@ -176,14 +176,14 @@ def _fix(fix: Fix) -> dict[str, Any]:
         "cautions": [list(caution) for caution in fix.cautions],
         "buy": [
             {
-                "type": one.measure.kind,
-                "count": one.count,
-                "where": list(where(one, fix)),
-                "rated_n": {name: number(force) for name, force in forces_asked(one)},
-                "holds_n": None if one.holds is None else attributes(one.holds, *one.holds._fields),
-                "enough": one.enough,
+                "type": item.measure.kind,
+                "count": item.count,
+                "where": list(where(item, fix)),
+                "rated_n": {name: number(force) for name, force in forces_asked(item)},
+                "holds_n": None if item.holds is None else attributes(item.holds, *item.holds._fields),
+                "enough": item.enough,
             }
-            for one in fix.purchases
+            for item in fix.purchases
         ],
     }
 
@@ -193,6 +193,6 @@ def _effect(effect: RoomEffect) -> dict[str, Any]:
     return {
         **{name: interval_data(getattr(effect, name)) for name in ends},
         "risk": number(effect.risk),
-        "overturned": [interval_data(one) for one in effect.overturned],
-        "overturned_change": [interval_data(one) for one in effect.overturned_change],
+        "overturned": [interval_data(chance) for chance in effect.overturned],
+        "overturned_change": [interval_data(difference) for difference in effect.overturned_change],
     }

@@ -122,7 +122,7 @@ class _View:
         self.held, self.base, self.metre = held, base, metre
         body = held.body
         self.length, self.depth = body.length or body.width, body.width
-        ends = (one.point[1] + (one.to_anchor or (0.0, 0.0))[1] for one in held.elements)  # of belts
+        ends = (belt.point[1] + (belt.to_anchor or (0.0, 0.0))[1] for belt in held.elements)  # of belts
         ceiling = held.room.ceiling
         poles = any(isinstance(measure, TensionPole) for measure in held.measures)
         self.ceiling = ceiling.height if poles and ceiling is not None else None
@@ -225,7 +225,7 @@ def sizes_of(plan: ActionPlan) -> CardSizes:
 def plan_scale(metres: Sequence[float], sizes: CardSizes) -> int:
     """Return the largest scale of a plan that is so wide and so high with its margins [m]."""
     (wide, high), (most_wide, most_high) = metres, sizes.plan
-    fitting = (one for one in PLAN_SCALES if wide / one <= most_wide and high / one <= most_high)
+    fitting = (scale for scale in PLAN_SCALES if wide / scale <= most_wide and high / scale <= most_high)
     return next(fitting, PLAN_SCALES[-1])
 
 

@@ -117,7 +117,7 @@ def plan_svg(
     letters : float
         Size of the letters of names [px].
     """
-    sheet, told, marks = PlanSheet(plan), notes or {}, numbered or {}
+    sheet, noted, marks = PlanSheet(plan), notes or {}, numbered or {}
     colon = say("common.colon", language)
     content, labels, keys, names = [walls_svg(sheet)], list[PlanLabel](), list[str](), list[str]()
 
@@ -125,11 +125,11 @@ def plan_svg(
         """Return a name as it stands on the plan, and what a screen reader says of it."""
         name = say(called, language)
         name = f"{marks[key]} {name}" if key in marks else name
-        return name, f"{name}{aside}{colon}{told[key]}" if key in told else f"{name}{aside}"
+        return name, f"{name}{aside}{colon}{noted[key]}" if key in noted else f"{name}{aside}"
 
     def add(key: str, name: str, drawn: str, box: Box, mark: str = "") -> None:
         content.append(drawn)
-        labels.append(PlanLabel(wrapped(name), told.get(key, ""), box))
+        labels.append(PlanLabel(wrapped(name), noted.get(key, ""), box))
         keys.append(mark)
         names.append(name)
 
@@ -211,12 +211,12 @@ def _cells(sheet: PlanSheet, chosen: NDArray[np.bool_]) -> str:
     change = np.diff(padded, axis=0).T
     rows, starts = np.nonzero(change == 1)
     _, ends = np.nonzero(change == -1)
-    found: list[str] = []
+    parts: list[str] = []
     for row, start, end in zip(rows.tolist(), starts.tolist(), ends.tolist(), strict=True):
         x0, y1 = sheet.place(start * CELL, row * CELL)
         x1, y0 = sheet.place(min(end * CELL, sheet.plan.width), min((row + 1) * CELL, sheet.plan.length))
-        found.append(f"M{x0:.1f} {y0:.1f}H{x1:.1f}V{y1:.1f}H{x0:.1f}Z")
-    return "".join(found)
+        parts.append(f"M{x0:.1f} {y0:.1f}H{x1:.1f}V{y1:.1f}H{x0:.1f}Z")
+    return "".join(parts)
 
 
 def _moved_svg(sheet: PlanSheet, before: NDArray[np.float64], after: NDArray[np.float64]) -> str:
@@ -249,12 +249,12 @@ def swatch_svg(look: int) -> str:
 def room_plan(verdict: RoomVerdict, language: str) -> str:
     """Return the plan of the room with where its pieces come to lie, and who is hit how often."""
 
-    def told(key: str, chance: Probability) -> str:
+    def text(key: str, chance: Probability) -> str:
         return say(f"room_report.{key}", language, share=numbers.probability(chance, language))
 
-    notes = {one.name: told("overturns", one.probabilities[OVERTURNED]) for one in verdict.pieces}
-    notes |= {one.place.name: told("is_hit", one.hit) for one in verdict.places}
-    notes |= {one.door.name: told("is_blocked", one.blocked) for one in verdict.doors}
+    notes = {piece.name: text("overturns", piece.probabilities[OVERTURNED]) for piece in verdict.pieces}
+    notes |= {place.place.name: text("is_hit", place.hit) for place in verdict.places}
+    notes |= {door.door.name: text("is_blocked", door.blocked) for door in verdict.doors}
     kinds = [table.kind for table in verdict.scenario.places]
     return plan_svg(verdict.plan, _pieces(verdict), kinds, language, notes=notes).svg
 
@@ -267,7 +267,7 @@ def legend(verdict: RoomVerdict, language: str) -> list[tuple[str, str]]:
 
 def change_plan(verdict: RoomVerdict, language: str) -> tuple[str, str] | None:
     """Return a plan with the best change that helps and moves something, and what the change is."""
-    best = next((one.change for one in verdict.changes if one.helps and one.change.at is not None), None)
+    best = next((c.change for c in verdict.changes if c.helps and c.change.at is not None), None)
     if best is None:
         return None
     return numbered_plan(verdict, [best], language).svg, change_label(best, verdict, language)
@@ -321,8 +321,8 @@ def numbered_plan(
 
 def _pieces(verdict: RoomVerdict) -> list[DrawnPiece]:
     """Return the pieces in the order of the file, in which what stands on another comes after it."""
-    found, scenario = {piece.name: piece for piece in verdict.pieces}, verdict.scenario
+    verdicts, scenario = {piece.name: piece for piece in verdict.pieces}, verdict.scenario
     return [
-        DrawnPiece(name, look, found[name].outline, piece.heading, found[name].covers)
+        DrawnPiece(name, look, verdicts[name].outline, piece.heading, verdicts[name].covers)
         for look, (name, piece) in enumerate(zip(scenario.names, scenario.assembly().members, strict=True))
     ]

@@ -64,25 +64,25 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
 
     hits: list[tuple[str, ...]] = []
     for place in verdict.places:
-        shares = (numbers.share(one, language) for one in (place.by_day, place.by_night))
+        shares = (numbers.share(share, language) for share in (place.by_day, place.by_night))
         name = say(place_name(place.place), language)
         hits.append((name, *texts("any_piece"), chance(place.hit), *shares, "", "", ""))
-        for one in place.by:
-            strength = numbers.speed(one.speed.median), numbers.energy(one.energy.median)
-            name = say(piece_name(one.piece), language)
-            hits.append(("", name, chance(one.probability), "", "", *strength, numbers.mass(one.mass)))
-    ways = [(phrase("rooms.door_blocked", door=door_name(one.door)), one.blocked) for one in verdict.doors]
-    shut_in = verdict.places if any(one.door.way_out for one in verdict.doors) else ()
-    ways += [(phrase("rooms.place_shut_in", place=place_name(one.place)), one.shut_in) for one in shut_in]
+        for hit in place.by:
+            strength = numbers.speed(hit.speed.median), numbers.energy(hit.energy.median)
+            name = say(piece_name(hit.piece), language)
+            hits.append(("", name, chance(hit.probability), "", "", *strength, numbers.mass(hit.mass)))
+    ways = [(phrase("rooms.door_blocked", door=door_name(door.door)), door.blocked) for door in verdict.doors]
+    shut_in = verdict.places if any(door.door.way_out for door in verdict.doors) else ()
+    ways += [(phrase("rooms.place_shut_in", place=place_name(p.place)), p.shut_in) for p in shut_in]
     changes = [
         (
-            change_label(one.change, verdict, language),
-            chance(one.hit),
-            numbers.change(one.hit_change, language),
-            chance(one.shut_in),
-            "" if (own := verdict.piece_changed(one)) is None else chance(own[0]),
+            change_label(change.change, verdict, language),
+            chance(change.hit),
+            numbers.change(change.hit_change, language),
+            chance(change.shut_in),
+            "" if (overturned := verdict.piece_changed(change)) is None else chance(overturned[0]),
         )
-        for one in verdict.changes
+        for change in verdict.changes
     ]
     stuck = any(door.at_rest for door in verdict.doors)
     return (
@@ -162,33 +162,33 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
         "legend": [(Markup(swatch), name) for swatch, name in legend(verdict, language)],
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
-        "ways_out": any(one.door.way_out for one in verdict.doors),
+        "ways_out": any(door.door.way_out for door in verdict.doors),
         "places": [
             {
-                "name": say(place_name(one.place), language),
-                "hit": one.hit,
+                "name": say(place_name(place.place), language),
+                "hit": place.hit,
                 "times": [
                     (
                         numbers.share(chance, language),
-                        say("room_report.presence", language, share=numbers.share(there, language)),
+                        say("room_report.presence", language, share=numbers.share(time, language)),
                     )
-                    for chance, there in ((one.by_day, one.place.day), (one.by_night, one.place.night))
+                    for chance, time in ((place.by_day, place.place.day), (place.by_night, place.place.night))
                 ],
-                "shut_in": one.shut_in,
+                "shut_in": place.shut_in,
             }
-            for one in verdict.places
+            for place in verdict.places
         ],
         "hits": hit_rows(verdict, language),
         "doors": [
             {
-                "name": say(door_name(one.door), language),
-                "wall": say(f"rooms.{one.door.wall}", language),
-                "opens": say(f"room_report.{one.door.opens}", language),
-                "leads_out": say(f"room_report.{'yes' if one.door.way_out else 'no'}", language),
-                "blocked": one.blocked,
-                "at_rest": one.at_rest,
+                "name": say(door_name(door.door), language),
+                "wall": say(f"rooms.{door.door.wall}", language),
+                "opens": say(f"room_report.{door.door.opens}", language),
+                "leads_out": say(f"room_report.{'yes' if door.door.way_out else 'no'}", language),
+                "blocked": door.blocked,
+                "at_rest": door.at_rest,
             }
-            for one in verdict.doors
+            for door in verdict.doors
         ],
         "pieces": piece_rows(verdict, language),
         "collisions": collision_rows(verdict, language),
@@ -219,14 +219,14 @@ def piece_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
     room = verdict.scenario.surroundings()
     return [
         {
-            "name": say(piece_name(one.name), language),
-            "overturned": one.probabilities[OVERTURNED],
-            "slid": one.probabilities[SLID],
-            "slide": numbers.slides(one.slide, room, language),
-            "risk": numbers.share(one.risk, language) if verdict.places else numbers.NO_NUMBER,
-            "engine": say(f"room_report.{'in_plane' if one.in_plane else 'in_space'}", language),
+            "name": say(piece_name(piece.name), language),
+            "overturned": piece.probabilities[OVERTURNED],
+            "slid": piece.probabilities[SLID],
+            "slide": numbers.slides(piece.slide, room, language),
+            "risk": numbers.share(piece.risk, language) if verdict.places else numbers.NO_NUMBER,
+            "engine": say(f"room_report.{'in_plane' if piece.in_plane else 'in_space'}", language),
         }
-        for one in verdict.pieces
+        for piece in verdict.pieces
     ]
 
 
@@ -247,20 +247,20 @@ def change_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
     """
     change = partial(numbers.change, language=language)
     rows: list[dict[str, Any]] = []
-    for one in verdict.changes:
-        own = verdict.piece_changed(one)
+    for result in verdict.changes:
+        overturned = verdict.piece_changed(result)
         rows.append(
             {
-                "label": change_label(one.change, verdict, language),
-                "kind": "better" if one.helps else "worse" if one.worse else "chance",
-                "tags": [say(tag, language) for tag in tags(one)],
-                "hit": one.hit,
-                "hit_change": change(one.hit_change),
-                "shut_in": one.shut_in,
-                "shut_in_change": change(one.shut_in_change),
-                "overturned": None if own is None else own[0],
-                "overturned_change": "" if own is None else change(own[1]),
-                "risk": numbers.share(one.risk, language),
+                "label": change_label(result.change, verdict, language),
+                "kind": "better" if result.helps else "worse" if result.worse else "chance",
+                "tags": [say(tag, language) for tag in tags(result)],
+                "hit": result.hit,
+                "hit_change": change(result.hit_change),
+                "shut_in": result.shut_in,
+                "shut_in_change": change(result.shut_in_change),
+                "overturned": None if overturned is None else overturned[0],
+                "overturned_change": "" if overturned is None else change(overturned[1]),
+                "risk": numbers.share(result.risk, language),
             }
         )
     return sorted(rows, key=lambda row: KINDS.index(row["kind"]))

@@ -166,14 +166,14 @@ def scale_svg(sheet: PlanSheet, language: str) -> str:
     count = 1 + round(5.0 * max(plan.width, plan.length) / (plan.width + plan.length))
     parts: list[str] = []
     for value in svg.ticks(0.0, max(plan.width, plan.length), 2 * count):
-        told = say("room_report.metres", language, value=round(value, 6))
+        text = say("room_report.metres", language, value=round(value, 6))
         if value <= plan.width + 1e-9:
             x, _ = sheet.place(value, 0.0)
-            parts += [svg.line(x, low, x, low + 5.0, "axis"), svg.label(x, low + 18.0, told)]
+            parts += [svg.line(x, low, x, low + 5.0, "axis"), svg.label(x, low + 18.0, text)]
         if value <= plan.length + 1e-9:
             _, y = sheet.place(0.0, value)
             parts.append(svg.line(left - 5.0, y, left, y, "axis"))
-            parts.append(svg.label(left - 8.0, y + 4.0, told, anchor="end"))
+            parts.append(svg.label(left - 8.0, y + 4.0, text, anchor="end"))
     middle_x, middle_y = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
     width, height = sheet.size
     at = {
@@ -374,8 +374,8 @@ def _candidates(label: PlanLabel, letters: float) -> list[Box]:
 
 def _cost(box: Box, taken: Sequence[Box], others: Sequence[Box], floor: Box) -> float:
     area = (box[2] - box[0]) * (box[3] - box[1])
-    on_names = sum(_shared(box, one) for one in taken)
-    on_things = sum(_shared(box, one) for one in others)
+    on_names = sum(_shared(box, other) for other in taken)
+    on_things = sum(_shared(box, other) for other in others)
     return (OTHER_NAME * on_names + OTHER_THING * on_things + OUTSIDE * (area - _shared(box, floor))) / area
 
 

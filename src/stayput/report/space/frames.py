@@ -34,9 +34,9 @@ _SHADOW = 0.26  # what part of the floor's light a shadow takes
 _STAGE = 0.9  # how far the floor goes beyond the bodies, in sizes of them
 
 
-def _mixed(one: str, other: str, share: float) -> tuple[int, int, int]:
+def _mixed(colour: str, other: str, share: float) -> tuple[int, int, int]:
     """Return a colour between two."""
-    red, green, blue = (round(a + share * (b - a)) for a, b in zip(rgb(one), rgb(other), strict=True))
+    red, green, blue = (round(a + share * (b - a)) for a, b in zip(rgb(colour), rgb(other), strict=True))
     return red, green, blue
 
 
@@ -74,16 +74,16 @@ class SpacePainter:
         self._camera = Camera(scene.points, *self._layout.scene)
         self._line = self._layout.line
         self._openings, self._swings = list[StillShape](), list[StillShape]()
-        for one in scene.still:
-            if one.role in OPENINGS:  # what is in its wall, and the lines of a door on the floor
-                in_wall = tuple(line for line in one.lines if line[:, 2].any())
-                swing = tuple(line for line in one.lines if not line[:, 2].any())
-                self._openings.append(one._replace(lines=in_wall))
-                self._swings += [one._replace(faces=(), lines=swing)] if swing else []
-        self._places = [one for one in scene.still if one.role not in OPENINGS]
+        for shape in scene.still:
+            if shape.role in OPENINGS:  # what is in its wall, and the lines of a door on the floor
+                in_wall = tuple(line for line in shape.lines if line[:, 2].any())
+                swing = tuple(line for line in shape.lines if not line[:, 2].any())
+                self._openings.append(shape._replace(lines=in_wall))
+                self._swings += [shape._replace(faces=(), lines=swing)] if swing else []
+        self._places = [shape for shape in scene.still if shape.role not in OPENINGS]
         self._boxes = [
-            DrawnHull(one.points, one.normals, np.array([face[0] for face in one.faces]))
-            for one in self._places
+            DrawnHull(shape.points, shape.normals, np.array([face[0] for face in shape.faces]))
+            for shape in self._places
         ]
         size = float(np.linalg.norm(scene.high - scene.low))
         self._low, self._high = scene.low - _STAGE * size, scene.high + _STAGE * size
@@ -106,7 +106,7 @@ class SpacePainter:
         self._draw_shadows(scene, camera, corners)
         draw = ImageDraw.Draw(scene)
         pen = ImageDraw.Draw(scene, "RGBA")  # which mixes colours
-        beyond = [_faces(camera, one) for one in self._openings]  # of walls that are seen from within
+        beyond = [_faces(camera, opening) for opening in self._openings]  # of walls that are seen from within
         for swing in self._swings:
             _draw_still(pen, camera, self._line, swing)
         for opening, behind in zip(self._openings, beyond, strict=True):
@@ -224,13 +224,13 @@ class SpacePainter:
 def _from_far(eye: NDArray[np.float64], hulls: Sequence[DrawnHull]) -> list[int]:
     """Return convex bodies in an order in which each is drawn over those that it hides."""
     behind: list[set[int]] = [set() for _ in hulls]
-    for a, one in enumerate(hulls):
+    for a, hull in enumerate(hulls):
         for b, other in enumerate(hulls[:a]):
-            beyond_a, seen_a = _apart(one, other.corners, eye)
-            beyond_b, seen_b = _apart(other, one.corners, eye)
+            beyond_a, seen_a = _apart(hull, other.corners, eye)
+            beyond_b, seen_b = _apart(other, hull.corners, eye)
             b_in_front = seen_a if beyond_a > beyond_b else not seen_b
             behind[b if b_in_front else a].add(a if b_in_front else b)
-    farness = [float(np.linalg.norm(one.corners.mean(axis=0) - eye)) for one in hulls]
+    farness = [float(np.linalg.norm(hull.corners.mean(axis=0) - eye)) for hull in hulls]
     left, order = set(range(len(hulls))), list[int]()
     while left:
         free = [b for b in left if not behind[b] & left] or list(left)  # three may lie in a circle
@@ -318,12 +318,12 @@ def _hull_of(shape: SolidShape, corners: NDArray[np.float64], turn: NDArray[np.f
     return DrawnHull(corners, shape.solid.normals @ turn.T, firsts)
 
 
-def _apart(one: DrawnHull, others: NDArray[np.float64], eye: NDArray[np.float64]) -> tuple[float, bool]:
+def _apart(hull: DrawnHull, others: NDArray[np.float64], eye: NDArray[np.float64]) -> tuple[float, bool]:
     """Return how far others lie beyond the plane of the face that parts them best, and if the eye does."""
-    offsets = np.einsum("fi,fi->f", one.normals, one.on_faces)
-    gaps = (others @ one.normals.T).min(axis=0) - offsets
+    offsets = np.einsum("fi,fi->f", hull.normals, hull.on_faces)
+    gaps = (others @ hull.normals.T).min(axis=0) - offsets
     best = int(np.argmax(gaps))
-    return float(gaps[best]), bool(one.normals[best] @ eye > offsets[best])
+    return float(gaps[best]), bool(hull.normals[best] @ eye > offsets[best])
 
 
 Outline: TypeAlias = list[tuple[float, float]]

@@ -194,7 +194,7 @@ class SpaceScene:
                     "name": self.names[b],
                     "colour": body_colour(b),
                     "shape": self.shapes[b].data(),
-                    "centre_of_gravity_m": rounded(one.solid.centre_of_gravity),
+                    "centre_of_gravity_m": rounded(standing.solid.centre_of_gravity),
                     "footprint_m": [rounded(corner) for corner in self.footprint(b)],
                     "place_m": packed(self.place[b]),
                     "attitude": packed(self.attitude[b]),
@@ -202,9 +202,9 @@ class SpaceScene:
                     "slide_m": packed(self._at_poses(piece.slide)),
                     "yaw_rad": packed(self._at_poses(piece.yaw)),
                 }
-                for b, (one, piece) in enumerate(zip(run.standing, run.pieces, strict=True))
+                for b, (standing, piece) in enumerate(zip(run.standing, run.pieces, strict=True))
             ],
-            "still": [one.data() for one in self.still],
+            "still": [shape.data() for shape in self.still],
             "ties": [
                 {
                     "body": tie.body,
@@ -270,17 +270,17 @@ def space_scene(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) ->
     count = min(len(run.time), math.ceil((end - start) * RATE) + 1)
     times = np.linspace(start, end, count)
     place, attitude = _between(run.time, run.place, run.attitude, times)
-    found = [_outermost(one) for one in beside or (run,)]
+    views = [_outermost(other) for other in beside or (run,)]
     still = still_of(run)
-    points = _at_the_rim(np.concatenate([*(points for points, _ in found), *(one.points for one in still)]))
-    size = max(size for _, size in found)
+    points = _at_the_rim(np.concatenate([*(points for points, _ in views), *(s.points for s in still)]))
+    size = max(size for _, size in views)
     ground = np.zeros((len(run.motion), 3))
     for name in run.motion.components:
         ground[:, "xyz".index(name)] = ground_displacement(run.motion.component(name))
     largest = float(np.linalg.norm(ground, axis=1).max())
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
-    shapes = tuple(shape_of(one.solid) for one in run.standing)
+    shapes = tuple(shape_of(piece.solid) for piece in run.standing)
     return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
 
 
@@ -291,7 +291,7 @@ def _ties(run: Run) -> tuple[DrawnTie, ...]:
         solid = run.standing[body].solid
         return solid.centre_of_gravity + solid.principal[1] @ [float(spring[name]) for name in names]
 
-    found: list[DrawnTie] = []
+    ties: list[DrawnTie] = []
     for spring, device in zip(run.springs, run.devices, strict=True):
         body, other, anchor = int(spring["body"]), int(spring["other"]), ("ax", "ay", "az")
         if other == ROOM:
@@ -302,8 +302,8 @@ def _ties(run: Run) -> tuple[DrawnTie, ...]:
             end = in_frame(other, spring, anchor)
         point, lost = in_frame(body, spring, ("px", "py", "pz")), device.failure_time
         held, lost = None if other == ROOM else other, lost if device.failed else math.inf
-        found.append(DrawnTie(body, point, held, end, lost))
-    return tuple(found)
+        ties.append(DrawnTie(body, point, held, end, lost))
+    return tuple(ties)
 
 
 def _between(
@@ -326,22 +326,22 @@ def _between(
     nearly = angle < 1e-6
     sine = np.where(nearly, 1.0, np.sin(angle))
     parts = (np.where(nearly, s, np.sin(s * angle) / sine) for s in (1.0 - share, share))
-    attitudes = sum(part * one for part, one in zip(parts, (q, r), strict=True))
+    attitudes = sum(part * quaternion for part, quaternion in zip(parts, (q, r), strict=True))
     return places, attitudes / np.linalg.norm(attitudes, axis=-1, keepdims=True)
 
 
 def _outermost(run: Run) -> tuple[NDArray[np.float64], float]:
     """Return the outermost points of the bodies over time, near the start, and their size at first [m]."""
     some = np.linspace(0, len(run.time) - 1, min(len(run.time), _POSES_VIEWED)).astype(np.intp)
-    found: list[NDArray[np.float64]] = []
-    for b, one in enumerate(run.standing):
-        arms = one.solid.vertices - one.solid.centre_of_gravity
+    paths: list[NDArray[np.float64]] = []
+    for b, piece in enumerate(run.standing):
+        arms = piece.solid.vertices - piece.solid.centre_of_gravity
         turns = np.swapaxes(matrices(run.attitude[b, some]), 1, 2)
-        found.append(run.place[b, some, np.newaxis] + arms @ turns)
-    first = np.concatenate([corners[0] for corners in found])
+        paths.append(run.place[b, some, np.newaxis] + arms @ turns)
+    first = np.concatenate([corners[0] for corners in paths])
     size = float(np.ptp(first, axis=0).max())
     reach = _FARTHEST * size
-    points = np.concatenate([corners.reshape(-1, 3) for corners in found])
+    points = np.concatenate([corners.reshape(-1, 3) for corners in paths])
     points = np.clip(points, first.min(axis=0) - reach, first.max(axis=0) + reach)
     return _at_the_rim(points), size
 

@@ -119,7 +119,7 @@ def _edges(faces: Sequence[NDArray[np.int64]], curved: NDArray[np.bool_]) -> NDA
 
 
 def _marks(solid: Solid, curved: NDArray[np.bool_]) -> list[Mark]:
-    vertices, normals, found = solid.vertices, solid.normals, list[Mark]()
+    vertices, normals, marks = solid.vertices, solid.normals, list[Mark]()
     if curved.any():
         front = vertices[solid.faces[int(np.argmax(normals[:, 0]))], 0].mean()
         for face in np.flatnonzero(curved & (normals[:, 0] > _FACING)):
@@ -127,19 +127,19 @@ def _marks(solid: Solid, curved: NDArray[np.bool_]) -> list[Mark]:
             for side in (1.0, -1.0):
                 stripe = cut(stripe, half - side * stripe[:, 1])
             if len(stripe) > 2:
-                found.append(Mark(int(face), stripe, light=True))
+                marks.append(Mark(int(face), stripe, light=True))
     front_face, _, top = np.argmax(normals, axis=0).tolist()
     middles = [0.5 * (vertices[face].min(axis=0) + vertices[face].max(axis=0)) for face in solid.faces]
     if not curved.any() and normals[front_face, 0] > _FACING:
         corners, middle = vertices[solid.faces[front_face]], middles[front_face]
-        found.append(Mark(front_face, middle + _PANEL * (corners - middle), light=True))
+        marks.append(Mark(front_face, middle + _PANEL * (corners - middle), light=True))
     if normals[top, 2] > _FACING:
         corners, middle = vertices[solid.faces[top]], middles[top]
         reach = _ARROW * float(np.ptp(corners[:, :2], axis=0).min())
         plan = reach * np.array([(1.2, 0.0), (-0.8, 1.0), (-0.3, 0.0), (-0.8, -1.0)])
         slope = -normals[top, :2] / normals[top, 2]
-        found.append(Mark(top, middle + np.column_stack((plan, plan @ slope)), light=False))
-    return found
+        marks.append(Mark(top, middle + np.column_stack((plan, plan @ slope)), light=False))
+    return marks
 
 
 def cut(corners: NDArray[np.float64], inside: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -154,11 +154,11 @@ def cut(corners: NDArray[np.float64], inside: NDArray[np.float64]) -> NDArray[np
     """
     kept: list[NDArray[np.float64]] = []
     following = zip(np.roll(corners, -1, axis=0), np.roll(inside, -1).tolist(), strict=True)
-    for one, here, (other, there) in zip(corners, inside.tolist(), following, strict=True):
+    for corner, here, (other, there) in zip(corners, inside.tolist(), following, strict=True):
         if here >= 0.0:
-            kept.append(one)
+            kept.append(corner)
         if here * there < 0.0:
-            kept.append(one + here / (here - there) * (other - one))
+            kept.append(corner + here / (here - there) * (other - corner))
     return np.array(kept).reshape(-1, 3)
 
 
@@ -245,20 +245,20 @@ def still_of(run: Run) -> tuple[StillShape, ...]:
 
 def still_shapes(plan: FloorPlan, ceiling: float = math.inf) -> tuple[StillShape, ...]:
     """Return what is drawn of doors, windows and places; a ceiling, at its height [m], ends the openings."""
-    found: list[StillShape] = []
+    shapes: list[StillShape] = []
     for window in plan.windows:
         top = min(window.sill + _WINDOW_HEIGHT, ceiling)
         if top > window.sill:
-            found.append(_opening(plan, window.wall, (window.start, window.width), (window.sill, top)))
+            shapes.append(_opening(plan, window.wall, (window.start, window.width), (window.sill, top)))
     for door in plan.doors:
         frame = _opening(plan, door.wall, (door.start, door.width), (0.0, min(_DOOR_HEIGHT, ceiling)))
-        found.append(StillShape("door", frame.faces, (*frame.lines, *_swing(plan, door))))
+        shapes.append(StillShape("door", frame.faces, (*frame.lines, *_swing(plan, door))))
     for place in plan.places:
         if place.low > 0.0:
-            found.append(_box("furniture", place.corners, 0.0, place.low))
+            shapes.append(_box("furniture", place.corners, 0.0, place.low))
         person = _box("person", place.corners, place.low, place.high)
-        found.append(person._replace(lines=(*person.lines, *_pillow(place))))
-    return tuple(found)
+        shapes.append(person._replace(lines=(*person.lines, *_pillow(place))))
+    return tuple(shapes)
 
 
 def _box(role: str, corners: NDArray[np.float64], low: float, high: float) -> StillShape:

@@ -50,7 +50,7 @@ _DRAWN_BETWEEN = Assumption(phrase("several.drawn_between"), phrase("several.dra
 
 def told(assumptions: Iterable[Assumption], language: str) -> list[tuple[str, str, str]]:
     """Return assumptions as rows of a table: what, its value, and how well founded it is."""
-    return [(say(one.what, language), say(one.value, language), one.confidence) for one in assumptions]
+    return [(say(item.what, language), say(item.value, language), item.confidence) for item in assumptions]
 
 
 def assumptions(verdict: Verdict) -> list[Assumption]:
@@ -245,7 +245,7 @@ def _rolling(scenario: Scenario) -> Iterator[Assumption]:
         yield _limit("several.rolling")
 
 
-def _direction(given: float | None) -> tuple[Phrase, str]:
-    if given is None:
+def _direction(radians: float | None) -> tuple[Phrase, str]:
+    if radians is None:
         return phrase("room_report.direction_drawn"), MODEL
-    return phrase("room_report.direction_given", degrees=math.degrees(given)), GIVEN
+    return phrase("room_report.direction_given", degrees=math.degrees(radians)), GIVEN

@@ -98,10 +98,10 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "options": [_option(result, verdict) for result in verdict.options],
         "not_possible": [
             {
-                **_rejected(one, one.option.label),
-                "measures": [_measure(measure) for measure in one.option.measures],
+                **_rejected(item, item.option.label),
+                "measures": [_measure(measure) for measure in item.option.measures],
             }
-            for one in verdict.impossible
+            for item in verdict.impossible
         ],
         "estimates": _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario),
@@ -109,8 +109,8 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
     }
 
 
-def _rejected(one: Impossible[Any], label: Callable[[str], str]) -> dict[str, Any]:
-    return {"name": one.option.name, "label": in_both(label), "reason": in_both(one.why)}
+def _rejected(item: Impossible[Any], label: Callable[[str], str]) -> dict[str, Any]:
+    return {"name": item.option.name, "label": in_both(label), "reason": in_both(item.why)}
 
 
 def _estimates(estimates: Estimates) -> dict[str, Any]:
@@ -271,7 +271,7 @@ def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
         "slide_limit_m": verdict.slide_limit,
         **attributes(verdict, "motions", "samples", "runs", "seed", "precise", "seconds"),
         "options": [_option_of_several(result, verdict) for result in verdict.options],
-        "not_possible": [_rejected(one, partial(title_of_several, one, verdict)) for one in verdict.rejected],
+        "not_possible": [_rejected(x, partial(title_of_several, x, verdict)) for x in verdict.rejected],
         **_foot(verdict.scenario, several_assumptions(verdict)),
     }
 

@@ -166,7 +166,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "space_pairs": space_pairs(verdict, ground, language) if in_space else [],
         "modes": modes.values(),
         "scenes": Markup(script_json(scenes)),
-        "details": [_detail(one, verdict, language) for one in verdict.options if one.option.measures],
+        "details": [_detail(item, verdict, language) for item in verdict.options if item.option.measures],
         "estimates": estimate_rows(verdict, language),
         "reads_files": scenario.shaking.record is not None or isinstance(scenario.shaking.suite, str),
         "script": Markup(script_module(file_of("verdict/report.js"))),
@@ -209,15 +209,15 @@ def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str
         return ""
     held = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
     key = "typical_also_falls" if pair.scene.runs[1].overturned else held
-    told = word(key, language, share=numbers.share(chance.estimate, language))
-    return f" {told}" if language == "en" else told
+    text = word(key, language, share=numbers.share(chance.estimate, language))
+    return f" {text}" if language == "en" else text
 
 
 def _pair(verdict: Verdict, pair: RunPair, language: str) -> dict[str, Any]:
     scene = pair.scene
     labels = [title(option, verdict, language) for option in pair.options]
     said = [say(sentences_of_piece(run), language) for run in scene.runs]
-    sides = [{"label": label, "outcome": one} for label, one in zip(labels, said, strict=True)]
+    sides = [{"label": label, "outcome": outcome} for label, outcome in zip(labels, said, strict=True)]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
     about = about_case(pair.kind, len(sides), phrase("common.without"), language)
     return {
@@ -247,7 +247,7 @@ def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str,
         "about": [say(measure.about, language) for measure in measures],
         "change": numbers.change(result.change, language),
         "devices": device_rows(result, language),
-        "parameters": [(say(one.label, language), _parameters(one, language)) for one in measures],
+        "parameters": [(say(m.label, language), _parameters(m, language)) for m in measures],
     }
 
 

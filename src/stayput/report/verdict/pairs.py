@@ -165,8 +165,8 @@ def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motio
     one_motion = Suite((ground[member.motion],))
     hazard = Hazard.of(verdict.scenario, ground=one_motion)
     strength = shaken.strength
-    own = None if strength is None else strength.drawn(len(ground), verdict.seed)[member.motion]
-    floors = hazard.stated(own, shaken.scale, verdict.seed)
+    drawn = None if strength is None else strength.drawn(len(ground), verdict.seed)[member.motion]
+    floors = hazard.stated(drawn, shaken.scale, verdict.seed)
     return floors.motions[0], float(floors.scales[0])
 
 
@@ -347,8 +347,8 @@ def histories_svg(pair: RunPair, language: str, outcomes: str) -> str:
     motion = pair.scene.motion
     inside = (motion.time >= pair.scene.start) & (motion.time <= pair.scene.end)
     floor = [(motion.time[inside], motion.x[inside], 0)]
-    tilts = [(one.time, np.degrees(one.tilt), n) for n, one in enumerate(pair.scene.histories)]
-    slides = [(one.time, 100.0 * one.slide, n) for n, one in enumerate(pair.scene.histories)]
+    tilts = [(h.time, np.degrees(h.tilt), n) for n, h in enumerate(pair.scene.histories)]
+    slides = [(h.time, 100.0 * h.slide, n) for n, h in enumerate(pair.scene.histories)]
     limit = _TILT_SHOWN * math.degrees(max(pair.scene.runs[0].body.slenderness))
     parts = [
         *_panel(x, PANELS[0], floor, word("axis_acceleration", language), "floor", math.inf),

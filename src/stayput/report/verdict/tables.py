@@ -142,8 +142,8 @@ def _shown(
 def impossible_rows(verdict: Verdict | AssemblyVerdict, language: str) -> list[tuple[str, str]]:
     """Return label and reason of each option that cannot be put in place."""
     if isinstance(verdict, AssemblyVerdict):
-        return [(title_of_several(one, verdict, language), one.why(language)) for one in verdict.rejected]
-    return [(title(one.option, verdict, language), one.why(language)) for one in verdict.impossible]
+        return [(title_of_several(item, verdict, language), item.why(language)) for item in verdict.rejected]
+    return [(title(item.option, verdict, language), item.why(language)) for item in verdict.impossible]
 
 
 def grades_text(language: str) -> str:
@@ -224,17 +224,17 @@ def verdict_csv(verdict: Verdict | AssemblyVerdict) -> str:
         records = [_record_of_several(result, verdict) for result in verdict.options]
         records += [
             {
-                "option": one.option.name,
-                "consists_of": title_of_several(one, verdict, "en"),
-                "not_possible": one.why("en"),
+                "option": item.option.name,
+                "consists_of": title_of_several(item, verdict, "en"),
+                "not_possible": item.why("en"),
             }
-            for one in verdict.rejected
+            for item in verdict.rejected
         ]
     else:
         records = [_record(result, verdict) for result in verdict.options]
         records += [
-            {"option": one.option.name, "measures": one.option.label("en"), "not_possible": one.why("en")}
-            for one in verdict.impossible
+            {"option": item.option.name, "measures": item.option.label("en"), "not_possible": item.why("en")}
+            for item in verdict.impossible
         ]
     names = list(records[0])
     return csv_text(names, ([record.get(name) for name in names] for record in records), "\n")
@@ -270,9 +270,7 @@ def _record_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) 
     for event, chance in result.probabilities.items():
         record |= _ends(event, chance)
     shares = result.probabilities[OVERTURNED]
-    each = {
-        f"overturned: {one.name}": number(one.probabilities[OVERTURNED].estimate) for one in result.pieces
-    }
+    each = {f"overturned: {p.name}": number(p.probabilities[OVERTURNED].estimate) for p in result.pieces}
     record |= {"runs": shares.runs, "missing": shares.missing, **each}
     record |= flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt)
     return {**record, "not_possible": None}
