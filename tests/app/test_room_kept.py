@@ -14,6 +14,7 @@ from test_room_api import ROOM, ended
 
 import stayput as sp
 from stayput.report.animation import animate_run
+from stayput.report.names import names_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from browsing import Opened
     from playwright.sync_api import Browser
     from serving import Running
+
+    from stayput.simulation.run import Run
 
 
 @pytest.fixture(scope="module")
@@ -37,9 +40,9 @@ def test_a_short_film_of_a_room_says_the_verdict(
 ) -> None:
     said: list[dict[str, Any]] = []
 
-    def noted(*args: Any, **more: Any) -> Path:
-        said.append(more)
-        return animate_run(*args, **more)
+    def noted(run: Run, *args: Any, **more: Any) -> Path:
+        said.append({**more, "names": names_of(run, more["language"])})
+        return animate_run(run, *args, **more)
 
     monkeypatch.setattr("stayput.app.downloads.animate_run", noted)
     query = {"kind": "gif", "seconds": 3, "job": job["id"], "lang": "ja"}
