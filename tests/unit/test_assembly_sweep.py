@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import stayput as sp
@@ -48,3 +49,25 @@ def test_one_item_of_a_list() -> None:
 def test_what_is_refused(axes: dict[str, Any], said: str) -> None:
     with pytest.raises(sp.InputError, match=said):
         sp.sweep(TELEVISION, axes)
+
+
+def test_python_objects_stay_in_a_sweep() -> None:
+    lone = sp.Scenario.parse({"furniture": {"width": 0.3, "height": 1.5, "mass": 60.0}})
+    strong, weak = (lone.with_python(motions=sp.Suite((sp.sine(a, 1.0, 3.0),))) for a in (3.0, 0.1))
+    tilts = [float(sp.sweep(one, {}, progress=False).peak_tilt) for one in (strong, weak)]
+    assert tilts[0] > 0.01 > tilts[1]
+    assert tilts[0] == strong.run().peak_tilt
+
+
+def test_values_of_numpy_and_lists() -> None:
+    lone = {"furniture": {"preset": "chest"}, "shaking": {"suite": {"count": 2}}}
+    data = sp.sweep(sp.Scenario.parse(lone), {"shaking.member": np.arange(1, 3)}, progress=False)
+    assert data["shaking.member"].values.tolist() == [1, 2]
+    offsets = [[0.0, 0.0], [0.0, -0.2]]
+    swept = sp.sweep(sp.Scenario.parse(lone), {"furniture.cg_offset": offsets}, progress=False)
+    assert swept["furniture.cg_offset"].values.tolist() == [0, 1]
+    for axes in ({3: [1.0]}, {"furniture[7].mass": [1.0]}):
+        with pytest.raises(sp.InputError, match="is no key of the file"):
+            sp.sweep(sp.Scenario.parse(lone), axes, progress=False)
+    with pytest.raises(sp.InputError, match="histories is given for a sweep of a scenario"):
+        sp.sweep(sp.Scenario.parse(lone), {}, histories=["tilt"], progress=False)

@@ -64,3 +64,18 @@ def test_a_piece_of_furniture_begins_as_stated() -> None:
     ]
     assert runs[0].tilt[0] == pytest.approx(0.1)
     np.testing.assert_allclose(runs[0].place, runs[1].place, atol=1e-9)
+
+
+def test_in_the_plane_a_shape_stands_on_what_it_stands_on_in_space() -> None:
+    """A cone on its small end, and feet inside the outline: the section has the corners of the base."""
+    cone = sp.Body.cone(0.2, 0.4, 1.0, 30.0)
+    assert cone.base_width == pytest.approx(0.2)
+    rise = cone.solid.centre_of_gravity[2]
+    assert cone.overturning_acceleration()[0] == pytest.approx(9.80665 * 0.1 / rise)
+    feet = [(x, y, 0.0) for x in (-0.05, 0.1) for y in (-0.1, 0.1)]
+    drum = sp.Body.cylinder(0.4, 1.2, 40.0, feet=feet)
+    assert drum.base_insets == pytest.approx((0.15, 0.1))
+    motion = sp.sine(2.5, 1.0, 2.0)
+    for body in (cone, drum):
+        flat, space = (sp.simulate(body, sp.Room(sp.Floor(1.0, 1.0)), motion, dimensions=d) for d in (2, 3))
+        assert flat.overturned == bool(space.overturned)

@@ -63,7 +63,7 @@ def stated(
     return Stated(piece or {}, tables, refused or {})
 
 
-LONE = "is of a single piece in no"
+LONE = "is of a single preset or box"
 OF_ONE = {"three": LONE, "room": LONE}
 BUILDING: dict[str, Any] = {"storeys": 3, "structure": "RC"}
 FEATURES = {

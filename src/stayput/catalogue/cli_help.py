@@ -18,11 +18,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "stayput": ("Verify earthquake-proof measures for furniture.", "家具の地震対策の効果を検証する"),
     "simulate": (
         (
-            "Simulate one body under one motion.\n\n"
+            "Simulate what stands under one motion: a piece, several, or a room.\n\n"
             "Flags stand in the place of what the file says; --body without a file stands free of walls."
         ),
         (
-            "1つの家具に1つの揺れを与えて計算する\n\n"
+            "家具（1つ、複数、または部屋）に1つの揺れを与えて計算する\n\n"
             "オプションの値はシナリオファイルの値に優先する。"
             "ファイルなしで--bodyを指定した場合、壁はないものとする。"
         ),

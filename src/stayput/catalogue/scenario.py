@@ -67,8 +67,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value}になっていますが、その名前の家具がありません。",
     ),
     "of_several": (
-        "furniture is a list of pieces or stands in a [plan]; here it must be one table without a plan.",
-        "furnitureが家具のリストか、[plan]のある部屋になっています。ここでは[plan]なしの1つのテーブルにしてください。",
+        "furniture is a list of pieces, stands in a [plan], or is no box; here it must be one preset or box, written as [furniture].",
+        "furnitureが家具のリスト、[plan]のある部屋、または直方体以外の形になっています。ここでは[plan]なしの[furniture]（presetか直方体）にしてください。",
     ),
     "measures_on_solid": (
         "The piece {name!r} has measures; what they hold must be a preset or a box.",
@@ -87,16 +87,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}がありません。立体で計算するには、奥行きと直角な方向の幅 [m] が必要です。",
     ),
     "of_a_lone_piece": (
-        "{name} is of a single piece in no [plan]; with several pieces or a plan it must be left out.",
-        "{name}は[plan]のない1つの家具だけの指定です。家具が複数あるか[plan]がある場合は省いてください。",
+        "{name} is of a single preset or box, written as [furniture] without a [plan]; here it must be left out.",
+        "{name}は[plan]なしの[furniture]（presetか直方体）だけの指定です。ここでは省いてください。",
     ),
     "of_pieces": (
         "{name} is of several pieces; it must be left out, or furniture must be a list: [[furniture]].",
         "{name}は複数の家具のための指定です。省くか、furnitureをリスト（[[furniture]]）にしてください。",
     ),
     "pieces_in_the_plane": (
-        "dimensions is 2; several pieces and rooms are in space, so it must be 3 or left out.",
-        "dimensionsが2ですが、複数の家具や部屋は立体で計算します。3にするか、省いてください。",
+        "dimensions is 2; lists of pieces, rooms and what is no box are in space, so it must be 3 or left out.",
+        "dimensionsが2ですが、家具のリスト、部屋、直方体以外の形は立体で計算します。3にするか、省いてください。",
     ),
     "sweep_of_a_case": (
         "{name} is given for a sweep of a scenario; it must be left out, or a Case be given.",

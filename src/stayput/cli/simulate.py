@@ -1,4 +1,4 @@
-"""``stayput simulate``: one body under one motion."""
+"""``stayput simulate``: what stands, under one motion."""
 
 from __future__ import annotations
 

@@ -37,19 +37,23 @@ class OwnFields(TypedDict, total=False):
 
 
 def section_of(shape: Solid) -> tuple[Any, ...]:
-    """Return the fields of a `stayput.Body` of a shape, in their order: those of the box around it."""
+    """Return the fields of a `stayput.Body` of a shape, in their order: those of the box around it.
+
+    Its base corners are those of the points on which the shape stands, as inset as they are.
+    """
     low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
     width, length, height = (high - low).tolist()
     x, _, z = (shape.centre_of_gravity - (low + high) / 2).tolist()
-    level = 0.0, 0.0
+    stands = shape.base_points[:, 0]
+    insets = float(stands.min() - low[0]), float(high[0] - stands.max())
     return (
         width,
         height,
         shape.mass,
         (x, z),
         float(shape.inertia[1, 1]),
-        level,
-        level,
+        (0.0, 0.0),
+        insets,
         length,
         shape.base,
         shape,

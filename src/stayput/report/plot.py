@@ -155,9 +155,10 @@ def draw_run(axis: Axes, run: Run, what: RunHistory, language: str, **line: Any)
     Raises
     ------
     InputError
-        Something else to draw.
+        Something else to draw; the turn in plan and the ways in plan are of runs in space.
     """
-    word_of("plots.what", what, get_args(RunHistory), "what")
+    in_plane = ("tilt", "slide", "acceleration")
+    word_of("plots.what", what, in_plane if run.engine == "plane" else get_args(RunHistory), "what")
     if what == "plan":
         _draw_plan(axis, run, language)
         axis.legend(handles=_piece_handles(run, language), fontsize=FONT - 1.0, framealpha=0.85)

@@ -111,6 +111,8 @@ class Scenario(SceneTables):
         return self
 
     def _check_lone_piece(self) -> None:
+        for key in filter(self.piece.says, ("at", "along", "gap", "measures")):
+            raise InputError("scenario.of_pieces", f"furniture.{key}")
         if self.dimensions == 2:
             self.room.room().refuse_side_walls()
         elif self.piece.body().length is None:
@@ -299,7 +301,14 @@ class Scenario(SceneTables):
         ----------
         measures : sequence of Measure
             What is in place on a lone piece.
+
+        Raises
+        ------
+        InputError
+            Measures beside several pieces, whose own say what holds them; what cannot be simulated.
         """
+        if measures and not self.alone:
+            raise InputError("scenario.of_a_lone_piece", "measures")
         if self.alone:
             with self.naming_file():
                 return self.case(measures).run().named(self.names)

@@ -32,6 +32,8 @@ from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, friction_b
 if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
 
+    from numpy.typing import NDArray
+
     from stayput.model.body import Body
     from stayput.simulation.standing import Joint
 
@@ -298,6 +300,7 @@ def refuse_what_stands_wrong(scenario: SceneTables, plan: FloorPlan, whole: Asse
     """Raise `InputError` where a piece stands in floor, wall, ceiling, another, or where a person is."""
     names = scenario.names
     sides = np.array([plan.width, plan.length])
+    reach: list[NDArray[np.float64]] = []
     for number, piece in enumerate(whole.members):
         corners = piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)
         low, high = corners.min(axis=0), corners.max(axis=0)
@@ -315,8 +318,11 @@ def refuse_what_stands_wrong(scenario: SceneTables, plan: FloorPlan, whole: Asse
         if ceiling is not None and high[2] > ceiling.height + 1e-6:
             values = {"high": float(high[2]), "height": ceiling.height}
             raise InputError("rooms.in_the_ceiling", scenario.key_of(number), name=called, **values)
+        reach.append(np.stack([low, high]))
         others: list[tuple[Piece | PersonPlace, str]] = [
-            (other, repr(names[before])) for before, other in enumerate(whole.members[:number])
+            (other, repr(names[before]))
+            for before, other in enumerate(whole.members[:number])
+            if (reach[before][0] < high).all() and (low < reach[before][1]).all()  # else they are apart
         ]
         others += [(place, repr(place.name)) for place in plan.places]
         for other, what in others:

@@ -23,13 +23,12 @@ from stayput.simulation.many import run_grid
 from stayput.simulation.outcome import QUANTITIES, fill_columns
 from stayput.simulation.space import results_of, trace_assembly
 from stayput.simulation.space_engine import SpaceShaking
-from stayput.simulation.sweep import sweep_case
+from stayput.simulation.sweep import SweepOptions, sweep_case
 
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from stayput.simulation.sweep import SweepOptions
 
 _PART = re.compile(r"([^\[\]]+)(?:\[(\d+)\])?")
 """A part of a path: a key, and which item of its list; without that, all items."""
@@ -88,27 +87,33 @@ def sweep(case: Case | Scenario, axes: Mapping[Any, Any], **options: Unpack[Swee
     instance_of("case", case, (Case, Scenario))
     if isinstance(case, Case):
         return sweep_case(case, axes, **options)
-    for name in ("histories", "executor", "chunk"):
-        if options.get(name):
-            raise InputError("scenario.sweep_of_a_case", name)
-    return _sweep_scenario(case, axes, options.get("threads"), options.get("progress"))
+    return _sweep_scenario(case, axes, **options)
 
 
 def _sweep_scenario(
-    scenario: Scenario, axes: Mapping[str, Any], threads: int | None, progress: bool | None
+    scenario: Scenario,
+    axes: Mapping[Any, Any],
+    *,
+    threads: int | None = None,
+    progress: bool | None = None,
+    **of_a_case: Any,
 ) -> xr.Dataset:
     import xarray as xr
 
+    for name, value in of_a_case.items():
+        if value or name not in SweepOptions.__annotations__:
+            raise InputError("scenario.sweep_of_a_case", name)
+    lists: dict[str, list[Any]] = {}
     instance_of("axes", axes, Mapping)
-    lists = {path: list_of(path, values) for path, values in axes.items()}
-    for path, values in lists.items():
-        if not values:
+    for path, values in axes.items():
+        if not isinstance(path, str):
+            raise InputError("scenario.no_such_path", "axes", path=path)
+        lists[path] = [
+            value.item() if isinstance(value, np.generic) else value for value in list_of(path, values)
+        ]
+        if not lists[path]:
             raise InputError("simulation.no_values", path, path=path)
-    stated = scenario.stated_keys()
-    cases = [
-        _changed(scenario, stated, dict(zip(lists, values, strict=True)))
-        for values in product(*lists.values())
-    ]
+    cases = [_changed(scenario, dict(zip(lists, values, strict=True))) for values in product(*lists.values())]
     rows: list[dict[str, NDArray[Any]]] = [{} for _ in cases]
 
     def run(number: int) -> None:
@@ -118,22 +123,25 @@ def _sweep_scenario(
         for _ in pool.as_completed(partial(run, number) for number in range(len(cases))):
             advance(1)
     of_pieces = not scenario.alone
-    coords: dict[str, Any] = {path: [*values] for path, values in lists.items()}
+    coords: dict[str, Any] = {
+        path: range(len(values)) if any(isinstance(value, list | dict) for value in values) else values
+        for path, values in lists.items()
+    }
     data = xr.Dataset(coords=coords | ({"piece": [*scenario.names]} if of_pieces else {}))
     shape = tuple(map(len, lists.values()))
     for name in rows[0]:
         by_piece = of_pieces and name in OF_A_PIECE
-        values = np.stack([row[name] for row in rows]).reshape(*shape, *(-1,) * by_piece)
+        values = np.stack([row[name] for row in rows]).reshape((*shape, *(-1,) * by_piece))
         data[name] = ((*lists, *("piece",) * by_piece), values, ABOUT[name].attributes)
     return data
 
 
-def _changed(scenario: Scenario, stated: dict[str, Any], values: dict[str, Any]) -> Scenario:
-    """Return a scenario with other values at paths."""
-    data = stated
+def _changed(scenario: Scenario, values: dict[str, Any]) -> Scenario:
+    """Return a scenario with other values at paths, and the same Python objects."""
+    kept = scenario.kept()
     for path, value in values.items():
-        data = _with(data, path.split("."), value, path)
-    return Scenario.parse(data, scenario.folder)
+        kept["data"] = _with(kept["data"], path.split("."), value, path)
+    return Scenario.of_kept(kept)
 
 
 def _with(node: Any, parts: list[str], value: Any, path: str) -> Any:
@@ -145,6 +153,8 @@ def _with(node: Any, parts: list[str], value: Any, path: str) -> Any:
         raise InputError("scenario.no_such_path", path, path=path)
     table, (key, place) = cast("dict[str, Any]", node), match.groups()
     below: Any = table.get(key, {} if len(parts) > 1 else None)
+    if place is not None and not isinstance(below, list):
+        raise InputError("scenario.no_such_path", path, path=path)
     if isinstance(below, list) and (place is not None or len(parts) > 1):
         items = cast("list[Any]", below)
         if place is not None and int(place) >= len(items):
