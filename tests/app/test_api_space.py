@@ -182,8 +182,8 @@ def test_pieces_that_are_refused(client: httpx.Client) -> None:
     refused(client, "simulate", {"scene": {**PIECES, "furniture": into}}, "scene")
 
 
-def test_what_is_not_offered_in_space(client: httpx.Client) -> None:
-    inside = {**SPACE, "contents": {"kind": "books"}}
+def test_contents_are_of_a_lone_piece(client: httpx.Client) -> None:
+    inside = {**PIECES, "contents": {"kind": "books"}}
     for path in ("simulate", "verify"):
         refused(client, path, {"scene": inside}, "scene.contents")
 

@@ -34,7 +34,7 @@ def test_the_reply_lists_some_and_says_how_many_there_were() -> None:
     assert reply.events_total > 50_000
     assert reply.events_cut
     assert len(reply.events) == MOST_EVENTS
-    assert f"{reply.wall_impacts} times" in reply.sentence.en
+    assert f"{reply.pieces[0].wall_impacts} times" in reply.sentence.en
     room_for_events = 56e6  # its pages are taken from the system as they are written to
     assert peak < 60e6 + room_for_events
     few = simulated(Scenario.parse(SCENE)).without

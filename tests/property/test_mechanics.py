@@ -154,7 +154,7 @@ def test_every_run_ends_with_finite_results(law: int, sample: tuple[list[Standin
 @given(case=standings(), motion=motions(longest=600), law=st.sampled_from([0, 1]))
 def test_histories_are_finite_and_agree_with_the_results(case: Standing, motion: Motion, law: int) -> None:
     found = traced(case, motion, law)
-    for name in ("x", "z", "tilt", "tilt_rate", "slide", "slide_rate"):
+    for name in ("place", "attitude", "velocity", "rotation_rate", "tilt", "slide"):
         assert np.isfinite(getattr(found, name)).all(), name
     assert np.abs(found.tilt).max() <= found.peak_tilt * (1 + 1e-12) + 1e-12
     assert np.abs(found.slide).max() <= found.peak_slide * (1 + 1e-12) + 1e-12

@@ -25,6 +25,7 @@ from stayput.montecarlo.sampling import (
     rows_of,
 )
 from stayput.simulation.space import trace_assembly
+from stayput.simulation.space_engine import SpaceShaking
 from stayput.uncertainty import USUAL
 
 BODY = Body(0.4, 1.8, 100.0, base_insets=(0.01, 0.02), base_heights=(0.0, -0.001))
@@ -137,6 +138,7 @@ def test_it_is_drawn_alike_in_space(factor: float, friction: float, monkeypatch:
     monkeypatch.setattr("stayput.simulation.space.world_of", stop)
     piece = sp.Piece(CART, (0.0, 0.0, 0.0), 0.0, [LockedCasters()])
     drawn = partial(drawn_floor, draw=replace(AS_STATED, friction=factor))
+    shaking = SpaceShaking.of(sp.near_fault())
     with pytest.raises(StopIteration):
-        trace_assembly(sp.Assembly([piece]), sp.Room(sp.Floor.of("vinyl")), None, 9.8, drawn_floor=drawn)  # type: ignore[arg-type]
+        trace_assembly(sp.Assembly([piece]), sp.Room(sp.Floor.of("vinyl")), shaking, 9.8, drawn_floor=drawn)
     assert found == pytest.approx([friction])

@@ -13,9 +13,7 @@ import stayput as sp
 from stayput.contents.carrier import STEP, Carrier
 from stayput.contents.contents import DOORS, DRAWERS
 from stayput.model.flat_fields import case_columns
-from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_engine import SpaceShaking
-from stayput.simulation.space_fate import Fate
 
 BOOKCASE = sp.Body(0.4, 1.8, 100.0, length=0.9)
 SQUAT = sp.Body(0.6, 0.9, 100.0, length=0.9)
@@ -46,8 +44,7 @@ def test_a_point_of_a_body_that_turns_as_prescribed(axis, slope):
     place = ways * np.sin(5.0 * t)[:, np.newaxis] + [0.0, 0.0, 0.9]
     floor = np.stack([3.0 * np.cos(2.0 * t), 2.0 * np.sin(4.0 * t), np.sin(6.0 * t)], axis=1)
     case = case_columns(BOOKCASE, sp.Room(), sp.State(), 9.81)[0]
-    stands = Fate(Outcome.ROCKED, None, None, angle, angle)
-    moved = Carrier.in_space(case, SpaceShaking(floor, STEP), place, turn, stands, BOOKCASE.height)
+    moved = Carrier.in_space(case, SpaceShaking(floor, STEP), place, turn, None, BOOKCASE.height, False)
     point = moved.point(0.1, 1.5, slope)
 
     unit = np.array(axis) / np.linalg.norm(axis)

@@ -73,4 +73,4 @@ def test_no_kick_below_the_lowest_barrier_overturns(angle: float, share: float) 
     start, barrier = kicked(convex, way, 1.0)
     _, lowest = kicked(convex, np.array([0.2, 0.0, 0.0]), 1.0)
     start, _ = kicked(convex, way, 0.99 * lowest / barrier)
-    assert not sp.simulate(start, STICKING, still(2.0), step=2e-4).overturned[0]
+    assert not sp.simulate(start, STICKING, still(2.0), step=2e-4).overturned

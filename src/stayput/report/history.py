@@ -166,8 +166,3 @@ def cut_run(run: Run, start: float, end: float) -> Run:
 def peak_of(motion: Motion) -> float:
     """Return the largest acceleration of the floor, all components together [m/s²]."""
     return float(np.linalg.norm(list(motion.components.values()), axis=0).max())
-
-
-def at_time(time: float, run: Run, history: NDArray[np.float64]) -> float:
-    """Return the value of a history, shape (samples,), at a time [s]."""
-    return float(np.interp(time, run.time, history))
