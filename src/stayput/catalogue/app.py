@@ -27,10 +27,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The piece “{name}” is of a mesh's file; here every piece must be a preset, a box, a cylinder or a cone.",
         "家具「{name}」の形がメッシュのファイルで指定されています。ここではプリセット、箱、円柱、円すい台のどれかにしてください。",
     ),
-    "pieces_and_measures": (
-        "Measures are for one piece; a scene of several must have none.",
-        "対策は1つの家具だけの条件で使えます。複数の家具の条件では指定できません。",
-    ),
     "long_for_pieces": (
         "The motion lasts {value:.0f} s; with {count} pieces this server allows {most:.0f} s.",
         "揺れの長さは{value:.0f}秒です。家具が{count}個のときは{most:.0f}秒まで計算できます。",
