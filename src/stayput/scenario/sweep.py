@@ -13,7 +13,6 @@ import numpy as np
 from stayput.errors import InputError, instance_of, list_of
 from stayput.execution import Pool
 from stayput.measures.element import utilisation
-from stayput.mechanics.columns import RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.progress import bar
 from stayput.scenario.scenario import Scenario
@@ -179,7 +178,7 @@ def _results(scenario: Scenario) -> dict[str, NDArray[Any]]:
         traced = trace_assembly(assembly, scenario.surroundings(), shaking, scenario.gravity)
     devices, results = traced.trace.devices, results_of(traced, shaking.times)
     columns = {name: np.zeros(len(results), ABOUT[name].dtype) for name in OF_A_PIECE}
-    fill_columns(columns, 0, results.astype(RESULT))
+    fill_columns(columns, 0, results)
     used = utilisation(traced.trace.springs, devices).max(initial=0.0)
     return {
         **columns,

@@ -206,11 +206,9 @@ def _assembly_of(what: object, **asked: bool) -> Assembly:
     for name in asked:
         if asked[name]:
             raise InputError("model.of_a_body", name, name=name)
-    return (
-        standing
-        if isinstance(standing, Assembly)
-        else Assembly([Piece(standing) if isinstance(standing, Body) else standing])
-    )
+    if isinstance(standing, Assembly):
+        return standing
+    return Assembly([Piece(standing) if isinstance(standing, Body) else standing])
 
 
 def law_number(contact: str) -> int:

@@ -51,6 +51,8 @@ def run_in_groups(
     dt : float
         Time between the samples [s].
     """
+    if len(solids) == 1:
+        return run((0,), springs)
     reach = np.array(
         [np.linalg.norm(solid.vertices - solid.centre_of_gravity, axis=1).max() for solid in solids]
     )

@@ -211,9 +211,8 @@ def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.v
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
         result["end"] = time[end]
-        seen = (
-            fate.fell is not None or pieces[body].round_side is not None
-        )  # the engine's tilt counts what it has rolled
+        # the engine's tilt counts what a body on its round side has rolled
+        seen = fate.fell is not None or pieces[body].round_side is not None
         result["peak_tilt"] = fate.tilt[: end + 1].max() if seen else trace.peak_tilt[body]
         result["peak_slide"] = fate.way[: end + 1].max()
         result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
