@@ -5,10 +5,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "title": ("Plan to buy and do", "買う物とやること"),
     "print": ("Print", "印刷"),
     "back": ("Back to the room", "部屋に戻る"),
-    "now": (
-        "Chances {shaking}, as the room is: {chances}.",
-        "{shaking}では、今の部屋のままだと{chances}です。",
-    ),
+    "now": ("Chances {shaking}, as the room is: {chances}.", "{shaking}では、今の部屋だと{chances}です。"),
     "shaking": ("in shaking of JMA intensity {strength}", "{strength}の揺れ"),
     "shaking_of_one": ("under {motion}, of JMA intensity {strength}", "{motion}（{strength}の揺れ）"),
     "then": ("Chances after all {last} steps: {chances}.", "1～{last}をすべて行うと、{chances}です。"),
@@ -27,10 +24,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be bought.",
         "計算では、家具が人に当たることも、ドアをふさぐことも、何度も倒れることもありませんでした。買う物はありません。",
     ),
-    "in_place": (
-        "Taken as already in place: {measures}.",
-        "すでに取り付けてあるものとした対策：{measures}。",
-    ),
+    "in_place": ("Taken as in place already: {measures}.", "取り付け済みとした対策：{measures}。"),
     "unsolved": (
         "Nothing that was tried helps with: {pieces}.",
         "試した対策では効果がなかった家具：{pieces}。",
@@ -45,10 +39,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "home": ("Conditions: {conditions}.", "条件：{conditions}。"),
     "no_drilling": ("no drilling", "壁に穴を開けない"),
     "tatami": ("tatami floor", "畳の床"),
-    "plasterboard": (
-        "walls of plasterboard without studs to screw to",
-        "ねじを留める下地のない石こうボードの壁",
-    ),
+    "plasterboard": ("walls of plasterboard without studs", "ねじを留める下地のない石こうボードの壁"),
     "dropped_ceiling": ("a ceiling that hangs on wires", "吊り天井"),
     # The plan and the elevations
     "scale": (
@@ -56,10 +47,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "平面図1:{plan}{elevations}（等倍で印刷した場合）。長さの単位はメートルです。",
     ),
     "elevations": (", elevations 1:{scale}", "、立面図1:{scale}"),
-    "elevation_alt": (
-        "{piece} from the front and from the side, to scale",
-        "「{piece}」の正面図と側面図（縮尺どおり）",
-    ),
+    "elevation_alt": ("{piece} from front and side, to scale", "「{piece}」の正面図と側面図（縮尺どおり）"),
     "front": ("front", "正面"),
     "side": ("side", "側面"),
     # Columns
@@ -186,10 +174,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "overturns": ("overturns {was} → {now}", "倒れる確率{was}→{now}"),
     "unclear": ("{chance}, which may be chance", "{chance}（偶然の差かもしれません）"),
     "alone": ("alone: {chance}", "これだけ行うと、{chance}"),
-    "only_together": (
-        "helps only together with {steps}",
-        "これだけでは変わらず、{steps}も行うと効果があります",
-    ),
+    "only_together": ("helps only together with {steps}", "これだけでは効かず、{steps}も必要です"),
     "after_others": ("after the steps above: {chance}", "上の項目に続けて行うと、{chance}"),
     "changes": ("{what} {was} → {now}", "{what}確率{was}→{now}"),
     # Marks

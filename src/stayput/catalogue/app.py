@@ -2,10 +2,7 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # The command that serves the page
-    "at_address": (
-        "stayput is at {address} (Ctrl-C ends it)",
-        "stayputのアドレス：{address}（Ctrl-Cで終了）",
-    ),
+    "at_address": ("stayput is at {address} (Ctrl-C ends it)", "アドレス：{address}（Ctrl-Cで終了）"),
     "reachable": (
         (
             "Warning: other machines can reach stayput, at {where}. There is no password and no encryption: "
@@ -18,10 +15,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "使ってください。--hostを付けなければ、この機器からだけ使えます。"
         ),
     ),
-    "every_address": (
-        "port {port} of every address of this machine",
-        "この機器のすべてのアドレスのポート{port}",
-    ),
+    "every_address": ("port {port} of every address of this machine", "この機器の全アドレスのポート{port}"),
     # Requests
     "no_mesh": (
         "The piece “{name}” is of a mesh's file; here every piece must be a preset, a box, a cylinder or a cone.",
@@ -35,10 +29,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The Host header names another server; open the address that stayput printed.",
         "別のサーバー宛てのリクエストです。stayputが表示したアドレスを開いてください。",
     ),
-    "other_site": (
-        "Requests from other sites are refused.",
-        "ほかのサイトからのリクエストは受け付けません。",
-    ),
+    "other_site": ("Requests from other sites are refused.", "ほかのサイトからの要求は受け付けません。"),
     "body_too_large": (
         "The body is too large; at most {most} bytes are accepted.",
         "送信されたデータが大きすぎます。{most}バイトまでです。",
@@ -70,10 +61,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "文字列に不完全な文字があります。Unicodeで指定してください。",
     ),
     # Too much at once
-    "busy": (
-        "The server is busy; try again in a moment.",
-        "サーバーが混み合っています。少し待ってからもう一度お試しください。",
-    ),
+    "busy": ("The server is busy; try again in a moment.", "混み合っています。少し待ってください。"),
     "many_jobs": (
         "There are {count} verifications already; wait for one to end, or cancel it.",
         "すでに{count}件の検証があります。どれかが終わるまで待つか、中止してください。",

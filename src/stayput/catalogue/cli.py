@@ -20,10 +20,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} sets nothing of a motion; it must set a key of shaking, such as shaking.unit.",
         "{flag}は揺れに関係がありません。shaking.unitのようなshakingのキーを指定してください。",
     ),
-    "flag_without": (
-        "{flag} is given without {other}; it must come with it.",
-        "{flag}は{other}と一緒に指定してください。",
-    ),
+    "flag_without": ("{flag} is given without {other}; give both.", "{flag}には{other}も指定してください。"),
     "spectra_of_floors": (
         "--spectra is {value} without a building; it must come with --building, and without --storey.",
         "--spectraが{value}になっています。--buildingとともに、--storeyなしで指定してください。",
@@ -73,10 +70,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "エネルギー（{component}）：入力の{share:.0f}%が降伏による変形で吸収されました（収支の誤差は{imbalance:.1e}）。",
     ),
     # A motion
-    "samples": (
-        "{count} samples every {dt:g} s: {duration:g} s",
-        "{dt:g}秒間隔、{count}点、{duration:g}秒間",
-    ),
+    "samples": ("{count} samples every {dt:g} s: {duration:g} s", "{dt:g}秒間隔、{count}点、{duration:g}秒"),
     "intensities_of_floor": (
         (
             "{intensity:.1f} by JMA's formula for the motion on {name}, not the intensity of the place; "

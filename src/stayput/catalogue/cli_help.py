@@ -82,10 +82,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "spectrum": ("Print the response spectra of a motion.", "揺れの応答スペクトルを表示する"),
     "convert": ("Write a motion in another format, or changed.", "揺れを別の形式で、または変更して書き出す"),
-    "suite": (
-        "Make or read a suite of motions, scale it, and write it.",
-        "地震動群を作るか読み込み、大きさを調整して書き出す",
-    ),
+    "suite": ("Make or read a suite, scale it, and write it.", "地震動群を作るか読み、調整して書き出す"),
     # Flags of every program
     "version": ("Print the version.", "バージョンを表示する"),
     "help": ("Show this message and exit.", "この説明を表示して終了する"),
@@ -107,14 +104,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "unit": ("The record's unit, where its file states none.", "記録の単位（ファイルにない場合）"),
-    "dt": (
-        "The record's time step [s], where its file states none.",
-        "記録の時間刻み [s]（ファイルにない場合）",
-    ),
-    "record_columns": (
-        "Columns of time and components: t=1,x=acc,z=4.",
-        "時刻と各成分の列（例：t=1,x=acc,z=4）",
-    ),
+    "dt": ("The record's time step [s], if its file has none.", "記録の時間刻み [s]（ファイルにない場合）"),
+    "record_columns": ("Columns of time and components: t=1,x=acc.", "時刻と各成分の列（例：t=1,x=acc）"),
     "set_shaking": (
         (
             "Any key of [shaking], as a scenario's file would say it: shaking.unit=gal, shaking.scale=0.5, "
@@ -207,22 +198,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "--building：スペクトルを描く階（例：3,8）",
     ),
     "picture": ("Picture to write: .png, .svg or .pdf.", "書き出す図：.png、.svg、.pdf"),
-    "oscillator_damping": (
-        "Damping ratio of the oscillators, 0 to 0.95.",
-        "応答スペクトルの減衰定数（0～0.95）",
-    ),
-    "spectra_out": (
-        "Write the spectra of all components: .csv; - prints it.",
-        "全成分のスペクトル：.csv（-は標準出力）",
-    ),
-    "plot_spectra": (
-        "Plot them, and the Fourier spectra: .png, .svg, .pdf.",
-        "応答・フーリエスペクトル：.png、.svg、.pdf",
-    ),
-    "converted": (
-        "File to write: .csv or .at2 (PEER); - prints it.",
-        "書き出すファイル：.csv、.at2（-は標準出力）",
-    ),
+    "oscillator_damping": ("Damping ratio of the oscillators, 0 to 0.95.", "応答の減衰定数（0～0.95）"),
+    "spectra_out": ("Write the spectra to a .csv; - prints it.", "全成分のスペクトル：.csv（-は標準出力）"),
+    "plot_spectra": ("Plot them and Fourier's: .png, .svg or .pdf.", "応答・フーリエの図：.png、.svg、.pdf"),
+    "converted": ("File to write: .csv or .at2; - prints it.", "書き出すファイル：.csv、.at2（-は標準出力）"),
     "only": ("Keep this component alone, as x; for .at2.", "この成分だけをxとして残す（.at2用）"),
     "step": ("New time step [s], a whole part or multiple.", "新しい時間刻み [s]（整数分の1か整数倍）"),
     "format": ("Format of what is printed.", "標準出力に書き出すときの形式"),
@@ -277,10 +256,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "表の列の対応（例：width=奥行[mm],ignore=備考）、またはそれを書いたTOMLかJSONのファイル",
     ),
     "export": ("Results also as csv and geojson: csv,geojson.", "結果の別の形式（例：csv,geojson）"),
-    "scheduler": (
-        "A Dask scheduler to simulate with: tcp://host:8786.",
-        "Daskのスケジューラー（例：tcp://host:8786）",
-    ),
+    "scheduler": ("A Dask scheduler to use: tcp://host:8786.", "Daskのスケジューラー（例：tcp://host:8786）"),
     "memory": ("Memory to stay below.", "使うメモリの上限"),
     # app
     "host": (

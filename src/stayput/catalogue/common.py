@@ -52,10 +52,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "NUMBA_DISABLE_JIT is set, and the mechanics run as compiled code only; unset it.",
         "NUMBA_DISABLE_JITが設定されていますが、計算部はコンパイルしたコードでしか動きません。設定を解除してください。",
     ),
-    "too_large": (
-        "{name} is too large; it must be a finite number.",
-        "{name}が大きすぎます。有限の数値を指定してください。",
-    ),
+    "too_large": ("{name} is too large; it must be finite.", "{name}は大きすぎます。有限の数値が必要です。"),
     "not_within": (
         "{name} is {value:g}{unit}; it must be between {low:g} and {high:g}{unit}.",
         "{name}が{value:g}{unit}になっています。{low:g}～{high:g}{unit}にしてください。",
@@ -70,10 +67,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The executor is lost ({reason}); start it anew, and give the same call again.",
         "処理系（executor）が使えなくなりました（{reason}）。起動し直してから、同じ処理をもう一度実行してください。",
     ),
-    "no_worker": (
-        "The cluster has no worker; waiting for one.",
-        "クラスターにワーカーがありません。接続されるまで待ちます。",
-    ),
+    "no_worker": ("The cluster has no worker; waiting for one.", "クラスターのワーカーを待っています。"),
     "worker_version": (
         "A worker has stayput {worker}; it must have that of this command, {version}.",
         "ワーカーのstayputが{worker}になっています。このコマンドと同じ{version}にしてください。",

@@ -133,10 +133,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {id}, which is that of row {row}; every row must have its own.",
         "{name}の{id}は{row}行目と同じです。行ごとに異なるものにしてください。",
     ),
-    "missing_beside": (
-        "{name} is missing; {other} needs it.",
-        "{name}がありません。{other}を指定するときは必要です。",
-    ),
+    "missing_beside": ("{name} is missing; {other} needs it.", "{name}がありません。{other}に必要です。"),
     "place_missing": (
         "{name} is missing; it must be given where there are stations or a shake map.",
         "{name}がありません。観測点や地震動マップを使うときは必要です。",

@@ -144,10 +144,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "with_tabs": ("{encoding} with tabs", "{encoding}（タブ区切り）"),
     "with_semicolons": ("{encoding} with semicolons", "{encoding}（セミコロン区切り）"),
     "sheet": ("sheet {name}", "シート{name}"),
-    "sheet_of_several": (
-        "sheet {name}; not {others}",
-        "シート{name}（ほかのシート{others}は読んでいません）",
-    ),
+    "sheet_of_several": ("sheet {name}; not {others}", "シート{name}（ほかのシート{others}は対象外）"),
     "and_empty": ("{how}; {count} of them empty", "{how}（空の{count}行を除く）"),
     "not_used": ("Columns that were not used: {columns}.", "使わなかった列：{columns}。"),
     "scenario": (

@@ -72,10 +72,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{header} seems to be along the wall, and the depth is missing (if it is the depth: width=…)",
         "{header}は壁に沿った寸法のようです。転倒に関わる奥行の列がありません（奥行ならwidth=…）",
     ),
-    "doubt_twice": (
-        "{first} and {header} are both the {name}",
-        "{first}と{header}の両方が{name}に当たります",
-    ),
+    "doubt_twice": ("{first} and {header} are both the {name}", "{first}と{header}の両方が{name}です"),
     "doubt_count": ("{header} seems to say how many pieces there are", "{header}は家具の数のようです"),
     "doubt_total": (
         "{header} may be of all pieces of a row, and stayput takes that of one (if it is that: value=…)",

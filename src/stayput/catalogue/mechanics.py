@@ -16,10 +16,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # what an element's value must be
     "known_kind": ("1 (axial) or 2 (planar)", "1（軸方向）または2（平面）"),
     "finite": ("finite", "有限の数値"),
-    "anchor": (
-        "finite, or NaN for where the point is at rest",
-        "有限の数値、または静止時の取付け点を表すNaN",
-    ),
+    "anchor": ("finite, or NaN for where the point is at rest", "有限の数値、または静止時の位置を表すNaN"),
     "not_negative": ("0 or more", "0以上"),
     "slack": ("a length, or inf", "長さ、またはinf"),
     "friction": ("0 or more, or NaN for none", "0以上、または摩擦なしを表すNaN"),

@@ -132,10 +132,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "sampling_frequency": ("sampling frequency", "サンプリング周波数"),
     "direction": ("direction", "方向"),
     "duration": ("duration", "継続時間"),
-    "scale_factor": (
-        "scale factor in gal such as 2000(gal)/8388608",
-        "スケールファクター（2000(gal)/8388608のような値）",
-    ),
+    "scale_factor": ("scale factor such as 2000(gal)/8388608", "スケールファクター（例：2000(gal)/8388608）"),
     "npts": ("NPTS", "「NPTS」"),
     "dt": ("DT", "「DT」"),
     "velocity_or_displacement": ("velocity or displacement", "速度または変位"),
@@ -143,10 +140,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "so_many_numbers": ("as many numbers as there are components, {count}", "成分と同じ{count}個の数値"),
     "date_and_time": ("date and time first", "はじめに日時"),
     "npts_and_dt": ("NPTS= a number, DT= a number", "「NPTS= 数値, DT= 数値」"),
-    "a_layout": (
-        "how many samples follow, at least 1, and in which fields",
-        "続くデータの数（1以上）と欄の書式",
-    ),
+    "a_layout": ("how many samples follow, 1 or more, and their fields", "続くデータの数（1以上）と欄の書式"),
     "the_format": ("the format", "形式"),
     "knet_offset": ("line #Offset", "「#Offset」の行"),
     "knet_memo": ("line Memo. as its 17th", "17行目の「Memo.」の行"),

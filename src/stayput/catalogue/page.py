@@ -120,17 +120,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Abridged from the explanation of the scale by the Japan Meteorological Agency (JMA).",
         "気象庁震度階級関連解説表を要約したものです。",
     ),
-    "dropHere": (
-        "A record of your own: drop a file here, or",
-        "手持ちの地震記録：ここにファイルをドロップするか、",
-    ),
+    "dropHere": ("Your own record: drop a file here, or", "手持ちの記録：ファイルをここにドロップするか、"),
     "ownRecord": ("A record of your own:", "手持ちの地震記録："),
     "chooseFile": ("choose one", "ファイルを選ぶ"),
     "sending": ("Reading the file …", "ファイルを読み込んでいます…"),
-    "dropPieces": (
-        "A scenario file of several pieces is shown as it is.",
-        "複数の家具の条件ファイルも、そのまま表示できます。",
-    ),
+    "dropPieces": ("Scenarios of several pieces are shown, too.", "複数の家具の条件ファイルも表示できます。"),
     "onePieceFile": (
         "This scenario has one piece; set it with the fields here. Files of several pieces are shown as they are.",
         "この条件ファイルの家具は1つです。ここの欄で設定してください。そのまま表示できるのは、複数の家具の条件ファイルです。",
@@ -178,10 +172,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "記録{name}はサーバーに残っていません。「条件を決める」でもう一度ドロップしてください。",
     ),
     "recordName": (" “{name}”", "「{name}」"),
-    "recordReplaced": (
-        "What you see is another earthquake, a computed one.",
-        "今の図は別の地震（計算で作った揺れ）によるものです。",
-    ),
+    "recordReplaced": ("What you see is a computed earthquake.", "今の図は計算で作った揺れによるものです。"),
     "whatHolds": ("What holds it?", "どんな対策をしますか"),
     "moreMeasures": ("More measures", "ほかの対策"),
     "installed": ("Show how it is as people install it, too", "実際の取付けの不備も考える"),
@@ -237,10 +228,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "choice_solid wood": ("solid wood", "無垢材"),
     "with": ("With the measures", "対策あり"),
     "tower": ("The building, its sway drawn larger", "建物（揺れは拡大表示）"),
-    "towerAlt": (
-        "The building from outside; the storey of the furniture is marked",
-        "外から見た建物。家具のある階に印が付いています",
-    ),
+    "towerAlt": ("The building; the storey of the furniture is marked", "外から見た建物。家具のある階に印"),
     "again": ("From the beginning", "最初から"),
     "seeNote": (
         "To scale. The room moves with the shaking; the dotted lines stand still, as far apart as the scale is long. The round mark is the centre of gravity. Space plays and pauses, the arrow keys step.",
@@ -322,10 +310,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Simulations: {runs}, with different earthquakes: {motions}; friction, weight and strength of the devices were varied too. {seconds} s of computing.",
         "{motions}種類の地震による{runs}回の計算から求めました。摩擦、重さ、器具の強さのばらつきも考えています。計算時間は{seconds}秒です。",
     ),
-    "alsoSlides": (
-        "It slides by more than {limit} in {share}.",
-        "{share}の場合に{limit}より大きく移動します。",
-    ),
+    "alsoSlides": ("It slides by over {limit} in {share}.", "{share}の場合に{limit}より大きく移動します。"),
     "alsoFails": ("A device fails in {share} ({device}).", "{share}の場合に{device}が破損または脱落します。"),
     "verify": ("Work it out again", "もう一度計算する"),
     "cancel": ("Stop", "中止"),
@@ -334,14 +319,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "care_quick": ("few, quick", "少ない（速い）"),
     "care_usual": ("usual", "標準"),
     "care_fine": ("many, slow", "多い（遅い）"),
-    "stale": (
-        "This is from the scene before; the new answer follows.",
-        "前の条件の結果です。新しい結果はこのあと出ます。",
-    ),
-    "state_waiting": (
-        "The scene has changed; a new answer follows.",
-        "条件が変わりました。まもなく新しい結果が出ます。",
-    ),
+    "stale": ("From the scene before; an answer follows.", "前の条件の結果です。新しい結果が出ます。"),
+    "state_waiting": ("The scene has changed; an answer follows.", "条件が変わりました。計算しています。"),
     "state_running": ("Shaking it many times …", "何度も揺らして計算しています…"),
     "state_cancelled": ("Stopped.", "中止しました。"),
     "state_refused": ("", ""),
@@ -371,10 +350,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "below": ("at most {at}", "{at}以下"),
     "between": ("{at} (between {low} and {high})", "{at}（{low}～{high}）"),
     "within": ("something between {low} and {high}", "{low}～{high}のあいだ"),
-    "alone": (
-        "{at} (one earthquake: others may differ)",
-        "{at}（地震動は1つだけで、他では異なることがあります）",
-    ),
+    "alone": ("{at} (one earthquake alone)", "{at}（地震動1つだけによる値）"),
     "unknown": ("an intensity that is not known", "不明"),
     "fragilityAlt": (
         "Chance of falling over against JMA intensity; your scene is at {here}",
@@ -392,10 +368,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "thinking": ("Working it out …", "計算しています…"),
     "everydayTitle": ("And without an earthquake?", "地震がないときは"),
     "drawers": ("Drawers that can be open at once", "同時に開けられる引き出しの数"),
-    "drawerLoad": (
-        "Load on an open drawer, or on the front edge",
-        "開いた引き出し（なければ前縁）にかかる荷重",
-    ),
+    "drawerLoad": ("Load on an open drawer, or on the front edge", "引き出し（なければ前縁）にかかる荷重"),
     "pull": ("Forward pull", "手前に引く力"),
     "everydayNever": ("cannot tip it", "倒れません"),
     "everydayMargin": ("margin {margin}", "余裕 {margin}"),
@@ -418,14 +391,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The server is getting ready. At the very first start it compiles the mechanics, which takes about half a minute; then the first picture comes.",
         "サーバーが準備をしています。初めて起動したときは計算部の準備に30秒ほどかかり、その後に最初の図が出ます。",
     ),
-    "gone": (
-        "The server no longer has this; please work it out again.",
-        "結果はサーバーに残っていません。もう一度計算してください。",
-    ),
-    "tooSlow": (
-        "The connection was too slow; please try again.",
-        "通信に時間がかかりすぎました。もう一度お試しください。",
-    ),
+    "gone": ("The server no longer has this; ask again.", "結果が残っていません。計算し直してください。"),
+    "tooSlow": ("The connection was too slow; try again.", "通信が遅すぎました。もう一度お試しください。"),
     "broken": ("Something went wrong; please try again.", "うまくいきませんでした。もう一度お試しください。"),
     "stillUsed": ("The result is still that of {name}.", "結果は引き続き{name}のものです。"),
     "unreadable": ("This file cannot be used:", "このファイルは使えません。"),
@@ -459,10 +426,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "mp4Without": ("Animation without measures, 10 s (MP4)", "対策なしの動画、10秒（MP4）"),
     "mp4With": ("Animation with the measures, 10 s (MP4)", "対策ありの動画、10秒（MP4）"),
     "drawingNow": ("Drawing …", "作成中…"),
-    "drawing": (
-        "Drawing the animation, which may take half a minute …",
-        "動画を作っています。30秒ほどかかることがあります…",
-    ),
+    "drawing": ("Drawing it, which may take half a minute …", "描いています。30秒ほどかかります…"),
     "reportWait": (
         "Report and table are there once the chances have been worked out.",
         "報告書と表は、確率の計算が終わると保存できます。",

@@ -77,10 +77,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "フーリエ振幅 [cm/s]、\n平滑化（Konno・Ohmachi、b = 40）",
     ),
     "long_period_class": ("class {number}", "階級{number}"),
-    "long_period": (
-        "Lines: JMA's classes of long-period motion, 1.6 to 7.8 s",
-        "線：気象庁の長周期地震動階級、1.6～7.8 s",
-    ),
+    "long_period": ("Lines: JMA's long-period classes, 1.6–7.8 s", "線：長周期地震動階級（1.6～7.8 s）"),
     # A run.
     "floor_acceleration": ("Floor\nacceleration [m/s²]", "床の\n加速度 [m/s²]"),
     "acceleration_of": ("Acceleration of\n{floor} [m/s²]", "床（{floor}）の\n加速度 [m/s²]"),

@@ -134,10 +134,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "部屋は地盤とともに動きます（{corner} Hz未満のゆっくりした動きは除外）。点線は動かない基準線で、間隔は{grid} mです。",
     ),
-    "part_shown": (
-        "The room's movement is drawn at {part} % of its size.",
-        "部屋の動きは実際の{part}%で描いています。",
-    ),
+    "part_shown": ("The room's movement is drawn at {part} %.", "部屋の動きは{part}%に縮めて描いています。"),
     "typical": ("A typical case", "典型的な場合"),
     "typical_text": (
         (
@@ -163,14 +160,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The run that went worst with the best of those compared, and the same one without it.",
         "比較した中で最良の案で最も悪い結果になった計算と、その案なしの同じ計算です。",
     ),
-    "worst_bare_text": (
-        "{without}, this is the run that went worst.",
-        "{without}で最も悪い結果になった計算です。",
-    ),
-    "scene_alt": (
-        "Animation of the piece in its room, seen from its side: {content}",
-        "家具と部屋を横から見た動画：{content}",
-    ),
+    "worst_bare_text": ("{without}, the run that went worst.", "{without}で最も悪い結果になった計算です。"),
+    "scene_alt": ("Animation of the piece from its side: {content}", "家具と部屋を横から見た動画：{content}"),
     "histories": ("Time histories", "時刻歴"),
     "histories_alt": (
         "Floor acceleration, tilt and slide over time, without and with the measure: {outcomes}",
@@ -340,10 +331,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{count} synthetic ones ({family}): computed, not recorded",
         "模擬地震動{count}本（{family}）：計算で作ったもので、観測記録ではありません",
     ),
-    "motion_synthetic": (
-        "{name}, synthetic: computed, not recorded",
-        "{name}（模擬）：観測記録ではありません",
-    ),
+    "motion_synthetic": ("{name}, synthetic: not recorded", "{name}（模擬）：観測記録ではありません"),
     "sine": ("sine {values}", "正弦波 {values}"),
     "suite": ("synthetic {family} suite, seed {seed}", "模擬地震動群（{family}、乱数の種{seed}）"),
     "japanese_target": (

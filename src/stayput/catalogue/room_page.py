@@ -26,10 +26,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "toDo": ("What to do about it", "どう対策するか"),
     "roomItself": ("The room and the house", "部屋と建物"),
     "ceilingThere": ("There is a ceiling", "天井がある"),
-    "dropRoom": (
-        "The scenario file of a room opens that room.",
-        "部屋の条件ファイルを選ぶと、その部屋を開きます。",
-    ),
+    "dropRoom": ("A scenario file of a room opens that room.", "部屋の条件ファイルは、その部屋を開きます。"),
     # The verdict
     "answerTitle": ("What happens in this room", "この部屋で起こること"),
     "rough": (
@@ -40,10 +37,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "roomBetter": ("More runs make the numbers surer …", "計算を続けて、数値を確かにしています…"),
     "counting": ("counting …", "計算中…"),
     "state_empty": ("Nothing in the room that can fall yet.", "倒れるおそれのある家具がまだありません。"),
-    "serverAway": (
-        "The server does not answer; it goes on once it is back.",
-        "サーバーから応答がありません。戻りしだい続けます。",
-    ),
+    "serverAway": ("The server does not answer; it goes on after.", "応答がありません。戻りしだい続けます。"),
     "briefHit": ("somebody hit: {share}", "人に当たる：{share}"),
     "briefShutIn": ("shut in: {share}", "出られない：{share}"),
     "briefOld": ("before the change: {said}", "変更前：{said}"),
@@ -68,10 +62,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "medianAndMost": ("{median}, in 1 of 10 hits over {most}", "{median}（10回に1回は{most}を超える）"),
     # What it rests on
     "whoIsHit": ("Who is hit, and by what?", "誰に何が当たるか"),
-    "noPlaces": (
-        "There is no bed, desk or other place of a person in the room yet.",
-        "ベッドや机など、人のいる場所がまだありません。",
-    ),
+    "noPlaces": ("There is no place of a person in the room yet.", "人のいる場所がまだありません。"),
     "dayAndNight": (
         "Counting how often somebody is there: {day} by day, {night} at night.",
         "人がいる時間の割合を掛けると、昼は{day}、夜は{night}です。",
@@ -93,24 +84,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "noDoors": ("There is no door in the room yet.", "部屋にまだドアがありません。"),
     "doorBlocked": ("{door}: stays blocked", "{door}がふさがる"),
     "shutInAt": ("No way out from here: {place}", "{place}から外に出られない"),
-    "blockedAtRest": (
-        "It is blocked already as the furniture stands.",
-        "家具を置いた状態で、すでにふさがっています。",
-    ),
+    "blockedAtRest": ("It is blocked as the furniture stands.", "家具を置いた状態でふさがっています。"),
     "whichPieces": ("Which piece does most harm?", "最も危ない家具はどれか"),
-    "piecesOrder": (
-        "Most harm first. The bar is the chance of falling over.",
-        "危ない順です。棒は倒れる確率を表します。",
-    ),
+    "piecesOrder": ("Most harm first; bars: chance of falling over.", "危ない順です。棒は倒れる確率です。"),
     "contributes": ("It makes up {share} of the chance of being hit.", "人に当たる危険の{share}を占めます。"),
     "inTheWay": (
         "It is in the way out: somebody is shut in {now}, and in {then} with this change: {change}.",
         "外への通り道をふさぎます。出られない確率は{now}で、「{change}」と{then}になります。",
     ),
-    "fallsToo": (
-        "Overturning without reaching anybody: {pieces}.",
-        "倒れる家具（人には当たらない）：{pieces}。",
-    ),
+    "fallsToo": ("Overturning, hitting nobody: {pieces}.", "倒れる家具（人には当たらない）：{pieces}。"),
     "fallsOften": ("{piece} ({share})", "{piece}（{share}）"),
     "pieceSlides": ("Slides far in {share}.", "大きく滑る確率は{share}。"),
     "pieceFails": ("What holds it fails in {share}.", "固定が外れる確率は{share}。"),
@@ -118,10 +100,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "meet": ("{one} and {other}", "{one}と{other}"),
     # What helps
     "whatHelpsRoom": ("Which single change helps most?", "どの変更が最も効くか"),
-    "changesWait": (
-        "The changes are being worked out, one after the other …",
-        "変更を1つずつ計算しています…",
-    ),
+    "changesWait": ("The changes are being worked out one by one …", "変更を1つずつ計算しています…"),
     "changesNote": (
         "The bar is the chance of what is named above it, after the change; the thin line is how sure that is. Each change is tried alone, under the same shaking. One that was made can be undone in the plan. Points are percentage points: from 40 % to 30 % is −10 points.",
         "棒はその上に書いたことの、変更後の確率です。細い線はその確かさを表します。変更は1つずつ、同じ揺れで試しています。行った変更は、間取り図で元に戻せます。ポイントは確率の差で、40%が30%になれば−10ポイントです。",
@@ -130,10 +109,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "itOverturns": ("It overturns", "この家具が倒れる"),
     "hitChange": ("Somebody is hit: {share}; {by}.", "人に当たる確率：{share}、差：{by}。"),
     "shutChange": ("Shut in: {share}; {by}.", "出られない確率：{share}、差：{by}。"),
-    "fallChange": (
-        "It overturns: {share} instead of {before}.",
-        "倒れる確率：{before}から{share}になります。",
-    ),
+    "fallChange": ("It overturns: {share} instead of {before}.", "倒れる確率：{before}から{share}に。"),
     "withTried": ("With what is being tried: {changes}.", "試している変更を含みます：{changes}。"),
     "triedTitle": ("Being tried: steps of the plan", "試している変更（「やること」に入ります）"),
     "triedMoved": ("{what} moved", "{what}を移動"),
@@ -160,10 +136,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "In this one nothing reaches anybody; that is so in {share}.",
         "この揺れでは誰にも当たりません。誰にも当たらない割合は{share}です。",
     ),
-    "inThisShut": (
-        "Somebody is shut in; that is so in {share}.",
-        "出られない人がいます。その割合は{share}です。",
-    ),
+    "inThisShut": ("Somebody is shut in, as in {share}.", "出られない人がいます。その割合は{share}です。"),
     # Rooms that are kept
     "scenesTitle": ("Rooms kept on this device", "この端末に保存した部屋"),
     "sceneName": ("Name of this room", "この部屋の名前"),
@@ -280,10 +253,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "turnIt": ("Turn by 90°", "90°回す"),
     "removeIt": ("Remove", "取り除く"),
     "emptyIt": ("Empty room", "部屋を空にする"),
-    "emptied": (
-        "The room is empty. Undo brings everything back.",
-        "部屋を空にしました。「元に戻す」ですべて戻ります。",
-    ),
+    "emptied": ("The room is empty; Undo brings it back.", "空にしました。「元に戻す」で戻ります。"),
     "undone": ("The last change is taken back.", "直前の変更を元に戻しました。"),
     "redone": ("The change is made again.", "変更をやり直しました。"),
     "added": ("Added: {what}", "追加：{what}"),
@@ -311,10 +281,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "opens_sliding": ("slides", "引き戸"),
     # What stands wrong
     "inWall": ("{name} reaches {depth} into a wall.", "「{name}」が壁に{depth}入り込んでいます。"),
-    "inOther": (
-        "{name} and {other} stand {depth} in each other.",
-        "「{name}」と「{other}」が{depth}重なっています。",
-    ),
+    "inOther": ("{name} and {other} overlap by {depth}.", "「{name}」と「{other}」が{depth}重なっています。"),
     "opensAgainst": (
         "{name} does not open fully: {other} is in its way.",
         "「{name}」が「{other}」に当たり、全開できません。",
@@ -340,10 +307,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "standsAt": ("Stands with its back to", "背を付ける壁"),
     "freely": ("no wall", "壁に付けない"),
-    "alongWall": (
-        "Its middle along that wall, from the near or left end",
-        "壁の手前または左の端から中心まで",
-    ),
+    "alongWall": ("Its middle along it, from the near or left end", "壁の手前または左の端から中心まで"),
     "fromLeft": ("Its middle from the left wall", "左の壁から中心まで"),
     "fromNear": ("Its middle from the near wall", "手前の壁から中心まで"),
     "turnedDegrees": ("Turned by", "向き"),

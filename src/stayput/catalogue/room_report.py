@@ -4,10 +4,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # The page, from its top to its foot
     "skip": ("Skip to the plan", "平面図へ移動"),
     "any_hit": ("Somebody is hit, at one place or more", "どこかの場所で人に家具が当たる確率"),
-    "any_shut_in": (
-        "Somebody has no way out, from one place or more",
-        "どこかの場所から外に出られなくなる確率",
-    ),
+    "any_shut_in": ("Somebody has no way out from somewhere", "どこかの場所から外に出られなくなる確率"),
     "missing": (
         "{missing} of {all} runs of the room could not be followed to the end, and are not in the chances.",
         "部屋の計算{all}回のうち{missing}回は最後まで計算できず、確率に含めていません。",
@@ -39,10 +36,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "そこにいる人に家具が触れる確率と95%区間です{covers}。昼（{day:g}時間）と夜（{night:g}時間）の値は、これに人がいる時間の割合を掛けたものです。",
     ),
-    "covers": (
-        ", which covers other earthquakes of this strength too",
-        "（同じ強さのほかの地震も考えた区間です）",
-    ),
+    "covers": (", which covers other such earthquakes too", "（同じ強さのほかの地震も考えた区間です）"),
     "place": ("Place", "場所"),
     "hit": ("Hit by any piece", "いずれかの家具が当たる"),
     "by_day": ("By day", "昼"),
@@ -131,10 +125,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "risk": ("Somebody is hit, counting the hours that people are there", "人に当たる確率（いる時間を考慮）"),
     "changed_overturned": ("The piece overturns", "その家具が倒れる確率"),
     "no_changes": ("No changes were compared.", "比較した変更はありません。"),
-    "moved_text": (
-        "{change}. The dashed outline is where it stands now.",
-        "{change}。破線は現在の位置です。",
-    ),
+    "moved_text": ("{change}. Dashed: where it stands now.", "{change}。破線は現在の位置です。"),
     # What it rests on
     "limit_alone": ("Each piece by itself", "家具ごとの計算"),
     "limit_alone_text": (

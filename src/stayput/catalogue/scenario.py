@@ -17,10 +17,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "key_of_table": ("a key of [{table}]", "[{table}]のキー"),
     "top_level_key": ("a top-level key", "最上位のキー"),
-    "missing": (
-        "{name} is missing; it must be {allowed}.",
-        "{name}がありません。{allowed}を指定してください。",
-    ),
+    "missing": ("{name} is missing; it must be {allowed}.", "{name}がありません。{allowed}が必要です。"),
     "table": ("a table", "テーブル"),
     "table_with_type": ("a table with type", "typeのあるテーブル"),
     "one_of_tables": ("a table with type or combine", "typeかcombineのあるテーブル"),
@@ -119,10 +116,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is given beside {other}; only one of the two must be given.",
         "{other}と{name}の両方があります。一方だけを指定してください。",
     ),
-    "needs_both": (
-        "{name} is given without {other}; it needs both.",
-        "{name}だけがあります。{other}も必要です。",
-    ),
+    "needs_both": ("{name} is given without {other}; give both.", "{name}には{other}も必要です。"),
     "without_record": (
         "{name} is given without shaking.record; it belongs to a record only.",
         "{name}はshaking.recordがある場合だけ指定できます。",
@@ -154,14 +148,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "file_not_read": ("it could not be read: {reason}", "読み込めませんでした（{reason}）"),
     "file_not_utf8": ("it must be a text in UTF-8", "UTF-8のテキストファイルにしてください"),
     "file_not_toml": ("it must be TOML, but: {reason}", "TOMLとして読めません（{reason}）"),
-    "file_long_number": (
-        "a whole number in it is too long; it must fit in 64 bits",
-        "64ビットに収まらない整数があります",
-    ),
-    "file_too_deep": (
-        "its brackets must be nested at most {most} deep",
-        "括弧の入れ子は{most}段までにしてください",
-    ),
+    "file_long_number": ("a whole number in it exceeds 64 bits", "64ビットに収まらない整数があります"),
+    "file_too_deep": ("its brackets must nest at most {most} deep", "括弧の入れ子は{most}段までです"),
     "file_long_keys": (
         "its keys have {count} parts beyond two each; they must have at most {most}",
         "キーの3個目以降の部分が合わせて{count}個あります。{most}個までにしてください",

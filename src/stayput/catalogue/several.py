@@ -36,10 +36,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "loose": ("{name} overturns {falls}", "「{name}」は{falls}"),
     "joint_fails": ("mostly what joins {first} and {second}", "多くは「{first}」と「{second}」の接合部です"),
     "device_of": ("mostly on {name}: {weakest}", "多くは「{name}」で、{weakest}ことによります"),
-    "slides": (
-        "in nine of ten no furniture slides by more than {length}",
-        "10回中9回は家具の移動が{length}以内です",
-    ),
+    "slides": ("in nine of ten no furniture slides by over {length}", "10回中9回は移動が{length}以内です"),
     # The report
     "report": ("Verification of several pieces of furniture", "複数の家具の地震対策の検証"),
     "about": (
@@ -76,10 +73,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{width:g} × {length:g} × {height:g} m、{mass:.4g} kg",
     ),
     "between": ("Friction between the pieces", "家具どうしの摩擦"),
-    "drawn_between": (
-        "Friction between the pieces and strength of the joints",
-        "家具どうしの摩擦と接合部の強さ",
-    ),
+    "drawn_between": ("Friction between pieces, strength of joints", "家具どうしの摩擦と接合部の強さ"),
     "drawn_between_text": (
         "drawn by themselves, like friction and the strength of devices; masses, centres and feet of each piece too",
         "摩擦・器具の強さと同じ分布で別に与える。質量・重心・脚は家具ごとに与える",

@@ -19,10 +19,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {name} did not overturn but was left leaning; it tilted by {tilt} and slid by {slide}.",
         "{name}は転倒しませんでしたが、寄りかかったままになりました（傾き：{tilt}、移動量：{slide}）。",
     ),
-    "turned": (
-        "The {name} turned on its base by up to {angle:.0f}°.",
-        "{name}は最大{angle:.0f}°回転しました。",
-    ),
+    "turned": ("The {name} turned by up to {angle:.0f}°.", "{name}は最大{angle:.0f}°回転しました。"),
     "rolled": ("The {name} rolled by {slide}.", "{name}は{slide}転がりました。"),
     "overturned": (
         "The {name} overturned {time:.1f} s into the motion.",
@@ -55,10 +52,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "view_side": ("Side", "側面"),
     "view_top": ("Top", "上"),
     "shaken": ("Move the room with the ground", "部屋を地盤とともに動かす"),
-    "scene": (
-        "Picture in space, turned by dragging or by the arrow keys",
-        "立体図（ドラッグまたは矢印キーで回転）",
-    ),
+    "scene": ("Picture in space, turned by dragging or arrow keys", "立体図（ドラッグまたは矢印キーで回転）"),
     "strip": ("Floor acceleration and tilt over time", "床の加速度と傾きの時刻歴"),
     "tilt_of": ("Tilt: {name}, up to {angle}°", "傾き：{name}、最大{angle}°"),
     "keys": (
