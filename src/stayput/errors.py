@@ -277,11 +277,30 @@ def unknown(
 
 
 def not_allowed(
-    name: str | Phrase, value: str, allowed: str | Phrase, field: str | None = None
+    name: str | Phrase, value: str | Phrase, allowed: str | Phrase, field: str | None = None
 ) -> InputError:
     """Return the refusal of a value, as a sentence shows it, with what is allowed."""
     return InputError(
-        "common.not_allowed", field, name=_called(name), value=value, hint="", allowed=phrase(allowed)
+        "common.not_allowed", field, name=_called(name), value=value, hint="", allowed=_called(allowed)
+    )
+
+
+def too_many(name: str | Phrase, count: int, what: str, most: int, field: str | None = None) -> InputError:
+    """Return the refusal of more items, numbers or characters than something may have."""
+    return InputError("common.too_many", field, name=_called(name), count=count, what=phrase(what), most=most)
+
+
+def no_length(field: str = "length") -> InputError:
+    """Return the refusal of a body in space whose size across the shaking is not known."""
+    return InputError("scenario.missing", field, allowed=phrase("solids.no_length"))
+
+
+def kinetic_above_static(
+    name: str | Phrase, kinetic: float, static: float, field: str | None = None
+) -> InputError:
+    """Return the refusal of a kinetic coefficient of friction above the static one."""
+    return InputError(
+        "common.kinetic_above_static", field, name=_called(name), kinetic=kinetic, static=static
     )
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from stayput.errors import InputError, finite, instance_of, within
+from stayput.errors import finite, instance_of, not_allowed, within
 from stayput.model.body import Body
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 
@@ -239,7 +239,7 @@ def kaneko_hayashi(
     a, v, zeta = (finite(name, value) for name, value in (("PGA", pga), ("PGV", pgv), ("ζ", scatter)))
     for name, value, unit in (("PGA", a, " m/s²"), ("PGV", v, " m/s"), ("ζ", zeta, "")):
         if not value > 0.0:
-            raise InputError("model.not_positive", name=name, value=value, unit=unit)
+            raise not_allowed(name, f"{value:g}{unit}", "common.above_zero")
     fe = a / (2.0 * math.pi * v)
     median = kaneko_hayashi_median(body, fe, gravity)
     ratio = 0.5 * math.erfc(-math.log(a / median) / (zeta * math.sqrt(2.0)))

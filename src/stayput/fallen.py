@@ -193,7 +193,7 @@ def intensity_from_fallen(
     """
     kinds = list_of("pieces", pieces, Fallen)
     if not kinds:
-        raise InputError("fragility.no_pieces", "pieces")
+        raise InputError("common.empty", "pieces")
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1 or len(rows) < 3 or not (np.diff(rows) > 0.0).all():
         raise InputError("fragility.levels_of_fallen", "levels", count=rows.size)

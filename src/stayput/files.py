@@ -11,7 +11,8 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, instance_of, quoted, reason_of
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, not_allowed, quoted, reason_of
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterable, Sequence
@@ -45,14 +46,15 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     instance_of("path", path, (str, PathLike))
     target = Path(path)
     if "\0" in str(target):
-        raise InputError("model.null_in_name", file=quoted(str(target)))
+        raise not_allowed("model.file_to_write", quoted(str(target)), "model.null_in_name")
     if target.suffix.lower() not in suffixes:
-        raise InputError("model.wrong_suffix", file=repr(str(target)), suffixes=", ".join(suffixes))
+        allowed = phrase("model.wrong_suffix", suffixes=", ".join(suffixes))
+        raise not_allowed("model.file_to_write", repr(str(target)), allowed)
     try:
         if not target.parent.is_dir():
-            raise InputError("model.no_folder", file=repr(str(target)))
+            raise not_allowed("model.file_to_write", repr(str(target)), "model.no_folder")
         if target.is_dir():
-            raise InputError("model.file_is_folder", file=repr(str(target)))
+            raise not_allowed("model.file_to_write", repr(str(target)), "model.file_is_folder")
     except OSError as error:
         raise _not_written(target, error) from None
     return target
@@ -81,7 +83,8 @@ def check_apart(outputs: Iterable[Path | None], inputs: Iterable[Path]) -> None:
             except OSError:  # one of them does not exist
                 continue
             if same:
-                raise InputError("model.file_is_input", file=repr(str(target)), source=repr(str(source)))
+                allowed = phrase("model.file_is_input", source=repr(str(source)))
+                raise not_allowed("model.file_to_write", repr(str(target)), allowed)
 
 
 @contextmanager
@@ -108,7 +111,7 @@ def draft(target: Path) -> Generator[Path]:
 
 
 def _not_written(target: Path, error: OSError) -> InputError:
-    return InputError("model.not_written", file=repr(str(target)), reason=reason_of(error))
+    return InputError("common.not_written", path=repr(str(target)), reason=reason_of(error))
 
 
 @contextmanager
@@ -136,7 +139,7 @@ def folder_draft(folder: Path) -> Generator[Path]:
                 file.replace(target)
     except OSError as error:
         reason = reason_of(error)
-        raise InputError("model.folder_not_written", folder=repr(str(folder)), reason=reason) from error
+        raise InputError("common.not_written", path=repr(str(folder)), reason=reason) from error
     except InputError as error:
         raise error.renamed(f"{path}{os.sep}", f"{folder}{os.sep}") from None
     finally:

@@ -162,7 +162,7 @@ def _refusing(file: Path, kind: type) -> Generator[None]:
     try:
         yield
     except OSError as error:
-        raise InputError("saved.unreadable", "path", file=str(file), reason=reason_of(error)) from None
+        raise InputError("common.unreadable", "path", file=str(file), reason=reason_of(error)) from None
     except Exception:  # SciPy, xarray and json fail at a file that is cut or of something else in many ways
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
 

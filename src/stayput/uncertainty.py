@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, finite, within
+from stayput.errors import InputError, finite, not_allowed, within
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -156,8 +156,8 @@ class Uniform(Marginal):
 
 def _check_spread(name: str, value: float, most: float) -> None:
     if not 0.0 < finite(name, value) <= most:
-        key = "model.not_positive" if math.isinf(most) else "verification.not_above_zero_or_too_large"
-        raise InputError(key, name=phrase(name), value=value, unit="", most=most)
+        allowed = "common.above_zero" if math.isinf(most) else phrase("verification.above_zero_to", most=most)
+        raise not_allowed(name, f"{value:g}", allowed)
 
 
 def _check_order(low: float, high: float) -> None:

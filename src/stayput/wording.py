@@ -6,7 +6,7 @@ from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import LANGUAGES, Phrase, phrase, say
-from stayput.errors import InputError
+from stayput.errors import word_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -29,9 +29,7 @@ def check_language(language: str) -> str:
     InputError
         It is neither "en" nor "ja".
     """
-    if language not in LANGUAGES:
-        raise InputError("common.no_language", "language", value=language, languages=", ".join(LANGUAGES))
-    return language
+    return word_of("common.language", language, LANGUAGES, "language")
 
 
 def brief(value: Any, first: int = 1) -> str:

@@ -177,7 +177,7 @@ def test_pieces_that_are_refused(client: httpx.Client) -> None:
     endless = {"sine": {"amplitude": 1.0, "frequency": 1.0, "duration": 500.0}}
     long = {**PIECES, "furniture": many[:6], "shaking": endless}
     message = refused(client, "simulate", {"scene": long}, "scene.shaking")
-    assert "with 6 pieces this server allows 400 s" in message
+    assert "With 6 pieces the duration [s] is 500; this server allows 400" in message
     into = [{**PIECES["furniture"][0], "name": name} for name in ("one", "other")]
     refused(client, "simulate", {"scene": {**PIECES, "furniture": into}}, "scene")
 

@@ -106,7 +106,7 @@ def test_what_the_verdict_rests_on_is_told(it: Opened, judge: Judge) -> None:
     assert (
         pieces.count("of the chance of being hit") == 2
     )  # nothing is said of the wardrobe, which hits nobody
-    assert it.text("#falls") == "Overturning without reaching anybody: Chest of drawers (10 %)."
+    assert it.text("#falls") == "Overturning, hitting nobody: Chest of drawers (10 %)."
     assert "Bookcase and Chest of drawers" in it.text("#meetings")
 
 
@@ -142,10 +142,7 @@ def test_what_falls_and_what_blocks_the_way_is_told_where_nobody_is_hit(
         it.go("understand")
         alone = it.box("#falls")
         assert alone["y"] + alone["height"] < it.box("#steps")["y"]  # on the first screen
-        assert (
-            it.text("#falls")
-            == "Overturning without reaching anybody: Chest of drawers (10 %); Wardrobe (90 %)."
-        )
+        assert it.text("#falls") == "Overturning, hitting nobody: Chest of drawers (10 %); Wardrobe (90 %)."
         assert "somebody is shut in 70 %, and in 0 % with this change: wardrobe moved" in it.text("#pieces")
         tags = it.page.locator("#ranking .tag").all_inner_texts()
         assert tags == ["way out clearly free more often", "clearly overturns less often", "clearly more hit"]
@@ -360,7 +357,7 @@ def test_the_page_goes_on_when_the_server_is_back(browser: Browser, server: Runn
         it.page.wait_for_selector("#away:visible")
         assert it.page.get_attribute("#answer", "data-old") == "true"
         assert it.page.get_attribute("#see", "data-old") == "true"
-        assert it.text("#state") == "The server does not answer; it goes on once it is back."
+        assert it.text("#state") == "The server does not answer; waiting for it."
         it.page.unroute("**/api/v1/**")  # nobody clicks
         judged(it)
         it.wait("() => document.getElementById('see').dataset.old === 'false'")

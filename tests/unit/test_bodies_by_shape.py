@@ -47,7 +47,7 @@ def test_what_takes_a_section_alone_refuses_it() -> None:
         sp.verify(VASE, ROOM, shaking="6-upper")
     with pytest.raises(sp.InputError, match="has a shape of its own"):
         sp.sweep(sp.Case(VASE, ROOM, MOTION), {"motion.scale": [1.0]})
-    with pytest.raises(sp.InputError, match="initial is of a Body by itself"):
+    with pytest.raises(sp.InputError, match="initial is given for what is no lone Body"):
         sp.simulate(VASE, ROOM, MOTION, initial=sp.State(tilt=0.1))
     pieces = [sp.Piece(sp.Body(0.4, 1.8, 60.0, length=0.9)), sp.Piece(VASE, (1.0, 0.0, 0.0), 0.0, [belt])]
     with pytest.raises(sp.InputError, match=r"members\[1\].*has a shape of its own"):

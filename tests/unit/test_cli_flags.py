@@ -115,7 +115,7 @@ def test_no_output_takes_the_place_of_what_is_read(tmp_path, monkeypatch, link, 
     link(source, out)
     done = cli(*command, out)
     assert done.exit_code == 2
-    assert f"'{out}'; it must be another one than '{source}'" in done.stderr
+    assert f"'{out}'; it must be another file than '{source}'" in done.stderr
     assert out.samefile(source)
     assert Path(source).read_bytes() == before
 

@@ -155,7 +155,7 @@ def test_a_language_before_the_command_is_that_of_the_command() -> None:
         done = cli(*words, "near-fault", "--lang", "en", LC_ALL="C.UTF-8")
         assert "JMA intensity" in done.output
     done = cli("--lang", "xx", "verify", "none.toml", LC_ALL="C.UTF-8")
-    assert (done.exit_code, done.stderr) == (2, "The language is 'xx'; it must be one of en, ja.\n")
+    assert (done.exit_code, done.stderr) == (2, "The language is 'xx'; it must be one of 'en', 'ja'.\n")
 
 
 @pytest.mark.parametrize("words", [(), ("motion",)])

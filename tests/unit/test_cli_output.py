@@ -95,8 +95,8 @@ def test_a_result_does_not_need_standard_error(there):
 @pytest.mark.parametrize("flag", ["SCENARIO", "--motion"])
 def test_a_closed_input_is_refused(flag, place):
     said = (
-        f"{flag} is -, standard input, which could not be read: it is closed.\n",
-        f"{flag}が-（標準入力）になっていますが、読み込めませんでした（閉じられています）。\n",
+        f"{flag}, standard input, cannot be read: it is closed.\n",
+        f"{flag}（標準入力）を読み込めません（閉じられています）。\n",
     )
     words = ("-",) if flag == "SCENARIO" else (flag, "-")
     assert shelled("<&-", "simulate", *words, "--lang", ("en", "ja")[place]) == (2, "", said[place])

@@ -66,7 +66,7 @@ def test_the_reports_toml_makes_the_same_verdict(file, done, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--lang", "fr"], "The language is 'fr'; it must be one of en, ja."),
+        (["--lang", "fr"], "The language is 'fr'; it must be one of 'en', 'ja'."),
         (["--report", "r.txt"], "must end in .html"),
         (["--report", "nowhere/r.html"], "its folder must exist"),
         (["--markdown", "r.html"], "must end in .md"),

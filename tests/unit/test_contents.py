@@ -152,7 +152,7 @@ def test_an_opened_piece_is_that_of_its_parts():
 
 
 def test_the_papers_law_is_refused():
-    with pytest.raises(InputError, match="needs 'coulomb'"):
+    with pytest.raises(InputError, match="must be 'coulomb' where contents are followed"):
         sp.spill(replace(CASE, contact="paper"), sp.Contents())
 
 

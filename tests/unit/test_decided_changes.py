@@ -95,7 +95,7 @@ def test_measures_in_place_are_told_apart_from_those_decided_on():
     held = {**ROOM["furniture"][1], "measures": [{"type": "gel_mats"}]}
     plan = decided(verified(room(ROOM["furniture"][0], held)), Change("bookcase", LBracket()))
     page = plan_html(plan)
-    assert "Taken as already in place: Adhesive gel mats on the chest of drawers." in page
+    assert "Taken as in place already: Adhesive gel mats on the chest of drawers." in page
     assert [step.what for step in plan.steps if step.decided] == ["bookcase"]
 
 

@@ -53,10 +53,10 @@ def test_bad_elements_are_refused(fields, words):
 
 def test_what_the_solver_with_devices_does_not_take():
     paper = shaking(MOTION.floor.ax, None, 0.01, 1)
-    with pytest.raises(sp.InputError, match="'paper'; measures with force elements need 'coulomb'"):
+    with pytest.raises(sp.InputError, match="'paper'; it must be 'coulomb' with measures of force elements"):
         trace(CASE, paper, bracket())
     check_elements(no_elements(el.MAX_ELEMENTS))
-    with pytest.raises(sp.InputError, match=f"13 elements; there may be {el.MAX_ELEMENTS} at most"):
+    with pytest.raises(sp.InputError, match=f"13 force elements; it must have at most {el.MAX_ELEMENTS}"):
         check_elements(no_elements(el.MAX_ELEMENTS + 1))
 
 

@@ -65,5 +65,5 @@ def test_a_path_that_no_file_can_have_is_refused(tmp_path: Path):
 
 
 def test_a_name_with_a_null_character_is_refused():
-    with pytest.raises(InputError, match=r"'a\\x00b.nc'; its name must be without null characters"):
+    with pytest.raises(InputError, match=r"'a\\x00b.nc'; it must be a name without null characters"):
         check_target("a\0b.nc", (".nc",))

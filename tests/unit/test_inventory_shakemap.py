@@ -134,7 +134,7 @@ def test_a_map_around_the_earth_stays_as_it_is():
 @pytest.mark.parametrize(
     ("name", "unit", "value", "reason"),
     [
-        ("STDPGA", "ln(pctg)", "nan", "STDPGA, with a value somewhere"),
+        ("STDPGA", "ln(pctg)", "nan", "values of the field STDPGA"),
         ("STDPGA", "pctg", 0.5, r"unit of STDPGA of the uncertainty is 'pctg'; it must be ln\(pctg\)"),
         ("STDPGA", "log10(g)", 0.5, "unit of STDPGA"),
         ("STDMMI", "ln(intensity)", 0.5, "unit of STDMMI of the uncertainty .* must be intensity"),
@@ -215,7 +215,7 @@ def test_a_map_that_is_compressed_is_refused(tmp_path, pack):
     file, plain = tmp_path / "grid.xml.gz", grid(tmp_path, ROWS)
     file.write_bytes(pack(plain.read_bytes()))
     with pytest.raises(
-        sp.InputError, match=r"grid\.xml\.gz'; it must be CSV, .* or .*grid.xml, neither compressed"
+        sp.InputError, match=r"grid\.xml\.gz'; it must be CSV .* or .*grid.xml, uncompressed"
     ):
         read_shakemap(file)
     with pytest.raises(sp.InputError, match="it must be a ShakeMap grid"):
@@ -242,9 +242,9 @@ def test_what_is_no_file_is_refused_and_not_read(tmp_path, given, kind):
 def test_an_uncertainty_must_be_of_the_same_places(tmp_path):
     rows = [(lon + 1, lat, 0.5, 0.6, 0.7) for lon, lat, *_ in ROWS]
     other = grid(tmp_path, rows, DEVIATIONS, "uncertainty.xml")
-    with pytest.raises(sp.InputError, match="must be those of the shake map"):
+    with pytest.raises(sp.InputError, match="must be one for the places of the shake map"):
         read_shakemap(grid(tmp_path, ROWS), "PGA", other)
-    with pytest.raises(sp.InputError, match="must have the field STDPSA03"):
+    with pytest.raises(sp.InputError, match="must be a file with values of the field STDPSA03"):
         read_shakemap(grid(tmp_path, ROWS), "PSA03", other)
     with pytest.raises(sp.InputError, match="without a shake map"):
         assess(other, city(tmp_path), tmp_path / "out", uncertainty=other)

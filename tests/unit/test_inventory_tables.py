@@ -51,7 +51,7 @@ REJECTED = {
     "duplicate": (row(id="good", preset="chest"), "which is that of row 2"),
     "more cells": (GOOD.replace("good", "x") + ",1", "14 cells"),
     "fewer cells": ("x,chest", "2 cells"),
-    "a million characters": (row(id="x", preset="c" * 10**6), "preset has 1000000 characters"),
+    "a million characters": (row(id="x", preset="c" * 10**6), "preset has 1,000,000 characters"),
     "several lines": (row(id="x", preset='"chest\nchest"'), "a line break"),
     "stray quote": ('x,"chest"z,,,,,,,,,,,', "cannot be read"),
     "invisible character": (row(id="x\u200b", preset="chest"), "an invisible one"),
@@ -158,5 +158,5 @@ def test_a_broken_page_of_parquet_is_refused(tmp_path):
     content = bytearray(file.read_bytes())
     content[1000:1050] = b"\xff" * 50
     file.write_bytes(content)
-    with pytest.raises(sp.InputError, match=r"could not be read|is broken"):
+    with pytest.raises(sp.InputError, match=r"cannot be read"):
         plan(tmp_path, file)

@@ -63,7 +63,7 @@ def stated(
     return Stated(piece or {}, tables, refused or {})
 
 
-LONE = "is of a single preset or box"
+LONE = "is given where furniture is more than one preset or box"
 OF_ONE = {"three": LONE, "room": LONE}
 BUILDING: dict[str, Any] = {"storeys": 3, "structure": "RC"}
 FEATURES = {
@@ -76,7 +76,7 @@ FEATURES = {
     "contents": stated(refused=OF_ONE, contents={"kind": "dishes", "doors": "hinged"}),
     "drawers": stated(refused=OF_ONE, contents={"kind": "books", "drawers": "catches"}),
     "badly installed": stated(
-        refused=dict.fromkeys(("three", "room"), "installation is given for several pieces"),
+        refused=dict.fromkeys(("three", "room"), "installation is"),
         uncertainty={"samples": 2, "installation": 0.3},
     ),
     "everyday": stated(refused=OF_ONE, everyday={"drawers": 2}),

@@ -180,16 +180,16 @@ def test_a_ball_with_too_many_corners_is_refused(tmp_path):
 @pytest.mark.parametrize(
     ("name", "content", "sentence"),
     [
-        ("empty.stl", b"", "is empty"),
-        ("blank.obj", b" \n\n", "is empty"),
+        ("empty.stl", b"", "a closed surface"),
+        ("blank.obj", b" \n\n", "a closed surface"),
         ("none.stl", b"solid none\nendsolid none\n", "^No triangles can be read from"),
         ("none.stl", b"\0" * 84, "^No triangles can be read from"),
         ("points.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "^No triangles can be read from"),
         ("far.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a mesh in the format OBJ"),
         ("text.stl", b"a letter to my aunt\n" * 20, "a mesh in the format STL"),
         ("cut.stl", b"\0" * 80 + b"\x0c\0\0\0" + b"\0" * 99, "a mesh in the format STL"),
-        ("thing.step", b"ISO-10303-21;", "its name must end in .stl, .obj"),
-        ("thing", b"", "its name must end in .stl, .obj"),
+        ("thing.step", b"ISO-10303-21;", "it must be a file that ends in .stl, .obj"),
+        ("thing", b"", "it must be a file that ends in .stl, .obj"),
     ],
 )
 def test_files_that_are_no_mesh_are_refused(name, content, sentence, tmp_path):
@@ -212,12 +212,12 @@ def test_the_python_of_the_page_runs(tmp_path, monkeypatch, capsys):
 
 
 def test_a_file_that_cannot_be_opened_is_refused(tmp_path):
-    with pytest.raises(InputError, match=r"cannot be opened: no such file or directory\.$"):
+    with pytest.raises(InputError, match=r"cannot be read: no such file or directory\.$"):
         Body.mesh(tmp_path / "nowhere.stl", unit="m", mass=10.0)
-    with pytest.raises(InputError, match=r"cannot be opened: no such file or directory\.$"):
+    with pytest.raises(InputError, match=r"cannot be read: no such file or directory\.$"):
         Body.mesh("a\0.stl", unit="m", mass=10.0)
     (tmp_path / "folder.stl").mkdir()
-    with pytest.raises(InputError, match="cannot be opened: is a directory"):
+    with pytest.raises(InputError, match="cannot be read: is a directory"):
         Body.mesh(tmp_path / "folder.stl", unit="m", mass=10.0)
 
 

@@ -120,7 +120,10 @@ def test_a_misspelt_key_is_refused_with_the_right_one(dotted):
         ),
         ({**LEAST, "shaking": {"builtin": "near-fault", "record": "a"}}, "^shaking.builtin is given beside"),
         ({**LEAST, "shaking": {"unit": "gal"}}, "^shaking.unit is given without"),
-        ({**LEAST, "shaking": {"vertical": "up.txt"}}, "^shaking.vertical is 'up.txt' without"),
+        (
+            {**LEAST, "shaking": {"vertical": "up.txt"}},
+            "^shaking.vertical is 'up.txt'; it must be true or false without",
+        ),
         ({**LEAST, "shaking": {"sine": {"amplitude": 1.0, "frequency": 90.0}}}, r"^In \[shaking.sine\]: "),
         ({"furniture": {"preset": "book case"}}, "did you mean 'bookcase'"),
     ],

@@ -140,20 +140,26 @@ def test_what_a_flag_gets_wrong_is_not_the_files(tmp_path: Path) -> None:
 
 BESIDE_A_LONE_PIECE: list[tuple[dict[str, Any], str]] = [
     ({"joints": [{"first": "chest", "second": "it", "at": [0.0, 0.0, 0.5]}]}, "joints"),
-    ({"static_friction": 0.5}, "static_friction is of several pieces"),
-    ({"furniture": {"preset": "chest", "at": [1.0, 1.0, 0.5]}}, "furniture.at is of several pieces"),
-    ({"furniture": {"preset": "chest", "measures": [{"type": "belt"}]}}, "furniture.measures is of several"),
-    ({"options": [{"name": "x"}]}, "options is of several pieces"),
+    ({"static_friction": 0.5}, "static_friction is given for one piece"),
+    ({"furniture": {"preset": "chest", "at": [1.0, 1.0, 0.5]}}, "furniture.at is given for one piece"),
+    (
+        {"furniture": {"preset": "chest", "measures": [{"type": "belt"}]}},
+        "furniture.measures is given for one",
+    ),
+    ({"options": [{"name": "x"}]}, "options is given for one piece"),
     ({"doors": [{"wall": "right_wall", "start": 0.5}]}, "doors is given without plan"),
     ({"room": {"walls": "concrete"}}, "room.walls is given without plan"),
 ]
 BESIDE_PIECES: list[tuple[dict[str, Any], str]] = [
-    ({"initial": {"tilt": 0.1}}, "initial is of a single preset or box"),
-    ({"everyday": {"drawers": 1}}, "everyday is of a single preset or box"),
-    ({"contents": {}}, "contents is of a single preset or box"),
-    ({"measures": [{"type": "belt"}]}, "measures is of a single preset or box"),
-    ({"dimensions": 2}, "dimensions is 2; lists of pieces"),
-    ({"uncertainty": {"installation": 0.5}}, "uncertainty.installation is given for several pieces"),
+    ({"initial": {"tilt": 0.1}}, "initial is given where furniture is more than one preset or box"),
+    ({"everyday": {"drawers": 1}}, "everyday is given where furniture is more than one preset or box"),
+    ({"contents": {}}, "contents is given where furniture is more than one preset or box"),
+    ({"measures": [{"type": "belt"}]}, "measures is given where furniture is more than one preset or box"),
+    ({"dimensions": 2}, "dimensions is 2; it must be 3"),
+    (
+        {"uncertainty": {"installation": 0.5}},
+        "uncertainty.installation is 0.5; it must be 'well' or left out, for several pieces",
+    ),
     ({"plan": {"width": 3.0, "length": 3.0}, "room": {"left_wall": {"gap": 0.1}}}, "room.left_wall is given"),
     (
         {"plan": {"width": 3.0, "length": 3.0}, "room": {}, "options": [{"name": "x"}]},
@@ -180,7 +186,7 @@ def test_one_reader_takes_every_file(tmp_path: Path) -> None:
         False,
     ]
     done = cli("verify", EXAMPLES / "television.toml", "--curves", tmp_path / "out")
-    assert done.stderr.startswith("--curves is of one piece")
+    assert done.stderr.startswith("--curves is given with a file of several pieces")
     with pytest.raises(sp.InputError, match="furniture is a list of pieces"):
         sp.read_scenario(EXAMPLES / "television.toml").case()
 

@@ -87,7 +87,7 @@ def test_a_body_with_a_length_under_two_components_is_simulated_in_space() -> No
     assert sp.simulate(long, room, sp.sine(1.0, 1.0, 2.0)).engine == "plane"
     with pytest.raises(sp.InputError, match="length"):
         sp.simulate(body, room, motion, dimensions=3)
-    with pytest.raises(sp.InputError, match="is of a Body by itself"):
+    with pytest.raises(sp.InputError, match="is given for what is no lone Body"):
         sp.simulate(sp.Body.box(0.4, 0.9, 1.8, 100.0), room, motion, [sp.MEASURES["belt"]()], dimensions=3)
 
 
@@ -158,7 +158,7 @@ def test_sweeps_over_side_walls() -> None:
 
 def test_what_is_refused() -> None:
     own = {"width": 0.4, "height": 1.8, "mass": 100.0}
-    with pytest.raises(sp.InputError, match="needs its length"):
+    with pytest.raises(sp.InputError, match="length is missing"):
         Scenario.parse({"furniture": own, "dimensions": 3})
 
 
@@ -169,7 +169,7 @@ def test_flags_beside_a_file_of_several_pieces() -> None:
     for flags in (["--body", "0.4x1x10"], ["--measure", "belt"]):
         said = cli("simulate", DRESSER, *flags)
         assert said.exit_code == 2
-        assert f"{flags[0]} is of one piece" in said.output
+        assert f"{flags[0]} is given with a file of several pieces" in said.output
     said = cli("simulate", DRESSER, "--set", "furniture.heading=0.5")
     assert "furniture is a list of" in said.output
 

@@ -93,7 +93,7 @@ def test_the_unit_must_be_given_and_the_step_agree(written, form):
     with pytest.raises(sp.InputError, match=r"the one that the file states, 0\.01 s"):
         sp.read_motion(file, unit="gal", dt=0.02)
     with pytest.raises(
-        sp.InputError, match=r"columns is given and the file is (SAC|miniSEED), which has no use"
+        sp.InputError, match=r"columns is given for a file of (SAC|miniSEED), which has no use"
     ):
         sp.read_motion(file, unit="gal", columns="x=1")
     assert sp.read_motion(file, unit="gal", dt=0.01).x == pytest.approx(0.01 * WAVE)

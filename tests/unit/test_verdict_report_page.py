@@ -203,7 +203,7 @@ def test_a_report_is_written_whole_or_refused(tmp_path):
     verdict = verdict_cases.made()
     file = write_report(verdict, tmp_path / "r.html", "ja")
     assert file.read_text(encoding="utf-8") == report_html(verdict, "ja")
-    with pytest.raises(sp.InputError, match=r"The language is 'fr'; it must be one of en, ja\."):
+    with pytest.raises(sp.InputError, match=r"The language is 'fr'; it must be one of 'en', 'ja'\."):
         write_report(verdict, tmp_path / "s.html", "fr")
     with pytest.raises(sp.InputError, match=r"must end in \.html"):
         write_report(verdict, tmp_path / "s.txt")

@@ -207,7 +207,7 @@ def test_usual_measures_are_those_that_can_be_applied_here():
 
 
 def test_what_cannot_be_verified():
-    with pytest.raises(sp.InputError, match="needs 'coulomb'"):
+    with pytest.raises(sp.InputError, match="must be 'coulomb' for a verification"):
         sp.verify(sp.Case(sp.Body(0.3, 1.8, 60.0), sp.Room(), sp.near_fault(), "paper"))
     with pytest.raises(sp.InputError, match="not increasing"):
         verify(scenario(), levels=[6.0, 5.0])

@@ -106,14 +106,16 @@ def test_a_floor_that_is_not_known_is_refused_with_what_is_like_it(word, near):
 @pytest.mark.parametrize(
     ("part", "value", "example"),
     [
-        ("floor", "tatami", r"Floor, such as Floor.of\('tatami'\)"),
-        ("floor", "mud", r"Floor, such as Floor.of\('wood flooring'\)"),
-        ("left_wall", 0.05, r"Wall, such as Wall\(gap=0.05\)"),
-        ("far_side_wall", "brick", r"Wall, such as Wall\(gap=0.02\)"),
-        ("ceiling", 2.5, r"Ceiling, such as Ceiling\(height=2.5\)"),
+        ("floor", "tatami", r"Floor.of\('tatami'\)"),
+        ("floor", "mud", r"Floor.of\('wood flooring'\)"),
+        ("left_wall", 0.05, r"Wall\(gap=0.05\)"),
+        ("far_side_wall", "brick", r"Wall\(gap=0.02\)"),
+        ("ceiling", 2.5, r"Ceiling\(height=2.5\)"),
     ],
 )
 def test_a_part_of_a_room_of_another_type_is_refused_with_what_to_write(part, value, example):
-    with pytest.raises(sp.InputError, match=f"{part} is {value!r}; it must be of type {example}") as caught:
+    with pytest.raises(
+        sp.InputError, match=rf"{part} is {value!r}; it must be a value such as {example}\."
+    ) as caught:
         sp.Room(**{part: value})
     assert "のような" in caught.value.told("ja")

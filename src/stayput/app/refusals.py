@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 ALLOWED = {
     "bool": "scenario.true_or_false",
     "dict": "scenario.table",
-    "finite": "app.finite",
-    "float": "app.number",
+    "finite": "common.finite_number",
+    "float": "common.number",
     "greater": "app.at_least",
-    "int": "app.whole",
+    "int": "common.whole_number",
     "less": "app.at_most",
-    "list": "app.list",
+    "list": "common.list",
     "literal": "scenario.one_of",
     "model": "scenario.table",
     "string": "app.words",
@@ -66,6 +66,12 @@ def refused(
 ) -> RefusedError:
     """Return a refusal by a sentence of the catalogue."""
     return RefusedError(status, InputError(code, field, **values), retry_after)
+
+
+def too_many_runs(runs: int, most: int) -> RefusedError:
+    """Return the refusal of a verification with more simulations than the server allows."""
+    name = phrase("app.runs")
+    return refused(422, "app.many", "scene.uncertainty.samples", name=name, value=runs, most=most)
 
 
 @contextmanager

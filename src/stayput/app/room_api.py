@@ -9,7 +9,7 @@ from fastapi import Depends, Query, Request
 from starlette.responses import Response
 
 from stayput.app.middleware import REPORT_POLICY
-from stayput.app.refusals import RefusedError, refused
+from stayput.app.refusals import RefusedError, refused, too_many_runs
 from stayput.app.requests import Name, RoomRequest  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.scenes import motions_of, refusal
 from stayput.app.service import OF_BODY, OF_JOB, json_response, of_file, problems
@@ -167,7 +167,7 @@ def _checked(scenario: Scenario, limits: Limits) -> int:
     motions = motions_of(scenario.shaking)
     runs = len(groups_of(scenario)) * motions * max(1, -(-scenario.samples // motions))
     if runs > limits.runs_of_room:
-        raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=limits.runs_of_room)
+        raise too_many_runs(runs, limits.runs_of_room)
     return runs
 
 

@@ -8,6 +8,7 @@ import re
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.app.refusals import RefusedError, refused
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.parameters import parameter_of
 from stayput.motion import sine
@@ -88,9 +89,8 @@ def short_enough(scenario: Scenario, limits: Limits) -> Scenario:
         raise refusal(error) from None
     most = min(limits.duration, limits.samples_of_motion * motion.dt, limits.seconds_of_pieces / count)
     if motion.duration > most:
-        raise refused(
-            422, "app.long_for_pieces", "scene.shaking", value=motion.duration, count=count, most=most
-        )
+        duration = round(motion.duration)
+        raise _too_many("shaking", duration, most, "app.duration_for_pieces", count=count)
     return scenario
 
 
@@ -149,13 +149,11 @@ def _check_sine(table: dict[str, Any], limits: Limits) -> None:
     )
     length = duration + quiet
     if length > limits.duration:
-        raise refused(
-            422, "app.long_motion", "scene.shaking.sine.duration", value=length, most=limits.duration
-        )
+        raise _too_many("shaking.sine.duration", length, limits.duration, "app.duration")
     step = min(dt, duration)  # at least one step in the shaking
     samples = length / step if step > 0.0 else 0.0
     if samples > (most := limits.samples_of_motion):
-        raise refused(422, "app.many_samples", "scene.shaking.sine.dt", value=round(samples), most=most)
+        raise _too_many("shaking.sine.dt", round(samples), most, "app.samples")
 
 
 def _table(value: object) -> dict[str, Any]:
@@ -171,11 +169,12 @@ def _at_most(table: dict[str, Any], name: str, key: str, most: int) -> None:
 
 def _few_entries(value: object, name: str, most: int) -> None:
     if isinstance(value, list) and (count := len(cast("list[Any]", value))) > most:
-        raise refused(422, "app.many_entries", f"scene.{name}", name=name, value=count, most=most)
+        raise _too_many(name, count, most)
 
 
-def _too_many(name: str, value: float, most: int) -> RefusedError:
-    return refused(422, "app.many", f"scene.{name}", name=name, value=value, most=most)
+def _too_many(field: str, value: float, most: float, name: str = "", **values: float) -> RefusedError:
+    called = phrase(name, **values) if name else field
+    return refused(422, "app.many", f"scene.{field}", name=called, value=value, most=most)
 
 
 def _number(value: object) -> float:

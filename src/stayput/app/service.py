@@ -16,6 +16,7 @@ from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_scene, short_enough, uploaded_motions
 from stayput.app.turns import StoppedError, Turns, Workers
 from stayput.app.verification import job_reply
+from stayput.catalogue import phrase
 from stayput.execution import Stop
 from stayput.rooms.verdict import RoomVerdict
 
@@ -168,7 +169,7 @@ class Service:
         """
         scenario = self.scene(data)
         if scenario.plan is None:
-            raise refused(422, "rooms.no_plan", "scene.plan")
+            raise refused(422, "scenario.missing", "scene.plan", allowed=phrase("rooms.no_plan"))
         return scenario
 
     def reply_of(self, job: Job) -> JobReply:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.app import verdict_replies
-from stayput.app.refusals import problem, refused
+from stayput.app.refusals import problem, too_many_runs
 from stayput.app.replies import Words
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of
@@ -104,7 +104,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
         runs += options * runs_of_contents(scenario.contents, motions)
     allowed = limits.runs if scenario.dimensions == 2 else limits.runs_in_space
     if runs > allowed:
-        raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=allowed)
+        raise too_many_runs(runs, allowed)
     return runs
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from stayput.building.modes import Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
-from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
+from stayput.errors import InputError, instance_of, list_of, whole_within, within, word_of
 from stayput.execution import Pool
 from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.floors import of_the_ground
@@ -225,9 +225,7 @@ class ShearModel(ShakenFloors):
     def __post_init__(self) -> None:
         instance_of("isolated", self.isolated, bool)
         masses = self._row("masses", self.masses)
-        if not int(self.isolated) < len(masses) <= MOST_STOREYS:
-            least = 1 + int(self.isolated)
-            raise InputError("building.masses", "masses", count=len(masses), least=least, most=MOST_STOREYS)
+        within("building.masses", len(masses), 1 + int(self.isolated), MOST_STOREYS, "", "masses")
         self._row("stiffnesses", self.stiffnesses)
         self._row("damping", self.damping)
         self._row("post_yield", self.post_yield)

@@ -21,10 +21,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The piece “{name}” is of a mesh's file; here every piece must be a preset, a box, a cylinder or a cone.",
         "家具「{name}」の形がメッシュのファイルで指定されています。ここではプリセット、箱、円柱、円すい台のどれかにしてください。",
     ),
-    "long_for_pieces": (
-        "The motion lasts {value:.0f} s; with {count} pieces this server allows {most:.0f} s.",
-        "揺れの長さは{value:.0f}秒です。家具が{count}個のときは{most:.0f}秒まで計算できます。",
-    ),
+    "duration_for_pieces": ("With {count} pieces the duration [s]", "家具が{count}個のときの揺れの長さ [s]"),
     "other_host": (
         "The Host header names another server; open the address that stayput printed.",
         "別のサーバー宛てのリクエストです。stayputが表示したアドレスを開いてください。",
@@ -41,11 +38,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "at_least": ("at least {limit:g}", "{limit:g}以上"),
     "at_most": ("at most {limit:g}", "{limit:g}以下"),
     "characters": ("a text of at most {limit} characters", "{limit}文字までの文字列"),
-    "finite": ("a finite number", "有限の数値"),
     "items": ("a list of at most {limit}", "{limit}個までのリスト"),
-    "list": ("a list", "リスト"),
-    "number": ("a number", "数値"),
-    "whole": ("a whole number", "整数"),
     "words": ("a text", "文字列"),
     "field_missing": ("{name} is missing; it must be given.", "{name}がありません。指定してください。"),
     "field_unknown": (
@@ -92,17 +85,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "There is nothing of this id on this server; it may have expired.",
         "このIDのものはサーバーにありません。保存期間が過ぎた可能性があります。",
     ),
-    "many_runs": (
-        "This verification makes {runs} simulations; this server allows {most}.",
-        "計算が多すぎます（{runs}回）。このサーバーで計算できるのは{most}回までです。",
-    ),
-    "many_entries": (
-        "{name} has {value} entries; this server allows {most}.",
-        "{name}が{value}件あります。このサーバーでは{most}件までです。",
-    ),
+    "runs": ("The number of simulations", "計算回数"),
     "many": (
-        "{name} is {value:g}; this server allows {most}.",
-        "{name}が{value:g}になっています。このサーバーでは{most}までです。",
+        "{name} is {value:.10g}; this server allows {most:.10g}.",
+        "{name}が{value:.10g}になっています。このサーバーでは{most:.10g}までです。",
     ),
     "no_such_record": (
         "{name} is not a motion that this server has; it must be uploaded (again).",
@@ -125,14 +111,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A verification needs this motion; wait for its end, or cancel it.",
         "計算中の検証がこの記録を使っています。終わるまで待つか、計算を中止してください。",
     ),
-    "long_motion": (
-        "The motion lasts {value:.0f} s; this server allows {most:g} s.",
-        "揺れが長すぎます（{value:.0f}秒）。{most:g}秒まで使えます。",
-    ),
-    "many_samples": (
-        "The motion has {value} samples; this server allows {most}.",
-        "データが多すぎます（{value}個）。{most}個まで使えます。",
-    ),
+    "duration": ("The motion's duration [s]", "揺れの長さ [s]"),
+    "samples": ("The number of samples", "データの数"),
     "reading_died": (
         "Reading the file needs too much, and was ended; it must be a record in one of the known formats.",
         "ファイルを読み込めないため、中止しました。",

@@ -16,10 +16,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Isolation damping is {damping:g}; with post_yield {post_yield:g} it must be below {most:.3f}.",
         "免震層の減衰定数が{damping:g}です。降伏後の剛性比{post_yield:g}では{most:.3f}未満にしてください。",
     ),
-    "masses": (
-        "ShearModel has {count} masses; it must have {least} to {most}.",
-        "せん断モデルの質量が{count}個になっています。{least}～{most}個にしてください。",
-    ),
+    "masses": ("The number of masses", "質点の数"),
     "model_values": (
         "{name} has {count} values; it must have {wanted}, one a mass.",
         "{name}の値が{count}個になっています。質量と同じ{wanted}個にしてください。",

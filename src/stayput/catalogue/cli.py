@@ -33,10 +33,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} and {other} are both -, standard input; one of them must be a file.",
         "{flag}と{other}がどちらも-（標準入力）になっています。一方にはファイルを指定してください。",
     ),
-    "input_unread": (
-        "{flag} is -, standard input, which could not be read: {reason}.",
-        "{flag}が-（標準入力）になっていますが、読み込めませんでした（{reason}）。",
-    ),
+    "standard_input": ("{flag}, standard input,", "{flag}（標準入力）"),
     "input_too_large": (
         "{flag} is -, standard input, which has more than {most:,} bytes; give a file.",
         "{flag}が-（標準入力）になっていますが、{most:,}バイトを超えています。ファイルを指定してください。",
@@ -63,7 +60,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     # A building
     "building": ("{name}, T1 = {period:.3g} s, {kind}", "{name}、T1 = {period:.3g} s、{kind}"),
     "building_ground": ("Ground: {motion}", "地盤の揺れ：{motion}"),
-    "building_floor": ("Floor", "床"),
     "building_no_energy": ("Energy, {component}: none.", "エネルギー（{component}）：なし。"),
     "building_energy": (
         "Energy, {component}: {share:.0f} % of the input went into yielding; the balance closes to {imbalance:.1e}.",
@@ -108,7 +104,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{motion}: response spectra, {damping:g} % damping",
         "{motion}：応答スペクトル、減衰{damping:g}%",
     ),
-    "period": ("Period [s]", "周期 [s]"),
     "suite": ("{count}: JMA intensity {low:.1f} to {high:.1f}", "{count}：計測震度{low:.1f}～{high:.1f}"),
     "suite_off": (
         (

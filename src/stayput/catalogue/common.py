@@ -40,27 +40,48 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}{hint}; it must be {allowed}.",
         "{name}が{value}になっています{hint}。{allowed}を指定してください。",
     ),
+    "left_out": (
+        "{name} is given {where}; it must be left out.",
+        "{name}は{where}には指定できません。省いてください。",
+    ),
     "number": ("a number", "数値"),
     "numbers": ("numbers", "数値の並び"),
     "so_many_numbers": ("{count} numbers", "{count}個の数値"),
     "finite_number": ("a finite number", "有限の数値"),
     "whole_number": ("a whole number", "整数"),
+    "not_written": ("{path} could not be written: {reason}.", "{path}に書き込めませんでした（{reason}）。"),
+    "shape_of": ("The shape of {name}", "{name}の形状"),
+    "unreadable": ("{file} cannot be read: {reason}.", "{file}を読み込めません（{reason}）。"),
+    "above_zero": ("larger than 0", "0より大きい数値"),
     "list": ("a list", "リスト"),
+    "numbers_in": ("numbers", "数値"),
+    "items": ("items", "項目"),
+    "twice": ("{name} is given twice; give it once.", "{name}が2回あります。1回にしてください。"),
+    "empty": ("{name} is empty; give one or more.", "{name}が空です。1つ以上指定してください。"),
     "of_type": ("of type {wanted}", "{wanted}型の値"),
     "plain_text": ("a text without control characters", "制御文字を含まない文字列"),
     "compilation_disabled": (
         "NUMBA_DISABLE_JIT is set, and the mechanics run as compiled code only; unset it.",
         "NUMBA_DISABLE_JITが設定されていますが、計算部はコンパイルしたコードでしか動きません。設定を解除してください。",
     ),
-    "too_large": ("{name} is too large; it must be finite.", "{name}は大きすぎます。有限の数値が必要です。"),
+    "kinetic_above_static": (
+        "{name} is {kinetic:g}; it must not be above the static one, {static:g}.",
+        "{name}が{kinetic:g}になっています。静止摩擦係数（{static:g}）以下にしてください。",
+    ),
+    "too_many": (
+        "{name} has {count:,} {what}; it must have at most {most:,}.",
+        "{name}の{what}が{count:,}あります。{most:,}以下にしてください。",
+    ),
+    "too_many_bytes": (
+        "{file} has {size} bytes; at most {most} are read.",
+        "{file}が大きすぎます（{size}バイト）。{most}バイトまで読めます。",
+    ),
+    "too_large": ("{name} is too large; it must be finite.", "{name}が大きすぎます。有限の数値が必要です。"),
     "not_within": (
         "{name} is {value:g}{unit}; it must be between {low:g} and {high:g}{unit}.",
         "{name}が{value:g}{unit}になっています。{low:g}～{high:g}{unit}にしてください。",
     ),
-    "no_language": (
-        "The language is {value!r}; it must be one of {languages}.",
-        "言語が{value!r}になっています。{languages}のいずれかを指定してください。",
-    ),
+    "language": ("The language", "言語"),
     # threads and executors
     "threads": ("Threads", "スレッド数"),
     "executor_lost": (

@@ -37,22 +37,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The loads are {loads:g} kg in all and their share of the mass is {share:g}; give only one of the two.",
         "荷重の合計が{loads:g} kg、質量の割合が{share:g}になっています。どちらか一方だけを指定してください。",
     ),
-    "no_loads": (
-        "There is no load; give the load of at least one shelf.",
-        "棚の荷重がありません。1段以上の荷重を指定してください。",
-    ),
-    "kinetic_above_static": (
-        "The kinetic friction of the contents is {kinetic:g}; it must not be above the static, {static:g}.",
-        "収納物の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
-    ),
+    "kinetic_friction": ("The kinetic friction of the contents", "収納物の動摩擦係数"),
     "too_heavy": (
         "The loads of the shelves are {loads:g} kg in all; they must be less than the mass of the furniture with them, {mass:g} kg.",
         "棚の荷重の合計が{loads:g} kgになっています。家具の質量（収納物を含む、{mass:g} kg）より小さくしてください。",
     ),
-    "needs_coulomb": (
-        "The contact is '{contact}'; following what is in furniture needs 'coulomb'.",
-        "接触モデル（contact）が「{contact}」です。収納物の計算には「coulomb」を指定してください。",
-    ),
+    "needs_coulomb": ("'coulomb' where contents are followed", "収納物の計算では'coulomb'"),
     "piece": ("Number of the piece", "家具の番号（piece）"),
     "samples_apart": (
         "The samples of the run are {dt:g} s apart; they must be no more than {most:g} s apart, so simulate under motion.resampled.",

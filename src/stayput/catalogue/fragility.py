@@ -29,10 +29,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The type of fallen is {dtype}; it must be bool, and missing runs go apart.",
         "fallenの型が{dtype}になっています。bool型にしてください（打ち切った計算はmissingで指定します）。",
     ),
-    "shape": (
-        "The shape of {name} is {shape}; it must be {allowed}.",
-        "{name}の形状が{shape}になっています。{allowed}にしてください。",
-    ),
     "axes": ("of {dimensions} axes, none empty", "{dimensions}次元で、どの軸も1以上の長さ"),
     "either": ("{first} or {second}", "{first}または{second}"),
     "list_shapes": (
@@ -51,11 +47,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}{hint}; it must be one of {known}, or SA(T) with a period T in seconds: SA(0.5).",
         "{name}が{value}になっています{hint}。{known}のいずれか、または周期T秒のSA(T)（例：SA(0.5)）にしてください。",
     ),
-    "bad_intensity": (
-        "A value of {measure} is {value:g}; it must be {allowed}.",
-        "{measure}の値が{value:g}になっています。{allowed}にしてください。",
-    ),
-    "above_zero": ("larger than 0", "0より大きい値"),
     # probabilities, differences and capacities in words
     "probability": ("{estimate} % ({low} to {high} %)", "{estimate}%（{low}～{high}%）"),
     "probability_unknown": ("unknown (no run)", "不明（計算なし）"),
@@ -144,10 +135,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "計算が0件の確率です。必要なサンプル数の見積もりには少なくとも1件の計算が必要です。",
     ),
     # files for loss tools
-    "no_curves": (
-        "There are 0 curves; a file of curves needs at least one.",
-        "曲線がありません。ファイルには少なくとも1本の曲線が必要です。",
-    ),
     "not_fitted": (
         "The curve {name} is {state}; it must be fitted to be written for loss tools.",
         "曲線{name}の状態は{state}です。損失評価ツール用に書き出せるのは、当てはめのできた曲線だけです。",
@@ -155,10 +142,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "of_one_motion": (
         "The curve {name} is of 1 motion; loss tools need the scatter of several motions.",
         "曲線{name}は1つの地震動によるものです。損失評価ツールには複数の地震動によるばらつきが必要です。",
-    ),
-    "name_not_unique": (
-        "The curve's name is {name}; each must have a name that differs from the others.",
-        "曲線の名前が{name}になっています。それぞれに異なる名前を付けてください。",
     ),
     "not_in_nrml": (
         "The curve {name} is over {measure}; in NRML it must be over {allowed}.",
@@ -175,10 +158,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "seed": ("Seed", "乱数の種"),
     "level": ("Level of intensity", "震度の段階"),
     "scatter": ("Scatter of the intensity", "震度のばらつき"),
-    "no_pieces": (
-        "There are no pieces; there must be one kind or more.",
-        "調べた物がありません。1種類以上を指定してください。",
-    ),
     "levels_of_fallen": (
         "The levels have {count} values; there must be three or more, each above the one before.",
         "震度の段階が{count}個あります。3個以上を小さい順に指定してください。",

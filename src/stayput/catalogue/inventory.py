@@ -7,53 +7,30 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # the call
     "memory": ("Memory", "メモリ"),
-    "memory_format": (
-        "The memory is {memory}; it must be written like 2GB.",
-        "メモリが{memory}になっています。2GBのように指定してください。",
-    ),
+    "the_uncertainty": ("The uncertainty of the shake map", "地震動マップの不確かさ"),
+    "the_map": ("The shake map", "地震動マップ"),
+    "the_file": ("The inventory", "家具一覧"),
+    "memory_format": ("a text like 2GB", "2GBのような文字列"),
     # files
-    "not_a_file": (
-        "The {file} is {path}; it must be a file.",
-        "{file}が{path}になっています。ファイルを指定してください。",
-    ),
+    "not_a_file": ("a file", "ファイル"),
     "changed": (
         "The {file} {path} was changed while it was read; give the command again.",
         "{file}（{path}）が読み込み中に変更されました。コマンドをもう一度実行してください。",
-    ),
-    "unreadable": (
-        "The {file} is {path}; it could not be read: {reason}.",
-        "{file}（{path}）を読み込めませんでした：{reason}。",
     ),
     "unwritable": (
         "The folder is {folder}; it could not be written: {reason}{at}. The same command goes on from there.",
         "フォルダー{folder}に書き込めませんでした：{reason}{at}。同じコマンドで続きから再開できます。",
     ),
     "at_path": (" (at {path})", "（{path}）"),
-    "file_ending": (
-        "The inventory is {path}; its name must end in {endings} (a spreadsheet can save any other table as one).",
-        "家具一覧が{path}になっています。拡張子は{endings}のいずれかにしてください（表計算ソフトで保存し直せます）。",
-    ),
-    "broken": (
-        "The inventory is {path}; it must be whole, and is broken: {reason}.",
-        "家具一覧（{path}）が壊れています：{reason}。",
-    ),
-    "encoding": (
-        "The inventory is {path}; it must be UTF-8, cp932 (Shift_JIS) or UTF-16 (Excel saves CSV UTF-8).",
-        "家具一覧（{path}）の文字コードは、UTF-8、cp932（Shift_JIS）、BOM付きUTF-16のいずれかにしてください（Excelでは「CSV UTF-8」）。",
-    ),
+    "file_ending": ("a file that ends in {endings}", "拡張子が{endings}のファイル"),
+    "encoding": ("a text in UTF-8, cp932 or UTF-16", "UTF-8、cp932、UTF-16のいずれかの文字列"),
     "first_row": (
         "The first row of the inventory must name the columns: {reason}.",
         "家具一覧の1行目に列名がありません：{reason}。",
     ),
     "is_empty": ("it is empty", "空です"),
-    "no_rows": (
-        "The inventory is {path}; it must have a row below its header.",
-        "家具一覧（{path}）に見出しの行しかありません。家具の行が必要です。",
-    ),
-    "other_kind": (
-        "The inventory is {path}; it must be a file of {kind}.",
-        "家具一覧（{path}）は{kind}のファイルではありません。",
-    ),
+    "no_rows": ("a table with a row below its header", "見出しの下に行のある表"),
+    "other_kind": ("a file of {kind}", "{kind}のファイル"),
     "open_quote": (
         (
             "In row {row} of the inventory (line {line}) a quote opens that does not close; "
@@ -72,15 +49,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{cell}番目のセルに{value}とありますが、その列に名前がありません。",
     ),
     "nothing": ("nothing", "なし"),
-    "column_twice": (
-        "The column {name} is there twice; each must be there once.",
-        "{name}という列が2つあります。1つにしてください。",
-    ),
     # cells
-    "unusable": (
-        "{name} is {what}; it must be a plain text or number.",
-        "{name}が{what}になっています。文字列または数値にしてください。",
-    ),
+    "usable": ("a plain text or number", "文字列または数値"),
     "cell_formula": ("a formula", "数式"),
     "cell_bool": ("true or false", "TRUEまたはFALSE"),
     "cell_date": ("a date", "日付"),
@@ -95,10 +65,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value}です。合計の行で、家具ではありません。",
     ),
     "cell_unit": ("a number that is shown in {unit}", "単位{unit}付きで表示される数値"),
-    "too_long": (
-        "{name} has {count} characters; it must have at most {most}.",
-        "{name}が{count}文字あります。{most}文字以下にしてください。",
-    ),
+    "characters": ("characters", "文字数"),
     "control_character": (
         "{name} has a control character, a line break or an invisible one; it must be one line of plain text.",
         "{name}に制御文字、改行または目に見えない文字があります。1行の普通の文字だけにしてください。",
@@ -107,37 +74,22 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must be a plain number{unit}{hint}.",
         "{name}が{value}になっています。数値だけ{unit}にしてください{hint}。",
     ),
-    "comma": (
-        "{name} is {value}, whose mark may be of decimals or of thousands; it must be written without it.",
-        "{name}が{value}になっています。点またはコンマが小数点か桁区切りか分かりません。どちらもなしで書いてください。",
-    ),
-    "cell_without_unit": (
-        "{name} is {value}; it must have a unit, as the other cells of its column have.",
-        "{name}が{value}になっています。同じ列のほかのセルと同じように、単位をつけてください。",
-    ),
+    "comma": ("written without its point or comma, which is unclear", "点やコンマのない数値（小数点か不明）"),
+    "cell_without_unit": ("a number with a unit, as in its column", "同じ列と同様に単位のある数値"),
     "decimal_comma": (
         " (a comma is a decimal one where semicolons stand between the columns)",
         "（小数点のコンマは、列をセミコロンで区切った表だけで使えます）",
     ),
     "in_unit": (" in {unit}", "（単位は{unit}）"),
-    "too_many_parts": (
-        "{name} has {count} parts; it must have at most {most}.",
-        "{name}が{count}個に分かれています。{most}個以下にしてください。",
-    ),
-    "missing_number": (
-        "{name} is {value}; between its semicolons there must be numbers.",
-        "{name}が{value}になっています。セミコロンの間には数値を書いてください。",
-    ),
+    "parts": ("parts", "要素"),
+    "missing_number": ("numbers between all semicolons", "セミコロンで区切った数値"),
     # rows
     "id_twice": (
         "{name} is {id}, which is that of row {row}; every row must have its own.",
         "{name}の{id}は{row}行目と同じです。行ごとに異なるものにしてください。",
     ),
     "missing_beside": ("{name} is missing; {other} needs it.", "{name}がありません。{other}に必要です。"),
-    "place_missing": (
-        "{name} is missing; it must be given where there are stations or a shake map.",
-        "{name}がありません。観測点や地震動マップを使うときは必要です。",
-    ),
+    "place_missing": ("given with stations or a shake map", "観測点や地震動マップを使うときは緯度と経度"),
     "costs_count": (
         "costs has {costs} numbers and measures has {measures}; they must be as many.",
         "対策の費用は{costs}個、対策は{measures}個です。同じ数にしてください。",
@@ -154,14 +106,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must be one of the scenario's ({known}), or storeys and structure such as 10 RC.",
         "{name}が{value}になっています。シナリオにある建物（{known}）、または「10 RC」のような階数と構造にしてください。",
     ),
-    "floor": (
-        "{name} is {value}; it must be a surface, or static;kinetic friction.",
-        "{name}が{value}になっています。床材、または静止;動摩擦係数にしてください。",
-    ),
-    "measure_twice": (
-        "{name} has {value} twice; each must be there once.",
-        "{name}に{value}が2回あります。1回にしてください。",
-    ),
+    "floor": ("a surface, or static;kinetic friction", "床材、または静止;動摩擦係数"),
     # scenarios
     "not_used": (
         "{scenario}: {key} is not used; here measures are well installed, and only earthquakes count.",
@@ -179,37 +124,21 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}.toml has no [station], and others have one; all must have it or none.",
         "{name}.tomlに[station]がありません。すべてのファイルに書くか、どれにも書かないでください。",
     ),
-    "map_beside_stations": (
-        "A shake map is given beside stations or several scenarios; it goes with one scenario.",
-        "地震動マップが観測点または複数のシナリオと一緒に指定されています。シナリオは1つにしてください。",
-    ),
-    "scale_beside_map": (
-        "shaking.scale is given beside a shake map, which says how strong it shakes.",
-        "shaking.scaleが地震動マップと一緒に指定されています。揺れの強さはマップで決まります。",
-    ),
+    "map_beside_stations": ("beside stations or several scenarios", "観測点のある、または複数のシナリオ"),
     "buildings_not_a_table": (
         "buildings is not a table; it must be one of [buildings.NAME].",
         "buildingsがテーブルではありません。[buildings.NAME]の形で書いてください。",
     ),
     # shake maps
-    "period": (
-        "The column {column} has the period {period:g} s; it must be {low:g} to {high:g} s.",
-        "列{column}の周期が{period:g}秒になっています。{low:g}～{high:g}秒にしてください。",
-    ),
+    "period": ("The period of column {column}", "列{column}の周期"),
     "on_the_map": ("{name} on the shake map", "地震動マップ上の{name}"),
     "in_row_of_the_map": ("{name} in row {row} of the shake map", "地震動マップ{row}行目の{name}"),
     "map_place_twice": (
         "Row {row} of the shake map is at {lat:g}°, {lon:g}°, as row {before} is; it must be there once.",
         "地震動マップの{row}行目の位置（{lat:g}°、{lon:g}°）は{before}行目と同じです。1回だけにしてください。",
     ),
-    "map_not_csv": (
-        "The shake map is {path}; it must be CSV, a text in UTF-8, or ShakeMap's grid.xml, neither compressed.",
-        "地震動マップ（{path}）は、圧縮されていないCSV（UTF-8）かShakeMapのgrid.xmlにしてください。",
-    ),
-    "map_empty": (
-        "The shake map is {path}; it must have at least one place.",
-        "地震動マップ（{path}）に地点がありません。",
-    ),
+    "map_not_csv": ("CSV in UTF-8 or ShakeMap's grid.xml, uncompressed", "圧縮していないCSVかgrid.xml"),
+    "map_empty": ("a map with at least one place", "地点のあるマップ"),
     "map_columns": (
         (
             "The shake map has the columns {columns}; they must be lat, lon and one of intensity (JMA's), "

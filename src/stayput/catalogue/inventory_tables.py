@@ -8,8 +8,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "列の対応に{value}があります。width=奥行[mm],count=台数,ignore=備考のように書いてください。",
     ),
     "mapping_file": (
-        "The mapping of columns is {path}; it must be a JSON object of texts, at most 1 MiB.",
-        "列の対応（{path}）は、文字列からなるJSONのオブジェクト（1 MiB以下）にしてください。",
+        "a JSON object of texts, at most 1 MiB",
+        "文字列からなるJSONのオブジェクト（1 MiBまで）",
     ),
     "mapped_missing": (
         "The mapping says {name}={header}, and the table has no such column; it has {names}.",
@@ -127,14 +127,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The place is {lat:g}°, {lon:g}°, where the shake map has no value.",
         "位置（{lat:g}°、{lon:g}°）には地震動マップの値がありません。",
     ),
-    "no_deviations": (
-        "The uncertainty is {path}; it must have the field {name}, with a value somewhere.",
-        "不確かさのファイル{path}には、値のある{name}の項目が必要です。",
-    ),
-    "deviation_unit": (
-        "The unit of {name} of the uncertainty is {unit!r}; it must be {known}.",
-        "不確かさの{name}の単位が「{unit}」になっています。{known}にしてください。",
-    ),
+    "no_deviations": ("a file with values of the field {name}", "{name}の値のあるファイル"),
+    "unit_of": ("The unit of {name} of the uncertainty", "不確かさの{name}の単位"),
     "other_event": (
         "The map {path} is of {event} and the uncertainty {other} of {other_event}; they must be of one.",
         "マップ{path}は{event}、不確かさ{other}は{other_event}のものです。同じ地震の同じ版でなければなりません。",
@@ -143,10 +137,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The map {path} and the uncertainty {other} do not both say of which event they are; check it.",
         "マップ{path}と不確かさ{other}から、同じ地震のものかどうかが分かりません。確かめてください。",
     ),
-    "other_grid": (
-        "The uncertainty is {path}; its places must be those of the shake map.",
-        "不確かさのファイル{path}の地点が、地震動マップの地点と異なります。",
-    ),
+    "other_grid": ("one for the places of the shake map", "地震動マップと同じ地点のもの"),
     "uncertainty_of_csv": (
         "An uncertainty is given beside a map in CSV; that must have it in its column sigma.",
         "CSVの地震動マップに不確かさのファイルが指定されています。CSVではsigmaの列に書いてください。",

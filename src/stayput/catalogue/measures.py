@@ -6,11 +6,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "自作の対策{name}に、種類（kind）または名称（label）がありません。kindは文字列、labelは英語と日本語の2つの文字列にしてください。",
     ),
     "parameter": ("“{measure}” {name}", "「{measure}」の{name}"),
-    "wrong_word": (
-        "{name} is {value}; it must be {words}.",
-        "{name}が{value}になっています。次のいずれかにしてください：{words}",
-    ),
-    "or": (" or ", "、"),
     "twice": (
         "{measure} is given twice, both {place}; only one of them can be there.",
         "「{measure}」が2回指定されています。同じ場所（{place}）に使えるのは1つだけです。",
@@ -153,9 +148,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "小さくしてください。"
         ),
     ),
-    "kinetic_above_static": (
-        "“{measure}” kinetic_friction is {kinetic:g}; it must not be above static_friction, {static:g}.",
-        "「{measure}」の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
-    ),
+    "kinetic_friction": ("The kinetic friction of “{measure}”", "「{measure}」の動摩擦係数"),
 }
 """Texts by their keys: English, Japanese."""

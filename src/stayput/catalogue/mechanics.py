@@ -1,18 +1,10 @@
 """Mechanics: force elements that the solver cannot take."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "too_many_elements": (
-        "The body has {count} elements; there may be {most} at most.",
-        "家具に力要素が{count}個あります。{most}個以下にしてください。",
-    ),
-    "element_value": (
-        "Element {name} is {value:g}; it must be {allowed}.",
-        "力要素の{name}が{value:g}になっています。{allowed}にしてください。",
-    ),
-    "elements_need_coulomb": (
-        "Contact is 'paper'; measures with force elements need 'coulomb'.",
-        "接触の法則が'paper'になっています。力を伝える器具を使う対策には'coulomb'を指定してください。",
-    ),
+    "elements": ("force elements", "力要素"),
+    "the_body": ("The body", "家具"),
+    "element_value": ("Element {name}", "力要素の{name}"),
+    "elements_need_coulomb": ("'coulomb' with measures of force elements", "力を伝える器具があれば'coulomb'"),
     # what an element's value must be
     "known_kind": ("1 (axial) or 2 (planar)", "1（軸方向）または2（平面）"),
     "finite": ("finite", "有限の数値"),

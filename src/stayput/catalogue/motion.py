@@ -16,9 +16,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "name_band_shortest": ("Band's shortest period", "周期帯の最短周期"),
     "name_band_longest": ("Band's longest period", "周期帯の最長周期"),
     "name_count": ("Number of motions", "地震動の数"),
-    "name_seed": ("Seed", "乱数のシード"),
     "family": ("The family", "地震の種類"),
     "the_component": ("The component", "成分"),
+    "the_motion": ("The motion", "地震動"),
     # The samples of a motion.
     "samples_not_a_row": (
         "Motion {component} {kind}; it must be one row of real numbers without gaps [m/s²].",
@@ -82,19 +82,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion is a still floor; it cannot be scaled to an intensity.",
         "揺れのない記録なので、震度に合わせることができません。",
     ),
-    "not_positive": (
-        "{name} is {value:g} {unit}; it must be larger than 0.",
-        "{name}が{value:g} {unit}になっています。0より大きくしてください。",
-    ),
     "periods_shape": (
         "The periods have shape {shape}; they must be one row, each longer than the one before it.",
         "周期の配列の形状が{shape}です。1個以上の周期を短い順に1列に並べて指定してください。",
     ),
     # Computed motions.
-    "too_many_samples": (
-        "The motion would have {count} samples; it must have at most {most}.",
-        "地震動のデータが{count}個になります。{most}個以下にしてください。",
-    ),
     "coarse_step": (
         "dt is {step:g} s; at most {most:g} s, a {fewest}th of the period or of the pulse, is allowed.",
         "時間刻みが{step:g}秒になっています。周期やパルスの長さの{fewest}分の1（{most:g}秒）以下にしてください。",
@@ -266,10 +258,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The location is {location!r}; it must be one of those of the station: {known}.",
         "ロケーション「{location}」はこの観測点にありません。次から選んでください：{known}",
     ),
-    "no_traces": (
-        "The stream has no traces; it must have one a channel.",
-        "ObsPyのストリームにトレースがありません。チャンネルごとに1つ必要です。",
-    ),
     "trace_gaps": (
         "The trace of {channel!r} has gaps or is in several parts; merge it to one that is complete.",
         "「{channel}」のトレースに欠測があるか、複数に分かれています。欠測のない1つのトレースに結合してください。",
@@ -282,10 +270,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     # Suites and target spectra.
-    "suite_empty": (
-        "The suite has no motions; it must have at least one.",
-        "地震動群に地震動がありません。1つ以上必要です。",
-    ),
     "only_samples": (
         "{name} is {value}; bare samples must be given their time step, in m/s²: Motion(dt=0.01, x=samples).",
         "{name}が{value}になっています。時間刻みを付け、m/s²の値でMotion(dt=0.01, x=samples)のように指定してください。",
@@ -301,10 +285,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "suite_no_folder": (
         "The suite {path!r} is no folder; it must be a folder or a list of files.",
         "「{path}」はフォルダではありません。地震記録のフォルダかファイルの一覧を指定してください。",
-    ),
-    "suite_no_files": (
-        "The suite {name!r} has no files; it must have at least one record.",
-        "「{name}」にファイルがありません。地震記録が1つ以上必要です。",
     ),
     "suite_left_out": (
         "Of the folder {name!r} these files are left out: {files}.",

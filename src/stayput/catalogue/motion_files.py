@@ -18,10 +18,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "binary (other formats can be read with ObsPy for Motion.from_obspy)",
         "テキストでないファイル（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡せます）",
     ),
-    "file_too_large": (
-        "The motion file {path!r} has {size} bytes; at most {most} are read.",
-        "「{path}」のサイズが大きすぎます（{size}バイト）。{most}バイトまで読めます。",
-    ),
     "file_unreadable": (
         "The motion file {path!r} cannot be read ({reason}); it must be readable.",
         "「{path}」を読み込めません（{reason}）。読み込めるファイルを指定してください。",
@@ -195,17 +191,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The columns {columns} are velocities, displacements or magnitudes and are left out; the accelerations are taken.",
         "速度、変位、大きさの列「{columns}」は使いません。各方向の加速度の列だけを使います。",
     ),
-    "not_of_format": (
-        "{name} is given and the file is {format}, which has no use for it; it must be left out.",
-        "{name}が指定されましたが、{format}のファイルには使えません。指定しないでください。",
-    ),
+    "not_of_format": ("for a file of {format}, which has no use for it", "{format}のファイル"),
     "all_skipped": (
         "{name} is {count}; the file must have more lines.",
         "{name}が{count}になっています。ファイルの行数より小さくしてください。",
-    ),
-    "component_and_columns": (
-        "{name} is {component!r} beside {other}, which says what x is; it must be one of the two.",
-        "xとする列が{other}で指定されているのに、{name}も「{component}」になっています。どちらか一方にしてください。",
     ),
     "other_instrument": (
         "Channel {channel} is of no accelerometer by its SEED code, whose letter {letter} must be N, L or G.",

@@ -9,7 +9,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "intensity": ("JMA intensity", "計測震度"),
     "duration": ("duration [s]", "継続時間 [s]"),
     "step": ("time step [s]", "時間刻み [s]"),
-    "more": ("and {count} more", "ほか{count}件"),
     "structure": ("structure", "構造"),
     "storeys": ("storeys", "階数"),
     "height": ("height [m]", "高さ [m]"),

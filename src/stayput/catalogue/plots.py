@@ -3,10 +3,7 @@
 TEXTS: dict[str, tuple[str, str]] = {
     "axis_overturned": ("Overturned [%]", "転倒した割合 [%]"),
     # Fragility curves.
-    "curves_number": (
-        "There are {count} curves; a plot must have 1 to {most}.",
-        "曲線が{count}本あります。図には1～{most}本を指定してください。",
-    ),
+    "curves_number": ("The number of curves", "曲線の数"),
     "curves_measures": (
         "The curves are over {measures}; those of a plot must be over one measure.",
         "曲線の強さの指標が{measures}と異なっています。1つの図では同じ指標にしてください。",

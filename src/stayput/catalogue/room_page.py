@@ -37,7 +37,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "roomBetter": ("More runs make the numbers surer …", "計算を続けて、数値を確かにしています…"),
     "counting": ("counting …", "計算中…"),
     "state_empty": ("Nothing in the room that can fall yet.", "倒れるおそれのある家具がまだありません。"),
-    "serverAway": ("The server does not answer; it goes on after.", "応答がありません。戻りしだい続けます。"),
+    "serverAway": ("The server does not answer; waiting for it.", "応答がありません。戻りしだい続けます。"),
     "briefHit": ("somebody hit: {share}", "人に当たる：{share}"),
     "briefShutIn": ("shut in: {share}", "出られない：{share}"),
     "briefOld": ("before the change: {said}", "変更前：{said}"),

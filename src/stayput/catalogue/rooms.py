@@ -12,10 +12,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "high is {high:g} m; it must be more than low, {low:g} m.",
         "highが{high:g} mになっています。low（{low:g} m）より大きい値を指定してください。",
     ),
-    "too_many": (
-        "{count} are given; there must be at most {most}.",
-        "{count}個指定されています。{most}個以下にしてください。",
-    ),
     "beyond_wall": (
         "The opening ends at {end:g} m along its wall; it must be at most {most:g} m, where the wall ends.",
         "開口部の終わりが壁に沿って{end:g} mになっています。壁の長さ{most:g} m以下にしてください。",
@@ -53,22 +49,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A room with a plan was given; it must go to verify_room.",
         "部屋（[plan]）が渡されました。verify_roomを使ってください。",
     ),
-    "against_without_along": (
-        "{name} is missing; it must say where along the {wall} the piece stands.",
-        "{name}がありません。{wall}のどこに置くかを指定してください。",
-    ),
-    "options_in_a_room": (
-        "options is given beside [plan]; it must be left out, as in a room measures are tried one by one on each piece.",
-        "[plan]のあるファイルにoptionsがあります。部屋では家具ごとに対策を1つずつ試すため、optionsは省いてください。",
-    ),
-    "no_plan": (
-        "plan is missing; a room must have a [plan] with its width and length.",
-        "planがありません。部屋には幅と奥行きを示す[plan]が必要です。",
-    ),
-    "against_without_plan": (
-        "{name} is {value} in a file without a plan; it must be left out, or a [plan] must be given.",
-        "{name}が{value}ですが、[plan]がありません。省くか、[plan]を指定してください。",
-    ),
+    "against_without_along": ("the place along the {wall}", "{wall}沿いの位置"),
+    "options_in_a_room": ("beside [plan], where each measure is tried by itself", "[plan]のあるファイル"),
+    "no_plan": ("a table with width and length", "幅と奥行きのあるテーブル"),
+    "against_without_plan": ("without a [plan]", "[plan]のないファイル"),
     # Names of places
     "bed": ("bed", "ベッド"),
     "futon": ("futon", "布団"),
@@ -166,10 +150,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "decided_on_no_piece": (
         "The decided change of {name} puts a measure on what is no furniture; it must be another place.",
         "{name}は家具ではないので、対策は取り付けられません。別の位置を指定してください。",
-    ),
-    "decided_twice": (
-        "The decided changes move {name} twice; it must be moved once.",
-        "決めた変更が{name}を2回動かしています。1回にしてください。",
     ),
     "decided_joined": (
         "The decided changes move {name}, which stands on or is joined to another piece; it must stand by itself.",

@@ -1,7 +1,6 @@
 """Values in files."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "unreadable": ("{file} cannot be read: {reason}.", "{file}を読み込めません（{reason}）。"),
     "another": (
         "{file} holds no {kind}; it must be a file that save() of a {kind} wrote.",
         "{file}は{kind}のファイルではありません。{kind}のsave()で保存したファイルを指定してください。",

@@ -34,10 +34,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{few}～{many}文字の文字列（制御文字を除く）",
     ),
     # Keys that do not go together
-    "no_preset": (
-        "{name} is missing; it must be given where no {preset} is.",
-        "{name}がありません。{preset}を使わない場合は必要です。",
-    ),
+    "no_preset": ("given where no preset is", "presetを使わない場合は数値"),
     "one_shape": (
         (
             "The piece {name!r} needs one shape: preset; width, length and height; diameter and height; "
@@ -75,64 +72,33 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r} is no key of the file; it must be like room.back_wall.gap or joints[0].strength.",
         "{path!r}というキーはありません。room.back_wall.gapやjoints[0].strengthのように指定してください。",
     ),
-    "installed_well": (
-        "uncertainty.installation is given for several pieces; it must be 'well' or left out.",
-        "複数の家具にuncertainty.installationが指定されています。'well'にするか、省いてください。",
-    ),
-    "no_length": (
-        "{name} is missing; in space the piece needs its length across the depth [m].",
-        "{name}がありません。立体で計算するには、奥行きと直角な方向の幅 [m] が必要です。",
-    ),
-    "of_a_lone_piece": (
-        "{name} is of a single preset or box, written as [furniture] without a [plan]; here it must be left out.",
-        "{name}は[plan]なしの[furniture]（presetか直方体）だけの指定です。ここでは省いてください。",
-    ),
-    "of_pieces": (
-        "{name} is of several pieces; it must be left out, or furniture must be a list: [[furniture]].",
-        "{name}は複数の家具のための指定です。省くか、furnitureをリスト（[[furniture]]）にしてください。",
-    ),
-    "pieces_in_the_plane": (
-        "dimensions is 2; lists of pieces, rooms and what is no box are in space, so it must be 3 or left out.",
-        "dimensionsが2ですが、家具のリスト、部屋、直方体以外の形は立体で計算します。3にするか、省いてください。",
-    ),
-    "sweep_of_a_case": (
-        "{name} is given for a sweep of a scenario; it must be left out, or a Case be given.",
-        "シナリオのsweepに{name}が指定されています。省くか、Caseを渡してください。",
-    ),
-    "flag_of_one": (
-        "{flag} is of one piece, and must not be given with a file of several.",
-        "{flag}は家具が1つの場合の指定です。複数の家具のファイルには使えません。",
-    ),
+    "installed_well": ("'well' or left out, for several pieces", "複数の家具では'well'（または省略）"),
+    "of_a_lone_piece": ("where furniture is more than one preset or box", "家具1つ（[plan]なし）以外"),
+    "of_pieces": ("for one piece, not a list: [[furniture]]", "リスト（[[furniture]]）ではない1つの家具"),
+    "pieces_in_the_plane": ("3 or left out, unless one box stands alone", "直方体1つ以外では3（または省略）"),
+    "sweep_of_a_case": ("for a sweep of a scenario, not of a Case", "シナリオのsweep"),
+    "flag_of_one": ("with a file of several pieces", "複数の家具のファイル"),
     "beside_support": (
         "{name} = {value} must be a place on {other}: x of {low_x:.3g} to {high_x:.3g} m and y of {low_y:.3g} to {high_y:.3g} m from its middle.",
         "{name} = {value}は{other}の上の位置にしてください（中央からxは{low_x:.3g}～{high_x:.3g} m、yは{low_y:.3g}～{high_y:.3g} m）。",
     ),
-    "no_carcass": (
-        "furniture.mass is missing; where shelves are given it must be the empty carcass's [kg].",
-        "furniture.massがありません。shelvesを指定する場合は、空の本体の質量 [kg] が必要です。",
-    ),
+    "no_carcass": ("the empty carcass's [kg], with shelves", "棚を除いた本体の質量 [kg] "),
     "roof": ("between 1 and {roof}, the roof", "1～{roof}（屋上）"),
     "only_one": (
         "{name} is given beside {other}; only one of the two must be given.",
         "{other}と{name}の両方があります。一方だけを指定してください。",
     ),
     "needs_both": ("{name} is given without {other}; give both.", "{name}には{other}も必要です。"),
-    "without_record": (
-        "{name} is given without shaking.record; it belongs to a record only.",
-        "{name}はshaking.recordがある場合だけ指定できます。",
-    ),
+    "without_record": ("without shaking.record", "shaking.recordのないファイル"),
     "vertical_without_record": (
-        "shaking.vertical is {value} without shaking.record; it must be true or false there.",
-        "shaking.recordがないのにshaking.verticalが{value}になっています。trueかfalseにしてください。",
+        "true or false without shaking.record",
+        "shaking.recordがなければtrueかfalse",
     ),
     "vertical_across": (
         "{name} is {file}, a vertical record ({label!r}); it must be a horizontal one.",
         "{name}の{file}は上下動の記録（「{label}」）です。水平の記録を指定してください。",
     ),
-    "member_of_one": (
-        "shaking.member is given for one motion; it belongs to a suite.",
-        "shaking.memberは地震動が1つの場合は指定できません。suiteとともに使ってください。",
-    ),
+    "member_of_one": ("without a suite", "suiteのないファイル"),
     "in_python": (
         "Given in Python, and not or not fully in this file: {what}.",
         "Pythonで指定され、このファイルにはない、または一部しかないもの：{what}。",

@@ -1,10 +1,7 @@
 """Verdicts on several pieces: what happens with their joints and with measures, and why."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "levels": (
-        "levels is given for several pieces, which have no fragility curves; it must be left out.",
-        "複数の家具にlevelsが指定されています。フラジリティ曲線は求めないので、省いてください。",
-    ),
+    "for_levels": ("for several pieces, which have no fragility curves", "曲線を求めない複数の家具"),
     # What an option consists of
     "joined": ("Joints", "接合"),
     "nothing": ("Without joints and measures", "接合・対策なし"),

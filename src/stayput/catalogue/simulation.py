@@ -8,10 +8,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "velocity": ("Velocity", "速度"),
     "rotation_rate": ("Rotation rate", "回転速度"),
     "friction": ("Friction between bodies", "物体間の摩擦係数"),
-    "kinetic_above_static": (
-        "Kinetic friction between bodies is {kinetic:g}; it must not be above the static one, {static:g}.",
-        "物体間の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
-    ),
+    "kinetic_friction": ("Kinetic friction between bodies", "物体間の動摩擦係数"),
     "floor": ("floor", "床"),
     "the_body": ("The body", "物体"),
     "begins_inside": (
@@ -65,34 +62,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The axis {names} has values for {count} paths; it must have one list for each path.",
         "軸{names}に{count}個のパスの値が指定されています。パスごとにリストを1つずつ指定してください。",
     ),
-    "path_twice": (
-        "{path!r} is given twice; each path must be there once, on one axis.",
-        "{path!r}が2回指定されています。各パスは1つの軸に1回だけ指定してください。",
-    ),
     "axis_lengths": (
         "The axis {names} has {lengths} values; paths on one axis must have as many.",
         "軸{names}の値の数が{lengths}になっています。同じ軸のパスには同じ数の値を指定してください。",
     ),
-    "unknown_path": (
-        "{path!r} is no path of a case{hint}; it must be one of {known}.",
-        "{path!r}というパスはありません{hint}。次から選んでください：{known}",
-    ),
-    "not_a_list": (
-        "{name} has the shape {shape}; it must be a list of {least} or more finite numbers.",
-        "{name}の配列の形が{shape}になっています。{least}個以上の有限の数値のリストを指定してください。",
-    ),
-    "value_not_finite": (
-        "{name} has the value {value}; its values must be finite numbers.",
-        "{name}の値に{value}が含まれています。有限の数値を指定してください。",
-    ),
-    "no_values": (
-        "{path!r} has no values; it must have at least one.",
-        "{path!r}の値がありません。1つ以上指定してください。",
-    ),
-    "value_type": (
-        "{path!r} has the value {value}; its values must be of type {wanted}.",
-        "{path!r}の値に{value}が含まれています。{wanted}型の値を指定してください。",
-    ),
+    "path": ("Path", "パス"),
+    "list_of_numbers": ("a list of {least} or more numbers", "{least}個以上の数値のリスト"),
     "surface_missing": (
         "{path!r} changes a {surface} that is not there; give the room one, or set {distance!r} too.",
         "{path!r}に必要な{surface}が部屋にありません。{surface}を設けるか、{distance!r}も指定してください。",
@@ -106,10 +81,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "time_steps_differ": (
         "The motions' time steps are {steps} s; histories need motions of one time step.",
         "地震動の時間刻みが{steps}秒になっています。時刻歴を残すには、すべての時間刻みを同じにしてください。",
-    ),
-    "histories_too_long": (
-        "The histories have {numbers:,} numbers; they must be no more than {most:,}.",
-        "時刻歴の数値が全部で{numbers:,}個になります。{most:,}個以下にしてください。",
     ),
     # Amplitudes of maps and boundaries
     "amplitudes": ("The list of amplitudes", "振幅のリスト"),

@@ -19,10 +19,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "up": ("The direction up", "上の向き（up）"),
     "unit": ("The unit", "単位（unit）"),
     # Shapes
-    "wrong_shape": (
-        "The shape of {name} is {given}; it must be an array of numbers of shape {shape}.",
-        "{name}の配列の形が{given}になっています。数値の{shape}の配列にしてください。",
-    ),
     "not_finite": (
         "One of the numbers of {name} is NaN or too large; all must be finite and at most {largest:g}.",
         "{name}にNaNか大きすぎる数値が含まれています。すべて{largest:g}以下の有限の数値にしてください。",
@@ -73,27 +69,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A mesh needs either a mass [kg] or a density [kg/m³]; give one of them.",
         "メッシュには質量（mass）[kg] か密度（density）[kg/m³] のどちらか一方だけを指定してください。",
     ),
-    "no_length": (
-        "The body has no length across the shaking; give it one [m].",
-        "揺れに直角な方向の長さがありません。length [m] を指定してください。",
-    ),
+    "no_length": ("the size across the shaking [m], for space", "揺れに直角な方向の寸法 [m] "),
     # Mesh files
-    "mesh_suffix": (
-        "The mesh file is {file}; its name must end in {suffixes}.",
-        "メッシュのファイルが{file}になっています。拡張子は{suffixes}にしてください。",
-    ),
-    "mesh_no_file": (
-        "The mesh file {file} cannot be opened: {reason}.",
-        "メッシュのファイル{file}を開けません（{reason}）。",
-    ),
-    "mesh_too_large": (
-        "The mesh file {file} has {size} bytes; at most {most} are read.",
-        "メッシュのファイル{file}が大きすぎます（{size}バイト）。{most}バイトまで読めます。",
-    ),
-    "mesh_empty": (
-        "The mesh file {file} is empty; it must have a closed surface of triangles.",
-        "メッシュのファイル{file}が空です。三角形の閉じた表面が必要です。",
-    ),
+    "mesh_empty": ("a file with a closed surface of triangles", "三角形の閉じた表面のあるファイル"),
+    "mesh_file": ("The mesh file", "メッシュのファイル"),
     "mesh_unreadable": (
         "No triangles can be read from {file}; it must be a mesh in the format {format}.",
         "ファイル{file}から三角形を読めません。{format}形式のメッシュを指定してください。",

@@ -29,19 +29,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     # verification
-    "needs_coulomb": (
-        "The contact is '{contact}'; a verification needs 'coulomb'.",
-        "接触モデル（contact）が「{contact}」になっています。対策の検証には「coulomb」を指定してください。",
-    ),
+    "needs_coulomb": ("'coulomb' for a verification", "検証では'coulomb'"),
     "slide_limit": ("Slide limit", "移動量の上限"),
-    "no_shaking": (
-        'shaking is missing; it must say how the body is shaken: a Motion, a Suite, or "6-upper".',
-        'shakingがありません。揺れをMotion、Suite、または"6-upper"などで指定してください。',
-    ),
-    "said_already": (
-        "{name} is given beside a {kind}, which says it already; it must be left out.",
-        "{name}は{kind}がすでに指定しているので、同時には指定できません。",
-    ),
+    "no_shaking": ('a Motion, a Suite or such as "6-upper"', 'Motion、Suite、"6-upper"など'),
+    "said_already": ("beside a {kind}, which says it already", "それを含む{kind}"),
     "levels_not_increasing": (
         "The levels are not increasing; each must be higher than the one before it.",
         "震度の段階が小さい順に並んでいません。前の段階より大きい値を順に指定してください。",
@@ -291,10 +282,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "draws": ("Draws", "サンプル数"),
     "start": ("Start", "開始番号"),
     "motions": ("Motions", "地震動の数"),
-    "not_above_zero_or_too_large": (
-        "{name} is {value:g}; it must be larger than 0 and at most {most:g}.",
-        "{name}が{value:g}になっています。0より大きく{most:g}以下の値にしてください。",
-    ),
+    "above_zero_to": ("larger than 0 and at most {most:g}", "0より大きく{most:g}以下の値"),
     "low_not_below_high": (
         "Low is {low:g} and high is {high:g}; low must be below high.",
         "下限が{low:g}、上限が{high:g}になっています。下限は上限より小さくしてください。",

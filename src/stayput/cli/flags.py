@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, cast
 
 import typer
 
+from stayput.catalogue import phrase
 from stayput.cli.messages import of_locale
 from stayput.cli.streams import called, is_stream, record_of, table_of_input
 from stayput.errors import InputError, unknown
@@ -352,7 +353,7 @@ def opened(
     several = isinstance(tables.get("furniture"), list)
     for flag, wanted in {**of_one, "--body": "body" in said}.items() if several else ():
         if wanted:
-            raise InputError("scenario.flag_of_one", flag, flag=flag)
+            raise InputError("common.left_out", flag, where=phrase("scenario.flag_of_one"))
     data = changed(tables, said, path)
     read = [*motion_files(tables, path), *motion_files(data, path)]
     check_apart(outputs, read if path is None else [path, *read])

@@ -241,7 +241,7 @@ def _print_floors(response: FloorResponse, lang: str) -> None:
     heading = say("cli.building", lang, name=name, period=model.periods[0], kind=kind)
     console, paragraph = terminal(lang, heading)
     console.print(say("cli.building_ground", lang, motion=motion_label(response.motion, lang)))
-    headings, ground = [say("cli.building_floor", lang)], list[float]()
+    headings, ground = [say("report.floor", lang)], list[float]()
     columns: list[NDArray[np.float64]] = []
     for name in response.acceleration:
         peaks = response.motion.peaks()[name]
@@ -351,7 +351,7 @@ def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: s
 
     damping = 100.0 * next(iter(spectra.values())).damping
     console, _ = terminal(lang, say("cli.spectra", lang, motion=motion_label(motion, lang), damping=damping))
-    headings = [say("cli.period", lang)]
+    headings = [say("plots.period", lang)]
     for name in spectra:
         headings += [f"Sa {name} [m/s²]", f"ω·Sd {name} [cm/s]"]
     rows = [

@@ -146,12 +146,13 @@ def _reading(flag: str) -> Generator[BinaryIO]:
         raise InputError("cli.input_twice", flag, flag=flag, other=taken.by)
     taken.by = flag
     source: TextIO | None = sys.stdin
+    file = phrase("cli.standard_input", flag=flag)
     if source is None:
-        raise InputError("cli.input_unread", flag, flag=flag, reason=phrase("cli.closed"))
+        raise InputError("common.unreadable", flag, file=file, reason=phrase("cli.closed"))
     try:
         yield source.buffer
     except OSError as error:
-        raise InputError("cli.input_unread", flag, flag=flag, reason=reason_of(error)) from None
+        raise InputError("common.unreadable", flag, file=file, reason=reason_of(error)) from None
 
 
 def closed_output() -> TextIO:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from stayput.errors import InputError, instance_of, list_of, word_of
+from stayput.errors import InputError, instance_of, kinetic_above_static, list_of, word_of
 from stayput.measures.place import with_mass
 from stayput.model.body import MASS_RANGE, SIZE_RANGE
 from stayput.model.parameters import check_fields, other_default, parameter, parameter_of, quantity
@@ -210,9 +210,7 @@ class Contents:
         self._check_fronts()
         static, kinetic = self.friction
         if kinetic > static:
-            raise InputError(
-                "contents.kinetic_above_static", "kinetic_friction", kinetic=kinetic, static=static
-            )
+            raise kinetic_above_static("contents.kinetic_friction", kinetic, static, "kinetic_friction")
 
     def _check_loads(self) -> None:
         """Refuse loads that are none, or that are not those of the shelves."""
@@ -221,7 +219,7 @@ class Contents:
         about = parameter_of(Contents, "loads")
         loads = tuple(about.check(load) for load in list_of("loads", self.loads))
         if not loads:
-            raise InputError("contents.no_loads", "loads")
+            raise InputError("common.empty", "loads")
         object.__setattr__(self, "loads", loads)
         if self.shelves not in (None, len(loads)):
             raise InputError("contents.loads_and_shelves", "shelves", loads=len(loads), shelves=self.shelves)

@@ -18,7 +18,7 @@ from stayput.contents.items import (
     toppled,
     uncovered,
 )
-from stayput.errors import InputError, instance_of, whole_within
+from stayput.errors import InputError, instance_of, not_allowed, whole_within
 from stayput.measures import element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import run_cases, shaking, trace
@@ -163,7 +163,7 @@ def spill(of: Run | Case, contents: Contents, piece: int | None = None) -> Spill
 def _run_again(of: Run | Case) -> tuple[Carrier, Body]:
     """Follow a piece by itself at finer samples; return it as it is held, too."""
     if of.contact != "coulomb":
-        raise InputError("contents.needs_coulomb", "contact", contact=of.contact)
+        raise not_allowed("model.contact", repr(of.contact), "contents.needs_coulomb", "contact")
     dimensions = 3 if isinstance(of, Case) and of.in_space else 2
     held = of.held if isinstance(of, Run) else None
     held = hold(of.body, of.room, of.measures, dimensions=dimensions) if held is None else held

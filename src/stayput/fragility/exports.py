@@ -50,7 +50,7 @@ def identifiers(curves: Sequence[FragilityCurve]) -> list[str]:
     """
     checked = list_of("curves", curves, FragilityCurve)
     if not checked:
-        raise InputError("fragility.no_curves")
+        raise InputError("common.empty", "curves")
     for curve in checked:
         if curve.state is not CurveState.FITTED:
             raise InputError("fragility.not_fitted", name=repr(curve.name), state=repr(curve.state.value))
@@ -82,7 +82,7 @@ def plain_names(names: Sequence[str]) -> list[str]:
     """
     for name in names:
         if not name or names.count(name) > 1:
-            raise InputError("fragility.name_not_unique", name=repr(name))
+            raise InputError("rooms.same_name", name=repr(name))
     # pelicun takes a dash as the end of a part of a name
     plain = [re.sub(r"[^A-Za-z0-9]+", "_", name.replace("+", " and ")).strip("_") for name in names]
     plain_unique: list[str] = []

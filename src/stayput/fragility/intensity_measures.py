@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, near_miss, numbers, within
+from stayput.errors import InputError, near_miss, not_allowed, numbers, within
 from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -102,10 +102,8 @@ class IntensityMeasure:
         values = numbers("im", im, "im")
         good = np.isfinite(values) & (self.is_logarithm | (values > 0.0))
         if not good.all():
-            allowed = phrase("common.finite_number" if self.is_logarithm else "fragility.above_zero")
-            raise InputError(
-                "fragility.bad_intensity", measure=self.key, value=values[~good][0], allowed=allowed
-            )
+            allowed = "common.finite_number" if self.is_logarithm else "common.above_zero"
+            raise not_allowed(self.key, f"{values[~good][0]:g}", allowed)
         return values
 
 

@@ -22,7 +22,7 @@ import numpy as np
 from scipy.special import ndtri
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import not_allowed
 from stayput.fragility.probabilities import CONFIDENCE, checked_runs, percent, student
 
 if TYPE_CHECKING:
@@ -133,7 +133,7 @@ def difference(
     a, given_up = checked_runs(first, missing)
     b, _ = checked_runs(second, missing)
     if a.shape != b.shape:
-        raise InputError("fragility.shape", name="second", shape=str(b.shape), allowed=str(a.shape))
+        raise not_allowed(phrase("common.shape_of", name="second"), str(b.shape), str(a.shape))
     more, fewer = a & ~b & ~given_up, b & ~a & ~given_up
     d, n = (more.astype(np.float64) - fewer).sum(axis=1), (~given_up).sum(axis=1).astype(np.float64)
     d, n = d[n > 0.0], n[n > 0.0]

@@ -20,7 +20,7 @@ import numpy as np
 from scipy.special import stdtrit
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError, not_allowed, within
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -158,11 +158,11 @@ def checked_runs(
         raise InputError("fragility.not_bool", "fallen", dtype=str(fell.dtype))
     if fell.ndim != dimensions or fell.size == 0:
         axes = phrase("fragility.axes", dimensions=dimensions)
-        raise InputError("fragility.shape", "fallen", name="fallen", shape=str(fell.shape), allowed=axes)
+        raise not_allowed(phrase("common.shape_of", name="fallen"), str(fell.shape), axes, "fallen")
     given_up = np.zeros(fell.shape, np.bool_) if missing is None else np.asarray(missing, np.bool_)
     if given_up.shape != fell.shape:
-        shape, allowed = str(given_up.shape), str(fell.shape)
-        raise InputError("fragility.shape", "missing", name="missing", shape=shape, allowed=allowed)
+        name = phrase("common.shape_of", name="missing")
+        raise not_allowed(name, str(given_up.shape), str(fell.shape), "missing")
     return fell, given_up
 
 

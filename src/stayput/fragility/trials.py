@@ -20,7 +20,7 @@ import numpy as np
 from scipy.special import ndtr, ndtri
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, numbers
+from stayput.errors import InputError, instance_of, not_allowed, numbers
 from stayput.fragility.intensity_measures import IntensityMeasure
 from stayput.fragility.probabilities import Probability, checked_runs, probability_of_counts
 
@@ -116,7 +116,7 @@ class Trials:
         if values.shape not in (fell.shape[:1], fell.shape[:2]):
             levels, motions = str(fell.shape[:1]), str(fell.shape[:2])
             allowed = phrase("fragility.either", first=levels, second=motions)
-            raise InputError("fragility.shape", name="im", shape=str(values.shape), allowed=allowed)
+            raise not_allowed(phrase("common.shape_of", name="im"), str(values.shape), allowed)
         if values.ndim == 1:
             values = np.repeat(values[:, np.newaxis], fell.shape[1], axis=1)
         level, motion = np.indices(values.shape)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, reason_of, within
+from stayput.errors import InputError, instance_of, not_allowed, reason_of, within
 from stayput.execution import Pool
 from stayput.extras import arrow
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
@@ -244,7 +244,7 @@ def memory_of(value: float | str) -> int:
     if isinstance(value, str):
         match = re.fullmatch(r"\s*([\d.]+)\s*([kmgt]?)(i?b)?\s*", value, re.IGNORECASE | re.ASCII)
         if match is None or match[1].count(".") > 1 or match[1] == ".":
-            raise InputError("inventory.memory_format", "memory", memory=repr(value))
+            raise not_allowed("inventory.memory", repr(value), "inventory.memory_format", "memory")
         value = float(match[1]) * _UNITS[match[2].lower()]
     return int(within("inventory.memory", value, 2**28, 2**50, "bytes"))
 
@@ -252,13 +252,10 @@ def memory_of(value: float | str) -> int:
 def _digest(name: str, path: Path) -> str:
     try:
         if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
-            raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
+            raise not_allowed(_called(name), repr(str(path)), "inventory.not_a_file")
         return digest_of(path)
     except OSError as error:
-        reason = reason_of(error)
-        raise InputError(
-            "inventory.unreadable", file=_called(name), path=repr(str(path)), reason=reason
-        ) from None
+        raise InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error)) from None
 
 
 def _called(name: str) -> Phrase:

@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, has_control, whole_within
+from stayput.errors import InputError, has_control, not_allowed, too_many, whole_within
 from stayput.inventory.columns import UNITS
 from stayput.vocabulary import LONGEST_WORD, WORDS, plain_word
 
@@ -91,18 +91,18 @@ def plain(name: str, cell: Cell) -> str | float | int | None:
         A formula or the like, or a text that is too long or goes over several lines.
     """
     if isinstance(cell, Unusable):
-        raise refusal("unusable", name, what=cell.what)
+        raise not_allowed(name, cell.what, "inventory.usable", name)
     if not isinstance(cell, str):
         return cell
     if not cell:
         return None
     if len(cell) > LONGEST:
-        raise refusal("too_long", name, count=len(cell), most=LONGEST)
+        raise too_many(name, len(cell), "inventory.characters", LONGEST, name)
     text = cell.strip()
     if has_control(text):
         raise refusal("control_character", name)
     if text.startswith("="):
-        raise refusal("unusable", name, what=phrase("inventory.cell_formula"))
+        raise not_allowed(name, phrase("inventory.cell_formula"), "inventory.usable", name)
     return text or None
 
 
@@ -125,7 +125,7 @@ def text_of(name: str, cell: Cell, longest: int = 200) -> str | None:
         value = int(value)
     text = None if value is None else str(value)
     if text is not None and len(text) > longest:
-        raise refusal("too_long", name, count=len(text), most=longest)
+        raise too_many(name, len(text), "inventory.characters", longest, name)
     return text
 
 
@@ -144,7 +144,7 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
         number, written = _parted(value) or ("", "")
         points = "," not in number and _THOUSANDS.fullmatch(number) is not None
         if points and (name in WHOLE or (written or unit) in _WHOLE_UNITS):  # it may be one of thousands
-            raise refusal("comma", name, value=shown(value))
+            raise not_allowed(name, shown(value), "inventory.comma", name)
         factor = _factor(written, unit) if written else (1.0, 1.0)
         number = without_thousands(number, written or unit)
         if factor is None or _NUMBER.fullmatch(number) is None:
@@ -221,10 +221,10 @@ def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:
         return ()
     parts = value.split(";") if isinstance(value, str) else [value]
     if len(parts) > MOST_NUMBERS:
-        raise refusal("too_many_parts", name, count=len(parts), most=MOST_NUMBERS)
+        raise too_many(name, len(parts), "inventory.parts", MOST_NUMBERS, name)
     numbers = [number_of(name, part, unit) for part in parts]
     if any(value is None for value in numbers):
-        raise refusal("missing_number", name, value=shown(value))
+        raise not_allowed(name, shown(value), "inventory.missing_number", name)
     return tuple(value for value in numbers if value is not None)
 
 
@@ -252,7 +252,7 @@ def refuse_without_unit(name: str, cell: Cell) -> Cell:
         A number without a unit.
     """
     if number_or_none(cell) is not None:
-        raise refusal("cell_without_unit", name, value=shown(cell))
+        raise not_allowed(name, shown(cell), "inventory.cell_without_unit", name)
     return cell
 
 
@@ -272,7 +272,7 @@ def with_point(name: str, text: str, kind: str, money: bool = False) -> str:
         return text
     number, unit = without_thousands(parted[0], parted[1] or kind, ".,"), parted[1]
     if _THOUSANDS.fullmatch(number) and (unit or kind) not in ("m", "°"):  # a piece of 1800 m is none
-        raise refusal("comma", name, value=shown(text))
+        raise not_allowed(name, shown(text), "inventory.comma", name)
     pointed = number.replace(",", ".") if _DECIMAL_COMMA.fullmatch(number) else number
     return plain.replace(parted[0], pointed, 1)
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, quoted, reason_of, shown, unknown
+from stayput.errors import InputError, not_allowed, quoted, reason_of, shown, unknown
 from stayput.scenario.toml import read_toml
 from stayput.spreadsheets import named_columns
 
@@ -289,7 +289,7 @@ class ColumnMapping:
         for name, header in self.pairs:
             place, unit = _find(name, header, names)
             if place in {other for other, _ in places.values()}:
-                raise InputError("inventory.column_twice", "columns", name=quoted(header))
+                raise InputError("common.twice", "columns", name=quoted(header))
             places[name] = place, unit
         return places, {_find(IGNORE, header, names)[0] for header in self.ignored}
 
@@ -349,12 +349,11 @@ def _file(path: Path) -> dict[str, Any]:
         with path.open("rb") as file:
             content: Any = json.loads(file.read(LARGEST_FILE).decode("utf-8-sig"))
     except OSError as error:
-        reason, called = reason_of(error), phrase("inventory.input_columns")
-        raise InputError("inventory.unreadable", file=called, path=repr(str(path)), reason=reason) from None
+        raise InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error)) from None
     except (ValueError, RecursionError):
         content = None
     if not isinstance(content, dict):
-        raise InputError("inventory_tables.mapping_file", "columns", path=repr(str(path)))
+        raise not_allowed("columns", repr(str(path)), "inventory_tables.mapping_file", "columns")
     return cast("dict[str, Any]", content)
 
 
@@ -372,7 +371,7 @@ def _mapping(items: Sequence[tuple[str, object]]) -> ColumnMapping:
                 known = (*COLUMNS, IGNORE)
                 raise unknown("inventory_tables.column_name", name, known, field="columns")
             elif name in pairs:
-                raise InputError("inventory.column_twice", "columns", name=shown(name))
+                raise InputError("common.twice", "columns", name=shown(name))
             else:
                 pairs[name] = each
     return ColumnMapping(tuple(pairs.items()), tuple(ignored))

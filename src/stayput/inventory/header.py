@@ -339,7 +339,7 @@ def header_of(
     reading = _Reading(names, sample, mapping or ColumnMapping())
     for name, times in Counter(map(plain_name, names)).items():
         if name and times > 1:
-            raise InputError("inventory.column_twice", name, name=shown(name))
+            raise InputError("common.twice", name, name=shown(name))
     reading.take_known()
     reading.take_rest()
     reading.refuse_what_is_unclear()

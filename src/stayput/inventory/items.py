@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from stayput.catalogue import phrase
 from stayput.contents import Contents
 from stayput.contents.contents import emptied
-from stayput.errors import InputError, unknown, visible, within
+from stayput.errors import InputError, not_allowed, too_many, unknown, visible, within
 from stayput.inventory.cells import (
     ROOF,
     Unusable,
@@ -335,7 +335,7 @@ def _floor(value: str | float, default: Floor) -> Floor:
         return Floor.of(value, **losses)
     pair = numbers_of("floor", value)
     if len(pair) != 2:
-        raise refusal("floor", "floor", value=shown(value))
+        raise not_allowed("floor", shown(value), "inventory.floor", "floor")
     return Floor(*pair, **losses)
 
 
@@ -383,9 +383,9 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple
         twice = twice or (together if together in options else None)
         options[together] = _ordered(measures)
     if len(parts) > MOST_OPTIONS:
-        raise refusal("too_many_parts", "measures", count=len(parts), most=MOST_OPTIONS)
+        raise too_many("measures", len(parts), "inventory.parts", MOST_OPTIONS, "measures")
     if twice is not None:
-        raise refusal("measure_twice", "measures", value=shown(twice))
+        raise InputError("common.twice", "measures", name=shown(twice))
     return options
 
 

@@ -10,7 +10,7 @@ from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, Self
 
 from stayput.catalogue import is_phrase, phrase
-from stayput.errors import InputError, excerpt, quoted
+from stayput.errors import InputError, excerpt, not_allowed, quoted
 from stayput.extras import arrow
 from stayput.inventory.cells import Unusable, is_empty
 from stayput.inventory.columns import COLUMNS, JAPANESE
@@ -281,7 +281,7 @@ def _fill(
                     flush()
             flush()
         if counts["rows"] == counts["empty rows"]:
-            raise InputError("inventory.no_rows", "inventory", path=repr(str(inventory)))
+            raise not_allowed("inventory.the_file", repr(str(inventory)), "inventory.no_rows", "inventory")
         store.finish(
             {
                 **{name: counts[name] for name in COUNTED},

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 from pydantic import ValidationError
 
 from stayput.building import STRUCTURES
+from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
 from stayput.fragility import JMA_INTENSITY
 from stayput.inventory.shakemap import distances
@@ -164,7 +165,7 @@ class Scenarios:
             return [(event, event.stations[0], None) for event in self.events]
         if lat is None or lon is None:
             name = "lat" if lat is None else "lon"
-            raise InputError("inventory.place_missing", name, name=name)
+            raise InputError("scenario.missing", name, allowed=phrase("inventory.place_missing"))
         level = None if self.shakemap is None else self.shakemap.at(lat, lon)
         here: list[tuple[Earthquake, int, GroundLevel | None]] = []
         for event in self.events:
@@ -201,9 +202,9 @@ def _joined(scenarios: Sequence[ScenarioFile], folder: str, shakemap: ShakeMap |
         other = next(file.name for file in scenarios if file.station is None)
         raise InputError("inventory.station_missing", "station", name=other)
     if shakemap is not None and (located or len(scenarios) > 1):
-        raise InputError("inventory.map_beside_stations", "shakemap")
+        raise InputError("common.left_out", "shakemap", where=phrase("inventory.map_beside_stations"))
     if shakemap is not None and scenarios[0].scenario.shaking.scale is not None:
-        raise InputError("inventory.scale_beside_map", "shaking.scale")
+        raise InputError("scenario.only_one", "shaking.scale", other="shakemap")
     return Scenarios(tuple(scenarios), _events(scenarios, folder), shakemap)
 
 

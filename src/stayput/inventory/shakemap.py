@@ -266,8 +266,6 @@ def _field(name: str, kind: str, unit: str, period: float = 0.0) -> MapField:
         return MapField(name, PGV, factor, 1e-6 / factor, 10.0 / factor, unit)
     if kind == "pga":
         return MapField(name, PGA, factor, 1e-5 / factor, 100.0 / factor, unit)
-    low, high = PERIODS
-    if not low <= period <= high:
-        raise InputError("inventory.period", column=repr(name), period=period, low=low, high=high)
+    within(phrase("inventory.period", column=repr(name)), period, *PERIODS, "s")
     factor /= STANDARD_GRAVITY
     return MapField(name, spectral_acceleration(period), factor, 1e-6 / factor, 10.0 / factor, unit)

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, quoted, reason_of, warn, within
+from stayput.errors import InputError, InputWarning, not_allowed, quoted, reason_of, warn, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.shakemap import ShakeMap, field_of, field_of_grid, unwrapped
 
@@ -89,9 +89,8 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
         return _of_csv(path, field)
     except OSError as error:
         reason = reason_of(error)
-        file = phrase("inventory.input_shake_map")
         shown = repr(str(error.filename or path))
-        raise InputError("inventory.unreadable", file=file, path=shown, reason=reason) from None
+        raise InputError("common.unreadable", file=shown, reason=reason) from None
 
 
 def _of_grid(path: Path, wanted: str | None, uncertainty: Path | None) -> ShakeMap:
@@ -151,16 +150,16 @@ def _check_event(grid: MapGrid, path: Path, other: MapGrid, uncertainty: Path) -
 def _deviations(other: MapGrid, grid: MapGrid, field: MapField, path: Path) -> NDArray[np.float64]:
     name = next((each for each in other.values if each.lower() == f"std{field.name}".lower()), None)
     if name is None or np.isnan(other.values[name]).all():
-        raise InputError(
-            "inventory_tables.no_deviations", "uncertainty", path=repr(str(path)), name=f"STD{field.name}"
-        )
+        allowed = phrase("inventory_tables.no_deviations", name=f"STD{field.name}")
+        raise not_allowed("inventory.the_uncertainty", repr(str(path)), allowed, "uncertainty")
     same = all(np.array_equal(a, b) for a, b in ((other.lats, grid.lats), (other.lons, grid.lons)))
     if not same:
-        raise InputError("inventory_tables.other_grid", "uncertainty", path=repr(str(path)))
+        allowed = "inventory_tables.other_grid"
+        raise not_allowed("inventory.the_uncertainty", repr(str(path)), allowed, "uncertainty")
     unit = other.units[name]
     if re.fullmatch(r"intensity|mmi|" if field.mercalli else r"ln( *\(.*\))?", unit.strip().lower()) is None:
         known = "intensity" if field.mercalli else f"ln({field.unit})"
-        raise InputError("inventory_tables.deviation_unit", "uncertainty", name=name, unit=unit, known=known)
+        raise not_allowed(phrase("inventory_tables.unit_of", name=name), repr(unit), known, "uncertainty")
     return _in_range(other.values[name], name, 0.0, LARGEST_SIGMA, "", "uncertainty")
 
 
@@ -192,9 +191,9 @@ def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
                             "inventory.map_place_twice", row=number, lat=lat, lon=lon, before=before
                         )
     except (UnicodeDecodeError, csv.Error):
-        raise InputError("inventory.map_not_csv", "shakemap", path=repr(str(path))) from None
+        raise not_allowed("inventory.the_map", repr(str(path)), "inventory.map_not_csv", "shakemap") from None
     if not rows:
-        raise InputError("inventory.map_empty", "shakemap", path=repr(str(path)))
+        raise not_allowed("inventory.the_map", repr(str(path)), "inventory.map_empty", "shakemap")
     _, values, sigmas = np.array(list(rows.values())).T
     levels, scatters = field.levels(values), field.scatters(values, sigmas if has_sigma else None)
     lat, lon = np.array(list(rows)).T

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TextIO, cast
 from xml.etree.ElementTree import iterparse
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, absent, reason_of
+from stayput.errors import InputError, absent, not_allowed, reason_of
 from stayput.extras import arrow
 from stayput.inventory.cells import Unusable
 
@@ -102,8 +102,7 @@ def open_table(path: Path) -> Generator[OpenTable]:
     }
     opener = openers.get(path.suffix.lower())
     if opener is None:
-        endings = ", ".join(openers)
-        raise InputError("inventory.file_ending", "inventory", path=repr(str(path)), endings=endings)
+        raise _refused(path, "inventory.file_ending", endings=", ".join(openers))
     with ExitStack() as stack:
         with _readable(path):
             rows, read_as, decimal_comma = stack.enter_context(opener(path))
@@ -129,11 +128,14 @@ def _readable(path: Path) -> Generator[None]:
         raise
     except OSError as error:
         reason = reason_of(error)
-        file = phrase("inventory.input_inventory")
-        raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
+        raise InputError("common.unreadable", file=repr(str(path)), reason=reason) from None
     except Exception as error:  # of a broken file libraries say this or that
         reason = " ".join(str(error).split())[:200].rstrip(" .")
-        raise InputError("inventory.broken", "inventory", path=repr(str(path)), reason=reason) from error
+        raise InputError("common.unreadable", "inventory", file=repr(str(path)), reason=reason) from error
+
+
+def _refused(path: Path, allowed: str, **values: object) -> InputError:
+    return not_allowed("inventory.the_file", repr(str(path)), phrase(allowed, **values), "inventory")
 
 
 def _encoding(path: Path) -> str:
@@ -153,7 +155,7 @@ def _encoding(path: Path) -> str:
                     return encoding
             except UnicodeDecodeError:
                 continue
-    raise InputError("inventory.encoding", "inventory", path=repr(str(path)))
+    raise _refused(path, "inventory.encoding")
 
 
 def _is_western(text: str) -> bool:
@@ -226,7 +228,7 @@ def _parquet(path: Path) -> Generator[Opened]:
     try:
         file: Any = arrow("parquet").ParquetFile(path)
     except arrow().ArrowInvalid:
-        raise InputError("inventory.other_kind", "inventory", path=repr(str(path)), kind="Parquet") from None
+        raise _refused(path, "inventory.other_kind", kind="Parquet") from None
     with file:
         yield _parquet_rows(file), "Parquet", False
 
@@ -277,9 +279,7 @@ def _excel(path: Path) -> Generator[Opened]:
         except OSError:
             raise
         except Exception:  # of something else than a workbook openpyxl says this or that
-            raise InputError(
-                "inventory.other_kind", "inventory", path=repr(str(path)), kind="Excel"
-            ) from None
+            raise _refused(path, "inventory.other_kind", kind="Excel") from None
         with closing(book):
             names = ", ".join(repr(other.title) for other in others)
             yield _excel_rows(sheet), f"sheet {sheet.title!r}" + (f"; not {names}" if names else ""), False

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from stayput.catalogue import LANGUAGES, Phrase, is_phrase, phrase, say
-from stayput.errors import InputError, instance_of, list_of
+from stayput.catalogue import Phrase, is_phrase, phrase
+from stayput.errors import InputError, instance_of, list_of, no_length, unknown
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
 from stayput.model.parameters import GIVEN, Parameter, parameter, parameters
@@ -77,8 +77,7 @@ def check(about: Parameter, value: Any, measure: Phrase) -> None:
         if value is not None or about.default is not None:
             about.check(value, called=name)
     elif value not in about.choices:
-        words = tuple(say("measures.or", lang).join(map(repr, about.choices)) for lang in LANGUAGES)
-        raise InputError("measures.wrong_word", about.name, name=name, value=repr(value), words=words)
+        raise unknown(name, value, about.choices, about.name)
 
 
 @dataclass(frozen=True, slots=True)
@@ -286,7 +285,7 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
     elements = tuple(element for place in range(len(asked)) for element in elements_of[place])
     if dimensions == 3:
         if body.length is None:
-            raise InputError("solids.no_length", "length")
+            raise no_length()
         elements = tuple(part for element in elements for part in element.spread(body.length))
     return Held(body, room, elements, asked)
 

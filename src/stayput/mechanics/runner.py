@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import not_allowed, too_many
 from stayput.mechanics import columns as col
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.engine import run_batch
@@ -228,7 +228,7 @@ def _devices_of(elements: NDArray[np.void], motion: Shaking) -> BatchDevices:
     """
     check_elements(elements)
     if motion.law != col.COULOMB:
-        raise InputError("mechanics.elements_need_coulomb", "contact")
+        raise not_allowed("model.contact", repr("paper"), "mechanics.elements_need_coulomb", "contact")
     links = np.zeros(elements.shape[1], el.LINK)
     return BatchDevices(elements, links, np.zeros(elements.shape, el.DEVICE), np.zeros(2, el.WORK))
 
@@ -255,7 +255,7 @@ def check_elements(elements: NDArray[np.void]) -> None:
         Too many elements; a number that is NaN where it may not be, or out of its range.
     """
     if elements.shape[-1] > el.MAX_ELEMENTS:
-        raise InputError("mechanics.too_many_elements", count=elements.shape[-1], most=el.MAX_ELEMENTS)
+        raise too_many("mechanics.the_body", elements.shape[-1], "mechanics.elements", el.MAX_ELEMENTS)
     rows = elements.ravel()
     rows = rows[rows["kind"] != el.NONE]
     # comparisons are False for NaN, which is refused; where NaN has a meaning they are negated
@@ -277,5 +277,5 @@ def check_elements(elements: NDArray[np.void]) -> None:
     ]
     for name, values, valid, allowed in checks:
         if not np.all(valid):
-            value, what = values[~valid].ravel()[0], phrase(f"mechanics.{allowed}")
-            raise InputError("mechanics.element_value", name=name, value=value, allowed=what)
+            called = phrase("mechanics.element_value", name=name)
+            raise not_allowed(called, f"{values[~valid].ravel()[0]:g}", f"mechanics.{allowed}")

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, finite, instance_of, list_of, numbers, within
+from stayput.errors import InputError, finite, instance_of, list_of, not_allowed, numbers, within
 from stayput.model.parameters import (
     GRAVITY,
     MASS_RANGE,
@@ -372,7 +372,7 @@ class Body(Shapes, Brief):
         pieces = list_of("parts", parts, Part)
         mass = sum(p.mass for p in pieces)
         if not mass > 0.0:
-            raise InputError("model.no_mass", "mass", mass=mass)
+            raise not_allowed("model.total_mass", f"{mass:g} kg", "common.above_zero", "mass")
         x_g = sum(p.mass * p.x for p in pieces) / mass
         z_g = sum(p.mass * p.z for p in pieces) / mass
         inertia = sum(
@@ -406,7 +406,7 @@ class Body(Shapes, Brief):
         shelves = list_of("loads", loads)
         _check_size(width, height)
         if not shelves:
-            raise InputError("model.no_shelves", "loads")
+            raise InputError("common.empty", "loads")
         clear = height / len(shelves)
         depth = width if load_width is None else load_width
         within("model.load_width", depth, 0.0, width, "m", "load_width")

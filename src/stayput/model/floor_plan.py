@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.errors import InputError, list_of, name_of, numbers, within, word_of
+from stayput.errors import InputError, list_of, name_of, numbers, too_many, within, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.model.room import WALLS_AROUND
 
@@ -287,7 +287,7 @@ class FloorPlan:
         check_fields(self)
         for kind, items in (("doors", self.doors), ("windows", self.windows), ("places", self.places)):
             if len(items) > MOST_PLACES:
-                raise InputError("rooms.too_many", kind, count=len(items), most=MOST_PLACES)
+                raise too_many(kind, len(items), "common.items", MOST_PLACES, kind)
         for kind, items in (("doors", self.doors), ("windows", self.windows)):
             for number, item in enumerate(items):
                 end, most = item.start + item.width, self.side(item.wall)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, shown, word_of
+from stayput.errors import kinetic_above_static, not_allowed, shown, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.uncertainty import Confidence
 from stayput.vocabulary import meant, preset_meant
@@ -146,10 +146,8 @@ class Floor:
         each = (flat, edge, self._own("left_edge_", edge), self._own("right_edge_", edge))
         for (base, (called, _)), (static, kinetic) in zip(_BASES.items(), each, strict=True):
             if kinetic > static:
-                name = f"{base}kinetic_friction"
-                raise InputError(
-                    "model.kinetic_above_static", name, surface=called, kinetic=kinetic, static=static
-                )
+                name = phrase("model.kinetic_friction", surface=called)
+                raise kinetic_above_static(name, kinetic, static, f"{base}kinetic_friction")
 
     @property
     def edge_friction(self) -> tuple[float, float]:
@@ -403,17 +401,14 @@ class Room(Brief):
         """Raise `InputError` where it has a side wall, which the plane has not."""
         for name in SIDE_WALLS:
             if getattr(self, name) is not None:
-                wall, other = f"room.{name}", "dimensions"
-                raise InputError("model.side_wall_in_the_plane", wall, name=wall, other=other)
+                wall = f"room.{name}"
+                raise not_allowed("dimensions", "2", phrase("model.side_wall_in_the_plane", name=wall), wall)
 
 
 def _refuse_other(name: str, value: object, kind: type, example: str) -> None:
     """Raise `InputError` with an example where a part of a room is no value of its type."""
     if not isinstance(value, kind):
-        wanted = kind.__name__
-        raise InputError(
-            "model.part_of_room", name, name=name, value=shown(value), wanted=wanted, example=example
-        )
+        raise not_allowed(name, shown(value), phrase("model.part_of_room", example=example), name)
 
 
 def _floor_made_of(value: object) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.errors import InputError, no_length
 from stayput.model.inertia import inertia_of, principal_axes
 from stayput.model.polyhedron import (
     TOLERANCE,
@@ -24,12 +24,12 @@ from stayput.model.polyhedron import (
 )
 from stayput.model.solid_fields import (
     Copied,
+    array_of_shape,
     checked_centre,
     checked_feet,
     checked_inertia,
     checked_mass,
     checked_rims,
-    numbers,
     read_only,
 )
 
@@ -129,7 +129,7 @@ class Solid:
         rims: ArrayLike = (),
         base: str | None = None,
     ) -> None:
-        points = numbers("vertices", vertices, (None, 3))
+        points = array_of_shape("vertices", vertices, (None, 3))
         check_size(points, "vertices")
         hull = convex_hull(points)
         if len(hull.vertices) > MOST_VERTICES:
@@ -220,7 +220,7 @@ class Solid:
             No length.
         """
         if math.isnan(case["length"]):
-            raise InputError("solids.no_length", "length")
+            raise no_length()
         names = ("mass", "length", "half_base", "roll_inertia", "inertia", "yaw_inertia")
         # 0 added: −0 is the same key as 0, and should be the same number
         u, v = (tuple((case[name] + 0.0).tolist()) for name in ("u", "v"))

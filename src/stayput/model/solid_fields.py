@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, absent, instance_of, reason_of, unknown, within
+from stayput.errors import InputError, absent, instance_of, not_allowed, reason_of, unknown, within
 from stayput.model.parameters import MASS_RANGE, SIZE_RANGE
 from stayput.model.polyhedron import (
     TOLERANCE,
@@ -36,8 +36,6 @@ MOST_FEET = 32
 LARGEST = 1e12
 """Largest number that is accepted, of any unit."""
 
-_IRREGULAR = ("irregular", "不規則")
-
 
 class Copied:
     """An array of a frozen value, of which every reader has a copy.
@@ -58,19 +56,19 @@ class Copied:
         value.__dict__[self._name] = array
 
 
-def numbers(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> NDArray[np.float64]:
+def array_of_shape(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> NDArray[np.float64]:
     """Return a copy of numbers as an array of a shape, None for any length, that cannot be written to."""
     called = phrase(f"solids.{name}")
-    text = str(shape).replace("None", "n")
+    shape_of, allowed = phrase("common.shape_of", name=called), str(shape).replace("None", "n")
     try:
         array = np.array(value, np.float64)
     except (TypeError, ValueError, OverflowError):
-        raise InputError("solids.wrong_shape", name, name=called, shape=text, given=_IRREGULAR) from None
+        raise not_allowed(shape_of, ("irregular", "不規則"), allowed, name) from None
     fits = array.ndim == len(shape) and all(
         side in (None, actual) for side, actual in zip(shape, array.shape, strict=True)
     )
     if not fits or not array.size:
-        raise InputError("solids.wrong_shape", name, name=called, shape=text, given=str(array.shape))
+        raise not_allowed(shape_of, str(array.shape), allowed, name)
     check_numbers(array, called, name)
     return read_only(array)
 
@@ -99,7 +97,7 @@ def checked_mass(value: float) -> float:
 
 def checked_centre(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
     """Return the centre of gravity, or refuse one outside the hull."""
-    point = numbers("centre_of_gravity", value, (3,))
+    point = array_of_shape("centre_of_gravity", value, (3,))
     depth = float((hull.planes[:, :3] @ point - hull.planes[:, 3]).max())
     if depth > TOLERANCE * size_of(hull.vertices):
         text = f"({', '.join(f'{x:.4g}' for x in point)})"
@@ -111,7 +109,7 @@ def checked_inertia(
     hull: Hull, mass: float, usual: NDArray[np.float64], value: ArrayLike
 ) -> NDArray[np.float64]:
     """Return the inertia tensor, made symmetric to the bit, or refuse what no body of the shape has."""
-    tensor = numbers("inertia", value, (3, 3))
+    tensor = array_of_shape("inertia", value, (3, 3))
     difference = float(np.abs(tensor - tensor.T).max())
     if difference > 1e-9 * np.abs(tensor).max():
         raise InputError("solids.inertia_not_symmetric", "inertia", difference=difference)
@@ -130,7 +128,7 @@ def checked_inertia(
 
 def checked_feet(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
     """Return feet, shape (f, 3) [m], or refuse none, too many, or one that is not at the foot of the body."""
-    feet = numbers("feet", value, (None, 3))
+    feet = array_of_shape("feet", value, (None, 3))
     within("solids.number_of_feet", len(feet), 1, MOST_FEET, "", "feet")
     low, high = hull.vertices.min(axis=0), hull.vertices.max(axis=0)
     reach = 0.5 * size_of(hull.vertices)
@@ -146,7 +144,7 @@ def checked_rims(value: ArrayLike) -> NDArray[np.float64]:
     """Return circular edges, shape (r, 7), or refuse those that are no circles."""
     if not np.size(np.asarray(value)):
         return read_only(np.zeros((0, 7)))
-    rims = numbers("rims", value, (None, 7))
+    rims = array_of_shape("rims", value, (None, 7))
     axes, radii = np.linalg.norm(rims[:, 3:6], axis=1), rims[:, 6]
     if np.abs(axes - 1.0).max() > 1e-9 or radii.min() <= 0.0:
         raise InputError("solids.rims_wrong", "rims")
@@ -211,7 +209,8 @@ def _corners(path: Path) -> NDArray[np.float64]:
     """Return the corners of a file's triangles in its unit, three after three, shape (3t, 3)."""
     name, suffix = repr(str(path)), path.suffix.lower()
     if suffix not in FORMATS:
-        raise InputError("solids.mesh_suffix", "file", file=name, suffixes=", ".join(FORMATS))
+        allowed = phrase("model.wrong_suffix", suffixes=", ".join(FORMATS))
+        raise not_allowed("solids.mesh_file", name, allowed, "file")
     try:
         import trimesh
     except ImportError as error:
@@ -222,13 +221,13 @@ def _corners(path: Path) -> NDArray[np.float64]:
             raise FileNotFoundError(ENOENT, os.strerror(ENOENT))
         size = path.stat().st_size
         if size > MOST_BYTES:
-            raise InputError("solids.mesh_too_large", "file", file=name, size=size, most=MOST_BYTES)
+            raise InputError("common.too_many_bytes", "file", file=name, size=size, most=MOST_BYTES)
         content = path.read_bytes()
     except OSError as error:
         reason = reason_of(error)
-        raise InputError("solids.mesh_no_file", "file", file=name, reason=reason) from None
+        raise InputError("common.unreadable", "file", file=name, reason=reason) from None
     if not content.strip():
-        raise InputError("solids.mesh_empty", "file", file=name)
+        raise not_allowed("solids.mesh_file", name, "solids.mesh_empty", "file")
     try:
         with np.errstate(all="ignore"):
             mesh: Any = trimesh.load_mesh(

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, finite
+from stayput.errors import InputError, finite, not_allowed
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
@@ -175,7 +175,7 @@ def _logarithm(name: str, value: float, unit: str) -> float:
     called = phrase(f"motion.name_{name}")
     number = finite(called, value, name)
     if not number > 0.0:
-        raise InputError("motion.not_positive", name, name=called, value=number, unit=unit)
+        raise not_allowed(called, f"{number:g} {unit}", "common.above_zero", name)
     return math.log10(100.0 * number)
 
 

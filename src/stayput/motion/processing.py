@@ -9,7 +9,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, too_many
 from stayput.motion.integrals import velocity
 
 if TYPE_CHECKING:
@@ -102,7 +102,7 @@ def refine(a: NDArray[np.float64], parts: int) -> NDArray[np.float64]:
     """Return the same piecewise linear function with each step cut into ``parts``, shape ((n−1)·parts+1,)."""
     if (len(a) - 1) * parts >= MOST_SAMPLES:
         count = (len(a) - 1) * parts + 1
-        raise InputError("motion.too_many_samples", "dt", count=count, most=MOST_SAMPLES)
+        raise too_many("motion.the_motion", count, "motion.the_samples", MOST_SAMPLES, "dt")
     steps = np.arange(parts) / parts
     cut = a[:-1, None] + np.diff(a)[:, None] * steps
     return np.append(cut.ravel(), a[-1])

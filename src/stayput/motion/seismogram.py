@@ -99,7 +99,7 @@ def _location(stats: Any) -> str:
 def _of_one_sensor(items: list[Any], location: str | None) -> list[Any]:
     """Return the traces of a location, all of one station."""
     if not items:
-        raise InputError("motion.no_traces")
+        raise InputError("common.empty", name="stream")
     stations = list(dict.fromkeys(_station(trace.stats) for trace in items))
     if len(stations) > 1:
         raise InputError("motion.several_stations", one=stations[0], other=stations[1])
@@ -169,7 +169,7 @@ def read(
     """
     acceleration_unit(None, unit)
     if (size := Path(path).stat().st_size) > LARGEST_RECORD:
-        raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_RECORD)
+        raise InputError("common.too_many_bytes", file=repr(str(path)), size=size, most=LARGEST_RECORD)
     try:
         from obspy import read as obspy_read
     except ImportError:

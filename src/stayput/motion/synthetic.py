@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within, word_of
+from stayput.errors import InputError, too_many, within, word_of
 from stayput.model.parameters import arguments, parameters, quantity
 from stayput.motion.processing import LARGEST_ACCELERATION, MOST_SAMPLES, STEP_RANGE
 from stayput.motion.record import Motion
@@ -32,7 +32,7 @@ def _steps(duration: float, dt: float, quiet: float) -> tuple[int, int, float]:
     still = math.ceil(quiet / step - 1e-9)
     if steps + still >= MOST_SAMPLES:
         count = steps + still + 1
-        raise InputError("motion.too_many_samples", "duration", count=count, most=MOST_SAMPLES)
+        raise too_many("motion.the_motion", count, "motion.the_samples", MOST_SAMPLES, "duration")
     return steps, still, step
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.ticker import LogLocator
 
 from stayput.catalogue import say
-from stayput.errors import InputError
+from stayput.errors import InputError, within
 from stayput.fragility.curve import CurveState
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.montecarlo.counting import OVERTURNED
@@ -91,8 +91,7 @@ def plot_fragility(
     InputError
         No curve or more than eight, curves over different measures, or a path that cannot be written.
     """
-    if not 1 <= len(curves) <= len(_LOOKS):
-        raise InputError("plots.curves_number", count=len(curves), most=len(_LOOKS))
+    within("plots.curves_number", len(curves), 1, len(_LOOKS))
     _refuse_other_measures([curve.measure.key for curve in curves])
     measure = curves[0].measure
     figure = new_figure(8.4, 5.4, title)

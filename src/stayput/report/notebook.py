@@ -116,7 +116,7 @@ def suite_html(suite: Suite) -> str:
         for motion in suite[:MOST_ROWS]
     ]
     if len(suite) > MOST_ROWS:
-        table.append((say("notebook.more", count=len(suite) - MOST_ROWS), "", "", "", ""))
+        table.append((say("inventory_tables.more_doubts", count=len(suite) - MOST_ROWS), "", "", "", ""))
     return _shown(suite_title(suite, "en"), figure, table, [say(f"notebook.{key}") for key in keys])
 
 

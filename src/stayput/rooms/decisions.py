@@ -63,7 +63,7 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
             measures[body] = (*measures.get(body, ()), change.measure)
             continue
         if what in {move.what for move in moves}:
-            raise InputError("rooms.decided_twice", field, name=repr(what))
+            raise InputError("common.twice", field, name=repr(what))
         if body is not None and what not in single:
             raise InputError("rooms.decided_joined", field, name=repr(what))
         if body is not None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from stayput.building import Building, ShearModel
-from stayput.errors import InputError, instance_of, list_of, shown
+from stayput.errors import InputError, instance_of, list_of, not_allowed, shown
 from stayput.measures import MEASURES, Measure
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import Body
@@ -110,7 +110,7 @@ def scenario_of_case(
 ) -> Scenario:
     """Make a scenario of a case; its own measures are compared with none, beside others."""
     if case.contact != "coulomb":
-        raise InputError("verification.needs_coulomb", "contact", contact=case.contact)
+        raise not_allowed("model.contact", repr(case.contact), "verification.needs_coulomb", "contact")
     in_place = named_sets([case.measures]) if case.measures else []
     own_tables = {
         "initial": asdict(case.initial),

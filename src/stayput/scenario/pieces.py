@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Field, model_validator
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import Body
@@ -117,14 +118,14 @@ class PieceTable(ValueTable):
             raise InputError("scenario.one_shape", "furniture", name=self.title)
         for key in () if self.preset else ("width", "height", "mass"):
             if getattr(self, key) is None and (self.is_furniture or key == "mass"):
-                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
+                raise InputError("scenario.missing", f"furniture.{key}", allowed=phrase("scenario.no_preset"))
         if not self.is_furniture:
             return
         for key in ("cg_offset", "inertia") if self.shelves else ():
             if getattr(self, key) is not None:
                 raise InputError("scenario.only_one", f"furniture.{key}", other="furniture.shelves")
         if self.shelves and self.mass is None and usual_of(self.preset, loaded=False)["mass"] is None:
-            raise InputError("scenario.no_carcass", "furniture.mass")
+            raise InputError("scenario.missing", "furniture.mass", allowed=phrase("scenario.no_carcass"))
         checked("furniture", self.body)
 
     @property

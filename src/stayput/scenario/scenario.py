@@ -12,7 +12,7 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
-from stayput.errors import InputError
+from stayput.errors import InputError, no_length, not_allowed
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites import Suite
 from stayput.scenario.fields import between, checked, refuse_same_names
@@ -103,7 +103,8 @@ class Scenario(SceneTables):
         for name, field in Scenario.model_fields.items():
             key = field.alias or name
             if key in (OF_PIECES if self.alone else OF_A_LONE_PIECE) and self.says(name):
-                raise InputError("scenario.of_pieces" if self.alone else "scenario.of_a_lone_piece", key)
+                where = phrase("scenario.of_pieces" if self.alone else "scenario.of_a_lone_piece")
+                raise InputError("common.left_out", key, where=where)
         if self.alone:
             self._check_lone_piece()
         else:
@@ -112,23 +113,24 @@ class Scenario(SceneTables):
 
     def _check_lone_piece(self) -> None:
         for key in filter(self.piece.says, ("at", "along", "gap", "measures")):
-            raise InputError("scenario.of_pieces", f"furniture.{key}")
+            raise InputError("common.left_out", f"furniture.{key}", where=phrase("scenario.of_pieces"))
         if self.dimensions == 2:
             self.room.room().refuse_side_walls()
         elif self.piece.body().length is None:
-            raise InputError("scenario.no_length", "furniture.length")
+            raise no_length("furniture.length")
         if self.contents is not None:
             emptied(self.piece.body(), self.contents)
         _refuse_same_names(self.measures)
 
     def _check_pieces(self) -> None:
         if self.stated_dimensions == 2:
-            raise InputError("scenario.pieces_in_the_plane", "dimensions")
+            raise not_allowed("dimensions", "2", "scenario.pieces_in_the_plane", "dimensions")
         if self.uncertainty.badly(1.0) > 0.0:
-            raise InputError("scenario.installed_well", "uncertainty.installation")
+            name, value = "uncertainty.installation", repr(self.uncertainty.installation)
+            raise not_allowed(name, value, "scenario.installed_well", name)
         names, options = self.names, self.option_tables or []
         if options and self.plan is not None:
-            raise InputError("rooms.options_in_a_room", "options")
+            raise InputError("common.left_out", "options", where=phrase("rooms.options_in_a_room"))
         taken = {NOTHING: phrase("scenario.option_of_nothing")}
         refuse_same_names("options", [option.name for option in options], taken)
         for number, option in enumerate(options):
@@ -308,7 +310,7 @@ class Scenario(SceneTables):
             Measures beside several pieces, whose own say what holds them; what cannot be simulated.
         """
         if measures and not self.alone:
-            raise InputError("scenario.of_a_lone_piece", "measures")
+            raise InputError("common.left_out", "measures", where=phrase("scenario.of_a_lone_piece"))
         if self.alone:
             with self.naming_file():
                 return self.case(measures).run().named(self.names)

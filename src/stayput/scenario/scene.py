@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, no_length
 from stayput.model.floor_plan import FACING, MOST_PLACES, Door, FloorPlan, PersonPlace, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room, Wall
@@ -92,7 +92,7 @@ class SceneTables(FromFile):
             if piece.on is not None and piece.on not in names[:number]:
                 raise InputError("scenario.stands_on", f"{self.key_of(number)}.on", value=repr(piece.on))
             if piece.is_furniture and piece.body().length is None and not self.alone:
-                raise InputError("scenario.no_length", f"{self.key_of(number)}.length")
+                raise no_length(f"{self.key_of(number)}.length")
         try:
             friction_between((self.static_friction, self.kinetic_friction))
         except InputError as error:
@@ -121,15 +121,11 @@ class SceneTables(FromFile):
                 raise error.at(error.field or "plan", error.field) from None
         for number, piece in enumerate(self.pieces):
             if piece.against is not None and self.plan is None:
-                raise InputError(
-                    "rooms.against_without_plan",
-                    f"{self.key_of(number)}.against",
-                    value=repr(piece.against),
-                )
+                where = phrase("rooms.against_without_plan")
+                raise InputError("common.left_out", f"{self.key_of(number)}.against", where=where)
             if piece.against is not None and piece.along is None:
-                raise InputError(
-                    "rooms.against_without_along", f"{self.key_of(number)}.along", wall=piece.against
-                )
+                allowed = phrase("rooms.against_without_along", wall=piece.against)
+                raise InputError("scenario.missing", f"{self.key_of(number)}.along", allowed=allowed)
         return self
 
     def key_of(self, number: int) -> str:
@@ -177,7 +173,7 @@ class SceneTables(FromFile):
             The file has no plan, or one that is not possible.
         """
         if self.plan is None:
-            raise InputError("rooms.no_plan", "plan")
+            raise InputError("scenario.missing", "plan", allowed=phrase("rooms.no_plan"))
         doors = [Door(**door.model_dump()) for door in self.doors]
         windows = [Window(**window.model_dump()) for window in self.windows]
         places = [table.place() for table in self.places]

@@ -202,13 +202,14 @@ class ShakingTable(Table):
             first, second = (f"shaking.{key}" for key in sources[:2])
             raise InputError("scenario.only_one", second, other=first)
         if self.record is None:
+            without = phrase("scenario.without_record")
             of_folders = () if isinstance(self.suite, str) else ("component", "unit", *sorted(OPTIONS))
             for key in (*of_folders, "across"):
                 if getattr(self, key) not in (None, False):
-                    raise InputError("scenario.without_record", f"shaking.{key}")
+                    raise InputError("common.left_out", f"shaking.{key}", where=without)
             if isinstance(self.vertical, str):
-                value = repr(self.vertical)
-                raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
+                name, value = "shaking.vertical", repr(self.vertical)
+                raise not_allowed(name, value, "scenario.vertical_without_record", name)
         chosen_columns(self.columns, "shaking.columns")
         strengths = [f"shaking.{key}" for key in STRENGTHS if getattr(self, key) is not None]
         if len(strengths) > 1:
@@ -216,7 +217,7 @@ class ShakingTable(Table):
         if self.scale is not None and strengths:
             raise InputError("scenario.only_one", "shaking.scale", other=strengths[0])
         if self.member is not None and not self.of_a_suite:
-            raise InputError("scenario.member_of_one", "shaking.member")
+            raise InputError("common.left_out", "shaking.member", where=phrase("scenario.member_of_one"))
         self._check_building()
         return self
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Unpack, cast
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of
 from stayput.execution import Pool
 from stayput.measures.element import utilisation
@@ -101,7 +102,7 @@ def _sweep_scenario(
 
     for name, value in of_a_case.items():
         if value or name not in SweepOptions.__annotations__:
-            raise InputError("scenario.sweep_of_a_case", name)
+            raise InputError("common.left_out", name, where=phrase("scenario.sweep_of_a_case"))
     lists: dict[str, list[Any]] = {}
     instance_of("axes", axes, Mapping)
     for path, values in axes.items():
@@ -111,7 +112,7 @@ def _sweep_scenario(
             value.item() if isinstance(value, np.generic) else value for value in list_of(path, values)
         ]
         if not lists[path]:
-            raise InputError("simulation.no_values", path, path=path)
+            raise InputError("common.empty", path)
     cases = [_changed(scenario, dict(zip(lists, values, strict=True))) for values in product(*lists.values())]
     rows: list[dict[str, NDArray[Any]]] = [{} for _ in cases]
 

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of, list_of, whole_within, word_of
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, list_of, not_allowed, whole_within, word_of
 from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
 from stayput.mechanics import columns as col
@@ -183,7 +184,7 @@ def simulate(
         from stayput.simulation.space import checked_step, simulate_held
 
         if contact != "coulomb":
-            raise InputError("model.paper_in_space", "contact")
+            raise not_allowed("model.contact", repr(contact), "model.coulomb_in_space", "contact")
         placed = hold(body, room, checked.measures, dimensions=3)
         return simulate_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
     if most_events is not None:
@@ -205,7 +206,7 @@ def _assembly_of(what: object, **asked: bool) -> Assembly:
     standing = instance_of("body", what, (Body, Piece, Assembly))
     for name in asked:
         if asked[name]:
-            raise InputError("model.of_a_body", name, name=name)
+            raise InputError("common.left_out", name, where=phrase("model.of_a_body"))
     if isinstance(standing, Assembly):
         return standing
     return Assembly([Piece(standing) if isinstance(standing, Body) else standing])

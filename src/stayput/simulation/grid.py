@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, near_miss
+from stayput.errors import InputError, instance_of, list_of, no_length, not_allowed, shown, unknown
 from stayput.errors import numbers as array_of
 from stayput.measures.measure import element_rows, hold
 from stayput.mechanics.devices.columns import ELEMENT
@@ -147,11 +147,11 @@ class Grid:
         _, elements = held_rows(numbers, 1, self.measures, self.dimensions)
         if self.dimensions == 3:
             if math.isnan(numbers["body.length"]):
-                raise InputError("solids.no_length", "length")
+                raise no_length()
             if numbers[LAW] != 0.0:
-                raise InputError("model.paper_in_space", LAW)
+                raise not_allowed("model.contact", repr("paper"), "model.coulomb_in_space", LAW)
         if elements.size and numbers[LAW] != 0.0:
-            raise InputError("mechanics.elements_need_coulomb", LAW)
+            raise not_allowed("model.contact", repr("paper"), "mechanics.elements_need_coulomb", LAW)
 
 
 def _extreme_rows(block: CaseBlock) -> set[int]:
@@ -322,7 +322,7 @@ def _axis(
     for name, values in zip(names, value_lists, strict=True):
         added, label = _columns(name, values, base, motions)
         if repeated := changed & added.keys():
-            raise InputError("simulation.path_twice", min(repeated), path=min(repeated))
+            raise InputError("common.twice", min(repeated), name=repr(min(repeated)))
         changed.update(added)
         columns |= added
         labels[name] = label
@@ -342,21 +342,19 @@ def _columns(
     if name in OBJECT_PATHS or name in (MOTION, LAW):
         items = list(list_of(name, values))
         if not items:
-            raise InputError("simulation.no_values", name, path=name)
+            raise InputError("common.empty", name)
         if name == LAW:
             return {LAW: np.array([law_number(item) for item in items])}, items
         if name == MOTION:
-            _refuse_other(name, items, Motion)
+            list_of(name, items, Motion)
             place = {key: len(motions) + n for n, key in enumerate(dict.fromkeys(map(id, items)))}
             motions.extend({id(item): item for item in items}.values())
             return {MOTION: np.array([place[id(item)] for item in items])}, [item.name for item in items]
-        _refuse_other(name, items, OBJECT_PATHS[name])
+        list_of(name, items, OBJECT_PATHS[name])
         table = [fields_of(name, item) for item in items]
         return {path: np.array([row[path] for row in table]) for path in table[0]}, np.arange(len(items))
     if name not in base:
-        known = sorted({*base, *OBJECT_PATHS})
-        hint = near_miss(name, known)
-        raise InputError("simulation.unknown_path", name, path=name, hint=hint, known=", ".join(known))
+        raise unknown("simulation.path", name, sorted({*base, *OBJECT_PATHS}), name)
     listed = finite_numbers(repr(name), values, name)
     return {name: listed}, listed
 
@@ -364,20 +362,12 @@ def _columns(
 def finite_numbers(name: str | Phrase, values: Any, field: str, least: int = 1) -> NDArray[np.float64]:
     """Return a list of so many finite numbers or more as an array, or raise `InputError`."""
     listed = array_of(name, values, field)
-    called = (name, name) if isinstance(name, str) else name
     if listed.ndim != 1 or len(listed) < least:
-        raise InputError("simulation.not_a_list", field, name=called, shape=listed.shape, least=least)
+        allowed = phrase("simulation.list_of_numbers", least=least)
+        raise not_allowed(name, shown(listed.tolist()), allowed, field)
     if not np.isfinite(listed).all():
-        bad = listed[~np.isfinite(listed)][0]
-        raise InputError("simulation.value_not_finite", field, name=called, value=bad)
+        raise not_allowed(name, str(listed[~np.isfinite(listed)][0]), "common.finite_number", field)
     return listed
-
-
-def _refuse_other(name: str, items: list[Any], kind: type | tuple[type, ...]) -> None:
-    for item in items:
-        if not isinstance(item, kind):
-            wanted = (kind if isinstance(kind, type) else kind[0]).__name__
-            raise InputError("simulation.value_type", name, path=name, value=repr(item), wanted=wanted)
 
 
 def _refuse_missing_surfaces(base: dict[str, float], changed: set[str]) -> None:

@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
+from stayput.errors import (
+    InputError,
+    instance_of,
+    kinetic_above_static,
+    list_of,
+    numbers,
+    whole_within,
+    within,
+)
 from stayput.measures.measure import Measure, refuse_conflicts
 from stayput.model.body import Body
 from stayput.model.room import FRICTION_RANGE
@@ -345,5 +353,5 @@ def friction_between(friction: object) -> tuple[float, float]:
     values = numbers(called, friction, "friction", count=2)
     static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
     if kinetic > static:
-        raise InputError("simulation.kinetic_above_static", "friction", kinetic=kinetic, static=static)
+        raise kinetic_above_static("simulation.kinetic_friction", kinetic, static, "friction")
     return static, kinetic

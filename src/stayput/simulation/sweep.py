@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 import numpy as np
 import xarray as xr
 
-from stayput.errors import InputError, list_of, word_of
+from stayput.errors import InputError, list_of, too_many, word_of
 from stayput.execution import Pool
 from stayput.mechanics.runner import Shaking, trace
 from stayput.model.flat_fields import unit_of
@@ -99,7 +99,7 @@ def _histories(
     samples = max(len(motion.floor.ax) for motion in motions.values())
     numbers = len(grid) * samples * len(names)
     if numbers > MOST_NUMBERS:
-        raise InputError("simulation.histories_too_long", "histories", numbers=numbers, most=MOST_NUMBERS)
+        raise too_many("histories", numbers, "common.numbers_in", MOST_NUMBERS, "histories")
     tables = {name: np.full((len(grid), samples), np.nan) for name in names}
 
     def run(place: int) -> None:

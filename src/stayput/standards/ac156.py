@@ -184,7 +184,7 @@ def ac156_motion(
     instance_of("required", required, RequiredSpectrum)
     cut = LOWEST_CUTOFF if lowest is None else within("lowest", lowest, 0.1, HIGHEST_CUTOFF, "Hz", "lowest")
     key = (
-        whole_within("motion.name_seed", seed, *SEED_RANGE, field="seed"),
+        whole_within("common.seed", seed, *SEED_RANGE, field="seed"),
         _KEY,
         whole_within("number", number, *NUMBER_RANGE, field="number"),
     )

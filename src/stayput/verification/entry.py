@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, within
 from stayput.fragility import IntensityMeasure, intensity_measure
 from stayput.model.body import Body
@@ -185,7 +186,7 @@ def verify(
     match subject:
         case Body():
             if shaking is None:
-                raise InputError("verification.no_shaking", "shaking")
+                raise InputError("scenario.missing", "shaking", allowed=phrase("verification.no_shaking"))
             scenario = scenario_of(
                 subject, room or Room(), shaking, measures, uncertainty, **place, tables=tables
             )
@@ -199,7 +200,7 @@ def verify(
         raise InputError("rooms.use_verify_room", "what")
     if not scenario.alone:
         if levels is not None and np.size(levels):
-            raise InputError("several.levels", "levels")
+            raise InputError("common.left_out", "levels", where=phrase("several.for_levels"))
         return verify_several(scenario, **runs)
     further = list_of("intensity_measures", intensity_measures, IntensityMeasure)
     known = dict.fromkeys(intensity_measure(measure.key, "intensity_measures") for measure in further)
@@ -212,4 +213,5 @@ def _refuse_beside(what: Scenario | Case, stated: dict[str, Any]) -> None:
     """Refuse what something says already, given beside it."""
     for name, value in stated.items():
         if value is not None:
-            raise InputError("verification.said_already", name, name=name, kind=type(what).__name__)
+            where = phrase("verification.said_already", kind=type(what).__name__)
+            raise InputError("common.left_out", name, where=where)

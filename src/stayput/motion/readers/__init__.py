@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
+from typing import TYPE_CHECKING, NamedTuple, Unpack
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, instance_of, warn, warnings_to, whole_within, within
@@ -176,8 +176,7 @@ def along(
 
     def named(channels: Sequence[Channel]) -> str | None:
         if component is not None and channels[0].role:
-            about: dict[str, Any] = {"name": "component", "other": "columns", "component": component}
-            raise InputError("motion.component_and_columns", "component", **about)
+            raise InputError("scenario.only_one", "component", other="columns")
         look_at(channels, component)
         return component
 
@@ -284,7 +283,7 @@ def read_file(
     try:
         with file.naming():
             for name in (name for name, value in unused.items() if value):
-                raise InputError("motion.not_of_format", name, name=name, format=form)
+                raise InputError("common.left_out", name, where=phrase("motion.not_of_format", format=form))
             check_end(text)
             file.channels.extend(_channels(read, unit, dt, several))
     except InputError as error:

@@ -64,7 +64,7 @@ def file_text(path: str | os.PathLike[str]) -> str:
         if not file.is_file():
             raise refused("a_device")
         if size > LARGEST_RECORD:
-            raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_RECORD)
+            raise InputError("common.too_many_bytes", file=repr(str(path)), size=size, most=LARGEST_RECORD)
         data = file.read_bytes()
     except InputError:
         raise

@@ -86,7 +86,7 @@ class Suite(Sequence[Motion]):
     def __post_init__(self) -> None:
         motions = list_of("motions", self.motions, Motion)
         if not motions:
-            raise InputError("motion.suite_empty", "motions")
+            raise InputError("common.empty", "motions")
         object.__setattr__(self, "motions", motions)
 
     def __repr__(self) -> str:
@@ -373,5 +373,5 @@ def read_suite(
             with naming(file):
                 motions.append(read_shaking(file, component, unit, several=True, **options))
     if not motions:
-        raise InputError("motion.suite_no_files", name=title)
+        raise InputError("common.empty", name=repr(title))
     return Suite(tuple(motions), title if name is None else name)

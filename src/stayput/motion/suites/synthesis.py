@@ -207,7 +207,7 @@ def synthetic_motion(family: str, number: int = 1, seed: int = 1) -> Motion:
     """
     chosen = KINDS[word_of("motion.family", family, FAMILIES, "family")]
     key = (
-        whole_within("motion.name_seed", seed, *SEED_RANGE, field="seed"),
+        whole_within("common.seed", seed, *SEED_RANGE, field="seed"),
         FAMILIES.index(family),
         whole_within("number", number, *NUMBER_RANGE, field="number"),
     )
@@ -256,7 +256,7 @@ def mixed_order(count: int) -> list[str]:
 
 @arguments(
     count=quantity("", *COUNT_RANGE, phrase("motion.name_count"), "Number of motions."),
-    seed=quantity("", *SEED_RANGE, phrase("motion.name_seed"), "The same seed gives the same motions."),
+    seed=quantity("", *SEED_RANGE, phrase("common.seed"), "The same seed gives the same motions."),
 )
 def synthetic_suite(
     family: str = MIXED,
@@ -308,7 +308,7 @@ def synthetic_suite(
     if target is not None:
         instance_of("target", target, TargetSpectrum)
     n = whole_within("motion.name_count", count, *COUNT_RANGE, field="count")
-    number = whole_within("motion.name_seed", seed, *SEED_RANGE, field="seed")
+    number = whole_within("common.seed", seed, *SEED_RANGE, field="seed")
     families = mixed_order(n) if family == MIXED else [family] * n
     counts = dict.fromkeys(FAMILIES, 0)
     motions: list[Motion] = []
