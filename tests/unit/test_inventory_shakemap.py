@@ -214,9 +214,7 @@ def test_a_grid_after_a_byte_order_mark_is_read(tmp_path, encoding):
 def test_a_map_that_is_compressed_is_refused(tmp_path, pack):
     file, plain = tmp_path / "grid.xml.gz", grid(tmp_path, ROWS)
     file.write_bytes(pack(plain.read_bytes()))
-    with pytest.raises(
-        sp.InputError, match=r"grid\.xml\.gz'; it must be CSV .* or .*grid.xml, uncompressed"
-    ):
+    with pytest.raises(sp.InputError, match=r"grid\.xml\.gz'; it must be CSV .* or .*grid.xml, uncompressed"):
         read_shakemap(file)
     with pytest.raises(sp.InputError, match="it must be a ShakeMap grid"):
         read_shakemap(plain, None, file)

@@ -90,7 +90,9 @@ def test_without_elements_a_run_is_that_of_the_body_and_the_room_alone():
 
 
 def test_the_papers_law_knows_no_devices():
-    with pytest.raises(sp.InputError, match=r"^Contact is 'paper'; it must be 'coulomb' with measures of force elements"):
+    with pytest.raises(
+        sp.InputError, match=r"^Contact is 'paper'; it must be 'coulomb' with measures of force elements"
+    ):
         sp.simulate(BOOKCASE, ROOM, SHAKE, [Belt()], contact="paper")
     case = sp.Case(BOOKCASE, ROOM, SHAKE, contact="paper", measures=(Belt(),))
     with pytest.raises(sp.InputError, match="must be 'coulomb' with measures of force elements"):

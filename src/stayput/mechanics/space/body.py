@@ -168,18 +168,3 @@ def nudge(body, s, move, turn):
 def stop(s):
     """Bring a body to rest."""
     s.vx = s.vy = s.vz = s.lx = s.ly = s.lz = s.wx = s.wy = s.wz = 0.0
-
-
-@inline
-def copy_pose(source, target):
-    """Copy a pose."""
-    target.x, target.y, target.z = source.x, source.y, source.z
-    target.qw, target.qx, target.qy, target.qz = source.qw, source.qx, source.qy, source.qz
-    target.vx, target.vy, target.vz = source.vx, source.vy, source.vz
-    target.lx, target.ly, target.lz = source.lx, source.ly, source.lz
-    target.wx, target.wy, target.wz = source.wx, source.wy, source.wz
-    target.rxx, target.rxy, target.rxz = source.rxx, source.rxy, source.rxz
-    target.ryx, target.ryy, target.ryz = source.ryx, source.ryy, source.ryz
-    target.rzx, target.rzy, target.rzz = source.rzx, source.rzy, source.rzz
-    target.jxx, target.jxy, target.jxz = source.jxx, source.jxy, source.jxz
-    target.jyy, target.jyz, target.jzz = source.jyy, source.jyz, source.jzz

@@ -10,19 +10,10 @@ import numpy as np
 
 from stayput.mechanics.devices.columns import ELEMENT
 
-LAW_OF_ELEMENT = (
-    "stiffness",
-    "damping",
-    "slack_plus",
-    "slack_minus",
-    "limit_plus",
-    "limit_minus",
-    "ultimate",
-    "friction",
-    "interaction",
-    "drops_out",
-)
-"""Columns of an `ELEMENT` that are its law."""
+_NAMES = ELEMENT.names or ()
+
+LAW_OF_ELEMENT = _NAMES[_NAMES.index("stiffness") :]
+"""Columns of an `ELEMENT` that are its law: those after its geometry."""
 
 SOLID = np.dtype(
     [(name, "f8") for name in ("mass", "i1", "i2", "i3", "rm", "r1", "r2", "r3")]

@@ -21,7 +21,6 @@ from stayput.compiling import entry, inline, inner
 from stayput.mechanics.space.body import (
     angular_response,
     attitude,
-    copy_pose,
     nudge,
     place_of,
     sag,
@@ -453,7 +452,7 @@ def run_in_space(
                 give(held[0], held[1], held[2], trial, start + t + h)
                 last = h
             for b in range(bodies.shape[0]):
-                copy_pose(trial[b], now[b])
+                now[b] = trial[b]
             note_peaks(bodies, now, peaks)
             _copy_rows(gaps[1:2], gaps[0:1])
             t = max(dt, h) if t + h >= dt - 1e-12 else t + h

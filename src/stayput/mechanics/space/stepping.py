@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.space.body import attitude, copy_pose, drift, place_of, set_attitude, stop, velocity
+from stayput.mechanics.space.body import attitude, drift, place_of, set_attitude, stop, velocity
 from stayput.mechanics.space.closing import OPEN, find_contacts, keep
 from stayput.mechanics.space.contact import turns_back
 from stayput.mechanics.space.devices import give, hold, note_forces, stretch
@@ -112,7 +112,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
     bodies, contacts, system = world[0], scratch[0], scratch[7]
     springs, pulls, _ = held
     for b in range(bodies.shape[0]):
-        copy_pose(before[b], after[b])
+        after[b] = before[b]
         if moves(after[b]):
             drift(bodies[b], after[b], 0.5 * h)
     count = find_contacts(world, after, push, scratch, kept, ratio, h)
@@ -159,7 +159,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
         s = after[b]
         if _speed(bodies[b], s) <= RESTS * h:
             if not moves(before[b]):
-                copy_pose(before[b], s)
+                after[b] = before[b]
             stop(s)
         else:
             drift(bodies[b], s, 0.5 * h)
@@ -206,7 +206,7 @@ def _extrapolate(bodies, poses, third):
         turn = 2.0 * math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
         largest = max(largest, norm(d) + body.radius * turn + LASTS * (norm(v) + body.radius * norm(w)))
         if not moves(halves):
-            copy_pose(halves, whole)
+            poses[1, b] = poses[3, b]
             continue
         whole.x, whole.y, whole.z = added(place_of(halves), third, d)
         whole.vx, whole.vy, whole.vz = added(velocity(halves), third, v)
