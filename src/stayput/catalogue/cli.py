@@ -20,15 +20,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} sets nothing of a motion; it must set a key of shaking, such as shaking.unit.",
         "{flag}は揺れに関係がありません。shaking.unitのようなshakingのキーを指定してください。",
     ),
-    "flag_without": ("{flag} is given without {other}; give both.", "{flag}には{other}も指定してください。"),
     "spectra_of_floors": (
         "--spectra is {value} without a building; it must come with --building, and without --storey.",
         "--spectraが{value}になっています。--buildingとともに、--storeyなしで指定してください。",
     ),
-    "other_format": (
-        "--format is {value} beside the file {out}; it must be the ending of its name.",
-        "--formatが{value}になっていますが、書き出すファイルは{out}です。拡張子と同じ形式を指定してください。",
-    ),
+    "other_format": ("the ending of the file {out}", "ファイル{out}の拡張子と同じもの"),
     "input_twice": (
         "{flag} and {other} are both -, standard input; one of them must be a file.",
         "{flag}と{other}がどちらも-（標準入力）になっています。一方にはファイルを指定してください。",
@@ -43,10 +39,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} and {other} both go to standard output; one of them must go to a file, or be left out.",
         "{flag}と{other}の両方が標準出力に書き出されます。一方はファイルに書き出すか、省いてください。",
     ),
-    "written_like": (
-        "{flag} is {value}; it must be written like {example}.",
-        "{flag}が{value}になっています。{example}のように書いてください。",
-    ),
+    "written_like": ("written like {example}", "{example}のような値"),
     "wrote": ("Wrote {file}", "{file}を書き出しました"),
     "wrote_motion": (
         "Wrote {file}: {count} samples every {dt:g} s, {components}",
@@ -137,10 +130,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "same_file": (
         "{flag} and {other} are both {value}; each must have a file of its own.",
         "{flag}と{other}がどちらも{value}になっています。別々のファイルを指定してください。",
-    ),
-    "plan_of_a_room": (
-        "--plan is given for a file without [plan]; it must be the file of a room.",
-        "--planが指定されていますが、[plan]がありません。部屋のファイルを指定してください。",
     ),
     "long_name": (
         "The name of the file or folder {file} is too long; it must be shorter.",

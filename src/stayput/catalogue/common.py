@@ -76,6 +76,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{file} has {size} bytes; at most {most} are read.",
         "{file}が大きすぎます（{size}バイト）。{most}バイトまで読めます。",
     ),
+    "only_a_path": (
+        "{name} is {value}; a file must be read first: {reader}({value}).",
+        "{name}が{value}になっています。ファイルは先に{reader}({value})で読み込んでください。",
+    ),
     "too_large": ("{name} is too large; it must be finite.", "{name}が大きすぎます。有限の数値が必要です。"),
     "not_within": (
         "{name} is {value:g}{unit}; it must be between {low:g} and {high:g}{unit}.",

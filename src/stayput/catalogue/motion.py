@@ -274,10 +274,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; bare samples must be given their time step, in m/s²: Motion(dt=0.01, x=samples).",
         "{name}が{value}になっています。時間刻みを付け、m/s²の値でMotion(dt=0.01, x=samples)のように指定してください。",
     ),
-    "only_a_path": (
-        "{name} is {value}; a file must be read first: read_motion({value}).",
-        "{name}が{value}になっています。ファイルは先にread_motion({value})で読み込んでください。",
-    ),
     "suite_one_motion": (
         "The suite has 1 motion; a standard deviation needs at least 2.",
         "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",

@@ -45,10 +45,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     # A file's unit and time step.
-    "unknown_unit": (
-        "The unit of acceleration is {unit}; it must be one of {known}.",
-        "加速度の単位が{unit}になっています。次のいずれかにしてください：{known}",
-    ),
+    "unknown_unit": ("The unit of acceleration", "加速度の単位"),
     "unknown_stated_unit": (
         "The file states the unit {unit}, which is not known; {option} must be given as one of {known}.",
         "ファイルに書かれている単位{unit}には対応していません。加速度の単位を次から選んでください：{known}",

@@ -5,10 +5,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "measures holds {value}; it must hold measures, such as MEASURES['belt']() or measures.Belt().",
         "measuresに{value}が含まれています。MEASURES['belt']()やmeasures.Belt()のような対策を指定してください。",
     ),
-    "only_a_path": (
-        "what is {value}; a file must be read first: read_scenario({value}).",
-        "whatが{value}になっています。ファイルは先にread_scenario({value})で読み込んでください。",
-    ),
     "in_table": ("In [{table}]", "[{table}]"),
     # What a key must be, from the JSON Schema
     "unknown_key": (

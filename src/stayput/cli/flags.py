@@ -15,7 +15,7 @@ import typer
 from stayput.catalogue import phrase
 from stayput.cli.messages import of_locale
 from stayput.cli.streams import called, is_stream, record_of, table_of_input
-from stayput.errors import InputError, unknown
+from stayput.errors import InputError, not_allowed, unknown
 from stayput.progress import keep_quiet
 
 if TYPE_CHECKING:
@@ -229,8 +229,9 @@ def _settings(said: FlagValues, motion_flag: str) -> Iterator[tuple[str, str, An
     for text in said.get("set", ()):
         key, equals, value = text.partition("=")
         if not equals or not _KEY.fullmatch(key.strip()):
-            example = "shaking.pga=4"
-            raise InputError("cli.written_like", "--set", flag="--set", value=repr(text), example=example)
+            raise not_allowed(
+                "--set", repr(text), phrase("cli.written_like", example="shaking.pga=4"), "--set"
+            )
         key, value = key.strip(), value.strip()
         made = value_of(value)
         yield f"--set {key}", key, value if key in _TEXTS and not isinstance(made, str) else made
@@ -462,4 +463,4 @@ def numbers(flag: str, text: str, parts: list[str], counts: Container[int], exam
             return [_as_written(float(part)) for part in parts]
     except ValueError:
         pass
-    raise InputError("cli.written_like", flag, flag=flag, value=repr(text), example=example)
+    raise not_allowed(flag, repr(text), phrase("cli.written_like", example=example), flag)

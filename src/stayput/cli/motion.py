@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.cli.flags import (
     GROUND,
     OF_LOCALE,
@@ -26,7 +26,7 @@ from stayput.cli.help import HelpfulCommand, HelpfulGroup
 from stayput.cli.messages import note, plain_table, print_json, tell_written, terminal
 from stayput.cli.streams import check_output, is_stream, to_output, write_text
 from stayput.cli.suite import suite
-from stayput.errors import InputError, InputWarning, unknown, warn
+from stayput.errors import InputError, InputWarning, not_allowed, unknown, warn
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -401,7 +401,7 @@ def _ending(out: Path, form: str | None) -> str:
     if is_stream(out):
         return f".{form or known[0]}"
     if form is not None and f".{form}" != out.suffix.lower():
-        raise InputError("cli.other_format", "--format", value=repr(form), out=repr(str(out)))
+        raise not_allowed("--format", repr(form), phrase("cli.other_format", out=repr(str(out))), "--format")
     return out.suffix.lower()
 
 

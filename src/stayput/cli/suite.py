@@ -71,7 +71,7 @@ def suite(
         raise InputError("scenario.only_one", "--target", other="--intensity")
     for flag, asked in (("--select", select is not None), ("--fit", fit != "scale")):
         if target is None and asked:
-            raise InputError("cli.flag_without", "--target", flag=flag, other="--target")
+            raise InputError("scenario.needs_both", "--target", name=flag, other="--target")
     wanted = None if target is None else _target_of(target)
     first, last = numbers("--band", band, band.split(","), (2,), "0.1,5")
     periods = first, last

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.cli.flags import (
     OF_LOCALE,
     SHAKING,
@@ -96,12 +96,13 @@ def verify(
     }
     if plan is None and any(home.values()):
         flags = ", ".join(f"--{name}".replace("_", "-") for name, wanted in home.items() if wanted)
-        raise InputError("cli.flag_without", "--plan", flag=flags, other="--plan")
+        raise InputError("scenario.needs_both", "--plan", name=flags, other="--plan")
     over = _over(curves, im)
     of_one = {"--measure": measure, "--curves": curves}
     checked = opened(scenario, said, (report, markdown, csv, plan), of_one=of_one)
     if plan is not None and checked.plan is None:
-        raise InputError("cli.plan_of_a_room", "--plan").at(called(scenario))
+        where = phrase("rooms.against_without_plan")
+        raise InputError("common.left_out", "--plan", where=where).at(called(scenario))
     if measure:
         checked = _only(checked, measure)
     verdict = _verified(checked, over, limit, every_run, threads)
@@ -140,7 +141,7 @@ def _over(curves: Path | None, im: str | None) -> list[IntensityMeasure]:
 
     if curves is None:
         if im is not None:
-            raise InputError("cli.flag_without", "--im", flag="--im", other="--curves")
+            raise InputError("scenario.needs_both", "--im", other="--curves")
         return []
     if curves.exists() and not curves.is_dir():
         raise InputError(

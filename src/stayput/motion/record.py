@@ -175,7 +175,8 @@ class Motion:
                 check_baseline(value)
             return value
         if isinstance(value, str | PathLike):
-            raise InputError("motion.only_a_path", name, name=name, value=repr(str(cast("object", value))))
+            path = repr(str(cast("object", value)))
+            raise InputError("common.only_a_path", name, value=path, reader="read_motion")
         if isinstance(value, Sequence) or hasattr(value, "__array__"):
             raise InputError("motion.only_samples", name, name=name, value=shown(cast("object", value)))
         return instance_of(name, value, cls)

@@ -68,7 +68,12 @@ def unit_factor(unit: str) -> float:
     """
     name = known_unit(str(unit))
     if name is None:
-        raise InputError("motion.unknown_unit", "unit", unit=excerpt(str(unit)), known=UNIT_NAMES)
+        about: dict[str, Any] = {
+            "name": phrase("motion.unknown_unit"),
+            "value": excerpt(str(unit)),
+            "hint": "",
+        }
+        raise InputError("common.not_one_of", "unit", known=UNIT_NAMES, **about)
     return ACCELERATION_UNITS[name]
 
 

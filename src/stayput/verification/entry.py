@@ -180,7 +180,7 @@ def verify(
     place: dict[str, Any] = {"building": building, "storey": storey}
     in_python = {"room": room, "shaking": shaking, **place, "measures": measures, "uncertainty": uncertainty}
     if isinstance(what, str | PathLike):
-        raise InputError("scenario.only_a_path", "what", value=repr(str(what)))
+        raise InputError("common.only_a_path", "what", value=repr(str(what)), reader="read_scenario")
     subject = instance_of("what", what, (Scenario, Case, Body))
     tables: dict[str, Any] = {"uncertainty": stated} if stated else {}
     match subject:
