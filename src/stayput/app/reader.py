@@ -85,7 +85,9 @@ def _read(task: ReadingTask) -> Motion:
     limits = task.limits
     motion = read_shaking(task.path, **task.options)
     if motion.duration > limits.duration:
-        raise InputError("app.many", name=phrase("app.duration"), value=motion.duration, most=limits.duration)
+        raise InputError(
+            "app.many", name=phrase("app.duration"), value=round(motion.duration), most=limits.duration
+        )
     if len(motion) > limits.samples_of_motion:
         most = limits.samples_of_motion
         raise InputError("app.many", name=phrase("app.samples"), value=len(motion), most=most)

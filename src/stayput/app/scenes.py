@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
+    from stayput.catalogue import Phrase
     from stayput.scenario.shaking import ShakingTable
 
 TABLES = frozenset(field.alias or name for name, field in Scenario.model_fields.items())
@@ -89,8 +90,8 @@ def short_enough(scenario: Scenario, limits: Limits) -> Scenario:
         raise refusal(error) from None
     most = min(limits.duration, limits.samples_of_motion * motion.dt, limits.seconds_of_pieces / count)
     if motion.duration > most:
-        duration = round(motion.duration)
-        raise _too_many("shaking", duration, most, "app.duration_for_pieces", count=count)
+        name = phrase("app.duration_for_pieces", count=count)
+        raise _too_many("shaking", round(motion.duration), round(most), name)
     return scenario
 
 
@@ -169,11 +170,11 @@ def _at_most(table: dict[str, Any], name: str, key: str, most: int) -> None:
 
 def _few_entries(value: object, name: str, most: int) -> None:
     if isinstance(value, list) and (count := len(cast("list[Any]", value))) > most:
-        raise _too_many(name, count, most)
+        raise _too_many(name, count, most, phrase("app.entries", name=name))
 
 
-def _too_many(field: str, value: float, most: float, name: str = "", **values: float) -> RefusedError:
-    called = phrase(name, **values) if name else field
+def _too_many(field: str, value: float, most: float, name: str | Phrase = "") -> RefusedError:
+    called = phrase(name) if name else field
     return refused(422, "app.many", f"scene.{field}", name=called, value=value, most=most)
 
 

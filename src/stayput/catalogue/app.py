@@ -113,6 +113,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "duration": ("The motion's duration [s]", "揺れの長さ [s]"),
     "samples": ("The number of samples", "データの数"),
+    "entries": ("The number of entries of {name}", "{name}の件数"),
     "reading_died": (
         "Reading the file needs too much, and was ended; it must be a record in one of the known formats.",
         "ファイルを読み込めないため、中止しました。",

@@ -22,8 +22,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "フォルダー{folder}に書き込めませんでした：{reason}{at}。同じコマンドで続きから再開できます。",
     ),
     "at_path": (" (at {path})", "（{path}）"),
-    "file_ending": ("a file that ends in {endings}", "拡張子が{endings}のファイル"),
-    "encoding": ("a text in UTF-8, cp932 or UTF-16", "UTF-8、cp932、UTF-16のいずれかの文字列"),
+    "file_ending": (
+        "a file that ends in {endings} (a spreadsheet can save any other table as one)",
+        "拡張子が{endings}のファイル（表計算ソフトで保存し直せます）",
+    ),
+    "encoding": (
+        "a text in UTF-8, cp932 (Shift_JIS) or UTF-16 (Excel saves CSV UTF-8)",
+        "UTF-8、cp932（Shift_JIS）、BOM付きUTF-16のいずれかのテキスト（Excelでは「CSV UTF-8」）",
+    ),
     "first_row": (
         "The first row of the inventory must name the columns: {reason}.",
         "家具一覧の1行目に列名がありません：{reason}。",
