@@ -58,6 +58,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "dimensions": ("Dimensions", "次元（dimensions）"),
     "coulomb_in_space": ("'coulomb' in space", "三次元では'coulomb'"),
     "of_a_body": ("for what is no lone Body made by its section", "断面で作った単独のBody以外"),
+    "room_of_a_scene": ("beside a Scene, which has its own", "部屋を含むScene"),
     # Quick estimates
     "tie_height": ("Height of the tie", "取付け高さ"),
     "peak_acceleration": ("Peak acceleration", "最大加速度"),
