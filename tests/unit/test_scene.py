@@ -75,7 +75,7 @@ def test_a_scene_in_python_runs_as_its_file() -> None:
 @pytest.mark.parametrize(
     ("scene", "told"),
     [
-        ({"pieces": PIECES}, "against is 'far_side_wall' where there is no plan"),
+        ({"pieces": PIECES}, "against is given without a [plan]; it must be left out"),
         ({"pieces": PIECES[::-1], "plan": PLAN}, "on is 'bookcase', which names no piece"),
         ({"pieces": [PIECES[0], replace(PIECES[1], at=(0.5, 0.0, 0.0))], "plan": PLAN}, "must be a place on"),
         ({"pieces": [sp.Piece(BOX, against="left_wall")], "plan": PLAN}, "along is missing"),
@@ -98,7 +98,7 @@ def test_what_is_wrong_is_refused(scene: dict, told: str) -> None:
 
 def test_a_scene_has_its_room_and_a_body_needs_one() -> None:
     scene = sp.Scene([sp.Piece(BOX)])
-    with pytest.raises(sp.InputError, match="room is given beside a scene"):
+    with pytest.raises(sp.InputError, match="room is given beside a Scene"):
         sp.simulate(scene, sp.Room(), SHAKING)  # pyright: ignore[reportCallIssue, reportArgumentType]
     with pytest.raises(sp.InputError, match="measures"):
         sp.simulate(scene, SHAKING, measures=[sp.MEASURES["belt"]()])  # pyright: ignore[reportCallIssue]
