@@ -42,7 +42,7 @@ def test_one_item_of_a_list() -> None:
         ({"joints[5].strength": [1.0]}, "is no key of the file"),
         ({"title.x": [1.0]}, "is no key of the file"),
         ({"shaking.scale": ["x"]}, "must be a number"),
-        ({"shaking.scale": []}, "has no values"),
+        ({"shaking.scale": []}, "is empty"),
         ({"shaking.scale": 1.0}, "must be a list"),
     ],
 )

@@ -39,7 +39,7 @@ CONTRADICTIONS = [
         ({"kind": "book"}, "did you mean 'books'"),
         ({"doors": "glass"}, "Doors is 'glass'"),
         ({"doors": "hinged", "drawers": "free"}, "not both"),
-        ({"loads": ()}, "at least one shelf"),
+        ({"loads": ()}, "is empty"),
         ({"loads": (10.0, -1.0)}, "load of a shelf is -1"),
         ({"lip": -0.1}, "lip height is -0.1"),
         ({"shelves": 0}, "number of shelves is 0"),

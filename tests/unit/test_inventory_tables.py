@@ -77,7 +77,7 @@ REFUSED = {
     "unit that is none of a size": ("id,preset,Mass (cm)\np,chest,40\n", "no unit that is known for it"),
     "endless cell": ("id,preset\np," + "c" * (2**24 + 1) + "\n", "within 16,777,216 characters"),
     "misspelt": ("id,presett\np,chest\n", "did you mean 'preset'"),
-    "column twice": ("id,preset,preset\np,chest,chest\n", "there twice"),
+    "column twice": ("id,preset,preset\np,chest,chest\n", "given twice"),
     "empty": ("", "it is empty"),
     "only a header": ("id,preset\n", "a row below its header"),
     "open quote": ('id,preset\np,"chest\nq,chest\n', "row 2 of the inventory .line 2. a quote opens"),

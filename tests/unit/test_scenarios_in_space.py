@@ -122,7 +122,7 @@ def test_side_walls_of_scenarios_and_of_the_command_line() -> None:
     assert {"near_side_wall", "far_side_wall"} <= {hit["on"] for hit in printed["hits"]}
     found = cli("simulate", "--set", "room.near_side_wall.gap=0.1")
     assert found.exit_code == 2
-    assert "room.near_side_wall is a wall at the side" in found.output
+    assert "for a wall at the side, room.near_side_wall" in found.output
 
 
 def test_side_walls_are_refused_in_the_plane() -> None:
@@ -136,7 +136,7 @@ def test_side_walls_are_refused_in_the_plane() -> None:
         lambda: sp.sweep(case, {"room.far_side_wall": [None, sp.Wall(0.1)]}),
     )
     for attempt in attempts:
-        with pytest.raises(sp.InputError, match=r"side_wall is a wall at the side .* must be 3"):
+        with pytest.raises(sp.InputError, match=r"must be 3 for a wall at the side, .*side_wall"):
             attempt()
 
 

@@ -130,7 +130,7 @@ def test_the_plot_is_written_with_and_without_a_target(tmp_path, small):
 @pytest.mark.parametrize(
     ("call", "told"),
     [
-        (lambda: Suite(()), "no motions"),
+        (lambda: Suite(()), "motions is empty"),
         (lambda: Suite((1.0,)), "of type Motion"),
         (lambda: synthetic_suite("tsunami"), "near-fault"),
         (lambda: synthetic_motion("mixed"), "crustal"),

@@ -197,7 +197,7 @@ def test_histories_are_those_of_single_runs_and_nan_after_the_end():
         ({("body.width",): ([0.3],), "body.width": [0.4]}, "given twice"),
         ({"body": [sp.Body(1, 1, 100.0)], "body.width": [0.4]}, "given twice"),
         ({("body.width", "body.width"): ([0.3], [0.4])}, "given twice"),
-        ({"motion": []}, "has no values"),
+        ({"motion": []}, "is empty"),
         ({"motion": [3]}, "of type Motion"),
         ({"room.right_wall": ["brick"]}, "of type Wall"),
         ({"contact": ["glue"]}, "'glue'"),
@@ -223,7 +223,7 @@ def test_histories_that_are_refused():
         sp.sweep(CASE, {"motion.scale": [1.0]}, histories=("tlit",))
     with pytest.raises(sp.InputError, match="one time step"):
         sp.sweep(CASE, {"motion": [PULSE, sp.sine(1, 1, 1, dt=0.002)]}, histories=("tilt",))
-    with pytest.raises(sp.InputError, match="numbers; they must be no more"):
+    with pytest.raises(sp.InputError, match="numbers; it must have at most"):
         sp.sweep(CASE, {"motion.scale": np.linspace(0, 1, 10**6)}, histories=("tilt",))
 
 
