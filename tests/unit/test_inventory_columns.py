@@ -93,7 +93,7 @@ def test_an_amount_with_its_sign_goes_with_decimal_commas(tmp_path):
     text = "id;preset;value\n" + "".join(f"{n};chest;{amount}\n" for n, amount in enumerate(amounts))
     rows, rejects, *_ = read(tmp_path, text)
     assert [row["value"] for row in rows] == [1200.5, 1200.5, 12.5, 45.0]
-    assert ["whose mark may be" in row["reason"] for row in rejects] == [True, True, False]
+    assert ["may be of decimals" in row["reason"] for row in rejects] == [True, True, False]
     assert "value is '$2,000'" in rejects[0]["reason"]
 
 
@@ -220,7 +220,7 @@ def test_a_cell_without_a_unit_among_those_that_have_one_is_refused(tmp_path):
     table = "品名,奥行,高さ,重量\n" + "棚,45cm,1.8m,80kg\n" * ROWS_LOOKED_AT
     _, (rejected,), _, _ = read(tmp_path, table + "机,0.45,1.8m,80kg\n")
     assert rejected["reason"] == (
-        "Column '奥行': width is '0.45'; it must have a unit, as the other cells of its column have."
+        "Column '奥行': width is '0.45'; it must be a number with a unit, as in its column."
     )
     sample = [["棚", "45cm", "1.8m", "80kg"], ["机", "45", "1.8m", "80kg"]]
     with pytest.raises(sp.InputError, match=re.escape('"width=奥行[?]"')):
@@ -304,7 +304,7 @@ def test_a_comma_may_be_in_the_name_of_a_column():
         ("width=奥行[mm],width=高さ", "given twice"),
         ({"width": 3}, "must be such as width="),
         ({"width": ["奥行", "高さ"]}, "must be such as width="),
-        ("none.json", "could not be read"),
+        ("none.json", "cannot be read"),
     ],
 )
 def test_a_wrong_mapping_is_refused(tmp_path, columns, reason):

@@ -427,7 +427,7 @@ def test_a_map_tells_one_thing(tmp_path, header):
 @pytest.mark.parametrize(
     ("header", "row", "told"),
     [
-        ("sa_20", "35,135,1", "the period 20 s; it must be 0.01 to 10 s"),
+        ("sa_20", "35,135,1", "is 20 s; it must be between 0.01 and 10 s"),
         ("sa_0.3", "35,135,40", "sa_0.3 in row 2 of the shake map is 40 g; it must be between"),
         ("sa_0.3", "35,135,0", "sa_0.3 in row 2 of the shake map is 0 g"),
         ("sa_0.3", "35,135,nan", "is nan; it must be a finite number"),

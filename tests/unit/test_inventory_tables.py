@@ -128,7 +128,7 @@ def test_a_file_of_another_kind_is_refused(tmp_path, suffix):
 def test_other_names_are_refused(tmp_path):
     file = tmp_path / "inventory.ods"
     file.write_bytes(b"")
-    with pytest.raises(sp.InputError, match="must end in"):
+    with pytest.raises(sp.InputError, match="that ends in"):
         assess(file, city(tmp_path), tmp_path / "out", progress=False)
 
 

@@ -7,6 +7,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # the call
     "memory": ("Memory", "メモリ"),
+    "the": ("The {what}", "{what}"),
     "the_uncertainty": ("The uncertainty of the shake map", "地震動マップの不確かさ"),
     "the_map": ("The shake map", "地震動マップ"),
     "the_file": ("The inventory", "家具一覧"),
@@ -80,7 +81,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must be a plain number{unit}{hint}.",
         "{name}が{value}になっています。数値だけ{unit}にしてください{hint}。",
     ),
-    "comma": ("written without its point or comma, which is unclear", "点やコンマのない数値（小数点か不明）"),
+    "comma": (
+        "written without its point or comma, which may be of decimals or of thousands",
+        "点やコンマのない数値（小数点か桁区切りか分かりません）",
+    ),
     "cell_without_unit": ("a number with a unit, as in its column", "同じ列と同様に単位のある数値"),
     "decimal_comma": (
         " (a comma is a decimal one where semicolons stand between the columns)",

@@ -30,7 +30,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{few}～{many}文字の文字列（制御文字を除く）",
     ),
     # Keys that do not go together
-    "no_preset": ("given where no preset is", "presetを使わない場合は数値"),
+    "no_preset": (
+        "{name} is missing; it must be given where no {preset} is.",
+        "{name}がありません。{preset}を使わない場合は必要です。",
+    ),
     "one_shape": (
         (
             "The piece {name!r} needs one shape: preset; width, length and height; diameter and height; "

@@ -252,7 +252,9 @@ def memory_of(value: float | str) -> int:
 def _digest(name: str, path: Path) -> str:
     try:
         if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
-            raise not_allowed(_called(name), repr(str(path)), "inventory.not_a_file")
+            raise not_allowed(
+                phrase("inventory.the", what=_called(name)), repr(str(path)), "inventory.not_a_file"
+            )
         return digest_of(path)
     except OSError as error:
         raise InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error)) from None

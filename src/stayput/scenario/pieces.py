@@ -116,7 +116,7 @@ class PieceTable(ValueTable):
             raise InputError("scenario.one_shape", "furniture", name=self.title)
         for key in () if self.preset else ("width", "height", "mass"):
             if getattr(self, key) is None and (self.is_furniture or key == "mass"):
-                raise InputError("scenario.missing", f"furniture.{key}", allowed=phrase("scenario.no_preset"))
+                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
         if not self.is_furniture:
             return
         for key in ("cg_offset", "inertia") if self.shelves else ():
