@@ -304,7 +304,7 @@ def test_a_room_in_which_nothing_does_harm_needs_nothing():
 
 @pytest.mark.parametrize(
     ("flags", "told"),
-    [(["--tatami"], "must come with it"), (["--plan", "card.html"], "must be the file of a room")],
+    [(["--tatami"], "give both"), (["--plan", "card.html"], "is given without a [plan]")],
 )
 def test_the_command_line_refuses_a_plan_of_no_room(tmp_path: Path, flags: list[str], told: str):
     file = tmp_path / "piece.toml"

@@ -86,8 +86,8 @@ def test_without_ffmpeg_an_mp4_is_refused_in_a_sentence(tmp_path: Path, monkeypa
             for kind in ("plane", "space")
             for name, options, message in (
                 ("a.html", {"language": "fr"}, "language is 'fr'"),
-                ("a.avi", {}, "must end in .gif, .mp4, .html"),
-                ("nowhere/a.gif", {}, "its folder must exist"),
+                ("a.avi", {}, "ends in .gif, .mp4, .html"),
+                ("nowhere/a.gif", {}, "in a folder that exists"),
                 ("a.gif", {"fps": 0.0}, "fps is 0"),
                 ("a.gif", {"speed": math.nan}, "speed is nan"),
                 ("a.gif", {"width": 10}, "width is 10"),

@@ -223,7 +223,7 @@ def test_command_writes_and_says_the_same(tmp_path):
     [
         (("info", "near-fault", "--building", "10,brick"), "one of 'RC'"),
         (("info", "near-fault", "--building", 10, "--storey", 99), "between 1 and 11, the roof"),
-        (("convert", "near-fault", "-", "--building", 10), "it needs both"),
+        (("convert", "near-fault", "-", "--building", 10), "give both"),
         (("plot", "near-fault", "floor.txt", "--building", 10), ".png"),
         (("plot", "near-fault", "floor.png", "--building", 10, "--spectra", 99), "from 1 to 10"),
         (("plot", "near-fault", "floor.png", "--building", 10, "--spectra", "a"), "written like 3,8"),

@@ -50,7 +50,7 @@ def test_names_that_are_plain_already_stay():
     names = ["l_bracket", "tension_pole + wedge_stopper", "no measure"]
     assert plain_names(names) == ["l_bracket", "tension_pole_and_wedge_stopper", "no_measure"]
     for refused in (["a", "a"], [""]):
-        with pytest.raises(InputError, match="differs from the others"):
+        with pytest.raises(InputError, match="a name of its own"):
             plain_names(refused)
 
 

@@ -177,7 +177,7 @@ def test_traces_become_components_with_the_unit_given_and_no_calibration():
 @pytest.mark.parametrize(
     ("traces", "message"),
     [
-        ([], "no traces"),
+        ([], "is empty"),
         ([_Trace(NOISE, "HNE"), _Trace(NOISE, "HNE")], "in several parts"),
         ([_Trace(NOISE, "HNE"), _Trace(NOISE, "HNN", start=1.0)], "starts 1 s after"),
         ([_Trace(NOISE, "HNE"), _Trace(NOISE, "HNN", delta=0.02)], "must be that of x"),

@@ -364,7 +364,7 @@ def test_a_verdict_of_one_record_is_not_of_earthquakes(tmp_path: Path):
     assert "The chance that somebody is hit falls from " in best
     assert "the bookcase 2" not in best
     report = alone.report(tmp_path / "room.html").read_text("utf-8")
-    assert "other earthquakes of this strength" not in report
+    assert "other such earthquakes" not in report
     assert "1 motions" not in report
 
 

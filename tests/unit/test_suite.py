@@ -145,7 +145,7 @@ def test_the_plot_is_written_with_and_without_a_target(tmp_path, small):
         (lambda: Suite((sine(0.0, 1.0),)).to_spectrum(FLAT), "still"),
         (lambda: Suite((sine(0.0, 1.0),)).matched(FLAT), "still"),
         (lambda: read_suite("nowhere"), "nowhere"),
-        (lambda: read_suite([]), "no files"),
+        (lambda: read_suite([]), "is empty"),
         (lambda: read_suite(["nowhere.csv"]), "nowhere.csv"),
     ],
 )
@@ -155,7 +155,7 @@ def test_nonsense_is_refused_with_a_sentence(call, told):
 
 
 def test_an_empty_folder_is_refused(tmp_path):
-    with pytest.raises(InputError, match="no files"):
+    with pytest.raises(InputError, match="is empty"):
         read_suite(tmp_path)
 
 

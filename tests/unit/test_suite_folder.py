@@ -159,7 +159,7 @@ def test_a_list_of_files_is_a_motion_a_file(peer):
 def test_a_folder_of_velocities_alone_has_no_record(peer):
     for file in peer.glob("*.AT2"):
         file.unlink()
-    with pytest.raises(sp.InputError, match="'peer' has no files"):
+    with pytest.raises(sp.InputError, match="'peer' is empty"):
         read(peer)
 
 

@@ -205,6 +205,6 @@ def test_a_report_is_written_whole_or_refused(tmp_path):
     assert file.read_text(encoding="utf-8") == report_html(verdict, "ja")
     with pytest.raises(sp.InputError, match=r"The language is 'fr'; it must be one of 'en', 'ja'\."):
         write_report(verdict, tmp_path / "s.html", "fr")
-    with pytest.raises(sp.InputError, match=r"must end in \.html"):
+    with pytest.raises(sp.InputError, match=r"ends in \.html"):
         write_report(verdict, tmp_path / "s.txt")
     assert [path.name for path in tmp_path.iterdir()] == ["r.html"]

@@ -61,5 +61,5 @@ def test_at2_holds_one_component(tmp_path):
 
 
 def test_unknown_ending(tmp_path):
-    with pytest.raises(InputError, match=r"must end in \.csv, \.at2"):
+    with pytest.raises(InputError, match=r"ends in \.csv, \.at2"):
         near_fault().write(tmp_path / "a.xlsx")

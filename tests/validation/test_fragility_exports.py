@@ -273,7 +273,7 @@ def test_refused(tmp_path: Path) -> None:
         ):
             with pytest.raises(InputError, match=said):
                 write(curves, path)
-        with pytest.raises(InputError, match="must end in"):
+        with pytest.raises(InputError, match="ends in"):
             write([CURVES[0]], tmp_path / "a.txt")
     with pytest.raises(InputError, match="PFA"):
         write_nrml(FLOORS, tmp_path / "a.xml")

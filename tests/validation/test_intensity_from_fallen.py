@@ -92,7 +92,7 @@ def test_from_bodies_to_the_estimate(runs):
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: sp.intensity_from_fallen([]), "no pieces"),
+        (lambda: sp.intensity_from_fallen([]), "pieces is empty"),
         (lambda: sp.Fallen(STONES[0], 5, 4), "that fell"),
         (lambda: sp.Fallen(STONES[0], 0, 0), "Number of pieces"),
         (lambda: sp.Fallen(STONES[0], 1.5, 4), "whole"),
