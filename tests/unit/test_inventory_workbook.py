@@ -95,7 +95,11 @@ def test_texts_have_no_readings_rows_may_be_left_out_and_the_stated_size_be_wron
 DAMAGED = {
     "a row far below": (SHEET, sheet('<row r="99999999"/>'), "beyond 1048576"),
     "no such text": (SHEET, sheet('<row r="1"><c t="s"><v>9</v></c></row>'), "cannot be read"),
-    "a number of 5000 digits": (SHEET, sheet(f'<row r="1"><c><v>{"9" * 5000}x</v></c></row>'), "cannot be read"),
+    "a number of 5000 digits": (
+        SHEET,
+        sheet(f'<row r="1"><c><v>{"9" * 5000}x</v></c></row>'),
+        "cannot be read",
+    ),
     "no sheet": ("xl/workbook.xml", "<a/>", "it must be a file of Excel"),
 }
 
