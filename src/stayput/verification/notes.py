@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
-    from stayput.verification.options import Option
+    from stayput.scenario.option import Option
     from stayput.verification.verdict import Verdict
 
 
@@ -174,7 +174,8 @@ def notes(verdict: Verdict) -> tuple[Phrase, ...]:
     verdict : Verdict
         The verdict.
     """
-    return *shaken_notes(verdict, verdict.best.option), everyday_note(verdict)
+    everyday = (everyday_note(verdict),) if verdict.scenario.alone else ()
+    return *shaken_notes(verdict, verdict.best.option), *everyday
 
 
 def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
@@ -192,6 +193,8 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
         yield phrase("verification.strength", strength=strength.told(verdict.motions))
     if verdict.floor:
         yield phrase("verification.of_a_floor", floor=floor_phrase(verdict.floor))
+    if not verdict.scenario.alone:
+        return
     yield from _estimate(verdict)
     yield from _field(verdict)
     yield _grade(graded, verdict)
@@ -231,6 +234,7 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
 
 
 def _estimate(verdict: Verdict) -> Iterator[Phrase]:
+    assert verdict.estimates is not None
     formula = verdict.estimates.overturning_ratio
     simulated = verdict.without.probabilities[OVERTURNED].estimate
     if not abs(formula - simulated) > APART:  # nor where the simulation has no result
