@@ -178,41 +178,17 @@ class Building(ShakenFloors):
     [7.3, 7.5, 10.7]
     """
 
-    storeys: int = parameter(
-        10, "", 1, MOST_STOREYS - 1, ("Number of storeys", "建物の階数"), "Number of storeys."
-    )
+    storeys: int = parameter(10, "", 1, MOST_STOREYS - 1, ("Number of storeys", "建物の階数"))
     structure: str = "RC"
-    period: float | None = parameter(
-        None,
-        "s",
-        0.02,
-        20.0,
-        ("Building period", "建物の固有周期"),
-        "First natural period; default by height.",
-    )
-    damping: float | None = parameter(
-        None, *_DAMPING, "Damping ratio of every mode; default the structure's."
-    )
-    storey_height: float | None = parameter(
-        None,
-        "m",
-        1.5,
-        20.0,
-        ("Building storey_height", "建物の階高"),
-        f"Height of a storey; default {STOREY_HEIGHT:g} m.",
-    )
+    period: float | None = parameter(None, "s", 0.02, 20.0, ("Building period", "建物の固有周期"))
+    damping: float | None = parameter(None, *_DAMPING)
+    storey_height: float | None = parameter(None, "m", 1.5, 20.0, ("Building storey_height", "建物の階高"))
     nonlinear: bool = True
-    yield_coefficient: float | None = parameter(
-        None, *_YIELD, "Shear coefficient of the lowest storey at yielding."
-    )
-    post_yield: float | None = parameter(None, *_POST_YIELD, "Stiffness after yielding over that before it.")
+    yield_coefficient: float | None = parameter(None, *_YIELD)
+    post_yield: float | None = parameter(None, *_POST_YIELD)
     isolation: Isolation = field(default_factory=Isolation)
     vertical_amplification: float = parameter(
-        1.0,
-        "",
-        *AMPLIFICATION_RANGE,
-        ("Building vertical_amplification", "建物の上下動の増幅率"),
-        "Factor on the vertical motion at the roof, growing linearly from 1.",
+        1.0, "", *AMPLIFICATION_RANGE, ("Building vertical_amplification", "建物の上下動の増幅率")
     )
 
     def __repr__(self) -> str:
