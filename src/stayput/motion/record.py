@@ -277,12 +277,10 @@ class Motion:
         InputError
             Another history, or a component that is not there.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.plot import draw_motion
 
-        axis = axes_of(ax)
-        draw_motion(axis, self, what, component, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_motion, self, what, component, check_language(language), **line)
 
     def figure(self, title: str = "", *, language: str = "en") -> Figure:
         """Return a figure with acceleration, velocity and displacement of every component."""

@@ -99,12 +99,10 @@ class ResponseSpectrum:
         InputError
             Another response.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.spectra import draw_spectrum
 
-        axis = axes_of(ax)
-        draw_spectrum(axis, self, what, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_spectrum, self, what, check_language(language), **line)
 
     @property
     def psv(self) -> NDArray[np.float64]:

@@ -277,12 +277,10 @@ class Suite(Sequence[Motion]):
         InputError
             Something else to draw, or a component that is not there.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.spectra import draw_suite
 
-        axis = axes_of(ax)
-        draw_suite(axis, self, what, target, component, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_suite, self, what, target, component, check_language(language), **line)
 
     def figure(
         self,
