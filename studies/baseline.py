@@ -23,7 +23,8 @@ from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level, run_levels
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.suites import Suite, synthetic_suite
+from stayput.motion.suites.suite import Suite
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.palette import INK
 from stayput.scenario.tables import BuildingTable
 from stayput.uncertainty import USUAL

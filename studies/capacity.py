@@ -22,7 +22,9 @@ from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
 from stayput.model.state import State
-from stayput.motion.suites import Suite, TargetSpectrum, synthetic_suite
+from stayput.motion.suites.suite import Suite
+from stayput.motion.suites.synthesis import synthetic_suite
+from stayput.motion.suites.target import TargetSpectrum
 from stayput.report.figures import plain_log
 from stayput.report.palette import INK, MUTED
 from stayput.simulation.many import run_columns

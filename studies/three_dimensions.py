@@ -22,7 +22,8 @@ from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.suites import Suite, synthetic_suite
+from stayput.motion.suites.suite import Suite
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import Outcome
 from stayput.uncertainty import USUAL

@@ -8,7 +8,7 @@ import stayput as sp
 from stayput.fragility import INTENSITY_MEASURES, Trials, difference, fragility_curve, probability
 from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
-from stayput.standards import equipment_loads
+from stayput.standards.equipment import equipment_loads
 from stayput.verification.notes import Ac156Estimate, Estimates, SlidingShare
 from stayput.verification.options import Option
 from stayput.verification.verdict import DeviceSummary, OptionVerdict, Verdict

@@ -5,12 +5,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} has no kind or no label; a measure's kind must be a text, its label two: English and Japanese.",
         "自作の対策{name}に、種類（kind）または名称（label）がありません。kindは文字列、labelは英語と日本語の2つの文字列にしてください。",
     ),
-    "parameter": ("“{measure}” {name}", "「{measure}」の{name}"),
-    "wrong_word": (
-        "{name} is {value}; it must be {words}.",
-        "{name}が{value}になっています。次のいずれかにしてください：{words}",
-    ),
-    "or": (" or ", "、"),
     "twice": (
         "{measure} is given twice, both {place}; only one of them can be there.",
         "「{measure}」が2回指定されています。同じ場所（{place}）に使えるのは1つだけです。",

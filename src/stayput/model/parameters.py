@@ -14,7 +14,8 @@ from dataclasses import MISSING, dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack, cast
 
-from stayput.errors import InputError, whole_within, within
+from stayput.catalogue import phrase
+from stayput.errors import whole_within, within, word_of
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
@@ -204,13 +205,9 @@ def parameter_of(of: Any, name: str) -> Parameter:
     return next(about for about in parameters(of) if about.name == name)
 
 
-def not_one_of(about: Parameter, value: object, place: str = "") -> InputError:
-    """Return the refusal of a word that is none of a field's choices; see `check_fields`."""
-    name, known = place + about.name, ", ".join(about.choices)
-    return InputError("common.not_one_of", name, name=about.label, value=repr(value), hint="", known=known)
-
-
-def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> None:
+def check_fields(
+    value: Any, *, but: Collection[str] = (), place: str = "", owner: Phrase | None = None
+) -> None:
     """Refuse a dataclass's value with a number out of its range, or a word that is none of its choices.
 
     Parameters
@@ -221,6 +218,8 @@ def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> N
         Fields that the class checks by itself: lists, and what other fields bound more narrowly.
     place : str
         What the fields' names begin with in the input, such as "isolation.".
+    owner : Phrase, optional
+        What a sentence calls the value, where its fields alone do not tell which one it is.
 
     Raises
     ------
@@ -228,13 +227,13 @@ def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> N
         The first that is.
     """
     for about in parameters(value):
-        number = getattr(value, about.name)
+        number, called, field = getattr(value, about.name), about.label, place + about.name
+        if owner is not None:
+            called = phrase("model.field_of", owner=owner, name=(about.name, about.label[1]))
         if about.choices:
-            if number not in about.choices:
-                raise not_one_of(about, number, place)
-            continue
-        if about.name not in but and not (number is None and about.default is None):
-            about.check(number, field=place + about.name)
+            word_of(called, number, about.choices, field)
+        elif about.name not in but and not (number is None and about.default is None):
+            about.check(number, called=called, field=field)
             if number is not None and hasattr(number, "dtype"):  # out of an array: kept as Python's own
                 object.__setattr__(value, about.name, number.item())
 

@@ -14,7 +14,7 @@ from stayput.errors import InputError, finite, instance_of, shown, visible, whol
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.baseline import check_baseline, checked_record
-from stayput.motion.channels import Listing, common_length, motion_fields, warn_of_vertical
+from stayput.motion.channels import Listing, check_horizontal, common_length, motion_fields
 from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
 from stayput.motion.one_record import check_one_record
@@ -489,6 +489,6 @@ class Motion:
             that is gravity.
         """
         channels = channels_of_traces(traces, unit, name, location)
-        warn_of_vertical(channels, component)
+        check_horizontal(channels, component, refuse=False)
         motion = cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))
         return checked_record(motion, remove_mean=remove_mean)

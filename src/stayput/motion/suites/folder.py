@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
-from stayput.motion.channels import is_vertical, labels_phrase, plain_origin, refuse_vertical
+from stayput.motion.channels import is_vertical, labels_phrase, plain_origin
 from stayput.motion.readers import along, motion_of, read_file
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def _motion(files: Sequence[ReadFile], component: str | None) -> Motion:
     with naming(files[0].path):
         if component is None and len(files) > 1:
             return motion_of(files, first_horizontal)
-        return motion_of(files, along(component, refuse_vertical))
+        return motion_of(files, along(component))
 
 
 def _listed(kind: str, names: Sequence[str]) -> Phrase:

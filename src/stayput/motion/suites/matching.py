@@ -18,6 +18,7 @@ from stayput.errors import InputError, excerpt
 from stayput.execution import Pool
 from stayput.motion.processing import ending_at_rest, fft_length
 from stayput.motion.record import COMPONENTS, Motion
+from stayput.motion.response import spectrum_of_samples
 from stayput.motion.suites.ground_motion import cosine_taper
 from stayput.motion.suites.target import band_periods
 from stayput.progress import bar
@@ -75,50 +76,14 @@ class _FilteredComponent:
         self, periods: NDArray[np.float64], log_gain: NDArray[np.float64], damping: float
     ) -> NDArray[np.float64]:
         """Return ln Sa at periods, with the gains exp(log_gain) there, shape (m,)."""
-        from stayput.motion.oscillator import RESPONSES, peak_responses  # Numba takes its time to load
-
-        peaks = np.empty((len(periods), RESPONSES))
-        peak_responses(self.changed(periods, log_gain), self.dt, periods, damping, peaks)
-        return np.log(np.maximum(peaks[:, 2], 1e-12))
+        spectrum = spectrum_of_samples(self.changed(periods, log_gain), self.dt, periods, damping)
+        return np.log(np.maximum(spectrum.sa, 1e-12))
 
 
 def vertical_ratio(periods: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the ratio of the vertical target to the horizontal one at periods [s], shape of them."""
     at, ratio = zip(*VERTICAL, strict=True)
     return np.exp(np.interp(np.log(periods), np.log(at), np.log(ratio)))
-
-
-def _gains(
-    parts: Sequence[_FilteredComponent],
-    wanted: NDArray[np.float64],
-    damping: float,
-    periods: NDArray[np.float64],
-    threads: int | None,
-) -> NDArray[np.float64]:
-    """Return the log gains with which the geometric mean of components has ln Sa as wanted, shape (m,)."""
-    gain = np.zeros(len(periods))
-    best, least = gain, np.inf
-    with Pool(threads) as pool:
-        for _ in range(ITERATIONS):
-            rows = list(pool.in_order(partial(part.log_sa, periods, gain, damping) for part in parts))
-            misfit = wanted - sum(rows) / len(rows)
-            error = float(np.mean(np.abs(misfit)))
-            if error < least:
-                best, least = gain, error
-            gain = gain + RELAXATION * misfit
-    return best
-
-
-def _with_gains(
-    motion: Motion,
-    parts: dict[str, _FilteredComponent],
-    gains: dict[str, NDArray[np.float64]],
-    periods: NDArray[np.float64],
-    note: str,
-) -> Motion:
-    changed: dict[str, Any] = {name: part.changed(periods, gains[name]) for name, part in parts.items()}
-    source = f"{motion.source}; {note}" if motion.source else note
-    return replace(motion, **changed, synthetic=True, source=source)
 
 
 def matched(
@@ -172,19 +137,18 @@ def matched(
         {name: _FilteredComponent(a, motion.dt, band[1]) for name, a in motion.components.items()}
         for motion in motions
     ]
-    if together:
-        shared = _suite_gains(filtered, target, periods, threads)
-        return [
-            _with_gains(m, parts, shared, periods, note) for m, parts in zip(motions, filtered, strict=True)
-        ]
+    shared = _suite_gains(filtered, target, periods, threads) if together else None
 
-    def match_alone(motion: Motion, parts: dict[str, _FilteredComponent]) -> Motion:
-        return _with_gains(motion, parts, _suite_gains([parts], target, periods, 1), periods, note)
+    def match(motion: Motion, parts: dict[str, _FilteredComponent]) -> Motion:
+        gains = _suite_gains([parts], target, periods, 1) if shared is None else shared
+        changed: dict[str, Any] = {name: part.changed(periods, gains[name]) for name, part in parts.items()}
+        source = f"{motion.source}; {note}" if motion.source else note
+        return replace(motion, **changed, synthetic=True, source=source)
 
     results: list[Motion] = []
     with Pool(threads) as pool, bar(len(motions), "progress.matching", unit="progress.motions") as done:
         pairs = zip(motions, filtered, strict=True)
-        for motion in pool.in_order(partial(match_alone, *pair) for pair in pairs):
+        for motion in pool.in_order(partial(match, *pair) for pair in pairs):
             results.append(motion)
             done(1)
     return results
@@ -196,12 +160,23 @@ def _suite_gains(
     periods: NDArray[np.float64],
     threads: int | None,
 ) -> dict[str, NDArray[np.float64]]:
-    """Return the log gains of each component that is there."""
-    wanted = np.log(target(periods))
+    """Return the log gains with which the geometric mean of each component that is there meets the target."""
     gains: dict[str, NDArray[np.float64]] = {}
     for name in COMPONENTS:
         parts = [components[name] for components in filtered if name in components]
-        if parts:
-            log_sa = wanted + np.log(vertical_ratio(periods)) if name == "z" else wanted
-            gains[name] = _gains(parts, log_sa, target.damping, periods, threads)
+        if not parts:
+            continue
+        wanted = np.log(target(periods))
+        if name == "z":
+            wanted += np.log(vertical_ratio(periods))
+        gain = gains[name] = np.zeros(len(periods))
+        least = np.inf
+        with Pool(threads) as pool:
+            for _ in range(ITERATIONS):
+                calls = (partial(part.log_sa, periods, gain, target.damping) for part in parts)
+                misfit = wanted - sum(pool.in_order(calls)) / len(parts)
+                error = float(np.mean(np.abs(misfit)))
+                if error < least:
+                    gains[name], least = gain, error
+                gain = gain + RELAXATION * misfit
     return gains

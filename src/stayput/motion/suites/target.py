@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,7 +14,7 @@ from stayput.errors import InputError, instance_of, list_of, numbers, whole_with
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.processing import LARGEST_ACCELERATION
-from stayput.motion.readers.text import file_text
+from stayput.motion.readers.text import file_text, rows_of
 from stayput.motion.response import DAMPING, PERIOD_RANGE, checked_periods
 from stayput.motion.units import unit_factor
 
@@ -258,20 +259,13 @@ def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum
     [7.85, 5.88, 2.94]
     """
     text, factor, name = file_text(path), unit_factor(unit), Path(path).name
-    rows: list[list[float]] = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        words = line.replace(",", " ").replace(";", " ").split()
-        if not words or words[0].startswith("#"):
-            continue
-        try:
-            row = [float(word) for word in words]
-        except ValueError:
-            row = []
-        if len(row) != 2:
-            raise InputError("motion.target_line", file=name, number=number, line=line[:40], unit=unit)
-        rows.append(row)
-    table = np.array(rows, np.float64).reshape(-1, 2)
+
+    def values_of(line: str) -> list[str] | None:
+        words = re.split(r"[\s,;]+", line.strip())
+        return None if not words[0] or words[0].startswith("#") else words
+
     try:
+        table = rows_of(text, 0, 2, values_of)
         return TargetSpectrum(table[:, 0], factor * table[:, 1], name)
     except InputError as error:
         raise error.at(name) from None
