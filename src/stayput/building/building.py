@@ -21,7 +21,7 @@ from stayput.building.modes import (
 from stayput.errors import InputError, instance_of
 from stayput.model.parameters import STANDARD_GRAVITY, check_fields, parameter, quantity
 from stayput.vocabulary import preset_meant
-from stayput.wording import brief
+from stayput.wording import Brief
 
 _DAMPING = ("", 0.0, 0.5, ("Building damping", "建物の減衰定数"))
 _YIELD = ("", 1e-3, 10.0, ("Building yield_coefficient", "建物の降伏せん断力係数"))
@@ -130,7 +130,7 @@ class Isolation:
 
 
 @dataclass(frozen=True, repr=False)
-class Building(ShakenFloors):
+class Building(ShakenFloors, Brief):
     """A regular building: storeys of one height and one mass, stiffnesses from the Ai distribution.
 
     Furniture of storey 1 stands on the ground (of a base-isolated building: on the slab above the
@@ -190,9 +190,6 @@ class Building(ShakenFloors):
     vertical_amplification: float = parameter(
         1.0, "", *AMPLIFICATION_RANGE, ("Building vertical_amplification", "建物の上下動の増幅率")
     )
-
-    def __repr__(self) -> str:
-        return brief(self)
 
     def __post_init__(self) -> None:
         structure = preset_meant("structure", "building.structure", self.structure, STRUCTURES, "structure")

@@ -117,10 +117,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{measure} do not stick to carpet or tatami; the floor must be hard and smooth.",
         "「{measure}」はカーペットや畳には粘着しません。硬く平らな床で使ってください。",
     ),
-    "setback": (
-        "“{measure}” setback is {setback:g} m; it must be at most the width, {width:g} m.",
-        "「{measure}」の背面からの距離は{setback:g} mです。家具の奥行き（{width:g} m）以下にしてください。",
-    ),
     "anchor": (
         (
             "“{measure}” angle is {angle:.3g} rad, which puts its anchor at {height:.3g} m; "
@@ -135,10 +131,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "length": (
         "{measure} have {space:g} m below the ceiling; that must be between {low:g} and {high:g} m.",
         "家具と天井の間が{space:g} mです。「{measure}」を使うには{low:g}～{high:g} mにしてください。",
-    ),
-    "height": (
-        "“{measure}” height is {height:g} m; it must be at most the piece's, {most:g} m.",
-        "「{measure}」の高さは{height:g} mです。家具の高さ（{most:g} m）以下にしてください。",
     ),
     "share": (
         "“{measure}” share is {share:g}; it must be no more than the upper half of this piece holds.",

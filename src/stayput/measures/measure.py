@@ -17,7 +17,7 @@ from stayput.catalogue import Phrase, is_phrase, phrase
 from stayput.errors import InputError, instance_of, list_of
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
-from stayput.model.parameters import GIVEN, check_fields, parameter
+from stayput.model.parameters import GIVEN, check_fields, parameter, parameter_of
 from stayput.model.room import Room, Wall
 from stayput.uncertainty import Confidence
 
@@ -174,6 +174,12 @@ class Measure(ABC):
         if not hasattr(self, "kind") or not hasattr(self, "label"):
             raise InputError("measures.own_class", "label", name=type(self).__name__)
         check_fields(self, owner=self.label)
+
+    def check_most(self, name: str, most: float) -> None:
+        """Refuse a parameter above what the piece allows."""
+        about = parameter_of(self, name)
+        called = phrase("model.field_of", owner=self.label, name=(name, about.label[1]))
+        about.check(getattr(self, name), called=called, bounds=(min(about.low, most), most))
 
     def where(self) -> Phrase | None:
         """Return the place where only one measure can be, or None if it takes up none."""

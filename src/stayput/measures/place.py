@@ -150,10 +150,7 @@ class Ballast(Measure):
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with the mass across its width."""
-        if self.height > body.height:
-            raise InputError(
-                "measures.height", "height", measure=self.label, height=self.height, most=body.height
-            )
+        self.check_most("height", body.height)
         return Held(with_mass(body, self.mass, self.height, (body.width, 0.0)), room, (), (self,))
 
 

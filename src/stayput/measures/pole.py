@@ -160,10 +160,7 @@ class TensionPole(Measure):
             if self.ceiling_height is None:
                 raise InputError("measures.no_ceiling", "room.ceiling", measure=self.label)
             room = replace(room, ceiling=Ceiling(self.ceiling_height))
-        if self.setback > body.width:
-            raise InputError(
-                "measures.setback", "setback", measure=self.label, setback=self.setback, width=body.width
-            )
+        self.check_most("setback", body.width)
         assert room.ceiling is not None
         point = (-body.width / 2 + self.setback, body.height)
         space = room.ceiling.height - at_rest(body, point)[1]

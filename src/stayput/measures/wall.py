@@ -277,10 +277,7 @@ class Tie(WallDevice):
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the wall."""
         wall = wall_behind(self, room)
-        if self.setback > body.width:
-            raise InputError(
-                "measures.setback", "setback", measure=self.label, setback=self.setback, width=body.width
-            )
+        self.check_most("setback", body.width)
         point = (-body.width / 2 + self.setback, self.height * body.height)
         x, z = at_rest(body, point)
         away = x - _left(body) + wall.gap

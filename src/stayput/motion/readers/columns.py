@@ -37,6 +37,7 @@ from stayput.motion.units import (
     unit_factor,
 )
 from stayput.spreadsheets import named_columns
+from stayput.wording import joined
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -342,8 +343,7 @@ def places_of(chosen: Mapping[str, str], headings: Sequence[str], count: int) ->
             matches = [i for i, text in enumerate(plain) if text == wanted]
             matches = matches or [i for i, text in enumerate(bare) if text == wanted]
         if len(matches) != 1 or matches[0] in places:
-            english, japanese = zip(*map(excerpt, (*headings[:10], "")), strict=True)
-            listed = ", ".join((f"1–{count}", *english[:-1])), "、".join((f"1–{count}", *japanese[:-1]))
+            listed = joined([(f"1–{count}", f"1–{count}"), *map(excerpt, headings[:10])])
             raise InputError(
                 "motion.no_such_column", "columns", role=role, column=excerpt(column), known=listed
             )

@@ -10,6 +10,7 @@ from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import is_direction, is_down, is_vertical
 from stayput.motion.readers.quantities import BRACKET, is_motion, time_factor
 from stayput.motion.units import UNIT_OF_TIME, known_unit, quantity_of
+from stayput.wording import joined
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -351,8 +352,7 @@ def is_time(text: str) -> bool:
 
 
 def _listed(texts: Sequence[str]) -> Phrase:
-    english, japanese = zip(*map(excerpt, texts), strict=True)
-    return ", ".join(english), "、".join(japanese)
+    return joined(map(excerpt, texts))
 
 
 def _names(texts: Sequence[str]) -> tuple[str, ...]:
