@@ -10,7 +10,7 @@ import validation_run
 
 from stayput.catalogue.names import FAMILIES as NAMES
 from stayput.motion.intensity import long_period_response
-from stayput.motion.spectrum import mean_period
+from stayput.motion.response import mean_period
 from stayput.motion.suites.families import FAMILIES, KINDS, MIX
 from stayput.motion.suites.synthesis import synthetic_motion, synthetic_suite
 from stayput.motion.suites.target import japanese_design

@@ -13,7 +13,6 @@ import numpy as np
 from stayput.errors import InputError, finite, instance_of, shown, visible, whole_within, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
-from stayput.motion.baseline import check_baseline, checked_record
 from stayput.motion.channels import Listing, check_horizontal, common_length, motion_fields
 from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
@@ -21,6 +20,8 @@ from stayput.motion.one_record import check_one_record
 from stayput.motion.processing import (
     MOST_SAMPLES,
     STEP_RANGE,
+    check_baseline,
+    checked_record,
     checked_samples,
     coarsen,
     refine,

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, instance_of, warn, warnings_to, whole_within, within
 from stayput.motion import seismogram
-from stayput.motion.baseline import checked_record
 from stayput.motion.channels import (
     check_horizontal,
     is_vertical,
@@ -24,7 +23,7 @@ from stayput.motion.channels import (
     motion_fields,
 )
 from stayput.motion.floors import BOREHOLE, floor_phrase
-from stayput.motion.processing import STEP_RANGE
+from stayput.motion.processing import STEP_RANGE, checked_record
 from stayput.motion.readers import california, databases, japan
 from stayput.motion.readers.columns import COLUMNS, MOST_SKIPPED, ReadingOptions, chosen_columns, read_columns
 from stayput.motion.readers.text import check_end, file_text, other_format
@@ -99,7 +98,7 @@ def read_motion(
         It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
         file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
         floor, channels seem to be missing, columns of other quantities are left out, the sensor is in a
-        borehole; a component has an offset (see `stayput.motion.baseline.oscillates_about_offset`), or the
+        borehole; a component has an offset (see `stayput.motion.processing.oscillates_about_offset`), or the
         time step is longer than 0.1 s.
 
     Examples

@@ -24,17 +24,20 @@ import numpy as np
 from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, warn, without_control
 from stayput.motion.channels import Channel, in_borehole, is_direction, labels_phrase
 from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
-from stayput.motion.readers.quantities import axes_of, column_factors, other_quantities, without_unit
 from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers
 from stayput.motion.units import (
+    axes_of,
+    column_factors,
     known_unit,
     not_the_files_own,
+    other_quantities,
     regular_step,
     stated_factor,
     stated_step,
     stated_unit,
     time_step,
     unit_factor,
+    without_unit,
 )
 from stayput.spreadsheets import named_columns
 from stayput.wording import joined

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import is_direction, is_down, is_vertical
-from stayput.motion.readers.quantities import BRACKET, is_motion, time_factor
-from stayput.motion.units import UNIT_OF_TIME, known_unit, quantity_of
+from stayput.motion.units import BRACKET, UNIT_OF_TIME, is_motion, known_unit, quantity_of, time_factor
 from stayput.wording import joined
 
 if TYPE_CHECKING:

@@ -242,13 +242,13 @@ def rows_of(
     def values() -> Iterator[str]:
         row = 0
         for _, line in lines(text, start):
-            if (found := split(line)) is None:
+            if (items := split(line)) is None:
                 continue
             row += 1
-            if len(found) != aside + columns:
+            if len(items) != aside + columns:
                 said = excerpt(line.rstrip(", \t"))
                 raise InputError("motion.row_width", row=row, value=said, columns=aside + columns)
-            yield from found[aside:]
+            yield from items[aside:]
 
     return numbers(values(), "the_samples").reshape(-1, columns)
 

@@ -15,8 +15,7 @@ from stayput.motion.readers import read_shaking
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
 from stayput.motion.suites.folder import naming, records_in
-from stayput.motion.suites.matching import matched
-from stayput.motion.suites.target import DEFAULT_BAND, band_periods
+from stayput.motion.suites.target import DEFAULT_BAND, band_periods, matched
 from stayput.wording import check_language
 
 if TYPE_CHECKING:

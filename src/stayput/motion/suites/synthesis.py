@@ -20,18 +20,16 @@ from stayput.model.parameters import arguments, quantity
 from stayput.motion.processing import ending_at_rest, fft_length
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import (
+    DT,
     FAMILIES,
     KINDS,
     MIX,
     NUMBER_RANGE,
     SEED_RANGE,
     Draws,
-    draw_parameters,
-)
-from stayput.motion.suites.ground_motion import (
-    DT,
     cosine_taper,
     crust_amplification,
+    draw_parameters,
     envelope,
     s_arrival,
     saragoni_hart,
