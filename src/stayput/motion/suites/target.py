@@ -1,8 +1,8 @@
 """Spectra that motions are made to meet: Japan's design spectrum, ASCE 7's, a user's own table; and how.
 
 To meet one, a motion's Fourier amplitudes are changed and its phases kept. Where a spectrum is too low at
-period T, the Fourier amplitudes about the frequency 1/T are raised by the ratio, and so
-again till nothing more is to be won (as SIMQKE does; Gasparini and Vanmarcke 1976). The filter is smooth, so a motion keeps its envelope.
+period T, the amplitudes about the frequency 1/T are raised by the ratio, and so again till nothing more is to
+be won (as SIMQKE does; Gasparini and Vanmarcke 1976). The filter is smooth, so a motion keeps its envelope.
 """
 
 from __future__ import annotations
