@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from stayput.catalogue import Phrase, is_phrase, phrase
+from stayput.catalogue import TEXTS, Phrase, is_phrase, phrase
 from stayput.errors import InputError, instance_of, list_of
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
@@ -166,6 +166,8 @@ class Measure(ABC):
     """Whether it takes holes in a wall."""
 
     def __init_subclass__(cls) -> None:
+        if "label" not in cls.__dict__ and f"measures.{cls.__dict__.get('kind')}_about" in TEXTS:
+            cls.label, cls.about = phrase(f"measures.{cls.kind}"), phrase(f"measures.{cls.kind}_about")
         # beside an exception for users' own classes: what is missing would come up after all computing
         if not is_phrase(getattr(cls, "label", ("", ""))) or not isinstance(getattr(cls, "kind", ""), str):
             raise InputError("measures.own_class", "label", name=cls.__name__)

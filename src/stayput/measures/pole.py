@@ -52,17 +52,6 @@ class TensionPole(Measure):
     """
 
     kind: ClassVar[str] = "tension_pole"
-    label: ClassVar[tuple[str, str]] = ("Tension poles", "ポール式（突っ張り棒）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Poles jammed against the ceiling press the piece down; they drop out when the ceiling gives "
-            "way, the top moves away from it, or they lean too far."
-        ),
-        (
-            "天井との間に突っ張って家具を押さえるが、天井が弱くてへこんだり、上部が離れて緩んだり、傾いたりす"
-            "ると脱落する。"
-        ),
-    )
 
     count: int = parameter(2, "", 1, 20, ("number of poles", "本数"))
     preload: float = parameter(150.0, "N", 1.0, 1e4, ("preload of one", "1本の突っ張り力"), decides=True)
