@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
 
 _UNNAMED = "(unnamed)"
+
+LISTED: Phrase = (", ", "、")
+"""What parts the labels of a listing."""
+
 _UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
 _VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|(?!HZ)[A-Z]{{1,2}}Z")
@@ -185,7 +189,7 @@ def _of_one_sensor(channels: Sequence[Channel]) -> bool:
 def labels_phrase(labels: Iterable[str]) -> Phrase:
     """Return the labels of channels as a listing in both languages."""
     shown = [label or _UNNAMED for label in labels]
-    return ", ".join(shown), "、".join(shown)
+    return LISTED[0].join(shown), LISTED[1].join(shown)
 
 
 def direction(label: str) -> str:

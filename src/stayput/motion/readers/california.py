@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn
-from stayput.motion.channels import Channel, plain_label
+from stayput.motion.channels import LISTED, Channel, plain_label
 from stayput.motion.readers.text import Reader, check_count, fields, lacks, lines, not_as_stated, numbers
 from stayput.motion.units import acceleration_unit, time_step
 from stayput.wording import joined
@@ -157,7 +157,7 @@ def _check_number(header: list[str], last_line: str, position: int) -> str:
         raise InputError("motion.csmip_two_numbers", channel=position, numbers=listing)
     directions = [_FROM.split(m[2].strip(), maxsplit=1)[0].strip() for m in matches]
     if len({plain_label(direction) for direction in directions}) > 1:
-        listing, taken = joined(map(excerpt, directions)), excerpt(directions[0])
+        listing, taken = joined(map(excerpt, directions), LISTED), excerpt(directions[0])
         warn(InputWarning("motion.csmip_directions", channel=position, directions=listing, taken=taken))
     return directions[0] if directions else ""
 

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 import numpy as np
 
 from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, warn, without_control
-from stayput.motion.channels import Channel, in_borehole, is_direction, labels_phrase
+from stayput.motion.channels import LISTED, Channel, in_borehole, is_direction, labels_phrase
 from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
 from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers
 from stayput.motion.units import (
@@ -346,7 +346,7 @@ def places_of(chosen: Mapping[str, str], headings: Sequence[str], count: int) ->
             matches = [i for i, text in enumerate(plain) if text == wanted]
             matches = matches or [i for i, text in enumerate(bare) if text == wanted]
         if len(matches) != 1 or matches[0] in places:
-            listed = joined([(f"1–{count}", f"1–{count}"), *map(excerpt, headings[:10])])
+            listed = joined([(f"1–{count}", f"1–{count}"), *map(excerpt, headings[:10])], LISTED)
             raise InputError(
                 "motion.no_such_column", "columns", role=role, column=excerpt(column), known=listed
             )

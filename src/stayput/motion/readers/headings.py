@@ -7,7 +7,7 @@ import unicodedata
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.errors import InputError, excerpt, without_control
-from stayput.motion.channels import is_direction, is_down, is_vertical
+from stayput.motion.channels import LISTED, is_direction, is_down, is_vertical
 from stayput.motion.units import BRACKET, UNIT_OF_TIME, is_motion, known_unit, quantity_of, time_factor
 from stayput.wording import joined
 
@@ -351,7 +351,7 @@ def is_time(text: str) -> bool:
 
 
 def _listed(texts: Sequence[str]) -> Phrase:
-    return joined(map(excerpt, texts))
+    return joined(map(excerpt, texts), LISTED)
 
 
 def _names(texts: Sequence[str]) -> tuple[str, ...]:
