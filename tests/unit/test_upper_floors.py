@@ -20,7 +20,7 @@ from stayput.cli import app
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, spectral_acceleration
 from stayput.fragility.exports import in_openquake
 from stayput.fragility.intensity_measures import FLOOR_JMA
-from stayput.motion.measures import Intensities
+from stayput.motion.intensity import Intensities
 from stayput.report.plot import plot_run
 from stayput.report.room.data import room_data
 from stayput.report.verdict.curves import curves_svg

@@ -21,7 +21,8 @@ from stayput.fragility import INTENSITY_MEASURES, Trials, fragility_curve, proba
 from stayput.measures import MEASURES, Belt
 from stayput.model.body import FURNITURE
 from stayput.montecarlo.counting import Quantiles
-from stayput.motion.suites import FAMILIES, synthetic_suite
+from stayput.motion.suites.families import FAMILIES
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.names import given_name
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions

@@ -9,7 +9,7 @@ from stayput.fragility import INTENSITY_MEASURES, Trials, difference, fragility_
 from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.scenario.option import Option
-from stayput.standards import equipment_loads
+from stayput.standards.equipment import equipment_loads
 from stayput.verification.notes import Ac156Estimate, Estimates, SlidingShare
 from stayput.verification.verdict import DeviceSummary, OptionVerdict, PieceVerdict, Verdict
 

@@ -16,7 +16,7 @@ from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import Body
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.motion import Motion
-from stayput.motion.suites import Suite
+from stayput.motion.suites.suite import Suite
 from stayput.scenario.measures import table_of
 from stayput.scenario.option import NOTHING, Option
 from stayput.scenario.scenario import Scenario

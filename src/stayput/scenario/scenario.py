@@ -14,7 +14,7 @@ from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.motion.suites import Suite
+from stayput.motion.suites.suite import Suite
 from stayput.scenario.fields import between, checked, refuse_same_names
 from stayput.scenario.measures import MeasureChoice, UncertaintyTable, of_known_type
 from stayput.scenario.option import NOTHING, Option

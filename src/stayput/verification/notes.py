@@ -25,8 +25,9 @@ from stayput.measures.measure import GRADE_OF, MEANINGS
 from stayput.model.parameters import STANDARD_GRAVITY, parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
-from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_loads, position_of
-from stayput.standards.asce43 import FRICTION_RANGE, VERTICAL_SHARE
+from stayput.standards.ac156 import ac156
+from stayput.standards.asce43 import FRICTION_RANGE, VERTICAL_SHARE, asce43_sliding
+from stayput.standards.equipment import EquipmentLoad, equipment_loads, position_of
 from stayput.verification.options import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR, joined

@@ -247,12 +247,10 @@ class Verdict(InJson):
         language : str
             Language of the texts, "en" or "ja".
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.fragility import draw_ranking
 
-        axis = axes_of(ax)
-        draw_ranking(axis, self, check_language(language))
-        return drawn(axis)
+        return plotted(ax, draw_ranking, self, check_language(language))
 
     @property
     def best(self) -> OptionVerdict:

@@ -17,7 +17,7 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_held, draws
 from stayput.montecarlo.several import draws_of_several
 from stayput.montecarlo.several import replay as run_again
-from stayput.motion.suites import Suite
+from stayput.motion.suites.suite import Suite
 from stayput.report.animation import film_of, player_page
 from stayput.report.figures import embedded
 from stayput.report.fonts import drawable
