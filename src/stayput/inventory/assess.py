@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-import shutil
 import time
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
@@ -21,14 +20,14 @@ from stayput.execution import Pool
 from stayput.extras import arrow
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.columns import read_columns
-from stayput.inventory.folder import MANIFEST, check_parts, claimed, digest_of, inputs_of
-from stayput.inventory.plan import REJECTS, STORE, make_plan
+from stayput.inventory.folder import MANIFEST, PLAN, check_parts, claimed, digest_of, inputs_of
+from stayput.inventory.plan import make_plan
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
 from stayput.inventory.shakemap_files import read_shakemap
 from stayput.inventory.store import Store
-from stayput.inventory.summary import export_results, formats_of, summarise
+from stayput.inventory.summary import REJECTS, export_results, formats_of, summarise, write_rejects
 from stayput.inventory.work import Work
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar
@@ -90,7 +89,7 @@ class Assessment:
     @property
     def rejects(self) -> Any:
         """The rows that were not assessed, as a table of PyArrow: row, id, name, reason, and reason_ja."""
-        return arrow("parquet").read_table(self.folder / REJECTS[0])
+        return arrow("parquet").read_table(self.folder / REJECTS)
 
 
 def assess(
@@ -201,7 +200,7 @@ def assess(
             formats = ()  # there is nothing to export
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
         with (
-            closing(Store(space.folder / "plan" / STORE, memory_bytes // 16)) as store,
+            closing(Store(space.folder / PLAN, memory_bytes // 16)) as store,
             closing(
                 Work(store, scenarios, space.folder, slide_limit=limit, floor_memory=memory_bytes // 8)
             ) as work,
@@ -218,10 +217,8 @@ def assess(
             about = {"stayput": json.dumps({"inputs": digest.hexdigest(), **manifest}, sort_keys=True)}
             rows = facts["pieces"] * len(scenarios.events)
             with bar(rows, "progress.writing", progress, "progress.rows") as advance:
-                Writer(folder, space, work.outcomes, about, strengths).write(facts["parts"], advance)
-        for name in REJECTS:
-            with space.durable(folder / name) as file, (space.folder / "plan" / name).open("rb") as source:
-                shutil.copyfileobj(source, file)
+                Writer(folder, space, store, work.outcomes, about, strengths).write(facts["parts"], advance)
+            write_rejects(folder, space, store)
         summary = summarise(folder / PIECES)
         summary.write(folder, space)
         for language, name in REPORTS.items():

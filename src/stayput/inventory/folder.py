@@ -1,7 +1,7 @@
 """The folder of an assessment: which inputs it belongs to, its lock, atomic writes, files of others.
 
-Every file or folder is made as a draft and takes its name when it is complete, but the data base of what is
-done, which SQLite keeps whole.
+Every file is made as a draft and takes its name when it is complete, but the data base of what is done, which
+SQLite keeps whole.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ import itertools
 import json
 import os
 import re
-import shutil
 from contextlib import contextmanager
 from typing import IO, TYPE_CHECKING, Any, cast
 
@@ -23,11 +22,11 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Iterator, Mapping
     from pathlib import Path
 
-FORMAT = 8
+FORMAT = 9
 """Changes with the files' layout or meaning."""
 
 MANIFEST, WORK, LOCK = "manifest.json", "work", ".lock"
-DRAFTS, OUTCOMES = "drafts", "outcomes.sqlite"
+DRAFTS, PLAN, OUTCOMES = "drafts", "plan.sqlite", "outcomes.sqlite"
 
 BEGUN = re.compile(r"\.lock|work/(drafts/(draft-\d+)?)?")
 """What an assessment leaves that was killed before its manifest was written."""
@@ -35,14 +34,12 @@ BEGUN = re.compile(r"\.lock|work/(drafts/(draft-\d+)?)?")
 OWN = re.compile(
     BEGUN.pattern
     + r"|manifest\.json|report(\.ja)?\.html|(summary|rejects)\.(parquet|csv)"
-    + r"|pieces\.(csv|geojson)|pieces/(part-\d{6}\.parquet)?|work/outcomes\.sqlite(-journal)?"
-    + r"|work/(plan|drafts/draft-\d+)/"
-    + r"(plan\.sqlite(-journal)?|rejects\.(parquet|csv)|rows/(part-\d{6}\.parquet)?)?"
+    + r"|pieces\.(csv|geojson)|pieces/(part-\d{6}\.parquet)?|work/(plan|outcomes)\.sqlite(-journal)?"
 )
 """All that an assessment writes, by its path in the folder of the results; folders end in a slash."""
 
-READ = re.compile(r"(pieces|work/(plan|drafts/draft-\d+))/(.*/)?[^.][^/]*/?")
-"""What would be read as ours, or be removed with what is ours."""
+READ = re.compile(r"pieces/(.*/)?[^.][^/]*/?")
+"""What would be read as ours."""
 
 
 class Workspace:
@@ -57,33 +54,22 @@ class Workspace:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         (folder / DRAFTS).mkdir(exist_ok=True)
-        for leftover in sorted((folder / DRAFTS).iterdir()):
+        for leftover in (folder / DRAFTS).iterdir():
             if re.fullmatch(r"draft-\d+", leftover.name):
-                remove(leftover)
+                leftover.unlink()
         self._numbers = itertools.count()
 
-    def draft(self) -> Path:
-        """Return the path of a new draft, which does not exist yet."""
-        return self.folder / DRAFTS / f"draft-{next(self._numbers)}"
-
     @contextmanager
-    def durable(self, path: Path) -> Generator[IO[bytes]]:
-        """Yield a file to write; once complete and on disk it takes its name, else it is removed."""
-        draft = self.draft()
+    def draft(self, path: Path) -> Generator[Path]:
+        """Yield a path to make a file at, which takes its name once on disk, or is removed if it fails."""
+        draft = self.folder / DRAFTS / f"draft-{next(self._numbers)}"
         try:
-            with draft.open("xb") as file:
-                yield file
-            self.publish(draft, path)
+            yield draft
+            with draft.open("rb+") as file:
+                os.fsync(file.fileno())
+            draft.replace(path)
         finally:
             draft.unlink(missing_ok=True)
-
-    def publish(self, draft: Path, path: Path) -> None:
-        """Bring a draft, a file or a folder of files, to the disk, and give it its name."""
-        for each in (draft, *draft.rglob("*")):
-            if each.is_file():
-                with each.open("rb+") as file:
-                    os.fsync(file.fileno())
-        draft.replace(path)
         if os.name == "posix":  # the folder's names too
             descriptor = os.open(path.parent, os.O_RDONLY)
             try:
@@ -91,18 +77,16 @@ class Workspace:
             finally:
                 os.close(descriptor)
 
+    @contextmanager
+    def durable(self, path: Path) -> Generator[IO[bytes]]:
+        """Yield a file to write; once complete and on disk it takes its name, else it is removed."""
+        with self.draft(path) as draft, draft.open("xb") as file:
+            yield file
+
     def write_json(self, path: Path, content: Mapping[str, Any]) -> None:
         """Write a mapping as JSON, atomically."""
         with self.durable(path) as file:
             file.write((json.dumps(content, indent=2, sort_keys=True) + "\n").encode())
-
-
-def remove(path: Path) -> None:
-    """Remove a draft or a plan: a file, or a folder with all that is in it."""
-    if path.is_dir():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)
 
 
 def digest_of(path: Path) -> str:
@@ -213,7 +197,7 @@ def _in_the_way(folder: Path, entry: str) -> InputError:
 def _holds_results(folder: Path) -> bool:
     """Return whether there are results of the inputs: there are none where the table was refused."""
     return any(
-        (folder / name).exists() for name in (f"{WORK}/plan", f"{WORK}/{OUTCOMES}", "pieces", "report.html")
+        (folder / name).exists() for name in (f"{WORK}/{PLAN}", f"{WORK}/{OUTCOMES}", "pieces", "report.html")
     )
 
 

@@ -19,7 +19,6 @@ from stayput.fragility.paired import score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
 from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
-from stayput.inventory.plan import ROWS, not_possible
 from stayput.inventory.store import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90
 from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, SLID, severity
 from stayput.verification.words import SAFE, SMALL
@@ -32,7 +31,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Difference
     from stayput.inventory.folder import Workspace
-    from stayput.inventory.store import OutcomeStore
+    from stayput.inventory.store import OutcomeStore, Store
 
 PIECES = "pieces"
 GROUND = ("intensity", "sa", "pga", "pgv")
@@ -151,7 +150,9 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("best_by_cost_gain", "loss avoided less cost (with a value), or risk reduction per cost"),
         pa.field("options", pa.list_(option), metadata={"about": "each set of measures, none first"}),
         number(
-            "not_possible", "sets of measures that cannot be put in place, with the reason", not_possible()
+            "not_possible",
+            "sets of measures that cannot be put in place, with the reason",
+            pa.list_(pa.struct([(name, pa.string()) for name in ("name", "reason", "reason_ja")])),
         ),
     ]
     return pa.schema(fields, metadata=dict(metadata))
@@ -267,7 +268,9 @@ class Writer:
     folder : Path
         Where results go.
     space : Workspace
-        Where the plan is.
+        Makes their files.
+    store : Store
+        The plan.
     outcomes : OutcomeStore
         Outcomes of all units.
     metadata : mapping
@@ -280,26 +283,27 @@ class Writer:
         self,
         folder: Path,
         space: Workspace,
+        store: Store,
         outcomes: OutcomeStore,
         metadata: Mapping[str, str],
         strengths: Callable[[str, float | None], tuple[float | None, ...]],
     ) -> None:
-        self.folder, self.space, self.outcomes = folder / PIECES, space, outcomes
+        self.folder, self.space, self.store, self.outcomes = folder / PIECES, space, store, outcomes
         self.schema = schema(metadata)
         self.strengths = strengths
         self.folder.mkdir(exist_ok=True)
 
     def write(self, parts: int, advance: Callable[[int], None]) -> None:
         """Write all parts that are not complete yet."""
-        for name in part_names(parts):
-            advance(self._part(name))
+        for number, name in enumerate(part_names(parts)):
+            advance(self._part(number, name))
 
-    def _part(self, name: str) -> int:
+    def _part(self, number: int, name: str) -> int:
         target = self.folder / name
         rows, digest = self.outcomes.part(name) or (0, None)
         if target.exists() and digest_of(target) == digest:
             return rows
-        table = self._table(self.space.folder / "plan" / ROWS / name)
+        table = self._table(self.store.part(number))
         buffer = io.BytesIO()
         arrow("parquet").write_table(table, buffer, compression="zstd", row_group_size=20_000)
         content = buffer.getvalue()
@@ -308,8 +312,7 @@ class Writer:
         self.outcomes.complete(name, table.num_rows, hashlib.sha256(content).hexdigest())
         return table.num_rows
 
-    def _table(self, path: Path) -> Any:
-        rows: list[dict[str, Any]] = arrow("parquet").read_table(path).to_pylist()
+    def _table(self, rows: list[dict[str, Any]]) -> Any:
         wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
         records = self.outcomes.of(wanted)
         chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
