@@ -84,7 +84,13 @@ def test_files_beside_the_results_stay(done, name):
 
 IN_THE_WAY = {
     "file": ["pieces/mine.parquet"],
-    "folder": [".lock", "report.html", "pieces/part-000000.parquet", "work/plan.sqlite", "work/drafts/draft-7"],
+    "folder": [
+        ".lock",
+        "report.html",
+        "pieces/part-000000.parquet",
+        "work/plan.sqlite",
+        "work/drafts/draft-7",
+    ],
     "link": [".lock", "report.html", "pieces", "work", "work/plan.sqlite", "work/drafts/draft-99"],
 }
 

@@ -169,14 +169,13 @@ def assess(
     instance_of("scenario", scenario, (str, PathLike, ScenarioFile))
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
     formats = formats_of(export)
-    map_path = None if shakemap is None else Path(shakemap)
-    scatter_path = None if uncertainty is None else Path(uncertainty)
-    if map_path is None and (field is not None or scatter_path is not None):
+    if shakemap is None and (field is not None or uncertainty is not None):
         raise InputError("inventory_tables.no_map", "shakemap")
-    paths = {"inventory": table, "shake map": map_path, "uncertainty": scatter_path}
-    files = {name: path for name, path in paths.items() if path is not None}
+    paths = {"inventory": inventory, "shake map": shakemap, "uncertainty": uncertainty}
+    files = {name: Path(path) for name, path in paths.items() if path is not None}
     digests = {name: _digest(name, path) for name, path in files.items()}
-    shaking = None if map_path is None else read_shakemap(map_path, field, scatter_path)
+    map_path = files.get("shake map")
+    shaking = None if map_path is None else read_shakemap(map_path, field, files.get("uncertainty"))
     scenarios = read_scenarios(scenario, shaking, changed)
     inputs = {
         "inventory": digests["inventory"],

@@ -13,7 +13,7 @@ from stayput.errors import InputError, excerpt, quoted
 from stayput.inventory.cells import Unusable, is_empty
 from stayput.inventory.columns import COLUMNS, JAPANESE
 from stayput.inventory.folder import PLAN
-from stayput.inventory.header import header_of
+from stayput.inventory.header import Header
 from stayput.inventory.items import SIZES, RowReader, name_of, numbered
 from stayput.inventory.store import Store
 from stayput.inventory.tables import open_table
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from stayput.inventory.cells import Cell
     from stayput.inventory.columns import ColumnMapping
     from stayput.inventory.folder import Workspace
-    from stayput.inventory.header import Header
     from stayput.inventory.scenarios import Scenarios
 
 ROWS_PER_PART = 20_000
@@ -154,7 +153,7 @@ def _fill(
         store.begin()
         first = list(islice(table.rows, ROWS_LOOKED_AT))
         sample = [[] if isinstance(cells, InputError) else cells for _, cells in first]
-        header = header_of(table.header, sample, columns, table.decimal_comma)
+        header = Header(table.header, sample, columns, table.decimal_comma)
         for number, cells in chain(first, table.rows):
             counts["rows"] += 1
             if counts["rows"] % ROWS_PER_UPDATE == 0:
@@ -165,34 +164,33 @@ def _fill(
             try:
                 if isinstance(cells, InputError):
                     raise cells
-                item = reader.item(number, header.cells(cells))
-                before = store.row_of(item.id, number)
+                exposures = reader.exposures(number, header.cells(cells))
+                piece, depth = exposures[0].row, exposures[0].depth
+                before = store.row_of(piece["id"], number)
                 if before != number:
-                    raise InputError("inventory.id_twice", "id", name="id", id=quoted(item.id), row=before)
+                    raise InputError(
+                        "inventory.id_twice", "id", name="id", id=quoted(piece["id"]), row=before
+                    )
             except InputError as error:
                 counts["rejects"] += 1
                 line = _rejected(number, cells, _in_words_of_the_table(error, header), header)
                 store.reject(line)
                 rejects.add(line, error.code, error.field)
                 continue
-            units = [
-                store.units_of(each.ground, each.storey, each.piece, each.options) for each in item.exposures
-            ]
-            not_put = chain.from_iterable(each.row["not_possible"] for each in item.exposures)
+            for each in exposures:
+                units = store.units_of(each.ground, each.storey, each.piece, each.options)
+                counts["choices"] += len(units)
+                buffered.append({**each.row, "units": units})
+            not_put = chain.from_iterable(each.row["not_possible"] for each in exposures)
             for named in {each["name"]: each for each in not_put}.values():
-                cause = (item.row["row"], item.id, item.row["name"], named["reason"], named["reason_ja"])
+                cause = (number, piece["id"], piece["name"], named["reason"], named["reason_ja"])
                 impossible.add(cause, named["name"])
             width = header.width_of(cells)
-            counts["choices"] += sum(map(len, units))
             counts["pieces"] += 1
-            counts["with coordinates"] += item.row["lat"] is not None
-            counts["narrower than deep"] += width is not None and 0.0 < width < item.depth
+            counts["with coordinates"] += piece["lat"] is not None
+            counts["narrower than deep"] += width is not None and 0.0 < width < depth
             places = ((name, header.places.get(name)) for name in MAY_BE_EMPTY)
             left_empty.update(n for n, place in places if place is not None and is_empty(cells[place]))
-            buffered += [
-                {**item.row, **each.row, "units": numbers}
-                for each, numbers in zip(item.exposures, units, strict=True)
-            ]
             if counts["pieces"] % ROWS_PER_PART == 0:
                 flush()
         flush()
@@ -206,8 +204,8 @@ def _fill(
                 "measures not possible": impossible.told(),
                 "units": store.next_unit,
                 "read as": table.read_as,
-                "columns not used": list(header.unused),
-                "columns renamed": list(header.renamed),
+                "columns not used": header.unused,
+                "columns renamed": header.renamed,
                 "roofs": reader.roofs,
             }
         )

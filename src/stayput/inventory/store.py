@@ -289,11 +289,14 @@ class OutcomeStore:
         """Close the file."""
         self._base.close()
 
-    def save(self, records: NDArray[np.void]) -> None:
-        """Save the outcomes of units that have none yet."""
-        with self._base:  # a transaction
-            rows = ((int(record["unit"]), record.tobytes()) for record in records)
-            self._base.executemany("INSERT INTO outcomes VALUES (?, ?)", rows)
+    def add(self, records: NDArray[np.void]) -> None:
+        """Add the outcomes of units that have none yet; they are kept once `commit` is called."""
+        rows = ((int(record["unit"]), record.tobytes()) for record in records)
+        self._base.executemany("INSERT INTO outcomes VALUES (?, ?)", rows)
+
+    def commit(self) -> None:
+        """Keep what was added."""
+        self._base.commit()
 
     def of(self, units: NDArray[np.int64]) -> NDArray[np.void]:
         """Return the records of some units, in increasing order of their numbers."""
