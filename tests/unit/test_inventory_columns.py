@@ -12,7 +12,7 @@ import stayput as sp
 from stayput.inventory.columns import COLUMNS, plain_name, read_columns
 from stayput.inventory.header import Header
 from stayput.inventory.plan import ROWS_LOOKED_AT
-from stayput.inventory.words import narrow_told
+from stayput.inventory.report import narrow_told
 from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.vocabulary import WORDS

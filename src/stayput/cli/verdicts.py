@@ -7,18 +7,38 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from rich.cells import cell_len
+from rich.padding import Padding
+from rich.table import Table
+
 from stayput.catalogue import say
 from stayput.cli.messages import folded, plain_table, terminal
+from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
+from stayput.montecarlo.counting import EVENTS, OVERTURNED
+from stayput.report.room.report import sentences, simulations_of_room, tables
+from stayput.report.verdict import numbers
+from stayput.report.verdict.numbers import NO_NUMBER, word
+from stayput.report.verdict.tables import (
+    SHARES,
+    grades_text,
+    impossible_rows,
+    ranking,
+    several_ranking,
+    simulations,
+)
+from stayput.rooms.verdict import RoomVerdict
+from stayput.verification import AssemblyVerdict
+from stayput.verification.words import title
+from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from rich.console import Console
-    from rich.table import Table
 
     from stayput.fragility import Probability
-    from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
-    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.rooms.verdict import ChangeVerdict
+    from stayput.verification import Verdict
 
 _NEXT = 3
 """How many changes of a room are listed after those that help."""
@@ -34,9 +54,6 @@ def print_verdict(verdict: Verdict | AssemblyVerdict | RoomVerdict, lang: str) -
     lang : str
         "en" or "ja".
     """
-    from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification import AssemblyVerdict
-
     if isinstance(verdict, RoomVerdict):
         _print_room(verdict, lang)
     elif isinstance(verdict, AssemblyVerdict):
@@ -56,14 +73,6 @@ class _Line(NamedTuple):
 
 
 def _print_one(verdict: Verdict, lang: str) -> None:
-    from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
-    from stayput.montecarlo.counting import OVERTURNED
-    from stayput.report.verdict import numbers
-    from stayput.report.verdict.numbers import word
-    from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
-    from stayput.verification.words import title
-    from stayput.wording import with_aside
-
     text = partial(word, language=lang)
     capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
     inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
@@ -101,10 +110,6 @@ def _print_one(verdict: Verdict, lang: str) -> None:
 
 
 def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
-    from stayput.report.verdict import numbers
-    from stayput.report.verdict.numbers import word
-    from stayput.report.verdict.tables import impossible_rows, several_ranking, simulations
-
     lines: list[_Line] = []
     for row in several_ranking(verdict, lang):
         slide = _slide(row.slide[0], row.option.slide.median, lang)
@@ -121,23 +126,15 @@ def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
 
 def _events(verdict: Verdict | AssemblyVerdict, lang: str) -> list[str]:
     """Return the headings of the columns of events."""
-    from stayput.montecarlo.counting import EVENTS
-    from stayput.report.verdict import numbers
-    from stayput.report.verdict.numbers import word
-
     limit = numbers.length(verdict.slide_limit, lang)
     return [word(f"brief_{event}", lang, limit=limit) for event in EVENTS]
 
 
 def _shares(shares: Iterable[tuple[Any, Probability | None]], lang: str) -> list[str]:
-    from stayput.report.verdict import numbers
-
-    return [numbers.NO_NUMBER if share is None else numbers.probability(share, lang) for _, share in shares]
+    return [NO_NUMBER if share is None else numbers.probability(share, lang) for _, share in shares]
 
 
 def _slide(slide: str, median: float, lang: str) -> str:
-    from stayput.report.verdict.numbers import word
-
     return word("brief_falls", lang) if math.isinf(median) else slide
 
 
@@ -173,11 +170,6 @@ def _print_ranking(
     last : int
         How many of the last columns are left out where the table is wider than the terminal.
     """
-    from rich.cells import cell_len
-    from rich.table import Table
-
-    from stayput.report.verdict.numbers import NO_NUMBER, word
-
     console, paragraph = terminal(lang, verdict.scenario.title)
     paragraph(above)
     rows = [(line.rank, line.brief, *line.cells) for line in lines]
@@ -218,10 +210,6 @@ def _width(table: Table, console: Console) -> int:
 
 def _print_room(verdict: RoomVerdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes."""
-    from rich.padding import Padding
-
-    from stayput.report.room.report import sentences, simulations_of_room, tables
-
     console, paragraph = terminal(lang, verdict.scenario.title)
     for sentence in sentences(verdict, lang):
         paragraph(sentence)

@@ -23,7 +23,7 @@ from stayput.inventory.columns import read_columns
 from stayput.inventory.folder import MANIFEST, PLAN, check_parts, claimed, digest_of, inputs_of
 from stayput.inventory.plan import make_plan
 from stayput.inventory.report import report_html
-from stayput.inventory.results import PIECES, Writer, part_names
+from stayput.inventory.results import GROUND, PIECES, part_names, write_results
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
 from stayput.inventory.shakemap_files import read_shakemap
 from stayput.inventory.store import Store
@@ -216,7 +216,7 @@ def assess(
             about = {"stayput": json.dumps({"inputs": digest.hexdigest(), **manifest}, sort_keys=True)}
             rows = facts["pieces"] * len(scenarios.events)
             with bar(rows, "progress.writing", progress, "progress.rows") as advance:
-                Writer(folder, space, store, work.outcomes, about, strengths).write(facts["parts"], advance)
+                write_results(folder / PIECES, space, store, work.outcomes, about, strengths, advance)
             write_rejects(folder, space, store)
         summary = summarise(folder / PIECES)
         summary.write(folder, space)
@@ -295,7 +295,7 @@ def _manifest(
     scenarios: Scenarios,
     limit: float,
     work: Work,
-    strengths: Callable[[str, float | None], tuple[float | None, ...]],
+    strengths: Callable[[str, float | None], dict[str, float | None]],
 ) -> dict[str, Any]:
     return {
         "version": stayput.__version__,
@@ -307,7 +307,9 @@ def _manifest(
                 "digest": file.digest,
                 "suite": file.ground.name,
                 "synthetic": file.ground.synthetic,
-                "intensity": None if scenarios.shakemap is not None else strengths(file.name, None)[0],
+                "intensity": None
+                if scenarios.shakemap is not None
+                else strengths(file.name, None)["intensity"],
                 "motions": settings.motions,
                 "samples": settings.samples,
                 "seed": settings.seed,
@@ -318,29 +320,26 @@ def _manifest(
     }
 
 
-def _strengths(work: Work) -> Callable[[str, float | None], tuple[float | None, ...]]:
+def _strengths(work: Work) -> Callable[[str, float | None], dict[str, float | None]]:
     """Return a function of a scenario and a map's level: what `GROUND` names."""
     places = {file.name: n for n, file in enumerate(work.scenarios.all)}
     measure = work.scenarios.measure
 
     @lru_cache(maxsize=10_000)
-    def strengths(station: str, level: float | None) -> tuple[float | None, ...]:
+    def strengths(station: str, level: float | None) -> dict[str, float | None]:
         place = places[station]
         ground, shaking = work.ground(place), work.scenarios.all[place].scenario.shaking
-        strength = shaking.strength
+        strength, told = shaking.strength, dict[str, float | None].fromkeys(GROUND)
+        if level is not None and measure == JMA_INTENSITY:
+            return {**told, "intensity": float(level)}
+        if level is None and strength is not None and strength.measure == "JMA":
+            return {**told, "intensity": strength.level}
         if level is None:
-            if strength is not None and strength.measure == "JMA":
-                return strength.level, None, None, None
             factors = ground.stated(strength, shaking.scale, work.settings[place].seed)
-            return ground.median_intensity(factors), None, None, None
-        if measure == JMA_INTENSITY:
-            return float(level), None, None, None
-        value = 10.0**level
-        return (
-            ground.median_intensity(ground.factors(level)),
-            None if measure.period is None else value,
-            value if measure == PGA else None,
-            value * PGV.shown if measure == PGV else None,
-        )
+        else:
+            factors = ground.factors(level)
+            name = "sa" if measure.period is not None else "pga" if measure == PGA else "pgv"
+            told[name] = 10.0**level * (PGV.shown if name == "pgv" else 1.0)
+        return {**told, "intensity": ground.median_intensity(factors)}
 
     return strengths

@@ -168,7 +168,7 @@ class RowReader:
             names, specs = list(options), list(options.values())
             here = {
                 **about,
-                "event": event.name,
+                "event": event,
                 "station": self.scenarios.all[station].name,
                 "level": None if level is None else level.level,
                 "shaking_scatter": None if level is None else level.scatter,

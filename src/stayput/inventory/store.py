@@ -53,11 +53,6 @@ CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 """
 
 
-ESTIMATE, LOW, HIGH = range(3)
-MEDIAN, P90, MEAN = range(3)
-"""Places of the numbers in a record."""
-
-
 class Store:
     """The plan on disk.
 

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, cast
 from stayput.errors import unknown
 from stayput.extras import arrow
 from stayput.inventory.plan import REJECTED, ROWS_PER_PART
-from stayput.inventory.results import PIECES, Finding, schema
+from stayput.inventory.results import ENDS, PIECES, Finding, schema
 from stayput.spreadsheets import CSV_ENCODING, harmless
 from stayput.verification.words import SAFE, SMALL
 
@@ -36,9 +36,6 @@ WORST = 50
 REJECTS = "rejects.parquet"
 FORMATS = ("csv", "geojson")
 """Formats beside Parquet, by the endings of their files."""
-
-ENDS = ("", "_low", "_high")
-"""An estimate, and the ends of its interval."""
 
 _KINDS = {"event": "string", "building": "string", "storey": "int32", "rows": "int64", "pieces": "int64"}
 """Types of the first columns of the summary; those that count pieces are whole too, all others are not."""
