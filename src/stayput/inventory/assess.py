@@ -20,7 +20,7 @@ from stayput.execution import Pool
 from stayput.extras import arrow
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.columns import read_columns
-from stayput.inventory.folder import MANIFEST, PLAN, check_parts, claimed, digest_of, inputs_of
+from stayput.inventory.folder import MANIFEST, PLAN, called, check_parts, claimed, input_digest, inputs_of
 from stayput.inventory.plan import make_plan
 from stayput.inventory.report import report_html
 from stayput.inventory.results import GROUND, PIECES, part_names, write_results
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Mapping, Sequence
     from concurrent.futures import Executor
 
-    from stayput.catalogue import Language, Phrase
+    from stayput.catalogue import Language
     from stayput.inventory.scenarios import Changed, Scenarios
     from stayput.inventory.summary import Summary
 
@@ -173,7 +173,7 @@ def assess(
         raise InputError("inventory_tables.no_map", "shakemap")
     paths = {"inventory": inventory, "shake map": shakemap, "uncertainty": uncertainty}
     files = {name: Path(path) for name, path in paths.items() if path is not None}
-    digests = {name: _digest(name, path) for name, path in files.items()}
+    digests = {name: input_digest(name, path) for name, path in files.items()}
     map_path = files.get("shake map")
     shaking = None if map_path is None else read_shakemap(map_path, field, files.get("uncertainty"))
     scenarios = read_scenarios(scenario, shaking, changed)
@@ -189,8 +189,8 @@ def assess(
 
     def check_unchanged() -> None:
         for name, path in files.items():
-            if _digest(name, path) != digests[name]:
-                raise InputError("inventory.changed", file=_called(name), path=repr(str(path)))
+            if input_digest(name, path) != digests[name]:
+                raise InputError("inventory.changed", file=called(name), path=repr(str(path)))
 
     with _full_disk(folder), claimed(folder, inputs) as space:
         with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
@@ -243,23 +243,6 @@ def memory_of(value: float | str) -> int:
             raise InputError("inventory.memory_format", "memory", memory=repr(value))
         value = float(match[1]) * _UNITS[match[2].lower()]
     return int(within("inventory.memory", value, 2**28, 2**50, "bytes"))
-
-
-def _digest(name: str, path: Path) -> str:
-    try:
-        if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
-            raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
-        return digest_of(path)
-    except OSError as error:
-        reason = reason_of(error)
-        raise InputError(
-            "inventory.unreadable", file=_called(name), path=repr(str(path)), reason=reason
-        ) from None
-
-
-def _called(name: str) -> Phrase:
-    """Return the name of an input in sentences: the inventory or the shake map."""
-    return phrase(f"inventory.input_{name.replace(' ', '_')}")
 
 
 @contextmanager

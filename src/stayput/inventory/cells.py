@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, has_control, whole_within
+from stayput.errors import InputError, has_control
 from stayput.inventory.columns import UNITS
 from stayput.vocabulary import LONGEST_WORD, WORDS, plain_word
 
@@ -219,20 +219,6 @@ def without_thousands(number: str, unit: str, marks: str = ",") -> str:
 def _not_a_plain_number(name: str, value: str, unit: str, hint: Phrase | str = "") -> InputError:
     said = phrase("inventory.in_unit", unit=unit) if unit else ""
     return refusal("not_plain_number", name, value=value, unit=said, hint=hint)
-
-
-def whole_of(name: str, cell: Cell, low: int, high: int) -> int | None:
-    """Return a cell as a whole number.
-
-    Raises
-    ------
-    InputError
-        Not a whole number, or out of range.
-    """
-    value = number_of(name, cell)
-    if value is None:
-        return None
-    return whole_within(name, value, low, high, field=name)
 
 
 def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:

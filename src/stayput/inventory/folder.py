@@ -16,11 +16,13 @@ from typing import IO, TYPE_CHECKING, Any, cast
 
 import stayput
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, reason_of
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterator, Mapping
     from pathlib import Path
+
+    from stayput.catalogue import Phrase
 
 FORMAT = 9
 """Changes with the files' layout or meaning."""
@@ -95,6 +97,33 @@ def digest_of(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
+def called(name: str) -> Phrase:
+    """Return what sentences call an input, such as "shake map"."""
+    return phrase(f"inventory.input_{name.replace(' ', '_')}")
+
+
+def unreadable(name: str, path: Path, error: OSError) -> InputError:
+    """Return the refusal of an input that the system does not let be read."""
+    reason = reason_of(error)
+    return InputError("inventory.unreadable", file=called(name), path=repr(str(path)), reason=reason)
+
+
+def input_digest(name: str, path: Path) -> str:
+    """Return the SHA-256 of an input.
+
+    Raises
+    ------
+    InputError
+        No file, or one that cannot be read.
+    """
+    try:
+        if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
+            raise InputError("inventory.not_a_file", file=called(name), path=repr(str(path)))
+        return digest_of(path)
+    except OSError as error:
+        raise unreadable(name, path, error) from None
+
+
 @contextmanager
 def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
     """Create the folder with its parents, or open it again, and lock it against other processes.
@@ -124,7 +153,7 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
         before = inputs_of(folder)
         if before is not None and before != wanted and _holds_results(folder):
             other = next((name for name in wanted if before.get(name) != wanted[name]), "list of inputs")
-            other = phrase(f"inventory.input_{other.replace(' ', '_')}")
+            other = called(other)
             raise InputError("inventory.other_assessment", "out", folder=repr(str(folder)), other=other)
         (folder / WORK).mkdir(exist_ok=True)
         space = Workspace(folder / WORK)

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from stayput.catalogue import phrase
 from stayput.contents import Contents
 from stayput.contents.contents import emptied
-from stayput.errors import InputError, unknown, visible, within
+from stayput.errors import InputError, unknown, visible, whole_within, within
 from stayput.inventory.cells import (
     ROOF,
     Unusable,
@@ -25,7 +25,6 @@ from stayput.inventory.cells import (
     refusal,
     shown,
     text_of,
-    whole_of,
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
 from stayput.inventory.scenarios import stated_building
@@ -146,7 +145,8 @@ class RowReader:
             called = cells.get(name)
             if isinstance(called, str) and TOTAL_ROW.fullmatch(plain_name(called)):
                 raise refusal("total_row", name, value=shown(called))
-        count = whole_of("count", cells.get("count"), 1, 1_000_000)
+        count = number_of("count", cells.get("count"))
+        count = 1 if count is None else whole_within("count", count, 1, 1_000_000, field="count")
         value = limited("value", cells, 0.0, 1e15)
         lat, lon = limited("lat", cells, -90.0, 90.0, "°"), limited("lon", cells, -180.0, 360.0, "°")
         if (lat is None) != (lon is None):
@@ -154,7 +154,7 @@ class RowReader:
             raise refusal("missing_beside", name, other=other)
         body = self.bodies.result(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
-        about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count or 1}
+        about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count}
         about |= {"value": value, "lat": lat, "lon": lon}
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
