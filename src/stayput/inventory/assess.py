@@ -312,17 +312,17 @@ def _strengths(work: Work) -> Callable[[str, float | None], dict[str, float | No
     def strengths(station: str, level: float | None) -> dict[str, float | None]:
         place = places[station]
         ground, shaking = work.ground(place), work.scenarios.all[place].scenario.shaking
-        strength, told = shaking.strength, dict[str, float | None].fromkeys(GROUND)
+        strength, numbers = shaking.strength, dict[str, float | None].fromkeys(GROUND)
         if level is not None and measure == JMA_INTENSITY:
-            return {**told, "intensity": float(level)}
+            return {**numbers, "intensity": float(level)}
         if level is None and strength is not None and strength.measure == "JMA":
-            return {**told, "intensity": strength.level}
+            return {**numbers, "intensity": strength.level}
         if level is None:
             factors = ground.stated(strength, shaking.scale, work.settings[place].seed)
         else:
             factors = ground.factors(level)
             name = "sa" if measure.period is not None else "pga" if measure == PGA else "pgv"
-            told[name] = 10.0**level * (PGV.shown if name == "pgv" else 1.0)
-        return {**told, "intensity": ground.median_intensity(factors)}
+            numbers[name] = 10.0**level * (PGV.shown if name == "pgv" else 1.0)
+        return {**numbers, "intensity": ground.median_intensity(factors)}
 
     return strengths

@@ -138,9 +138,7 @@ class Store:
 
     def add_part(self, rows: list[dict[str, Any]]) -> None:
         """Add the checked rows of a part of the results: one for each piece and event."""
-        self.base.execute(
-            "INSERT INTO parts (rows) VALUES (?)", (zlib.compress(json.dumps(rows).encode(), 1),)
-        )
+        self.base.execute("INSERT INTO parts (rows) VALUES (?)", (zlib.compress(json.dumps(rows).encode()),))
 
     def part(self, number: int) -> list[dict[str, Any]]:
         """Return the checked rows of a part, the first being 0."""
