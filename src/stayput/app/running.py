@@ -235,7 +235,7 @@ def _pieces_reply(scenario: Scenario, ground: Motion) -> run_replies.SpaceSimula
     run = pieces_run(scenario)
     reply = _space_reply(scenario, [space_scene(run, scenario.names)], [sentences(run)], ground)
     if scenario.plan is not None:
-        hits, blocked, shut_in = happens_in(run, scenario)
+        hits, blocked, shut_in = happens_in(run)
         each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
         reply.in_room = run_replies.RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
     return reply

@@ -57,7 +57,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "stands_on": (
         (
-            "{name} is {value}, which names no piece above it in the file; a piece stands on one that is given "
+            "{name} is {value}, which names no piece before it; a piece stands on one that is given "
             "before."
         ),
         "{name}が{value}になっていますが、それより前にその名前の家具がありません。",
