@@ -28,10 +28,10 @@ from stayput.report.summary import (
     sentences_of_piece,
 )
 from stayput.rooms.events import happens_in
+from stayput.scenario.option import YOURS
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.space_fate import ROCKED, SLID
-from stayput.verification.options import YOURS
 from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ ALIKE = 0.05
 
 def own_measures(scenario: Scenario) -> tuple[Measure, ...]:
     """Return the user's own set of measures."""
-    return next((measure_set.measures for measure_set in scenario.measures if measure_set.name == YOURS), ())
+    return next((measure_set.measures for measure_set in scenario.options if measure_set.name == YOURS), ())
 
 
 def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) -> Run:

@@ -10,10 +10,8 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.flags import (
     GROUND,
-    OF_LOCALE,
     FlagValues,
     LanguageOption,
-    QuietOption,
     numbers,
     tables_of_motion,
     takes,
@@ -24,7 +22,8 @@ from stayput.errors import InputError, unknown
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
-    from stayput.motion.suites import Suite, TargetSpectrum
+    from stayput.motion.suites.suite import Suite
+    from stayput.motion.suites.target import TargetSpectrum
 
 FITS = ("scale", "match", "together")
 
@@ -59,8 +58,7 @@ def suite(
     band: Annotated[str, typer.Option(metavar="T1,T2", help="cli_help.band")] = "0.1,5",
     fit: Annotated[str, typer.Option(help="cli_help.fit", autocompletion=words("cli.suite:FITS"))] = "scale",
     select: Annotated[int | None, typer.Option(metavar="N", help="cli_help.select")] = None,
-    lang: LanguageOption = OF_LOCALE,
-    quiet: QuietOption = False,
+    lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion suite``."""
     if out.exists() and not out.is_dir():
@@ -98,7 +96,7 @@ def _target_of(text: str) -> TargetSpectrum:
     InputError
         A text or a file that cannot be read.
     """
-    from stayput.motion.suites import asce7, japanese_design, read_target
+    from stayput.motion.suites.target import asce7, japanese_design, read_target
 
     kind, _, rest = text.partition(":")
     if kind == "asce7":

@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any, TextIO, cast
 from xml.etree.ElementTree import iterparse
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, absent, not_allowed, reason_of
+from stayput.errors import InputError, absent, not_allowed
 from stayput.extras import arrow
 from stayput.inventory.cells import Unusable
+from stayput.inventory.folder import unreadable
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator
@@ -127,8 +128,7 @@ def _readable(path: Path) -> Generator[None]:
     except InputError:
         raise
     except OSError as error:
-        reason = reason_of(error)
-        raise InputError("common.unreadable", file=repr(str(path)), reason=reason) from None
+        raise unreadable(path, error) from None
     except Exception as error:  # of a broken file libraries say this or that
         reason = " ".join(str(error).split())[:200].rstrip(" .")
         raise InputError("common.unreadable", "inventory", file=repr(str(path)), reason=reason) from error

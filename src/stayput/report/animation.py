@@ -20,7 +20,7 @@ from stayput.report.history import cut_run, history, peak_of, window_in_space, w
 from stayput.report.names import motion_label, names_of
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
 from stayput.report.palette import mode_looks
-from stayput.report.scene import DRIFT_CORNER, Scene, scene_of
+from stayput.report.scene import DRIFT_CORNER, PlaneScene, scene_of
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.scene import SpaceScene, space_scene
 from stayput.report.summary import sentences
@@ -59,7 +59,7 @@ SPACE_PLAYER_TEXTS = _BAR_TEXTS | {
 """The same of the player in space."""
 
 
-AnyScene = TypeVar("AnyScene", bound=Scene | SpaceScene)
+AnyScene = TypeVar("AnyScene", bound=PlaneScene | SpaceScene)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,7 +68,7 @@ class Film(Generic[AnyScene]):
 
     Parameters
     ----------
-    scene : Scene or SpaceScene
+    scene : PlaneScene or SpaceScene
         What is drawn.
     title : str
         What became of the bodies, in one sentence.
@@ -143,7 +143,7 @@ def film_of(
     return Film(scene, say(sentences(run), language), strip, " ".join(caption), language, note)
 
 
-def _movement(scene: Scene | SpaceScene) -> dict[str, object]:
+def _movement(scene: PlaneScene | SpaceScene) -> dict[str, object]:
     """Return the values of a sentence on how the room moves in a picture."""
     scale = scene.shift_scale
     part = "" if scale >= 1.0 else phrase("runs.drawn_smaller", share=100.0 * scale)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from PIL import ImageFont
 
     from stayput.report.animation import Film
-    from stayput.report.scene import Pose, Scene
+    from stayput.report.scene import PlaneScene, Pose
 
 
 SMOOTH = 2
@@ -173,7 +173,7 @@ class Painter:
         Size of a frame [pixels].
     """
 
-    def __init__(self, film: Film[Scene], width: int, height: int) -> None:
+    def __init__(self, film: Film[PlaneScene], width: int, height: int) -> None:
         self._film, motion = film, film.scene.motion
         self._layout = FrameLayout(film, {"x": motion.x}, motion.time, width, height)
         self._scene, self._line = self._layout.scene, self._layout.line

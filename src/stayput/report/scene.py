@@ -1,7 +1,7 @@
 """A scene: body, room and devices of one or more runs over time, which every picture and page draws.
 
-`Scene.data` is the one form in which a scene leaves Python: for the page's API, the animation's HTML file
-and the report. ``report/canvas/painter.js`` draws it; `stayput.report.frames` draws a scene with Pillow.
+`PlaneScene.data` is the one form in which a scene leaves Python: for the page's API, the animation's HTML
+file and the report. ``report/canvas/painter.js`` draws it; `stayput.report.frames` draws a scene with Pillow.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ class View:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Scene:
+class PlaneScene:
     """Runs under one motion of the floor, ready to be drawn.
 
     Parameters
@@ -182,7 +182,7 @@ class Scene:
         }
 
 
-def scene_of(runs: Sequence[Run], start: float = 0.0, end: float | None = None) -> Scene:
+def scene_of(runs: Sequence[Run], start: float = 0.0, end: float | None = None) -> PlaneScene:
     """Make runs under one motion ready to be drawn.
 
     Parameters
@@ -202,7 +202,7 @@ def scene_of(runs: Sequence[Run], start: float = 0.0, end: float | None = None) 
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = scale * ground
     view = _view(runs, histories, start, until, motion.time, shift)
-    return Scene(tuple(runs), histories, motion, start, until, shift, scale, view)
+    return PlaneScene(tuple(runs), histories, motion, start, until, shift, scale, view)
 
 
 def run_data(run: Run, shown: History, at: NDArray[np.float64]) -> dict[str, Any]:

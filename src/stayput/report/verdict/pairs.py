@@ -17,21 +17,21 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_held, draws
 from stayput.montecarlo.several import draws_of_several
 from stayput.montecarlo.several import replay as run_again
-from stayput.motion.suites import Suite
+from stayput.motion.suites.suite import Suite
 from stayput.report.animation import film_of, player_page
 from stayput.report.figures import embedded
 from stayput.report.fonts import drawable
 from stayput.report.history import MOVED, cut_run, history, peak_of, window_in_space, window_of
 from stayput.report.names import motion_label
 from stayput.report.plot import plot_run
-from stayput.report.scene import TIME_DIGITS, Scene, scene_of
+from stayput.report.scene import TIME_DIGITS, PlaneScene, scene_of
 from stayput.report.summary import sentences
 from stayput.report.verdict import svg
 from stayput.report.verdict.numbers import word
 from stayput.simulation.case import Case, run_of
 from stayput.simulation.space import simulate_held
 from stayput.verification import Verdict
-from stayput.verification.words import title, title_of_several
+from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -42,11 +42,11 @@ if TYPE_CHECKING:
     from stayput.measures import Held
     from stayput.montecarlo.counting import Member
     from stayput.motion import Motion
+    from stayput.scenario.option import Option
     from stayput.scenario.pieces import PieceTable
     from stayput.simulation.run import Run
-    from stayput.verification import AssemblyVerdict
-    from stayput.verification.options import Option
-    from stayput.verification.verdict import AssemblyOptionVerdict
+    from stayput.verification import Verdict
+    from stayput.verification.verdict import OptionVerdict
 
 RATE = 50.0
 """Poses a second that the report holds; its script draws straight lines between them."""
@@ -73,14 +73,14 @@ class RunPair:
         The motion and the draw.
     options : list of Option
         The measures of each, or none, which comes first.
-    scene : Scene
+    scene : PlaneScene
         The runs, and what is drawn of them.
     """
 
     kind: str
     member: Member
     options: list[Option]
-    scene: Scene
+    scene: PlaneScene
 
     @property
     def telling(self) -> float:
@@ -103,8 +103,8 @@ class RunPair:
         Returns
         -------
         dict
-            What `Scene.data` returns; ``start_s``, ``end_s``, ``telling_s``; ``kind`` and ``loads_kg`` of
-            the piece.
+            What `PlaneScene.data` returns; ``start_s``, ``end_s``, ``telling_s``; ``kind`` and ``loads_kg``
+            of the piece.
         """
         return {
             **self.scene.data(RATE),
@@ -217,7 +217,7 @@ def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, sca
 
 
 def motion_told(
-    verdict: Verdict | AssemblyVerdict,
+    verdict: Verdict,
     member: Member,
     run: Run,
     shown: tuple[float, float],
@@ -260,10 +260,10 @@ def space_pairs(verdict: Verdict, ground: Suite, language: str) -> list[dict[str
     return _pairs(verdict, runs_of, labels, language)
 
 
-def pairs_of_several(verdict: AssemblyVerdict, language: str) -> list[dict[str, Any]]:
+def pairs_of_several(verdict: Verdict, language: str) -> list[dict[str, Any]]:
     """Return the same for the report of a verdict on several pieces."""
     options = [verdict.without, verdict.best] if verdict.best.option.count else [verdict.without]
-    labels = [title_of_several(option, verdict, language) for option in options]
+    labels = [title(option.option, verdict, language) for option in options]
 
     def runs_of(member: Member) -> list[Run]:
         return [replay_of_several(verdict, option, member) for option in options]
@@ -272,7 +272,7 @@ def pairs_of_several(verdict: AssemblyVerdict, language: str) -> list[dict[str, 
 
 
 def _pairs(
-    verdict: Verdict | AssemblyVerdict,
+    verdict: Verdict,
     runs_of: Callable[[Member], list[Run]],
     labels: Sequence[str],
     language: str,
@@ -280,7 +280,7 @@ def _pairs(
     """Return the typical and the worst case, of runs under options with labels."""
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
-    without = "common.without" if isinstance(verdict, Verdict) else "several.nothing"
+    without = "common.without" if verdict.scenario.alone else "several.nothing"
     pairs: list[dict[str, Any]] = []
     for kind, member in (("typical", verdict.without.typical), ("worst", verdict.best.worst)):
         runs = runs_of(member)
@@ -306,7 +306,7 @@ def _pairs(
     return pairs
 
 
-def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> Run:
+def replay_of_several(verdict: Verdict, result: OptionVerdict, member: Member) -> Run:
     """Run a member of an option again, with its histories."""
     scenario = verdict.scenario
     hazard, stated = Hazard.of(scenario), scenario.uncertainty
