@@ -48,9 +48,10 @@ def test_every_piece_is_drawn_and_simulated_at_its_size(it: Opened, server: Runn
             lambda preset=preset: it.page.click(f"#presets button:has-text('{preset['label']['en']}')")
         )
         assert asked["scene"]["furniture"]["preset"] == preset["id"]
-        body = answer["without"]["body"]
-        assert body["width_m"] == pytest.approx(preset["width_m"])
-        assert body["mass_kg"] == pytest.approx(preset["mass_kg"])
+        (body,) = answer["without"]["scene"]["bodies"]
+        across = [corner[0] for corner in body["shape"]["vertices_m"]]
+        assert max(across) - min(across) == pytest.approx(preset["width_m"])
+        assert asked["scene"]["furniture"]["mass"] == pytest.approx(preset["mass_kg"])
         assert it.page.locator("#presets [aria-pressed=true]").count() == 1
         seen.add(it.page.eval_on_selector("#stage-without", "canvas => canvas.toDataURL()"))
     assert len(seen) == len(presets)
@@ -59,7 +60,7 @@ def test_every_piece_is_drawn_and_simulated_at_its_size(it: Opened, server: Runn
 def test_the_load_of_the_shelves_moves_the_centre_of_gravity(it: Opened) -> None:
     for button, compare in (("Heavy at the bottom", float.__lt__), ("Heavy at the top", float.__gt__)):
         _, answer = it.simulated(lambda button=button: it.page.click(f"text={button}"))
-        up = answer["without"]["body"]["centre_of_gravity_m"][1]
+        up = answer["without"]["scene"]["bodies"][0]["centre_of_gravity_m"][2]
         assert compare(up, 0.9)
         shown = re.search(r"G is (.+?) above", it.text("#balance"))
         assert shown is not None
