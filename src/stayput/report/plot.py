@@ -304,10 +304,9 @@ def _angles(run: Run) -> Iterator[tuple[float, str, str, str]]:
 
 
 def _last_time(run: Run) -> float:
-    """Return the end of the time axis [s]: the run's, or in the plane a little after the body fell."""
-    if run.engine == "plane" and run.overturned:
-        return min(run.motion.duration, _AFTER * run.overturn_time)
-    return float(run.time[-1])
+    """Return the end of the time axis [s]: the run's, or where it ends with a fall a little after that."""
+    last = float(run.time[-1])
+    return last if run.end <= last else min(run.motion.duration, _AFTER * run.end)
 
 
 def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
