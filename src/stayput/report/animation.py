@@ -17,7 +17,7 @@ from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
 from stayput.report.film.frames import Painter
 from stayput.report.film.posed import posed
-from stayput.report.film.scene import DRIFT_CORNER, Scene, scene_of
+from stayput.report.film.scene import DRIFT_CORNER, FilmScene, scene_of
 from stayput.report.history import AFTER, cut_run, peak_of, telling, window_of
 from stayput.report.names import motion_label, names_of
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
@@ -59,7 +59,7 @@ class Film:
 
     Parameters
     ----------
-    scene : Scene
+    scene : FilmScene
         What is drawn.
     title : str
         What became of the bodies, in one sentence.
@@ -73,7 +73,7 @@ class Film:
         A sentence that stands in every frame of a GIF or MP4.
     """
 
-    scene: Scene
+    scene: FilmScene
     title: str
     strip_title: str
     caption: str

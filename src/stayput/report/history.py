@@ -73,11 +73,11 @@ def turned(corner: tuple[float, float], tilt: float) -> tuple[float, float]:
 
 def spans(run: Run) -> list[tuple[float, float, Mode]]:
     """Return when the body was in which mode: (start [s], end [s], mode) in order; nothing in space."""
-    starts = [i for i, mode in enumerate(run.mode) if i == 0 or mode != run.mode[i - 1]]
-    if not starts:
+    if not len(run.mode):
         return []
+    starts = [0, *(np.flatnonzero(run.mode[1:] != run.mode[:-1]) + 1).tolist()]
+    modes = [Mode(mode) for mode in run.mode[starts].tolist()]
     times = run.time[[*starts, -1]].tolist()
-    modes = [Mode(str(run.mode[i])) for i in starts]
     return [(start, end, mode) for mode, (start, end) in zip(modes, pairwise(times), strict=True)]
 
 

@@ -1,6 +1,6 @@
 """A scene: bodies, room and floor of a run over time, which every film and page draws.
 
-`Scene.data` is the one form in which it leaves Python. ``report/canvas/space.js`` draws it;
+`FilmScene.data` is the one form in which it leaves Python. ``report/canvas/space.js`` draws it;
 `stayput.report.film.frames` draws it with Pillow.
 """
 
@@ -75,7 +75,7 @@ class DrawnTie(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Scene:
+class FilmScene:
     """A run, ready to be drawn.
 
     Parameters
@@ -181,7 +181,7 @@ class Scene:
         dict
             ``poses``: ``start_s``, ``end_s``, ``count``. ``floor``: ``shift_m`` (at the poses), ``dt_s`` and
             ``acceleration_m_s2`` by components (at the motion's samples). ``planes``: walls and ceiling.
-            ``view``: ``from`` (see `Scene.view`), ``low_m``, ``high_m``, ``grid_m``, ``points_m``.
+            ``view``: ``from`` (see `FilmScene.view`), ``low_m``, ``high_m``, ``grid_m``, ``points_m``.
             ``bodies``: ``name``, ``colour``, ``shape`` (see `SolidShape.data`), ``centre_of_gravity_m``,
             ``footprint_m`` (where it first stood on the floor), and at the poses ``place_m``, ``attitude``,
             ``tilt_rad``, ``slide_m``, ``yaw_rad``; tilt and slide have signs in the plane.
@@ -288,7 +288,7 @@ def ground_displacement(motion: Motion) -> NDArray[np.float64]:
     return np.asarray(shown[: len(motion)], dtype=np.float64)
 
 
-def scene_of(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) -> Scene:
+def scene_of(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) -> FilmScene:
     """Make a run ready to be drawn.
 
     Parameters
@@ -320,7 +320,7 @@ def scene_of(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) -> Sc
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
     shapes = tuple(shape_of(piece.solid) for piece in run.standing)
-    return Scene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
+    return FilmScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
 
 
 def _ties(run: Run) -> tuple[DrawnTie, ...]:
@@ -391,4 +391,5 @@ def _at_the_rim(points: NDArray[np.float64]) -> NDArray[np.float64]:
     turn = math.pi * (3.0 - math.sqrt(5.0)) * np.arange(_DIRECTIONS)
     across = np.sqrt(1.0 - height**2)
     directions = np.column_stack((across * np.cos(turn), across * np.sin(turn), height))
-    return points[np.unique((points @ directions.T).argmax(axis=0))]
+    along = np.einsum("di,ip->dp", directions, np.ascontiguousarray(points.T))  # with a thread of its own
+    return points[np.unique(along.argmax(axis=1))]
