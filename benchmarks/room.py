@@ -20,14 +20,14 @@ import stayput as sp
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.montecarlo.several import trace_draw, turned
 from stayput.rooms.changes import measures_tried
-from stayput.rooms.runs import part_with
+from stayput.rooms.runs import RoomPart
 from stayput.rooms.verify import question_of
 from stayput.scenario import read_scenario
 from stayput.simulation.space import results_of
 from stayput.simulation.space_engine import STEP
 
 if TYPE_CHECKING:
-    from stayput.rooms.runs import Question, RoomPart
+    from stayput.rooms.runs import Question
     from stayput.rooms.verdict import RoomVerdict
 
 BEDROOM = Path(__file__).parents[1] / "examples" / "bedroom.toml"
@@ -72,7 +72,7 @@ def overturned(question: Question, part: RoomPart, step: float) -> list[bool]:
             floors = question.floors
             shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
             own, gravity = draw.of(part.bodies), question.scenario.gravity
-            traced = trace_draw(part.assembly, part.room, own, shaking, gravity, step)
+            traced = trace_draw(part.scene, own, shaking, gravity, step)
             outcome = results_of(traced, shaking.times)["outcome"]
             found.append(bool((outcome == OVERTURNED_OUTCOME).any()))
     return found
@@ -86,7 +86,7 @@ def held() -> Table:
         table.add_column(heading, justify="right")
     for body, name in enumerate(question.scenario.names):
         began = time.process_time()
-        question.run([part_with(question.scenario, (body,), question.whole)])
+        question.run([RoomPart.of(question.whole, (body,))])
         plane = time.process_time() - began
         for change, part in measures_tried(question.scenario, question.whole, body):
             if part.in_plane or change.measure is None:

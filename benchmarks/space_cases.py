@@ -69,7 +69,7 @@ def shapes(rng: Rng, count: int) -> list[sp.Body]:
 def raised(standing: sp.Piece, level: float) -> sp.Piece:
     """Return a body whose lowest point is at a level."""
     x, y, z = standing.at
-    return replace(standing, at=(x, y, z + level - standing.along((0.0, 0.0, 1.0))[0]))
+    return replace(standing, at=(x, y, z + level - standing.reach((0.0, 0.0, 1.0))[0]))
 
 
 def turned(rng: Rng) -> tuple[float, float, float]:

@@ -139,10 +139,10 @@ def run_in_mujoco(scene: Scene, step: float) -> Histories:
 
 def run_in_stayput(scene: Scene, step: float) -> Histories:
     """Run the same here."""
-    assembly = sp.Assembly(scene.standing(), (scene.friction[1], scene.friction[1]))
+    pieces, both = scene.standing(), (scene.friction[1], scene.friction[1])
     room = sp.Room(sp.Floor(scene.friction[0], scene.friction[0]))
     start = time.process_time()
-    run = sp.simulate(assembly, room, scene.motion, step=step)
+    run = sp.simulate(sp.Scene(pieces, room, friction=both), scene.motion, step=step)
     seconds = time.process_time() - start
     inertia = np.stack([np.diag(one.solid.inertia) for one in run.standing])
     masses = np.array([one.solid.mass for one in run.standing])
@@ -172,8 +172,10 @@ def in_stayput(
 ) -> sp.Run:
     """Run the same here."""
     floor, between = friction
-    assembly = sp.Assembly(Scene(boxes, friction, motion).standing(), (between, between))
-    return sp.simulate(assembly, sp.Room(sp.Floor(floor, floor)), motion, step=step)
+    pieces = Scene(boxes, friction, motion).standing()
+    return sp.simulate(
+        sp.Scene(pieces, sp.Room(sp.Floor(floor, floor)), friction=(between, between)), motion, step=step
+    )
 
 
 def two_components(size: float, duration: float = 2.0) -> sp.Motion:

@@ -150,7 +150,7 @@ def depth_between(run: sp.Run) -> float:
 def run_one(case: Thrown, step: float = STEP) -> Found:
     """Run a case and look at what came out."""
     began = time.process_time()
-    run = sp.simulate(sp.Assembly(case.bodies, case.friction), case.room, case.motion, step=step)
+    run = sp.simulate(sp.Scene(case.bodies, case.room, friction=case.friction), case.motion, step=step)
     seconds = time.process_time() - began
     arrays = run.place, run.attitude, run.velocity, run.rotation_rate
     made = lost = momentum = math.nan

@@ -72,11 +72,11 @@ from .simulation.outcome import EventKind as EventKind
 from .simulation.outcome import Hit as Hit
 from .simulation.outcome import Mode as Mode
 from .simulation.outcome import Outcome as Outcome
+from .simulation.piece import Piece as Piece
 from .simulation.run import PieceRun as PieceRun
 from .simulation.run import Run as Run
-from .simulation.standing import Assembly as Assembly
-from .simulation.standing import Joint as Joint
-from .simulation.standing import Piece as Piece
+from .simulation.scene import Joint as Joint
+from .simulation.scene import Scene as Scene
 from .standards import ac156 as ac156
 from .standards import ac156_motion as ac156_motion
 from .standards import anchor_tension as anchor_tension

@@ -30,7 +30,7 @@ def run() -> Any:
         sp.Piece(sp.Body.box(0.45, 0.9, 0.9, 60.0)),
         sp.Piece(sp.Body.cylinder(0.3, 0.8, 20.0), at=(0.0, 0.0, 0.9)),
     ]
-    return sp.simulate(sp.Assembly(parts), sp.Room(left_wall=sp.Wall(0.05)), shaking)
+    return sp.simulate(sp.Scene(parts, sp.Room(left_wall=sp.Wall(0.05))), shaking)
 
 
 @contextmanager

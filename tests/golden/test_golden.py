@@ -45,7 +45,7 @@ LAST_DIGITS = 1e-6
 WALL = sp.Wall(0.02)
 WALLED = sp.Room(sp.Floor(0.4, 0.3), left_wall=WALL)
 BRACKET = [sp.MEASURES["l_bracket"]()]
-STACK = sp.Assembly(
+STACK = sp.Scene(
     [
         sp.Piece(sp.Body.box(0.45, 0.9, 1.0, 60.0)),
         sp.Piece(sp.Body.box(0.35, 0.9, 0.9, 30.0), at=(-0.05, 0.0, 1.0)),
@@ -85,7 +85,7 @@ RUNS: dict[str, Callable[[], sp.Run]] = {
     "plane_paper": lambda: sp.simulate(BOOKCASE, sp.Room(left_wall=WALL), waves(4.0), contact="paper"),
     "space": lambda: sp.simulate(BOOKCASE, WALLED, waves(4.0, 1.0), dimensions=3),
     "space_held": lambda: sp.simulate(BOOKCASE, WALLED, waves(6.0), BRACKET, dimensions=3),
-    "space_stack": lambda: sp.simulate(STACK, sp.Room(), waves(3.0).trimmed(0.0, 2.5)),
+    "space_stack": lambda: sp.simulate(STACK, waves(3.0).trimmed(0.0, 2.5)),
 }
 
 
@@ -145,7 +145,7 @@ def test_the_bits_of_runs(name: str) -> None:
 
 
 def test_the_stack_falls_in_the_end() -> None:
-    assert sp.simulate(STACK, sp.Room(), waves(3.0)).outcome is sp.Outcome.FELL_OFF
+    assert sp.simulate(STACK, waves(3.0)).outcome is sp.Outcome.FELL_OFF
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=[scene.stem for scene in SCENES])

@@ -46,8 +46,8 @@ def test_no_energy_is_made(kind, restitution: float, seed: int) -> None:
     rng = np.random.default_rng(seed)
     static, between = rng.uniform(0.0, 1.0, 2)
     room = sp.Room(sp.Floor(static, 0.8 * static, normal_restitution=restitution))
-    assembly = sp.Assembly(kind(rng), (between, 0.8 * between))
-    run = sp.simulate(assembly, room, STILL)
+    scene = sp.Scene(kind(rng), room, friction=(between, 0.8 * between))
+    run = sp.simulate(scene, STILL)
     found = cases.energies(run)
     assert np.isfinite(found).all()
     assert np.diff(found).max() < 1e-4 * found[0]

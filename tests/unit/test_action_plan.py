@@ -242,7 +242,7 @@ def test_plan_and_elevations_are_to_the_scale_that_they_say(plan: sp.ActionPlan)
     assert re.search(rf"width:{float(picture[1]) / 10.0:.1f}mm", picture[0])
     box = re.search(r'width="([\d.]+)" height="([\d.]+)" class="piece"', picture[0])
     assert box is not None
-    body = fix.part.assembly.members[fix.place].body
+    body = fix.part.scene.pieces[fix.place].body
     sizes = [float(size) * 1e-4 * said for size in box.groups()]
     assert sizes == pytest.approx([body.length, body.height], rel=0.002)
 

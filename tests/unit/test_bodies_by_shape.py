@@ -51,7 +51,7 @@ def test_what_takes_a_section_alone_refuses_it() -> None:
         sp.simulate(VASE, ROOM, MOTION, initial=sp.State(tilt=0.1))
     pieces = [sp.Piece(sp.Body(0.4, 1.8, 60.0, length=0.9)), sp.Piece(VASE, (1.0, 0.0, 0.0), 0.0, [belt])]
     with pytest.raises(sp.InputError, match=r"members\[1\].*has a shape of its own"):
-        sp.simulate(sp.Assembly(pieces), ROOM, MOTION)
+        sp.simulate(sp.Scene(pieces, ROOM), MOTION)
 
 
 def test_a_piece_of_furniture_begins_as_stated() -> None:

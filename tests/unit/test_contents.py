@@ -159,8 +159,8 @@ def test_the_papers_law_is_refused():
 def test_what_cannot_be_followed_in_space_is_refused():
     still, drum = sp.sine(1.0, 1.0, 1.0), sp.Body.cylinder(0.4, 1.8, 100.0)
     body = replace(BODY, length=0.9)
-    both = sp.Assembly([sp.Piece(body), sp.Piece(drum, at=(2.0, 0.0, 0.0))])
-    run = sp.simulate(both, sp.Room(), still.resampled(0.0025))
+    both = sp.Scene([sp.Piece(body), sp.Piece(drum, at=(2.0, 0.0, 0.0))])
+    run = sp.simulate(both, still.resampled(0.0025))
     assert sp.spill(run, sp.Contents(), 0).share_out == 0.0
     for piece, message in ((None, "piece is None"), (2, "between 0 and 1"), (1, "shape of its own")):
         with pytest.raises(InputError, match=message):

@@ -1,4 +1,4 @@
-"""Measures on the pieces of an assembly: where they act, what they change, and what is refused."""
+"""Measures on the pieces of a scene: where they act, what they change, and what is refused."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def of(*kinds: str) -> list[Measure]:
 )
 def test_a_piece_alone_is_held_like_a_body_in_space(kinds: tuple[str, ...]) -> None:
     alone = sp.simulate(BODY, ROOM, SHAKEN, of(*kinds), dimensions=3)
-    among = sp.simulate(sp.Assembly([sp.Piece(BODY, measures=of(*kinds))]), ROOM, SHAKEN)
+    among = sp.simulate(sp.Scene([sp.Piece(BODY, measures=of(*kinds))], ROOM), SHAKEN)
     assert among.outcome == alone.outcome
     if "wedge_stopper" not in kinds:
         assert np.array_equal(among.place, alone.place)
@@ -56,8 +56,8 @@ def test_a_piece_that_is_turned_about_is_held_to_the_wall_behind_it(kind: str) -
     behind = sp.Room(ROOM.floor, right_wall=ROOM.left_wall, ceiling=ROOM.ceiling)
     facing = sp.Piece(BODY, measures=of(kind))
     turned = sp.Piece(BODY, (1.0, 2.0, 0.0), math.pi, of(kind))
-    first = sp.simulate(sp.Assembly([facing]), ROOM, SHAKEN)
-    second = sp.simulate(sp.Assembly([turned]), behind, about)
+    first = sp.simulate(sp.Scene([facing], ROOM), SHAKEN)
+    second = sp.simulate(sp.Scene([turned], behind), about)
     assert first.devices[0].peak_pull > 50.0
     before = first.time < 6.9  # in which impacts have not yet enlarged what differs by rounding
     np.testing.assert_allclose(first[0].tilt[before], second[0].tilt[before], atol=1e-7)
@@ -103,7 +103,7 @@ def test_a_sheet_is_under_its_own_piece_alone() -> None:
     """Of two alike on a floor that a sine makes them slide on, the one on a sheet stays where it is."""
     low = sp.Body(0.6, 0.4, 30.0, length=0.6)
     pieces = [sp.Piece(low), sp.Piece(low, (0.0, 1.0, 0.0), 0.0, of("anti_slip_sheet"))]
-    run = sp.simulate(sp.Assembly(pieces), sp.Room(sp.Floor(0.2, 0.15)), sp.sine(3.0, 2.0, 3.0))
+    run = sp.simulate(sp.Scene(pieces, sp.Room(sp.Floor(0.2, 0.15))), sp.sine(3.0, 2.0, 3.0))
     assert run[0].peak_slide > 0.005
     assert run[1].peak_slide < 1e-9
 
@@ -123,7 +123,7 @@ def test_a_sheet_is_under_its_own_piece_alone() -> None:
 )
 def test_what_cannot_be_put_in_place(piece: sp.Piece, room: sp.Room, said: str) -> None:
     with pytest.raises(sp.InputError, match=said):
-        sp.simulate(sp.Assembly([piece]), room, sp.sine(1.0, 1.0, 1.0))
+        sp.simulate(sp.Scene([piece], room), sp.sine(1.0, 1.0, 1.0))
 
 
 def test_bodies_that_are_no_pieces() -> None:
@@ -135,7 +135,7 @@ def test_bodies_that_are_no_pieces() -> None:
 
 def test_members_without_measures_keep_their_bits() -> None:
     solid = sp.Body.box(0.4, 0.9, 1.8, 100.0)
-    run = sp.simulate(sp.Assembly([sp.Piece(solid)]), ROOM, SHAKEN.scaled(0.3))
+    run = sp.simulate(sp.Scene([sp.Piece(solid)], ROOM), SHAKEN.scaled(0.3))
     again = sp.simulate(solid, ROOM, SHAKEN.scaled(0.3))
     assert np.array_equal(run.place, again.place)
     assert run.held is None
@@ -145,8 +145,8 @@ def test_members_without_measures_keep_their_bits() -> None:
 def test_insets_move_neither_a_piece_nor_an_end_of_its_belt(insets: tuple[float, float]) -> None:
     """The middle of its outline is at its place; a belt begins as long as it is, from wall to piece."""
     body = sp.Body(0.4, 1.8, 100.0, length=0.9, base_insets=insets)
-    (one,) = placed([sp.Piece(body, measures=of("belt"))], ROOM)
-    assert one.piece.along((1.0, 0.0, 0.0)) == pytest.approx((-0.2, 0.2))
+    (one,) = placed(sp.Scene([sp.Piece(body, measures=of("belt"))], ROOM))
+    assert one.piece.reach((1.0, 0.0, 0.0)) == pytest.approx((-0.2, 0.2))
     for spring in one.springs:
         point, anchor = ([spring[f"{name}{axis}"] for axis in "xyz"] for name in "pa")
         assert np.linalg.norm(np.add(one.piece.place, point) - anchor) == pytest.approx(spring["length"])

@@ -191,8 +191,7 @@ def test_parts_and_measures_of_a_piece(kind: str) -> None:
         sp.simulate(body, room, motion, measures)
         if kind == "one"
         else sp.simulate(
-            sp.Assembly([sp.Piece(body, at=(0.0, 2.0 * n, 0.0), measures=measures) for n in range(3)]),
-            room,
+            sp.Scene([sp.Piece(body, at=(0.0, 2.0 * n, 0.0), measures=measures) for n in range(3)], room),
             motion,
         )
         for measures in ([], [LBracket()])

@@ -65,11 +65,12 @@ NEVER = probability(np.zeros((MOTIONS, SAMPLES), np.bool_))
 def made(**changed):
     """Return a verdict made by hand, in which each number differs from the others."""
     scenario = Scenario.parse({**SCENARIO, **changed})
-    plan, names = scenario.floor_plan(), scenario.names
+    plan, names = scenario.scene().plan, scenario.names
+    assert plan is not None
     chance = [probability(shares(0.05 + 0.04 * n, n)) for n in range(22)]
     left = iter(chance)
     pieces = []
-    for n, member in enumerate(scenario.assembly(scenario.stated).members):
+    for n, member in enumerate(scenario.scene().pieces):
         fell = np.zeros((round(plan.width / CELL), round(plan.length / CELL)))
         fell[10 * n : 10 * n + 5, 4:6] = 0.35
         standing, own = member, {event: next(left) for event in EVENTS}

@@ -20,7 +20,7 @@ from stayput.report.room.data import room_data
 from stayput.report.room.report import simulations_of_room
 from stayput.rooms import runs as room_runs
 from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, overlap, places_at_walls
-from stayput.rooms.runs import groups_of, part_with
+from stayput.rooms.runs import RoomPart, groups_of
 from stayput.rooms.verify import question_of
 from stayput.rooms.words import (
     best_sentence,
@@ -35,7 +35,7 @@ from stayput.rooms.words import (
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from stayput.rooms.runs import Question, RoomPart
+    from stayput.rooms.runs import Question
     from stayput.rooms.verdict import RoomVerdict
 
 BEDROOM: dict[str, Any] = {
@@ -79,11 +79,11 @@ def verdict() -> RoomVerdict:
 )
 def test_a_piece_against_a_wall_faces_into_the_room(wall: str, facing: tuple[float, float]):
     room = changed(furniture=piece(against=wall, along=1.3, gap=0.05), places=[])
-    standing = room.assembly().members[0]
+    standing = room.scene().pieces[0]
     np.testing.assert_allclose(standing.turn[:2, 0], facing, atol=1e-15)
     assert getattr(room.surroundings(), wall).gap == pytest.approx(0.05)
     along = (0.0, 1.0, 0.0) if "_side" not in wall else (1.0, 0.0, 0.0)
-    assert standing.along(along) == pytest.approx((0.9, 1.7))
+    assert standing.reach(along) == pytest.approx((0.9, 1.7))
 
 
 @pytest.mark.parametrize(
@@ -116,7 +116,7 @@ def test_what_is_wrong_is_refused_with_the_value(tables: dict[str, Any], told: s
 
 def test_against_is_refused_without_a_plan():
     with pytest.raises(sp.InputError, match=r"furniture\[0\].against .* must be"):
-        sp.Scenario.parse({"furniture": piece()}).assembly()
+        sp.Scenario.parse({"furniture": piece()}).scene()
 
 
 def test_pieces_on_or_joined_to_each_other_run_together():
@@ -127,16 +127,14 @@ def test_pieces_on_or_joined_to_each_other_run_together():
     ]
     room = changed(furniture=furniture)
     assert groups_of(room) == ((0, 1), (2,))
-    whole = room.assembly(room.stated)
-    parts = [part_with(room, group, whole) for group in groups_of(room)]
+    parts = [RoomPart.of(room.scene(), group) for group in groups_of(room)]
     assert [part.in_plane for part in parts] == [False, True]
     # what holds a piece to the wall is loaded by shaking along the wall too
     for measure, in_plane in ((Belt(), False), (LBracket(), False), (TensionPole(), True)):
-        (chest,) = parts[1].assembly.members
-        assert isinstance(chest, sp.Piece)
-        held = replace(parts[1].assembly, members=[replace(chest, measures=(measure,))])
-        assert parts[1]._replace(assembly=held).in_plane is in_plane
-    assert parts[1].room.near_side_wall.gap == pytest.approx(0.02)
+        (chest,) = parts[1].scene.pieces
+        held = parts[1].scene.with_piece(0, replace(chest, measures=(measure,)))
+        assert parts[1]._replace(scene=held).in_plane is in_plane
+    assert parts[1].scene.around.near_side_wall.gap == pytest.approx(0.02)
 
 
 def test_the_verdict_hangs_together(verdict: RoomVerdict):
@@ -252,9 +250,10 @@ def test_nobody_is_hit_by_what_is_fixed_well():
 
 
 def test_a_large_room_is_searched_in_as_many_steps_as_a_smaller_one():
-    whole = changed(plan={"width": 30.0, "length": 30.0})
-    floor = FreeFloor(whole.floor_plan(), whole.assembly().members)
-    (bed,) = whole.floor_plan().places
+    whole = changed(plan={"width": 30.0, "length": 30.0}).scene()
+    assert whole.plan is not None
+    floor = FreeFloor(whole.plan, whole.pieces)
+    (bed,) = whole.plan.places
     assert 600 < len(other_places(bed, floor)) <= 2 * 21 * 21
 
 
@@ -292,8 +291,10 @@ def test_a_room_is_simulated_under_a_motion_of_its_direction():
 
 def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
     room = changed(windows=[{"wall": "far_side_wall", "start": 0.5, "width": 1.0, "sill": 0.9}])
-    plan, whole = room.floor_plan(), room.assembly(room.stated)
-    floor = FreeFloor(plan, whole.members)
+    whole = room.scene()
+    plan = whole.plan
+    assert plan is not None
+    floor = FreeFloor(plan, whole.pieces)
     square = np.array([[0.0, 0.0], [0.4, 0.0], [0.4, 0.4], [0.0, 0.4]])
     for at, height, fits in (
         ((1.5, 0.4), 1.0, True),
@@ -307,7 +308,7 @@ def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
     nothing = FreeFloor(plan, ())
     assert nothing.fits(window, height=0.8, but_place="bed")
     assert not nothing.fits(window, height=1.0, but_place="bed")
-    walls = dict(places_at_walls(room, whole, 0, floor))
+    walls = dict(places_at_walls(whole, 0, floor))
     assert set(walls) <= set(FACING)
     assert all(walls.values())
     before_the_door = np.array([[2.9, 1.25], [3.6, 1.25], [3.6, 1.95], [2.9, 1.95]])
@@ -329,8 +330,7 @@ def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
 )
 def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[str, Any], kinds: set[str]):
     room = changed(places=[], **openings)
-    whole = room.assembly(room.stated)
-    tried = measures_tried(room, whole, 0)
+    tried = measures_tried(room, room.scene(), 0)
     assert {"l_bracket", "belt"} & {one.measure.kind for one, _ in tried if one.measure} == kinds
 
 
@@ -436,7 +436,7 @@ def two() -> tuple[Question, list[RoomPart]]:
         uncertainty={"samples": 4},
     )
     question = question_of(room, 1)
-    parts = [part_with(room, group, question.whole) for group in groups_of(room)]
+    parts = [RoomPart.of(question.whole, group) for group in groups_of(room)]
     tried = measures_tried(room, question.whole, 0)
     return question, parts + [held for change, held in tried if isinstance(change.measure, LBracket)]
 

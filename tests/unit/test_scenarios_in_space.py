@@ -189,10 +189,10 @@ def test_the_table_of_several_pieces() -> None:
 
 def test_the_file_of_several_pieces() -> None:
     scenario = sp.read_scenario(DRESSER)
-    assembly = scenario.assembly()
+    pieces = scenario.scene().pieces
     assert scenario.names == ("lower part", "upper part", "vase", "chest")
-    assert assembly.members[1].at == pytest.approx((-0.05, 0.0, 0.9))
-    assert assembly.members[2].at[2] == pytest.approx(1.85)
+    assert pieces[1].at == pytest.approx((-0.05, 0.0, 0.9))
+    assert pieces[2].at[2] == pytest.approx(1.85)
     printed = json.loads(run("simulate", DRESSER, "--json"))
     assert [body["name"] for body in printed["pieces"]] == list(scenario.names)
     assert printed["devices"][0]["failed"]

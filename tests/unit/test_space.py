@@ -17,8 +17,8 @@ STILL = sp.Motion(dt=0.01, x=np.zeros(5))
 
 def refused(bodies: Any, room: sp.Room | None = None, **given: Any) -> sp.InputError:
     def run() -> None:
-        what = sp.Assembly(bodies, **given) if isinstance(bodies, list) else bodies
-        sp.simulate(what, room or sp.Room(), STILL)
+        pieces = bodies if isinstance(bodies, list) else [sp.Piece(bodies)]
+        sp.simulate(sp.Scene(pieces, room or sp.Room(), **given), STILL)
 
     with pytest.raises(sp.InputError) as caught:
         run()
@@ -28,18 +28,16 @@ def refused(bodies: Any, room: sp.Room | None = None, **given: Any) -> sp.InputE
 @pytest.mark.parametrize("solid", [BOX, DRUM])
 def test_a_body_that_begins_in_the_floor_or_the_ceiling(solid: sp.Body) -> None:
     sunk = [sp.Piece(solid), sp.Piece(solid, at=(2.0, 0.0, -0.02))]
-    assert refused(sunk).told("en") == (
-        "members[1] begins 0.02 m inside the floor; it must begin outside it."
-    )
+    assert refused(sunk).told("en") == ("pieces[1] begins 0.02 m inside the floor; it must begin outside it.")
     low = sp.Room(ceiling=sp.Ceiling(1.1))
     assert refused(solid, low).told("en").endswith("inside the ceiling; it must begin outside it.")
 
 
 def test_bodies_that_begin_in_each_other() -> None:
     error = refused([sp.Piece(BOX), sp.Piece(DRUM, (3.0, 0.0, 0.0)), sp.Piece(BOX, (0.35, 0.2, 0.0))])
-    assert error.field == "members"
+    assert error.field == "pieces"
     assert error.told("en") == (
-        "members[0] and members[2] begin 0.05 m inside each other; they must begin apart."
+        "pieces[0] and pieces[2] begin 0.05 m inside each other; they must begin apart."
     )
 
 
@@ -50,7 +48,7 @@ def test_bodies_above_beside_and_on_each_other_begin() -> None:
         sp.Piece(BOX, at=(0.0, 0.0, 1.5)),
         sp.Piece(DRUM, at=(2.0, 0.0, 0.3)),
     ]
-    run = sp.simulate(sp.Assembly(bodies), sp.Room(), STILL)
+    run = sp.simulate(sp.Scene(bodies), STILL)
     assert run.place.shape == (4, 5, 3)
     assert np.abs(run.velocity[:3]).max() == 0.0
 
@@ -61,7 +59,7 @@ def test_a_cylinder_at_a_wall_touches_it_with_its_circle(heading: float) -> None
     room = sp.Room(left_wall=flush, right_wall=flush, near_side_wall=flush, far_side_wall=flush)
     standing = sp.Piece(DRUM, heading=heading)
     for direction in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (math.sqrt(0.5), math.sqrt(0.5), 0.0)):
-        np.testing.assert_allclose(standing.along(direction), (-0.2, 0.2), atol=1e-12)
+        np.testing.assert_allclose(standing.reach(direction), (-0.2, 0.2), atol=1e-12)
     run = sp.simulate(standing, room, STILL)
     assert run.slide.max() < 1e-12
 
@@ -81,7 +79,7 @@ def test_faces_of_many_corners_touch() -> None:
     angles = np.linspace(0.0, 2.0 * np.pi, 50, endpoint=False)
     disc = sp.Body.hull([(np.cos(a), np.sin(a), z) for z in (0.0, 0.5) for a in angles], 100.0)
     pile = [sp.Piece(disc), sp.Piece(disc, (0.0, 0.0, 0.5), heading=0.06)]
-    run = sp.simulate(sp.Assembly(pile), sp.Room(), STILL)
+    run = sp.simulate(sp.Scene(pile), STILL)
     assert np.abs(run.velocity).max() == 0.0
 
 

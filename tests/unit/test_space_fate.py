@@ -27,7 +27,7 @@ def tipped(body: sp.Body, at: tuple[float, float, float], rate: float, edge: flo
 
 
 def became(*bodies: sp.Piece, room: sp.Room = ROUGH, friction: tuple[float, float] = (0.4, 0.3)) -> sp.Run:
-    run = sp.simulate(sp.Assembly(bodies, friction), room, STILL)
+    run = sp.simulate(sp.Scene(bodies, room, friction=friction), STILL)
     assert np.abs(run.velocity[:, -1]).max() < 0.05
     return run
 
@@ -101,7 +101,7 @@ def test_two_parts_that_come_down_together_or_not(joined: bool) -> None:
         sp.Piece(upper, (0.0, 0.0, 0.9), velocity=velocity, rotation_rate=(0.0, rate, 0.0)),
     ]
     joints = [sp.Joint(1, 0, end) for end in ends] if joined else []
-    run = sp.simulate(sp.Assembly(bodies, joints=joints), ROUGH, STILL)
+    run = sp.simulate(sp.Scene(bodies, ROUGH, joints=joints), STILL)
     assert outcomes(run) == (OVERTURNED, OVERTURNED if joined else FELL_OFF)
     assert all(piece.overturned for piece in run.pieces)
     assert [piece.fell_off for piece in run.pieces] == [False, not joined]
@@ -203,7 +203,7 @@ def test_a_stack_whose_impulses_do_not_converge_is_given_up():
     stack = sp.Piece(low), sp.Piece(high, at=(0.02, 0.01, 0.1), heading=0.3)
     motion = sp.near_fault()
     short = sp.Motion(dt=motion.dt, x=4.0 * np.sin(20.0 * motion.time[:20]))
-    run = sp.simulate(sp.Assembly(stack), sp.Room(), short)
+    run = sp.simulate(sp.Scene(stack), short)
     assert run.unconverged > 0.02 * run.steps
     assert run.given_up
     assert set(outcomes(run)) == {sp.Outcome.FAILED}
@@ -235,7 +235,7 @@ def test_a_run_that_is_stopped_is_given_up() -> None:
 def test_joints_of_the_same_two_bodies_have_names_of_their_own() -> None:
     bodies = [sp.Piece(sp.Body.box(0.4, 0.4, 0.4, 20.0), (0.0, 0.0, 0.4 * n)) for n in range(3)]
     ends = [(1, 0, (0.1, 0.0, 0.4)), (1, 0, (-0.1, 0.0, 0.4)), (2, 1, (0.0, 0.0, 0.8))]
-    run = sp.simulate(sp.Assembly(bodies, joints=[sp.Joint(*end) for end in ends]), ROUGH, STILL)
+    run = sp.simulate(sp.Scene(bodies, ROUGH, joints=[sp.Joint(*end) for end in ends]), STILL)
     assert [device.place for device in run.devices] == ["1-0, 1", "1-0, 2", "2-1"]
     names = ("low", "middle", "high")
     assert [place_called(device, names) for device in run.devices] == [

@@ -75,7 +75,7 @@ def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
     assert {name: len(unpacked(text)) for name, text in accelerations.items()} == dict.fromkeys("xyz", 201)
     assert data["floor"]["dt_s"] == DT
     assert [plane[:3] for plane in data["planes"]] == [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]
-    assert data["planes"][0][3] == pytest.approx(run.standing[0].along((1.0, 0.0, 0.0))[0] - 0.1)
+    assert data["planes"][0][3] == pytest.approx(run.standing[0].reach((1.0, 0.0, 0.0))[0] - 0.1)
     foot = np.array(body["footprint_m"])
     assert np.ptp(foot @ run.standing[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
     vertices = np.array(body["shape"]["vertices_m"])
@@ -239,8 +239,8 @@ def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
     np.testing.assert_allclose(sorted(poles[:, 0, 1]), [-0.225, 0.225])
     lower, upper = sp.Body.box(0.4, 0.8, 0.9, 40.0), sp.Body.box(0.3, 0.8, 0.9, 20.0)
     joint = sp.Joint(1, 0, (-0.1, 0.3, 0.9), strength=1.0)
-    stack = sp.Assembly([sp.Piece(lower), sp.Piece(upper, (0.0, 0.0, 0.9))], joints=[joint])
-    run = sp.simulate(stack, sp.Room(), sp.near_fault())
+    stack = sp.Scene([sp.Piece(lower), sp.Piece(upper, (0.0, 0.0, 0.9))], joints=[joint])
+    run = sp.simulate(stack, sp.near_fault())
     (tie,) = scene_of(run, ("lower", "upper")).ties
     assert (tie.body, tie.other) == (1, 0)
     np.testing.assert_allclose(tie.point, [-0.1, 0.3, 0.0], atol=1e-9)

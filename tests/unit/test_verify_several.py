@@ -15,7 +15,7 @@ from stayput.catalogue import say
 from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
-from stayput.montecarlo.several import drawn_assembly, drawn_room, draws_of_several
+from stayput.montecarlo.several import drawn_scene, draws_of_several
 from stayput.report.verdict.assumptions import settlement_assumptions
 from stayput.report.verdict.pairs import replay_of_several
 from stayput.scenario import Scenario
@@ -165,9 +165,9 @@ def test_draws_do_not_depend_on_the_order_of_the_pieces() -> None:
 
 def test_what_is_drawn() -> None:
     scenario = parsed()
-    assembly, draw = scenario.assembly(options_of_several(scenario)[0][1]), DRAW
-    drawn = drawn_assembly(assembly, draw)
-    lower, upper, vase = drawn.members
+    draw = DRAW
+    drawn = drawn_scene(scenario.scene(options_of_several(scenario)[0][1]), draw)
+    lower, upper, vase = drawn.pieces
     assert lower.body.mass == pytest.approx(60.0 * draw.pieces[0].mass)
     assert lower.body.base_insets[0] > 0.0
     assert upper.body.mass == pytest.approx(40.0 * draw.pieces[1].mass)
@@ -180,13 +180,13 @@ def test_what_is_drawn() -> None:
 def test_pieces_on_the_floor_sink_in_as_drawn_and_as_stated() -> None:
     """The lower part has the narrower base, of which the length is looked at: the depth has drawn insets."""
     scenario = parsed(room={"floor": "carpet"})
-    assembly, room = scenario.assembly(options_of_several(scenario)[0][1]), scenario.surroundings()
-    for members, around, factor in (
-        (scenario.assembly().members, room, 1.0),
-        (assembly.members, room, 1.0),
-        (drawn_assembly(assembly, DRAW).members, drawn_room(assembly, room, DRAW.room), DRAW.room.settlement),
+    scene = scenario.scene(options_of_several(scenario)[0][1])
+    for standing, factor in (
+        (scenario.scene(), 1.0),
+        (scene, 1.0),
+        (drawn_scene(scene, DRAW), DRAW.room.settlement),
     ):
-        lower, upper, vase = placed(members, around)
+        lower, upper, vase = placed(standing)
         feet = lower.piece.solid.feet
         assert feet is not None
         z = lower.piece.solid.centre_of_gravity[2]
@@ -194,7 +194,7 @@ def test_pieces_on_the_floor_sink_in_as_drawn_and_as_stated() -> None:
         assert np.abs(feet[:, 1]) == pytest.approx(half_length, rel=1e-12)
         assert upper.piece.solid.feet is None
         assert vase.piece.solid.feet is None
-    assert [member.body.shape is None for member in parsed().assembly().members] == [True, True, False]
+    assert [piece.body.shape is None for piece in parsed().scene().pieces] == [True, True, False]
 
 
 def test_what_a_soft_floor_leaves_out_is_said() -> None:
@@ -218,9 +218,9 @@ def test_what_a_soft_floor_leaves_out_is_said() -> None:
 def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:
     scenario = parsed(room={**DRESSER["room"], "back_wall": {"gap": 0.1}})
     bracket = next(one for one in options_of_several(scenario)[0] if one.name == "l_bracket")
-    assembly, room = scenario.assembly(bracket), scenario.room.room()
+    scene = scenario.scene(bracket)
     drawn = draws_of_several("abc", 1, 16, seed=1)[0]
-    gaps = [drawn_room(assembly, room, draw.room).left_wall.gap for draw in drawn]
+    gaps = [drawn_scene(scene, draw).room.left_wall.gap for draw in drawn]
     # the upper part's back is 2.5 cm nearer to the room than the lower one's
     assert max(gaps) == pytest.approx(0.15 - 0.025)
     assert min(gaps) < 0.1

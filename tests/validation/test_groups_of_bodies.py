@@ -29,8 +29,8 @@ def same(whole: Any, alone: Any, number: int) -> bool:
 @pytest.mark.parametrize("scale", [0.4, 1.0])
 def test_three_pieces_out_of_reach_have_the_bits_of_each_alone(scale: float) -> None:
     motion = sp.near_fault().scaled(scale)
-    whole = sp.simulate(sp.Assembly(PIECES), ROOM, motion)
-    turned = sp.simulate(sp.Assembly(PIECES[::-1]), ROOM, motion)
+    whole = sp.simulate(sp.Scene(PIECES, ROOM), motion)
+    turned = sp.simulate(sp.Scene(PIECES[::-1], ROOM), motion)
     for number, piece in enumerate(PIECES):
         if number < 2:  # the cylinder stands a centimetre in front of the others: its wall has another gap
             assert same(whole, sp.simulate(piece, ROOM, motion), number)
@@ -41,7 +41,7 @@ def test_three_pieces_out_of_reach_have_the_bits_of_each_alone(scale: float) -> 
     assert times == sorted(times)
     assert {hit.body for hit in whole.hits} <= {0, 1, 2}
     assert np.isinf(whole.gaps[0].bodies).all()
-    free = sp.simulate(sp.Assembly(PIECES[1:]), sp.Room(), motion)
+    free = sp.simulate(sp.Scene(PIECES[1:]), motion)
     for number, piece in enumerate(PIECES[1:]):
         assert same(free, sp.simulate(piece, sp.Room(), motion), number)
 
@@ -52,11 +52,11 @@ def test_a_box_that_slides_up_to_another_hits_it() -> None:
     box = sp.Body.box(0.3, 0.3, 0.3, 10.0)
     pieces = [sp.Piece(box, velocity=(4.0, 0.0, 0.0)), sp.Piece(box, at=(1.5, 0.0, 0.0))]
     room = sp.Room(sp.Floor(0.2, 0.2))
-    run = sp.simulate(sp.Assembly(pieces), room, still)
+    run = sp.simulate(sp.Scene(pieces, room), still)
     assert any(hit.other is not None for hit in run.hits)
     assert run.place[1, -1, 0] > 1.6
     beside = [pieces[0], sp.Piece(box, at=(1.5, 1.0, 0.0))]
-    run = sp.simulate(sp.Assembly(beside), room, still)
+    run = sp.simulate(sp.Scene(beside, room), still)
     assert run.place[1, -1, 0] == 1.5
 
 
@@ -64,14 +64,12 @@ def test_what_is_joined_runs_together_however_far() -> None:
     boxes = [sp.Piece(sp.Body.box(0.4, 0.4, 1.2, 30.0), at=(x, 0.0, 0.0)) for x in (0.0, 3.0)]
     joint = sp.Joint(0, 1, at=(0.2, 0.0, 1.1), to=(2.8, 0.0, 1.1), stiffness=1e5)
     motion = sp.near_fault()
-    free, tied = (
-        sp.simulate(sp.Assembly(boxes, joints=joints), sp.Room(), motion) for joints in ([], [joint])
-    )
+    free, tied = (sp.simulate(sp.Scene(boxes, joints=joints), motion) for joints in ([], [joint]))
     assert not np.array_equal(free.place, tied.place)
     assert tied.devices[0].peak_pull > 0.0
 
 
 def test_what_begins_inside_is_named_by_its_number_among_all() -> None:
     sunk = sp.Piece(sp.Body.box(0.4, 0.4, 1.2, 30.0), at=(4.0, 0.0, -0.1))
-    with pytest.raises(sp.InputError, match=r"members\[3\] begins 0.1 m inside the floor"):
-        sp.simulate(sp.Assembly([*PIECES, sunk]), ROOM, sp.near_fault())
+    with pytest.raises(sp.InputError, match=r"pieces\[3\] begins 0.1 m inside the floor"):
+        sp.simulate(sp.Scene([*PIECES, sunk], ROOM), sp.near_fault())

@@ -13,7 +13,7 @@ import pytest
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.runs import part_with, with_measures
+from stayput.rooms.runs import RoomPart, with_measures
 from stayput.rooms.steps import quantile_of, unbreakable
 from stayput.rooms.verify import question_of
 from stayput.uncertainty import USUAL
@@ -40,7 +40,7 @@ def test_brackets_bear_the_static_force_of_the_tie(acceleration: float, count: i
     scenario = room(acceleration)
     question = question_of(scenario, 1)
     brackets = [unbreakable(LBracket(count=count, slack=0.0))]
-    part = part_with(scenario, (0,), with_measures(question.whole, 0, brackets))
+    part = RoomPart.of(with_measures(question.whole, 0, brackets), (0,))
     (runs,) = question.run([part])
     force = quantile_of(runs.peaks, (0, "l_bracket"))
     tie = MASS * (acceleration * 0.5 * HEIGHT - G * 0.5 * WIDTH) / HEIGHT

@@ -94,9 +94,9 @@ def test_one_component_spills_in_space_what_it_does_in_the_plane(body, intensity
 def test_a_piece_turned_by_90_degrees_spills_under_y_what_it_does_under_x(contents, intensity):
     motion = ALONG.to_intensity(intensity).resampled(STEP)
     across = replace(motion, x=0.0 * motion.x, y=motion.x)
-    turned = sp.Assembly([sp.Piece(BOOKCASE, heading=0.5 * math.pi)])
+    turned = sp.Scene([sp.Piece(BOOKCASE, heading=0.5 * math.pi)], sp.Room(near_side_wall=sp.Wall(0.02)))
     ahead = sp.spill(sp.simulate(BOOKCASE, WALLED, motion, dimensions=3), contents)
-    aside = sp.spill(sp.simulate(turned, sp.Room(near_side_wall=sp.Wall(0.02)), across), contents)
+    aside = sp.spill(sp.simulate(turned, across), contents)
     assert aside.share_out > 0.0
     for name in ("out", "toppled", "open_from", "time"):
         assert np.array_equal(getattr(aside, name), getattr(ahead, name), equal_nan=True), name
@@ -107,7 +107,7 @@ def test_each_piece_of_a_run_of_several_spills_as_it_does_alone():
     """The second faces the other way, which is the first under the opposite motion."""
     motion, contents = ALONG.to_intensity(6.2).resampled(STEP), sp.Contents("boxes", drawers="free")
     pieces = [sp.Piece(BOOKCASE), sp.Piece(BOOKCASE, at=(3.0, 0.0, 0.0), heading=math.pi)]
-    run = sp.simulate(sp.Assembly(pieces), sp.Room(), motion)
+    run = sp.simulate(sp.Scene(pieces), motion)
     for number, alone in enumerate((motion, motion.flipped())):
         case = sp.Case(BOOKCASE, sp.Room(), alone, dimensions=3)
         together, by_itself = sp.spill(run, contents, number), sp.spill(case, contents)

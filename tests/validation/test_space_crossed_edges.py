@@ -56,7 +56,7 @@ def test_an_edge_meets_an_edge(duration: float) -> None:
     top = 50.0 + other.solid.vertices[:, 2].max()
     above = sp.Piece(wedge, (x, y + offset, lifted(wedge, top + 1e-7)[2]), velocity=(0.0, 0.0, -speed))
     motion = still(duration, duration / 2.0)
-    run = sp.simulate(sp.Assembly((above, below), (0.0, 0.0)), sp.Room(), motion, step=1e-6)
+    run = sp.simulate(sp.Scene((above, below), friction=(0.0, 0.0)), motion, step=1e-6)
     # the wedge's edge goes along y through x = 0; the other's through x = y = 0: they cross there
     half = 0.3 / math.sqrt(2.0)
     a, b = np.array([0.0, -offset, -half]), np.array([0.0, 0.0, half])
@@ -80,6 +80,6 @@ def test_a_box_that_falls_on_a_box_makes_no_energy() -> None:
         rotation_rate=(-4.37, -0.36, -4.19),
     )
     room = sp.Room(sp.Floor(0.0, 0.0))
-    run = sp.simulate(sp.Assembly((base, thrown), (0.0, 0.0)), room, still(0.1, 5e-4), step=5e-4)
+    run = sp.simulate(sp.Scene((base, thrown), room, friction=(0.0, 0.0)), still(0.1, 5e-4), step=5e-4)
     total = energy(run, 0) + energy(run, 1)
     assert np.diff(total).max() < 1e-5 * total[0]

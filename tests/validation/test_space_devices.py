@@ -111,7 +111,9 @@ def test_a_box_turns_on_two_springs() -> None:
         sp.Joint(0, 2, (-0.2, y, 0.15), (-0.5, y, 0.15), stiffness=stiffness, damping=0.0) for y in (-a, a)
     ]
     run = sp.simulate(
-        sp.Assembly(anchors, (0.0, 0.0), joints), sp.Room(sp.Floor(0.0, 0.0)), still(1.0, 1e-3), step=2e-4
+        sp.Scene(anchors, sp.Room(sp.Floor(0.0, 0.0)), friction=(0.0, 0.0), joints=joints),
+        still(1.0, 1e-3),
+        step=2e-4,
     )
     yaw = run[0].yaw
     # at any turn one belt of each pair pulls: two at a, as one spring on each side
@@ -150,7 +152,7 @@ def test_a_connector_breaks_at_its_strength_and_holds_below(margin: float) -> No
         sp.Piece(upper, (0.0, 0.0, 20.5), velocity=(0.0, 0.0, speed)),
     ]
     joint = sp.Joint(1, 0, (0.0, 0.0, 20.5), stiffness=stiffness, strength=margin * pull, damping=0.0)
-    run = sp.simulate(sp.Assembly(members, joints=[joint]), sp.Room(), still(0.08), step=2e-4)
+    run = sp.simulate(sp.Scene(members, joints=[joint]), still(0.08), step=2e-4)
     (found,) = run.devices
     assert found.failed == (margin < 1.0)
     assert found.peak_pull == pytest.approx(min(margin, 1.0) * pull, rel=0.01)
@@ -163,7 +165,7 @@ def test_forces_on_a_body_at_rest_are_its_weight() -> None:
     run = sp.simulate(BODY, sp.Room(sp.Floor()), still(0.2), dimensions=3)
     np.testing.assert_allclose(run.force[0, 1:, 0], [[0.0, 0.0, 100.0 * G]] * 40, rtol=1e-6, atol=1e-6)
     stack = [sp.Piece(sp.Body.box(0.5, 0.5, 0.2, 10.0), (0.0, 0.0, 0.2 * n)) for n in range(3)]
-    run = sp.simulate(sp.Assembly(stack), sp.Room(), still(0.2))
+    run = sp.simulate(sp.Scene(stack), still(0.2))
     np.testing.assert_allclose(run.force[:, -1, 0, 2], [30.0 * G, 0.0, 0.0], atol=1e-3)
     np.testing.assert_allclose(run.force[:, -1, 1, 2], [-20.0 * G, 10.0 * G, 10.0 * G], atol=1e-3)
 
@@ -173,7 +175,7 @@ def test_what_hits_what_and_how_fast() -> None:
     box = sp.Body.box(0.3, 0.3, 0.3, 10.0)
     thrown = sp.Piece(box, velocity=(1.0, 0.0, 0.0))
     run = sp.simulate(
-        sp.Assembly([thrown, sp.Piece(box, (0.8, 0.0, 0.0))]), sp.Room(sp.Floor(0.0, 0.0)), still(1.0)
+        sp.Scene([thrown, sp.Piece(box, (0.8, 0.0, 0.0))], sp.Room(sp.Floor(0.0, 0.0))), still(1.0)
     )
     (hit,) = run.hits
     assert {hit.body, hit.other} == {0, 1}

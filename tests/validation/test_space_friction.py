@@ -285,7 +285,7 @@ def test_static_friction_holds_through_a_landing(below: tuple[sp.Piece, ...], st
         tilt=(0.0, tilt, 0.0),
     )
     room = sp.Room(sp.Floor(0.42, 0.3))
-    run = sp.simulate(sp.Assembly((*below, box), (0.42, 0.3)), room, still(1.5), step=step)
+    run = sp.simulate(sp.Scene((*below, box), room, friction=(0.42, 0.3)), still(1.5), step=step)
     plane = sp.simulate(
         sp.Body(width, height, 20.0), room, still(1.5), initial=sp.State(tilt=tilt), dimensions=2
     )

@@ -32,7 +32,7 @@ def rising() -> sp.Motion:
 
 def run(belts: tuple[Belt, ...] = (), joints: tuple[sp.Joint, ...] = ()) -> sp.Run:
     pieces = [sp.Piece(LOWER), sp.Piece(UPPER, at=(0.0, 0.0, 1.0), measures=belts)]
-    return sp.simulate(sp.Assembly(pieces, (2.0, 2.0), joints), ROOM, rising())
+    return sp.simulate(sp.Scene(pieces, ROOM, friction=(2.0, 2.0), joints=joints), rising())
 
 
 def belts(strength: float) -> Belt:

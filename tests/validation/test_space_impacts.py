@@ -112,7 +112,7 @@ def two(upper: sp.Body, at: tuple[float, float], speed: float, friction: float) 
     above = sp.Piece(upper, (x + at[0], y + at[1], z), velocity=(0.0, 0.0, -speed))
     below = sp.Piece(BRICK, (0.0, 0.0, 50.0))
     coefficients = friction, friction
-    return sp.simulate(sp.Assembly((above, below), coefficients), sp.Room(), still(4e-5, 2e-5), step=1e-6)
+    return sp.simulate(sp.Scene((above, below), friction=coefficients), still(4e-5, 2e-5), step=1e-6)
 
 
 def test_a_central_impact_of_boxes() -> None:

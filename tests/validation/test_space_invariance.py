@@ -125,7 +125,7 @@ def test_the_order_of_several_to_the_bit(order: tuple[int, ...]) -> None:
 
     def several(order: tuple[int, ...]) -> sp.Run:
         joint = sp.Joint(order.index(1), order.index(0), (0.0, 0.3, 0.9), strength=300.0, shear=300.0)
-        return sp.simulate(sp.Assembly([members[n] for n in order], joints=[joint]), room, motion)
+        return sp.simulate(sp.Scene([members[n] for n in order], room, joints=[joint]), motion)
 
     straight, other = several((0, 1, 2)), several(order)
     assert min(piece.body_impacts for piece in straight.pieces) > 0, "all have hit another"

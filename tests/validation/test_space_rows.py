@@ -19,7 +19,7 @@ def test_a_row_of_shelves_falls_to_its_end(count: int) -> None:
     """Each tips the next: 2.1 m reach over 0.75 m, and a shelf that is hit above has no way to stand."""
     shelf = sp.Body.box(0.32, 0.9, 2.1, 120.0)
     row = [tipped(shelf, 0.16, 0.75), *(sp.Piece(shelf, (0.75 * n, 0.0, 0.0)) for n in range(1, count))]
-    run = sp.simulate(sp.Assembly(row, (0.3, 0.3)), sp.Room(sp.Floor(0.4, 0.4)), still(6.0))
+    run = sp.simulate(sp.Scene(row, sp.Room(sp.Floor(0.4, 0.4)), friction=(0.3, 0.3)), still(6.0))
     assert all(piece.overturned for piece in run.pieces)
     assert not run.given_up
     found = sum(energy(run, body) for body in range(count))
@@ -32,7 +32,7 @@ def test_ten_blocks_bear_their_own_weight_under_shaking() -> None:
     tower = [sp.Piece(block, (0.0, 0.0, 0.3 * n)) for n in range(10)]
     time = 0.01 * np.arange(201)
     shaking = sp.Motion(dt=0.01, x=1.2 * np.sin(9.0 * time), y=0.8 * np.sin(7.0 * time))
-    run = sp.simulate(sp.Assembly(tower, (0.5, 0.4)), sp.Room(sp.Floor(0.5, 0.4)), shaking)
+    run = sp.simulate(sp.Scene(tower, sp.Room(sp.Floor(0.5, 0.4)), friction=(0.5, 0.4)), shaking)
     assert max(piece.tilt.max() for piece in run.pieces) < 1e-9
     assert max(piece.slide.max() for piece in run.pieces) < 1e-6
 
@@ -41,7 +41,7 @@ def test_a_tower_of_ten_under_strong_shaking_runs_to_its_end() -> None:
     """It falls, and hardly a step is left without impulses that fit."""
     block = sp.Body.box(0.5, 0.5, 0.3, 20.0)
     tower = [sp.Piece(block, (0.0, 0.0, 0.3 * n)) for n in range(10)]
-    run = sp.simulate(sp.Assembly(tower, (0.5, 0.4)), sp.Room(sp.Floor(0.5, 0.4)), sp.near_fault())
+    run = sp.simulate(sp.Scene(tower, sp.Room(sp.Floor(0.5, 0.4)), friction=(0.5, 0.4)), sp.near_fault())
     assert not run.given_up
     assert run[0].overturned
     assert all(piece.fell_off for piece in run.pieces[1:])

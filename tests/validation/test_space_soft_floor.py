@@ -1,7 +1,7 @@
 """Furniture among several bodies on floors that give, beside `stayput.model.soft_base` and the single piece.
 
 A piece that a floor carries on half the base a' tips where the floor's acceleration reaches g a'/z. A single
-piece in space and an assembly of one are the same mechanics by two ways: they agree to the bit where all on
+piece in space and a scene of one are the same mechanics by two ways: they agree to the bit where all on
 the ways is rounded alike, which is so for a mass of a power of two (the single piece runs with 1 kg) and for
 sides whose moment of inertia is the sum of its parts to the bit.
 """
@@ -18,7 +18,7 @@ import stayput as sp
 from stayput.fragility import difference
 from stayput.measures import MEASURES
 from stayput.model.soft_base import rigid_half_base
-from stayput.rooms.runs import RoomPart, part_with
+from stayput.rooms.runs import RoomPart
 from stayput.rooms.verify import question_of
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ def test_an_assembly_of_one_is_the_single_piece_to_the_bit(surface: str, kind: s
     measures = [] if kind is None else [MEASURES[kind]()]
     motion = shaken(4.0)
     alone = sp.simulate(BODY, room, motion, measures, dimensions=3)
-    member = sp.simulate(sp.Assembly([sp.Piece(BODY, measures=measures)]), room, motion)
+    member = sp.simulate(sp.Scene([sp.Piece(BODY, measures=measures)], room), motion)
     assert alone[0].peak_tilt > 1e-3
     for name in ("place", "attitude", "velocity", "force"):
         assert np.array_equal(getattr(alone, name), getattr(member, name)), name
@@ -55,7 +55,7 @@ def pushed(direction: str, a: float) -> sp.Motion:
 
 
 def falls(members: list[sp.Piece], direction: str, a: float, floor: sp.Floor = STICKING) -> list[bool]:
-    run = sp.simulate(sp.Assembly(members, (2.0, 2.0)), sp.Room(floor), pushed(direction, a))
+    run = sp.simulate(sp.Scene(members, sp.Room(floor), friction=(2.0, 2.0)), pushed(direction, a))
     return [piece.overturned for piece in run.pieces]
 
 
@@ -82,9 +82,7 @@ def test_a_piece_tips_over_the_narrower_base(direction: str, body: sp.Body) -> N
 def test_a_leaning_piece_leans_as_on_a_rigid_floor_and_tips_over_the_narrower_base() -> None:
     """The corners of the narrower base lie in the plane of the base: a wedge of 10 mm leans it by 25 mrad."""
     body = sp.Body(0.4, 1.6, 60.0, base_heights=(0.0, -0.01), length=0.8)
-    resting = sp.simulate(
-        sp.Assembly([sp.Piece(body)]), sp.Room(STICKING), sp.Motion(dt=0.01, x=np.zeros(50))
-    )
+    resting = sp.simulate(sp.Scene([sp.Piece(body)], sp.Room(STICKING)), sp.Motion(dt=0.01, x=np.zeros(50)))
     lean = np.arctan2(0.01, 0.4)
     assert np.arccos(resting.turn[0, :, 2, 2]) == pytest.approx(lean, rel=1e-6)
     assert np.abs(resting.tilt).max() < 1e-6
@@ -117,14 +115,14 @@ def test_a_piece_on_another_stands_on_wood() -> None:
 def test_solids_do_not_sink_and_only_they_are_warned_of() -> None:
     motion = shaken(4.0)
     room, rigid = sp.Room(STICKING), sp.Room(sp.Floor(2.0, 2.0))
-    solid = sp.Assembly([sp.Piece(sp.Body.cylinder(0.35, 1.4, 60.0))])
+    drum = sp.Piece(sp.Body.cylinder(0.35, 1.4, 60.0))
     with pytest.warns(sp.InputWarning, match="left out for the solids"):
-        soft = sp.simulate(solid, room, motion)
-    assert np.array_equal(soft.place, sp.simulate(solid, rigid, motion).place)
+        soft = sp.simulate(drum, room, motion)
+    assert np.array_equal(soft.place, sp.simulate(drum, rigid, motion).place)
     above = sp.Piece(sp.Body.box(0.2, 0.3, 0.2, 4.0), at=(0.0, 0.0, 1.8))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        sp.simulate(sp.Assembly([sp.Piece(BODY), above]), room, motion)
+        sp.simulate(sp.Scene([sp.Piece(BODY), above], room), motion)
 
 
 @pytest.mark.parametrize("settlement", [0.5e-3, 1e-3])
@@ -148,7 +146,7 @@ def test_a_piece_of_a_room_falls_as_often_in_space_as_in_the_plane(
         monkeypatch.setattr(RoomPart, "in_plane", in_plane)
         given = sp.Scenario.parse({**room, "room": {"floor": {**floor, "settlement": settles}}})
         question = question_of(given, 1)
-        (found,) = question.run([part_with(given, (0,), question.whole)])
+        (found,) = question.run([RoomPart.of(question.whole, (0,))])
         return found.of_body(0).overturned
 
     plane, space, rigid = fell(settlement, True), fell(settlement, False), fell(0.0, False)

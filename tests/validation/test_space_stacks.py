@@ -30,7 +30,7 @@ def test_rest(upper: str, push: float) -> None:
     }[upper]
     stack = (sp.Piece(base), sp.Piece(small, (0.05, -0.1, 0.7), heading=0.4))
     room = sp.Room(sp.Floor(0.25, 0.2))
-    run = sp.simulate(sp.Assembly(stack, (0.25, 0.2)), room, steady(push, 0.5 * push, 1.0))
+    run = sp.simulate(sp.Scene(stack, room, friction=(0.25, 0.2)), steady(push, 0.5 * push, 1.0))
     assert np.array_equal(run.place, np.repeat(run.place[:, :1], len(run.time), axis=1))
     assert np.array_equal(run.attitude, np.repeat(run.attitude[:, :1], len(run.time), axis=1))
 
@@ -62,7 +62,7 @@ def test_two_blocks_rock_as_one(rate: float) -> None:
     peak = alpha - math.acos(0.5 * about * rate**2 / (whole.mass * G * R) + math.cos(alpha))
     motion = still(0.6, 0.002)
     alone = sp.simulate(one, STICKING, motion, step=1e-4)
-    both = sp.simulate(sp.Assembly(stack, ROUGH), STICKING, motion, step=1e-4)
+    both = sp.simulate(sp.Scene(stack, STICKING, friction=ROUGH), motion, step=1e-4)
     landed = int(np.argmax(alone[0].tilt)) + int(np.argmin(alone[0].tilt[np.argmax(alone[0].tilt) :]))
     until = slice(0, min(landed, len(motion.x)) - 2)
     assert alone[0].tilt[until].max() == pytest.approx(peak, rel=2e-3)
@@ -86,7 +86,7 @@ def test_the_upper_drags_the_lower(speed: float) -> None:
     assert 0.5 * speed * meet < 0.8, "the upper must stay on the lower"
     last = 0.5 * common**2 / (mu1 * G)
     room = sp.Room(sp.Floor(mu1, mu1))
-    run = sp.simulate(sp.Assembly(stack, (mu2, mu2)), room, still(3.0), step=1e-4)
+    run = sp.simulate(sp.Scene(stack, room, friction=(mu2, mu2)), still(3.0), step=1e-4)
     assert np.abs(run.velocity[:, -1]).max() == 0.0
     assert run[0].slide_in_plan[-1, 0] == pytest.approx(0.5 * gain * meet**2 + last, rel=3e-3)
     expected = speed * meet - 0.5 * mu2 * G * meet**2 + last
@@ -99,7 +99,7 @@ def test_both_slide_at_their_own_rates() -> None:
     lower, upper = sp.Body.box(3.0, 1.0, 0.2, m1), sp.Body.box(0.4, 0.4, 0.2, m2)
     stack = (sp.Piece(lower), sp.Piece(upper, (1.0, 0.0, 0.2)))
     room, motion = sp.Room(sp.Floor(mu1, mu1)), steady(a, 0.0, 0.5)
-    run = sp.simulate(sp.Assembly(stack, (mu2, mu2)), room, motion, step=1e-4)
+    run = sp.simulate(sp.Scene(stack, room, friction=(mu2, mu2)), motion, step=1e-4)
     first = -a + (mu1 * (m1 + m2) - mu2 * m2) * G / m1
     second = -a + mu2 * G
     assert second < first < 0.0
@@ -123,7 +123,7 @@ def test_a_corner_that_hangs_over_is_not_inside(over: float, rate: float) -> Non
         rotation_rate=tuple(spin),
     )
     lower = sp.Piece(sp.Body.box(0.5, 0.5, 0.3, 2e4))
-    run = sp.simulate(sp.Assembly([lower, thrown], (0.8, 0.8)), STICKING, still(0.1))
+    run = sp.simulate(sp.Scene([lower, thrown], STICKING, friction=(0.8, 0.8)), still(0.1))
     about_edge = (0.5**2 + 0.3**2) / 12.0 + arm**2 + 0.15**2
     assert run[1].peak_tilt == pytest.approx(0.5 * rate**2 * about_edge / (G * arm), rel=0.05)
     assert run.steps < 400
@@ -159,7 +159,9 @@ def test_a_slab_that_turns_back_slips_on_and_carries_the_one_on_it(omega: float,
     ]
     t = 0.005 * np.arange(401)
     motion = sp.Motion(dt=0.005, x=8.0 * np.sin(omega * t))
-    run = sp.simulate(sp.Assembly(slabs, (0.36, 0.26)), sp.Room(sp.Floor(0.55, 0.55)), motion, step=step)
+    run = sp.simulate(
+        sp.Scene(slabs, sp.Room(sp.Floor(0.55, 0.55)), friction=(0.36, 0.26)), motion, step=step
+    )
     second, third = np.abs(np.diff(run.place[:, :, 0], axis=0)).max(axis=1)
     assert third < 1e-6
     assert second == pytest.approx(slide_of_one(omega, 8.0, (0.36, 0.26), 2.0), rel=0.04)

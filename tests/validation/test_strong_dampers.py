@@ -13,7 +13,7 @@ from in_space import G, energy
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.runs import part_with, with_piece
+from stayput.rooms.runs import RoomPart
 from stayput.rooms.steps import purchases_of
 from stayput.rooms.verify import question_of
 
@@ -33,7 +33,9 @@ def test_a_joint_in_flight_takes_energy_and_keeps_momentum(mass: float, stiffnes
         sp.Piece(BOX, (0.5, 0.0, 4.0), velocity=(1.0, 0.0, 3.0), rotation_rate=(0.0, -1.0, 0.5)),
     ]
     joint = sp.Joint(0, 1, (0.15, 0.1, 4.1), stiffness=stiffness, damping=damping)
-    run = sp.simulate(sp.Assembly(start, (0.5, 0.5), [joint]), sp.Room(sp.Floor(0.5, 0.5)), still(0.2))
+    run = sp.simulate(
+        sp.Scene(start, sp.Room(sp.Floor(0.5, 0.5)), friction=(0.5, 0.5), joints=[joint]), still(0.2)
+    )
     found = energy(run, 0) + energy(run, 1)
     assert np.isfinite(found).all()
     assert found.max() <= found[0] * (1.0 + 1e-6)
@@ -49,7 +51,9 @@ def test_joined_boxes_on_a_shaken_floor_stay_slow(damping: float):
     motion = sp.Motion(dt=0.005, x=floor[0], y=floor[1], z=floor[2])
     boxes = [sp.Piece(BOX), sp.Piece(BOX, (0.6, 0.0, 0.0))]
     joint = sp.Joint(0, 1, (0.15, 0.1, 0.2), stiffness=1e6, damping=damping)
-    run = sp.simulate(sp.Assembly(boxes, (0.3, 0.3), [joint]), sp.Room(sp.Floor(0.3, 0.3)), motion)
+    run = sp.simulate(
+        sp.Scene(boxes, sp.Room(sp.Floor(0.3, 0.3)), friction=(0.3, 0.3), joints=[joint]), motion
+    )
     assert np.abs(run.velocity).max() < 2.0
     assert run.devices[0].peak_pull < 10.0 * BOX.mass * G
 
@@ -70,8 +74,8 @@ def test_a_bracket_in_a_corner_bears_what_it_bears_elsewhere(gap: float):
             }
         )
         question = question_of(scenario, 2)
-        held = replace(question.whole.members[0], measures=(LBracket(),))
-        part = part_with(scenario, (0,), with_piece(question.whole, 0, held))
+        held = replace(question.whole.pieces[0], measures=(LBracket(),))
+        part = RoomPart.of(question.whole.with_piece(0, held), (0,))
         (purchase,) = purchases_of(question, part, (LBracket(),), 0)
         assert purchase.needed is not None
         return tuple(purchase.needed)

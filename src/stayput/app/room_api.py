@@ -24,7 +24,6 @@ from stayput.rooms.runs import groups_of
 from stayput.rooms.steps import Home
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.verify import verify_room
-from stayput.scenario.scene import refuse_what_stands_wrong
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -161,7 +160,8 @@ def _checked(scenario: Scenario, limits: Limits) -> int:
         More than this server allows, or a piece that cannot stand where it does.
     """
     try:
-        refuse_what_stands_wrong(scenario, scenario.floor_plan(), scenario.assembly(scenario.stated))
+        with scenario.naming_keys():
+            scenario.scene().refuse_wrong_places()
     except InputError as error:
         raise refusal(error) from None
     motions = motions_of(scenario.shaking)

@@ -72,8 +72,8 @@ class RunReply(FateReply):
     events_cut: bool = Field(description="Whether only some are listed: in the plane the first and the last.")
     devices: list[DeviceReply]
     scene: dict[str, Any] = Field(
-        description="Bodies and room, as the method `data` of `stayput.report.film.scene.FilmScene` describes "
-        "them; long histories are the base 64 of 32-bit floating-point numbers, least byte first."
+        description="Bodies and room, as the method `data` of `stayput.report.film.scene.FilmScene` "
+        "describes them; long histories are the base 64 of 32-bit floating-point numbers, least byte first."
     )
 
 

@@ -127,7 +127,7 @@ def simulated(scenario: Scenario) -> run_replies.SimulateReply:
         with_=replies[1] if len(replies) > 1 else None,
     )
     if scenario.plan is not None:
-        hits, blocked, shut_in = happens_in(runs[0], scenario)
+        hits, blocked, shut_in = happens_in(runs[0])
         each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
         reply.in_room = run_replies.RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
     return reply

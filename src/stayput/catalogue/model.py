@@ -81,6 +81,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is of a Body by itself that is made by its section; here it must be left out.",
         "{name}は、断面で作ったBodyを単独で計算するときだけに指定できます。ここでは省いてください。",
     ),
+    "room_of_a_scene": (
+        "{name} is given beside a scene, which has its own; it must be left out: simulate(scene, motion).",
+        "{name}が指定されていますが、Sceneには部屋が含まれています。simulate(scene, motion)のように省いてください。",
+    ),
     # Quick estimates
     "tie_height": ("Height of the tie", "取付け高さ"),
     "peak_acceleration": ("Peak acceleration", "最大加速度"),

@@ -66,8 +66,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "planがありません。部屋には幅と奥行きを示す[plan]が必要です。",
     ),
     "against_without_plan": (
-        "{name} is {value} in a file without a plan; it must be left out, or a [plan] must be given.",
-        "{name}が{value}ですが、[plan]がありません。省くか、[plan]を指定してください。",
+        "{name} is {value} where there is no plan; it must be left out, or a plan must be given.",
+        "{name}が{value}ですが、planがありません。省くか、planを指定してください。",
     ),
     # Names of places
     "bed": ("bed", "ベッド"),

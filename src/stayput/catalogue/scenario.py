@@ -56,10 +56,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "家具{name!r}は他の家具の上に置かれ、atに高さもあります。xとyだけを指定してください。",
     ),
     "stands_on": (
-        (
-            "{name} is {value}, which names no piece above it in the file; a piece stands on one that is given "
-            "before."
-        ),
+        ("{name} is {value}, which names no piece before it; a piece stands on one that is given before."),
         "{name}が{value}になっていますが、それより前にその名前の家具がありません。",
     ),
     "no_such_piece": (

@@ -25,28 +25,28 @@ TEXTS: dict[str, tuple[str, str]] = {
     "heading": ("Heading", "向き"),
     "step": ("Step", "時間刻み"),
     "bodies": ("The number of bodies", "物体の数"),
-    "joint_first": ("First member of a joint", "接合部の1つ目の物体"),
-    "joint_second": ("Second member of a joint", "接合部の2つ目の物体"),
+    "joint_first": ("First piece of a joint", "接合部の1つ目の物体"),
+    "joint_second": ("Second piece of a joint", "接合部の2つ目の物体"),
     "joint_stiffness": ("Stiffness of a joint", "接合部の剛性"),
     "joint_strength": ("Strength of a joint", "接合部の引張強さ"),
     "joint_shear": ("Shear strength of a joint", "接合部のせん断強さ"),
     "joint_slack": ("Slack of a joint", "接合部のたるみ"),
     "joint_damping": ("Damping ratio of a joint", "接合部の減衰定数"),
     "joins_itself": (
-        "A joint joins {member} to itself; it must join two bodies.",
-        "接合部が{member}をそれ自身につないでいます。2つの物体を指定してください。",
+        "A joint joins {piece} to itself; it must join two bodies.",
+        "接合部が{piece}をそれ自身につないでいます。2つの物体を指定してください。",
     ),
     "slack_without_to": (
         "A joint at one point has a slack of {value} m; only one between two points (to) can have any.",
         "1点の接合部に{value} mのたるみが指定されています。たるみは2点間（to）の接合部だけに指定できます。",
     ),
-    "joint_member": (
-        "A joint names member {number}; the last one is {last}.",
+    "joint_piece": (
+        "A joint names piece {number}; the last one is {last}.",
         "接合部が物体{number}を指していますが、最後の物体は{last}です。",
     ),
     "joint_astray": (
-        "{name} holds {member} at a point {apart:.3g} m from its centre of gravity; it must be no more than {most:.3g} m, twice its diagonal.",
-        "{name}の点が{member}の重心から{apart:.3g} m離れています。対角線の2倍の{most:.3g} m以内にしてください。",
+        "{name} holds {piece} at a point {apart:.3g} m from its centre of gravity; it must be no more than {most:.3g} m, twice its diagonal.",
+        "{name}の点が{piece}の重心から{apart:.3g} m離れています。対角線の2倍の{most:.3g} m以内にしてください。",
     ),
     "settles": (
         "The floor settles by {value} m, which is left out for the solids that stand on it.",

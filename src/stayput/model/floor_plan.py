@@ -14,7 +14,7 @@ import numpy as np
 
 from stayput.errors import InputError, list_of, name_of, numbers, within, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
-from stayput.model.room import WALLS_AROUND
+from stayput.model.room import WALLS, WALLS_AROUND, made_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -260,6 +260,8 @@ class FloorPlan:
         Its windows.
     places : sequence of PersonPlace
         Where people are.
+    walls : str
+        What devices on the walls are fixed to, of `stayput.model.room.WALLS`.
 
     Raises
     ------
@@ -280,6 +282,7 @@ class FloorPlan:
     doors: Sequence[Door] = ()
     windows: Sequence[Window] = ()
     places: Sequence[PersonPlace] = ()
+    walls: str = made_of(WALLS, ("Wall construction", "壁の下地"), "What devices on the walls are fixed to.")
 
     def __post_init__(self) -> None:
         for name, kind in (("doors", Door), ("windows", Window), ("places", PersonPlace)):

@@ -250,7 +250,7 @@ CEILINGS = ("joist", "plasterboard", "dropped", "concrete")
 """What a pole may push against: plasterboard is that between the joists, a dropped ceiling hangs on wires."""
 
 
-def _construction(choices: tuple[str, ...], label: Phrase, meaning: str) -> Any:
+def made_of(choices: tuple[str, ...], label: Phrase, meaning: str) -> Any:
     """Return the field of what a surface is made of."""
     return parameter(choices[0], "", 0.0, 0.0, label, meaning, choices=choices)
 
@@ -289,7 +289,7 @@ class Wall(Brief):
     friction: float = parameter(
         0.3, "", *FRICTION_RANGE, ("Wall friction", "壁の摩擦係数"), "Friction of a corner on the wall."
     )
-    construction: str = _construction(
+    construction: str = made_of(
         WALLS, ("Wall construction", "壁の下地"), "What devices on the wall are fixed to."
     )
 
@@ -332,9 +332,7 @@ class Ceiling(Brief):
         ("Ceiling friction", "天井の摩擦係数"),
         "Friction of a corner on the ceiling.",
     )
-    construction: str = _construction(
-        CEILINGS, ("Ceiling construction", "天井の下地"), "What poles push against."
-    )
+    construction: str = made_of(CEILINGS, ("Ceiling construction", "天井の下地"), "What poles push against.")
 
     def __post_init__(self) -> None:
         check_fields(self)

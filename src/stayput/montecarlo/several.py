@@ -18,9 +18,9 @@ from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor, drawn_place, drawn_surfaces
 from stayput.simulation.placing import planes_around, room_seen
-from stayput.simulation.space import AssemblyTrace, results_of, run_of_assembly, trace_assembly
+from stayput.simulation.scene import STRENGTH_RANGE, Scene
+from stayput.simulation.space import Trace, results_of, run_of_trace, trace_scene
 from stayput.simulation.space_engine import STEP, SpaceShaking
-from stayput.simulation.standing import STRENGTH_RANGE, Assembly
 from stayput.uncertainty import QUANTITIES, Uncertainty, Uniform
 
 if TYPE_CHECKING:
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion import Motion
+    from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
-    from stayput.simulation.standing import Piece
     from stayput.uncertainty import Marginal
 
 OWN = ("mass", "gravity_height", "back_inset", "front_inset")
@@ -120,21 +120,21 @@ def draws_of_several(
     return [[draw(motion, sample) for sample in range(samples)] for motion in range(motions)]
 
 
-def leans_alone(assembly: Assembly) -> bool:
+def leans_alone(scene: Scene) -> bool:
     """Whether it is a single piece of furniture on the floor, which leans on its own feet, as in the plane.
 
     Several lean together, as on a floor that leans.
     """
-    (first, *others) = assembly.members
+    (first, *others) = scene.pieces
     return not others and first.body.shape is None and first.at[2] == 0.0
 
 
-def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
-    """Return an assembly as drawn; its products were bought for the pieces as stated."""
-    if not leans_alone(assembly):
+def drawn_scene(scene: Scene, draw: DrawOfSeveral) -> Scene:
+    """Return a scene as drawn, its walls too; its products were bought for the pieces as stated."""
+    if not leans_alone(scene):
         draw = draw._replace(pieces=tuple(replace(piece, lean=0.0) for piece in draw.pieces))
-    members = [_drawn_piece(piece, drawn) for piece, drawn in zip(assembly.members, draw.pieces, strict=True)]
-    static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in assembly.friction)
+    pieces = [_drawn_piece(piece, drawn) for piece, drawn in zip(scene.pieces, draw.pieces, strict=True)]
+    static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in scene.friction)
     low, high = STRENGTH_RANGE
 
     def strength(stated: float) -> float:
@@ -142,9 +142,9 @@ def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
 
     joints = [
         replace(joint, strength=strength(joint.strength), shear=strength(joint.shear))
-        for joint in assembly.joints
+        for joint in scene.joints
     ]
-    return Assembly(members, (static, kinetic), joints)
+    return Scene(pieces, _drawn_room(scene, draw.room), joints=joints, friction=(static, kinetic))
 
 
 def _drawn_piece(piece: Piece, draw: Draw) -> Piece:
@@ -154,16 +154,17 @@ def _drawn_piece(piece: Piece, draw: Draw) -> Piece:
     return replace(piece, body=drawn_body(piece.body, inset), measures=measures)
 
 
-def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:
+def _drawn_room(scene: Scene, draw: Draw) -> Room:
     """Return the room as drawn; where a bracket reaches the wall from a piece as stated, it does as drawn."""
+    room = scene.around
     drawn = drawn_place(room, draw)
     for name in WALLS_AROUND:
         wall, stated = getattr(drawn, name), getattr(room, name)
         if wall is None or stated.gap > REACH:
             continue
         alone = replace(room, **{other: None for other in WALLS_AROUND if other != name})
-        planes = planes_around(assembly.members, alone)
-        seen = [room_seen(member, alone, planes) for member in assembly.members if member.body.shape is None]
+        planes = planes_around(scene.pieces, alone)
+        seen = [room_seen(piece, alone, planes) for piece in scene.pieces if piece.body.shape is None]
         behind = [around.left_wall.gap for around in seen if around.left_wall is not None]
         most = min((REACH - (gap - stated.gap) for gap in behind if gap <= REACH), default=math.inf)
         drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})
@@ -197,8 +198,7 @@ class RunsOfSeveral(Outcomes):
 
 
 def run_several(
-    assemblies: Sequence[Assembly],
-    room: Room,
+    scenes: Sequence[Scene],
     drawn: Sequence[Sequence[DrawOfSeveral]],
     floors: FloorMotions,
     gravity: float,
@@ -211,10 +211,8 @@ def run_several(
 
     Parameters
     ----------
-    assemblies : sequence of Assembly
+    scenes : sequence of Scene
         The pieces with each option, as stated.
-    room : Room
-        Where they stand.
     drawn : sequence of sequence of DrawOfSeveral
         The draws, by motion and sample.
     floors : FloorMotions
@@ -233,14 +231,14 @@ def run_several(
     InputError
         Measures that cannot be put in place, as stated or in one of the draws.
     """
-    shape = len(assemblies), len(drawn), len(drawn[0])
-    results = np.zeros((*shape, len(assemblies[0].members)), RESULT)
+    shape = len(scenes), len(drawn), len(drawn[0])
+    results = np.zeros((*shape, len(scenes[0].pieces)), RESULT)
     devices: dict[tuple[int, ...], tuple[NDArray[np.void], NDArray[np.float64]]] = {}
 
     def run(option: int, motion: int, sample: int) -> None:
         draw, place = drawn[motion][sample], (option, motion, sample)
         shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
-        traced = trace_draw(assemblies[option], room, draw, shaking, gravity)
+        traced = trace_draw(scenes[option], draw, shaking, gravity)
         trace = traced.trace
         results[place] = results_of(traced, shaking.times)
         devices[place] = trace.devices, utilisation(trace.springs, trace.devices)
@@ -251,7 +249,7 @@ def run_several(
                 progress(1)
     return [
         _runs(results[option], [devices[option, *place] for place in np.ndindex(*shape[1:])], counted)
-        for option in range(len(assemblies))
+        for option in range(len(scenes))
     ]
 
 
@@ -286,19 +284,17 @@ def _leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float)
 
 
 def trace_draw(
-    assembly: Assembly,
-    room: Room,
+    scene: Scene,
     draw: DrawOfSeveral,
     shaking: SpaceShaking,
     gravity: float,
     step: float = STEP,
-) -> AssemblyTrace:
-    """Run an assembly under one draw; what several stand on leans to the front of the first piece."""
-    if not leans_alone(assembly):
-        shaking = _leaning(shaking, draw.room.lean, assembly.members[0].heading, gravity)
-    return trace_assembly(
-        drawn_assembly(assembly, draw),
-        drawn_room(assembly, room, draw.room),
+) -> Trace:
+    """Run a scene under one draw; what several stand on leans to the front of the first piece."""
+    if not leans_alone(scene):
+        shaking = _leaning(shaking, draw.room.lean, scene.pieces[0].heading, gravity)
+    return trace_scene(
+        drawn_scene(scene, draw),
         shaking,
         gravity,
         step,
@@ -307,21 +303,19 @@ def trace_draw(
     )
 
 
-def replay(
-    assembly: Assembly, room: Room, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float
-) -> Run:
-    """Run an assembly under one draw again, with its histories.
+def replay(scene: Scene, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float) -> Run:
+    """Run a scene under one draw again, with its histories.
 
     Parameters
     ----------
-    assembly, room, draw, gravity
+    scene, draw, gravity
         As for `run_several`.
     motion, scale
         The floor's motion, and the factor on it.
     """
-    traced = trace_draw(assembly, room, draw, turned(motion, scale, draw.direction), gravity)
-    around = drawn_room(assembly, room, draw.room)
-    return run_of_assembly(traced, assembly.joints, around, motion.scaled(scale))
+    traced = trace_draw(scene, draw, turned(motion, scale, draw.direction), gravity)
+    run = run_of_trace(traced, scene.joints, drawn_scene(scene, draw).room, motion.scaled(scale))
+    return replace(run, names=scene.names)
 
 
 def _runs(

@@ -17,10 +17,10 @@ from stayput.errors import InputError
 from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
-from stayput.rooms.runs import RoomPart, group_of, part_with, with_measures
+from stayput.rooms.runs import RoomPart, group_of, with_measures
 from stayput.rooms.tracks import Track, outline_of
-from stayput.scenario.pieces import BEHIND
 from stayput.simulation.convex import inside_each_other
+from stayput.simulation.piece import BEHIND
 from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
 
@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 
     from stayput.rooms.events import Ways
     from stayput.scenario import Scenario
-    from stayput.simulation.standing import Assembly, Piece
+    from stayput.simulation.piece import Piece
+    from stayput.simulation.scene import Scene
 
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""
@@ -148,14 +149,14 @@ def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
     return True
 
 
-def measures_tried(scenario: Scenario, whole: Assembly, body: int) -> Iterator[tuple[Change, RoomPart]]:
+def measures_tried(scenario: Scenario, whole: Scene, body: int) -> Iterator[tuple[Change, RoomPart]]:
     """Yield the measures that can be put on a piece, with those that run together as it is then held.
 
     Parameters
     ----------
     scenario : Scenario
         The room.
-    whole : Assembly
+    whole : Scene
         All pieces, as stated.
     body : int
         The piece; on one that is no furniture there are no measures.
@@ -167,17 +168,17 @@ def measures_tried(scenario: Scenario, whole: Assembly, body: int) -> Iterator[t
             yield Change(scenario.names[body], measure), part
 
 
-def held_part(scenario: Scenario, whole: Assembly, body: int, measures: Sequence[Measure]) -> RoomPart | None:
+def held_part(scenario: Scenario, whole: Scene, body: int, measures: Sequence[Measure]) -> RoomPart | None:
     """Return a piece with further measures, and what runs with it; None where they cannot be put there."""
     group = group_of(scenario, body)
     try:
-        part = part_with(scenario, group, with_measures(whole, body, measures))
+        part = RoomPart.of(with_measures(whole, body, measures), group)
     except InputError:  # another measure at the same place
         return None
-    return part if can_be_held(part, group.index(body), scenario.floor_plan()) else None
+    return part if can_be_held(part, group.index(body)) else None
 
 
-def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
+def can_be_held(part: RoomPart, place: int) -> bool:
     """Return whether the measures of a part can be put in place, those of one of its pieces on a wall.
 
     A device on a wall needs one within `REACH`, with no door or window where it is screwed on.
@@ -188,11 +189,9 @@ def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
         The pieces, as they would be held.
     place : int
         Which of them.
-    plan : FloorPlan
-        The room.
     """
     try:
-        all_placed = placed(part.assembly.members, part.room)
+        all_placed = placed(part.scene)
     except InputError:  # no wall behind, no ceiling known
         return False
     pieces, held = [body.piece for body in all_placed], all_placed[place].held
@@ -205,7 +204,8 @@ def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
     wall_behind = held.room.left_wall
     if wall_behind is None or wall_behind.gap > REACH:
         return False
-    member = part.assembly.members[place]
+    member, plan = part.scene.pieces[place], part.scene.plan
+    assert plan is not None
     wall = wall_faced(member.heading)
     axis = 1 if wall in ("left_wall", "right_wall") else 0
     across = (-math.sin(member.heading), math.cos(member.heading))[axis]
@@ -238,22 +238,20 @@ def _in_an_opening(plan: FloorPlan, wall: str, along: float, height: float) -> b
 
 
 def places_at_walls(
-    scenario: Scenario, whole: Assembly, body: int, floor: FreeFloor
+    whole: Scene, body: int, floor: FreeFloor
 ) -> Iterator[tuple[str, list[tuple[float, float]]]]:
     """Yield the walls to which a piece may stand, and where its middle may be.
 
     Parameters
     ----------
-    scenario : Scenario
-        The room.
-    whole : Assembly
+    whole : Scene
         All pieces, as stated.
     body : int
         The piece.
     floor : FreeFloor
         Where it may be put.
     """
-    solid, plan = whole.members[body].solid, floor.plan
+    solid, plan = whole.pieces[body].solid, floor.plan
     half_depth, half_length = (0.5 * np.ptp(solid.vertices[:, :2], axis=0)).tolist()
     height = float(solid.vertices[:, 2].max())
     for wall, heading in FACING.items():

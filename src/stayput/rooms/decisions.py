@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from stayput.errors import InputError, instance_of
 from stayput.rooms.changes import Change
 from stayput.rooms.effects import Answer, Move, OtherTracks
-from stayput.rooms.runs import Question, groups_of, moved_to, placed_elsewhere, with_piece
-from stayput.scenario.scene import refuse_what_stands_wrong
+from stayput.rooms.runs import Question, groups_of, moved_to, placed_elsewhere
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.model.floor_plan import PersonPlace
     from stayput.scenario import Scenario
-    from stayput.simulation.standing import Piece
+    from stayput.simulation.piece import Piece
 
 
 class Decisions(NamedTuple):
@@ -58,7 +57,7 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
         if (change.measure is None) == (change.at is None):
             raise InputError("rooms.decided_both", field, name=repr(what))
         if change.measure is not None:
-            if body is None or whole.members[body].body.shape is not None:
+            if body is None or whole.pieces[body].body.shape is not None:
                 raise InputError("rooms.decided_on_no_piece", field, name=repr(what))
             measures[body] = (*measures.get(body, ()), change.measure)
             continue
@@ -67,15 +66,16 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
         if body is not None and what not in single:
             raise InputError("rooms.decided_joined", field, name=repr(what))
         if body is not None:
-            there = elsewhere(whole.members[body], change)
-            whole, heading = with_piece(whole, body, there), there.heading
+            there = elsewhere(whole.pieces[body], change)
+            whole, heading = whole.with_piece(body, there), there.heading
         else:
             assert place is not None
             moved = _place_moved(plan.places[place], change)
             plan, heading = plan.with_places({place: moved}), moved.heading
         moves.append(replace(change, heading=heading))
     if moves:
-        refuse_what_stands_wrong(question.scenario, plan, whole)
+        with question.scenario.naming_keys():
+            replace(whole, plan=plan).refuse_wrong_places()
     return Decisions(tuple(moves), measures)
 
 
@@ -97,8 +97,8 @@ def moved_as_decided(question: Question, as_it_is: Answer, change: Change) -> Mo
         place = _place_moved(plan.places[number], change)
         return Move(change, plan.with_places({number: place}), OtherTracks({}, as_it_is.missing))
     body = names.index(change.what)
-    then = elsewhere(question.whole.members[body], change)
-    part = placed_elsewhere(question.scenario, question.whole, body, then.at[:2], then.heading)
+    then = elsewhere(question.whole.pieces[body], change)
+    part = placed_elsewhere(question.whole, body, then.at[:2], then.heading)
     (runs,) = question.run([part])
     return Move(change, plan, OtherTracks.of(part, runs))
 
@@ -109,7 +109,8 @@ def changes_between(before: Scenario, after: Scenario) -> tuple[Change, ...]:
     A piece that stands on or is joined to another in either counts as not moved.
     """
     stated = [room.stated.measures for room in (before, after)]
-    pieces = [room.assembly(room.stated).members for room in (before, after)]
+    scenes = [room.scene() for room in (before, after)]
+    pieces = [scene.pieces for scene in scenes]
     single = [{group[0] for group in groups_of(room) if len(group) == 1} for room in (before, after)]
     changes: list[Change] = []
     for number, (name, was, now) in enumerate(zip(before.names, *pieces, strict=True)):
@@ -121,7 +122,7 @@ def changes_between(before: Scenario, after: Scenario) -> tuple[Change, ...]:
                 had.remove(measure)
             else:
                 changes.append(Change(name, measure))
-    for was, now in zip(before.floor_plan().places, after.floor_plan().places, strict=True):
+    for was, now in zip(*(scene.plan.places for scene in scenes if scene.plan), strict=True):
         if (was.at, was.heading) != (now.at, now.heading):
             changes.append(Change(was.name, at=now.at, heading=now.heading))
     return tuple(changes)

@@ -224,7 +224,7 @@ def moves_of(question: Question, state: RoomState, harmful: Collection[int]) -> 
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
     as_it_is, ways = state.as_it_is, state.ends.ways
-    floor = FreeFloor(plan, whole.members)
+    floor = FreeFloor(plan, whole.pieces)
     struck = [number for number in range(len(plan.places)) if as_it_is.events.hit(number).any()]
     over = _swept_by_any(as_it_is, ways) if struck else None
     for number in struck:
@@ -238,7 +238,7 @@ def moves_of(question: Question, state: RoomState, harmful: Collection[int]) -> 
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.pieces[body].is_furniture:
             continue
-        for wall, middles in places_at_walls(scenario, whole, body, floor):
+        for wall, middles in places_at_walls(whole, body, floor):
             moved = _best_at_wall(question, state, body, wall, middles)
             if moved is not None:
                 yield moved
@@ -334,7 +334,7 @@ def _best_at_wall(
     It runs in the middle of those places; the tracks elsewhere are the same, shifted.
     """
     as_it_is, ways = state.as_it_is, state.ends.ways
-    scenario, member = question.scenario, question.whole.members[body]
+    scenario, member = question.scenario, question.whole.pieces[body]
     heading = FACING[wall]
     same = abs(math.remainder(heading - member.heading, 2.0 * math.pi)) < 1e-9
     at = middles[len(middles) // 2]
@@ -342,7 +342,7 @@ def _best_at_wall(
         tracks, missing = as_it_is.tracks[body], as_it_is.missing
         origin = np.array(member.at[:2])
     else:
-        (runs,) = question.run([placed_elsewhere(scenario, question.whole, body, at, heading)])
+        (runs,) = question.run([placed_elsewhere(question.whole, body, at, heading)])
         tracks, missing = runs.of_tracks(0), runs.missing
         origin = np.array(at)
     places, outlines = question.plan.places, [reach(track) for track in tracks]

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
-    from stayput.scenario import Scenario
     from stayput.simulation.run import Run
 
 _images: Any = ndimage  # its results depend on its arguments, which its types do not tell
@@ -334,16 +333,17 @@ class RunInRoom(NamedTuple):
     shut_in: tuple[str, ...]
 
 
-def happens_in(run: Run, scenario: Scenario) -> RunInRoom:
+def happens_in(run: Run) -> RunInRoom:
     """Return what happens in a run of a room."""
-    plan = scenario.floor_plan()
+    plan = run.plan
+    assert plan is not None
     tracks = tracks_of(run.standing, run, run.motion.dt)
     events = events_of(EndOfRuns(plan), [[track] for track in tracks])
     return RunInRoom(
         tuple(
             (name, place.name)
             for place, hits in zip(plan.places, events.hits, strict=True)
-            for name, hit in zip(scenario.names, hits, strict=True)
+            for name, hit in zip(run.names, hits, strict=True)
             if hit.happened[0]
         ),
         tuple(door.name for door, blocked in zip(plan.doors, events.blocked, strict=True) if blocked[0]),

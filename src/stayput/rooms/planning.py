@@ -24,7 +24,7 @@ from stayput.rooms.changes import Change, held_part
 from stayput.rooms.decisions import Decisions, decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import OtherTracks, effect_of, falling_pieces, harmful_pieces, moves_of, risk_of
 from stayput.rooms.events import Hits, hits_of
-from stayput.rooms.runs import PartRuns, RoomPart, group_of, part_with, with_measures, with_piece
+from stayput.rooms.runs import PartRuns, RoomPart, group_of, with_measures
 from stayput.rooms.steps import (
     ALIKE,
     SETS,
@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     from stayput.rooms.effects import Move, RoomState
     from stayput.rooms.runs import Question
     from stayput.rooms.tracks import Track
-    from stayput.simulation.standing import Assembly
+    from stayput.simulation.scene import Scene
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
@@ -237,7 +237,7 @@ class _Planner:
                 body = group[choice.step.fix.place]
                 bought = [purchase.measure for purchase in choice.step.fix.purchases]
                 whole = with_measures(whole, body, bought)
-            part = part_with(self.question.scenario, group, whole)
+            part = RoomPart.of(whole, group)
             runs = self.question.run([part])[0]
             self._groups[key] = OtherTracks.of(part, runs)
         return self._groups[key]
@@ -279,18 +279,18 @@ class _Planner:
         places = ((n, place) for n, place in enumerate(move.plan.places) if place != was[n])
         return ChosenStep(step, next(places, None), move.way, move.way)
 
-    def _after(self, moves: Sequence[Move]) -> Assembly:
+    def _after(self, moves: Sequence[Move]) -> Scene:
         """Return the pieces with some moved."""
         whole = self.question.whole
         for move in moves:
             for body in move.way.tracks:
-                whole = with_piece(whole, body, elsewhere(whole.members[body], move.change))
+                whole = whole.with_piece(body, elsewhere(whole.pieces[body], move.change))
         return whole
 
     def _overturned(self, body: int) -> Probability:
         return self.state.as_it_is.outcomes[body].probability_of_overturning()
 
-    def _fixing(self, body: int, whole: Assembly) -> ChosenStep | None:
+    def _fixing(self, body: int, whole: Scene) -> ChosenStep | None:
         """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
         decided = self.decisions.measures.get(body)
         if decided is None:
@@ -314,14 +314,14 @@ class _Planner:
         step = PlanStep(what, None, fix, alone, alone, was, instead, deciding, decided=as_decided)
         return ChosenStep(step, None, here, there)
 
-    def _with_drilling(self, body: int, whole: Assembly) -> None:
+    def _with_drilling(self, body: int, whole: Scene) -> None:
         """Keep the best measures on a piece of those that only the ban on drilling rules out, if any."""
         tried = self._helpful(body, whole, [kinds for kinds in SETS if not self.home.allows(kinds)])
         if tried:
             name = self.question.scenario.names[body]
             self.drilled[name] = self._fitted(min(tried, key=merit), body, whole)[0]
 
-    def _helpful(self, body: int, whole: Assembly, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
+    def _helpful(self, body: int, whole: Scene, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece, and return those that help and can be put on it in ``whole``."""
         as_it_is, group = self.state.as_it_is, group_of(self.question.scenario, body)
         here = OtherTracks({number: as_it_is.tracks[number] for number in group}, as_it_is.missing)
@@ -333,7 +333,7 @@ class _Planner:
             and self._held(body, trial.measures, whole) is not None
         ]
 
-    def _tried_as_decided(self, body: int, whole: Assembly, measures: tuple[Measure, ...]) -> Trial:
+    def _tried_as_decided(self, body: int, whole: Scene, measures: tuple[Measure, ...]) -> Trial:
         """Run the measures that have been decided on, where the piece stands or, if it must, is to stand."""
         part = self._held(body, measures, self.question.whole) or self._with(body, measures, whole)
         return self._as_tried(measures, part, self.question.run([part])[0], body)
@@ -346,7 +346,7 @@ class _Planner:
     def _tried(self, body: int, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures, those that can be put on a piece where it stands."""
         parts: list[tuple[tuple[Measure, ...], RoomPart]] = []
-        soft = self.question.scenario.surroundings().floor.surface in SOFT
+        soft = self.question.scenario.room.room().floor.surface in SOFT
         for kinds in sets:
             measures = tuple(MEASURES[kind]() for kind in kinds)
             if soft and any(isinstance(measure, WedgeStopper) for measure in measures):  # it sinks in
@@ -372,23 +372,23 @@ class _Planner:
         hits = [[self._hits(place, tracks).happened for tracks in way.tracks.values()] for place in places]
         return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
 
-    def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
+    def _held(self, body: int, measures: tuple[Measure, ...], whole: Scene) -> RoomPart | None:
         """Return the part of a piece with measures on it, or None where they cannot be put there."""
         return held_part(self.question.scenario, whole, body, measures)
 
-    def _with(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart:
+    def _with(self, body: int, measures: tuple[Measure, ...], whole: Scene) -> RoomPart:
         """Return the part of a piece with measures on it, which have not been put in place."""
         scenario = self.question.scenario
-        return part_with(scenario, group_of(scenario, body), with_measures(whole, body, measures))
+        return RoomPart.of(with_measures(whole, body, measures), group_of(scenario, body))
 
-    def _fitted(self, tried: Trial, body: int, whole: Assembly) -> tuple[Fix, OtherTracks, OtherTracks]:
+    def _fitted(self, tried: Trial, body: int, whole: Scene) -> tuple[Fix, OtherTracks, OtherTracks]:
         """Return measures as they are bought, and how the piece moves where it stands and where it will.
 
         Where the studs allow it there are as many devices as what they are screwed to asks for.
         """
         measures, part = tried.measures, self._with(body, tried.measures, whole)
         purchases = purchases_of(self.question, part, measures, body)
-        piece = whole.members[body]
+        piece = whole.pieces[body]
         fitted = tuple(in_number(purchase, piece.body.length or 0.0) for purchase in purchases)
         more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
         if fitted != measures and more is not None and here is not None:
@@ -401,7 +401,7 @@ class _Planner:
             runs = self.question.run([part])[0]
             there = OtherTracks.of(part, runs)
             overturns = runs.of_body(place).probability_of_overturning()
-        held = placed(part.assembly.members, part.room)[place].held
+        held = placed(part.scene)[place].held
         assert held is not None
         cautions = tuple(
             caution for measure in measures for caution in measure.cautions(held.body, held.room)

@@ -21,7 +21,7 @@ from stayput.mechanics.devices.columns import HOLDS
 from stayput.mechanics.runner import shaking as shaking_in_plane
 from stayput.mechanics.runner import trace
 from stayput.model.flat_fields import case_columns
-from stayput.model.room import SIDE_WALLS, Room
+from stayput.model.room import SIDE_WALLS
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_held
@@ -29,7 +29,6 @@ from stayput.montecarlo.several import DrawOfSeveral, trace_draw, turned
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.placing import placed_piece, planes_around, room_seen
 from stayput.simulation.space import results_of
-from stayput.simulation.standing import Assembly
 from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
@@ -41,8 +40,9 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
+    from stayput.simulation.piece import Piece
+    from stayput.simulation.scene import Scene
     from stayput.simulation.space_engine import SpaceShaking
-    from stayput.simulation.standing import Piece
 
 
 class DeviceForces(NamedTuple):
@@ -91,15 +91,17 @@ class RoomPart(NamedTuple):
     ----------
     bodies : tuple of int
         Their numbers in the scenario.
-    assembly : Assembly
-        The pieces.
-    room : Room
-        Around them.
+    scene : Scene
+        The pieces in the room.
     """
 
     bodies: tuple[int, ...]
-    assembly: Assembly
-    room: Room
+    scene: Scene
+
+    @classmethod
+    def of(cls, whole: Scene, bodies: tuple[int, ...]) -> RoomPart:
+        """Return some of the pieces of a scene."""
+        return cls(bodies, whole.part(bodies))
 
     @property
     def in_plane(self) -> bool:
@@ -108,7 +110,7 @@ class RoomPart(NamedTuple):
         It does not tell the forces on what holds it to the wall: shaking along the wall turns the piece about
         one of the devices and adds to what that one bears.
         """
-        only = self.assembly.members[0]
+        only = self.scene.pieces[0]
         return (
             len(self.bodies) == 1
             and only.body.shape is None
@@ -134,30 +136,10 @@ def group_of(scenario: Scenario, body: int) -> tuple[int, ...]:
     return next(group for group in groups_of(scenario) if body in group)
 
 
-def part_with(scenario: Scenario, bodies: tuple[int, ...], whole: Assembly) -> RoomPart:
-    """Return some of the members of an assembly of all pieces."""
-    members = [whole.members[body] for body in bodies]
-    joints = [
-        replace(joint, first=bodies.index(joint.first), second=bodies.index(joint.second))
-        for joint in whole.joints
-        if joint.first in bodies
-    ]
-    return RoomPart(
-        bodies,
-        Assembly(members, whole.friction, joints),
-        scenario.around(members),
-    )
-
-
-def with_piece(whole: Assembly, body: int, piece: Piece) -> Assembly:
-    """Return an assembly with another piece in the place of one."""
-    return replace(whole, members=[piece if n == body else member for n, member in enumerate(whole.members)])
-
-
-def with_measures(whole: Assembly, body: int, measures: Iterable[Measure]) -> Assembly:
-    """Return an assembly with further measures on a piece; they have not been put in place."""
-    piece = whole.members[body]
-    return with_piece(whole, body, replace(piece, measures=(*piece.measures, *measures)))
+def with_measures(whole: Scene, body: int, measures: Iterable[Measure]) -> Scene:
+    """Return a scene with further measures on a piece; they have not been put in place."""
+    piece = whole.pieces[body]
+    return whole.with_piece(body, replace(piece, measures=(*piece.measures, *measures)))
 
 
 def moved_to(piece: Piece, at: tuple[float, float], heading: float) -> Piece:
@@ -165,12 +147,10 @@ def moved_to(piece: Piece, at: tuple[float, float], heading: float) -> Piece:
     return replace(piece, at=(*at, piece.at[2]), heading=heading)
 
 
-def placed_elsewhere(
-    scenario: Scenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
-) -> RoomPart:
+def placed_elsewhere(whole: Scene, body: int, at: tuple[float, float], heading: float) -> RoomPart:
     """Return a piece by itself, moved to another place of the plan."""
-    moved = moved_to(whole.members[body], at, heading)
-    return part_with(scenario, (body,), with_piece(whole, body, moved))
+    moved = moved_to(whole.pieces[body], at, heading)
+    return RoomPart.of(whole.with_piece(body, moved), (body,))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -219,10 +199,8 @@ class Question(NamedTuple):
     ----------
     scenario : Scenario
         The room.
-    plan : FloorPlan
-        Its plan.
-    whole : Assembly
-        All pieces, as stated.
+    whole : Scene
+        All pieces, as stated, in its plan.
     drawn : list of list of DrawOfSeveral
         The draws of all pieces, by motion and sample.
     floors : FloorMotions
@@ -234,12 +212,17 @@ class Question(NamedTuple):
     """
 
     scenario: Scenario
-    plan: FloorPlan
-    whole: Assembly
+    whole: Scene
     drawn: list[list[DrawOfSeveral]]
     floors: FloorMotions
     threads: int | None
     advance: Callable[[int], None] = lambda _runs: None
+
+    @property
+    def plan(self) -> FloorPlan:
+        """Its plan."""
+        assert self.whole.plan is not None
+        return self.whole.plan
 
     def run(self, parts: Sequence[RoomPart]) -> list[PartRuns]:
         """Run parts of the room, each by itself, under all draws."""
@@ -310,7 +293,7 @@ def _run_in_space(
     part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
 ) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
     """Return RESULT of the pieces of a part, DEVICE of what holds and joins them, forces, and tracks."""
-    traced = trace_draw(part.assembly, part.room, draw, shaking, gravity)
+    traced = trace_draw(part.scene, draw, shaking, gravity)
     results, pieces = results_of(traced, shaking.times), [body.piece for body in traced.bodies]
     peaks: PeakForces = {}
     for place, held, rows in traced.held():
@@ -322,8 +305,8 @@ def _run_in_plane(
     part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
 ) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
     """Return the same of the one piece of a part, run in the plane across its length."""
-    piece = part.assembly.members[0]
-    seen = room_seen(piece, part.room, planes_around([piece], part.room))
+    (piece,), around = part.scene.pieces, part.scene.around
+    seen = room_seen(piece, around, planes_around([piece], around))
     place = replace(seen, **dict.fromkeys(SIDE_WALLS))
     held, elements = drawn_held(piece.body, place, piece.measures, draw.room)
     row = case_columns(held.body, held.room, State(), gravity)

@@ -281,7 +281,7 @@ def heading(step: PlanStep, plan: ActionPlan) -> Phrase:
 
 def held_by(fix: Fix) -> Held:
     """Return a piece with its measures in place, each device by itself."""
-    held = placed(fix.part.assembly.members, fix.part.room)[fix.place].held
+    held = placed(fix.part.scene)[fix.place].held
     assert held is not None
     return held
 

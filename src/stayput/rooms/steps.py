@@ -14,7 +14,7 @@ import numpy as np
 
 from stayput.measures import MEASURES, GelMats, Measure, TensionPole
 from stayput.measures.wall import WallDevice
-from stayput.rooms.runs import DeviceForces, PeakForces, RoomPart, with_piece
+from stayput.rooms.runs import DeviceForces, PeakForces, RoomPart
 from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
 from stayput.verification.options import COMBINED
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from stayput.rooms.runs import Question
     from stayput.rooms.verdict import RoomEffect, RoomVerdict
     from stayput.scenario import Scenario
-    from stayput.simulation.standing import Piece
+    from stayput.simulation.piece import Piece
     from stayput.verification.options import Input
 
 SETS = (("l_bracket",), ("belt",), ("tension_pole",), ("gel_mats",), COMBINED, ("gel_mats", "tension_pole"))
@@ -128,8 +128,8 @@ def purchases_of(
 ) -> tuple[Purchase, ...]:
     """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
     place = part.bodies.index(body)
-    piece = part.assembly.members[place]
-    held = placed(part.assembly.members, part.room)[place].held
+    piece = part.scene.pieces[place]
+    held = placed(part.scene)[place].held
     assert held is not None
     kinds = {measure.kind for measure in measures}
     strong = tuple(
@@ -137,7 +137,7 @@ def purchases_of(
         for measure in piece.measures
     )
     member = replace(piece, measures=strong)
-    runs = question.run([part._replace(assembly=with_piece(part.assembly, place, member))])[0]
+    runs = question.run([part._replace(scene=part.scene.with_piece(place, member))])[0]
     purchases: list[Purchase] = []
     for measure in measures:
         weakest = next((element for element in held.elements if element.kind == measure.kind), None)
@@ -236,7 +236,7 @@ class Fix:
     @property
     def piece(self) -> Piece:
         """The piece, as it is then held."""
-        return self.part.assembly.members[self.place]
+        return self.part.scene.pieces[self.place]
 
     @property
     def enough(self) -> bool:

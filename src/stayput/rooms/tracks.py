@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
     from stayput.simulation.space_engine import SpaceTrace
-    from stayput.simulation.standing import Piece
 
 STIRS = 0.01
 """Way of a body's corner up to which it stays where it stood [m]."""

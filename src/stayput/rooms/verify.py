@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import instance_of, within
+from stayput.errors import InputError, instance_of, within
 from stayput.fragility import probability
 from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
 from stayput.montecarlo.hazard import FloorMotions, Hazard
@@ -17,7 +17,7 @@ from stayput.montecarlo.several import draws_of_several
 from stayput.progress import tally
 from stayput.rooms.effects import Answer, RoomState, anybody, changes_of, hits_by, in_order, risk_of
 from stayput.rooms.events import EndOfRuns, shares_covered
-from stayput.rooms.runs import Question, groups_of, part_with
+from stayput.rooms.runs import Question, RoomPart, groups_of
 from stayput.rooms.verdict import (
     ChangeVerdict,
     DoorVerdict,
@@ -28,7 +28,6 @@ from stayput.rooms.verdict import (
     TypicalRun,
 )
 from stayput.scenario import Scenario
-from stayput.scenario.scene import refuse_what_stands_wrong
 from stayput.simulation.placing import placed
 
 if TYPE_CHECKING:
@@ -118,10 +117,12 @@ def question_of(scenario: Scenario, threads: int | None) -> Question:
         A piece that stands in a wall, in another or where a person is; a record that cannot be read.
     """
     room = instance_of("scenario", scenario, Scenario)
-    plan, whole = room.floor_plan(), room.assembly(room.stated)
-    refuse_what_stands_wrong(room, plan, whole)
-    with room.naming_pieces():
-        placed(whole.members, room.surroundings())  # refuses what cannot be put in place
+    if room.plan is None:
+        raise InputError("rooms.no_plan", "plan")
+    whole = room.scene()
+    with room.naming_keys():
+        whole.refuse_wrong_places()
+        placed(whole)  # refuses what cannot be put in place
     floors = floors_of(room, threads)
     settings = Settings.of(room, len(floors.motions), SLIDE_LIMIT)  # which changes no run
     drawn = draws_of_several(
@@ -133,7 +134,7 @@ def question_of(scenario: Scenario, threads: int | None) -> Question:
         quantities=settings.quantities,
         direction=room.direction,
     )
-    return Question(room, plan, whole, drawn, floors, threads)
+    return Question(room, whole, drawn, floors, threads)
 
 
 def floors_of(room: Scenario, threads: int | None, times: float = 1.0) -> FloorMotions:
@@ -144,7 +145,7 @@ def floors_of(room: Scenario, threads: int | None, times: float = 1.0) -> FloorM
 def states(question: Question) -> Iterator[RoomState]:
     """Run a room as it is; yield what is known after a few runs, after more, and after all."""
     scenario, ends = question.scenario, EndOfRuns(question.plan)
-    parts = [part_with(scenario, group, question.whole) for group in groups_of(scenario)]
+    parts = [RoomPart.of(question.whole, group) for group in groups_of(scenario)]
     as_it_is: Answer | None = None
     for block in question.blocks():
         more = Answer.of(ends, parts, question.with_samples(*block).run(parts))
@@ -173,7 +174,7 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
     shape = missing.shape
     hits = hits_by(events)
     in_plane = {body: part.in_plane for part in parts for body in part.bodies}
-    masses = [member.body.mass for member in whole.members]
+    masses = [member.body.mass for member in whole.pieces]
     pieces: list[RoomPiece] = []
     for body, (tracks, outcomes) in enumerate(zip(as_it_is.tracks, as_it_is.outcomes, strict=True)):
         fell = outcomes.overturned.ravel()

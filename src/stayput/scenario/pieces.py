@@ -16,7 +16,8 @@ from stayput.model.room import WALLS_AROUND
 from stayput.scenario.fields import Table, Text, ValueTable, between, checked, fields_of, named, one_of
 from stayput.scenario.measures import SingleChoice, of_known_type
 from stayput.scenario.tables import Heading, Kind, Loads, usual_of
-from stayput.simulation.standing import STRENGTH_RANGE, Joint
+from stayput.simulation.piece import BEHIND, Piece
+from stayput.simulation.scene import STRENGTH_RANGE, Joint
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -35,9 +36,6 @@ else:
 _ROUND = ("diameter", "bottom", "top")
 _SHAPES = ({"mesh"}, {"diameter", "height"}, {"bottom", "top", "height"})
 """What gives the shape of a piece that is neither a preset nor a box."""
-
-BEHIND = 0.02
-"""Usual gap between a piece and the wall at its back [m]."""
 
 Size = Annotated[float, between(*SIZE_RANGE, "m")]
 Coordinate = Annotated[float, between(-100.0, 100.0, "m")]
@@ -165,6 +163,21 @@ class PieceTable(ValueTable):
         if self.diameter is not None:
             return Body.cylinder(self.diameter, self.height, **known)
         return Body.cone(self.bottom or 0.0, self.top or 0.0, self.height, **known)
+
+    def standing(self, body: Body, measures: tuple[Measure, ...]) -> Piece:
+        """Make the piece of its body, with measures in place."""
+        x, y, *up = self.at
+        return Piece(
+            body,
+            (x, y, up[0] if up else 0.0),
+            self.heading,
+            measures,
+            name=self.title,
+            on=self.on,
+            against=self.against,
+            along=self.along,
+            gap=self.gap,
+        )
 
 
 class JointTable(Table):

@@ -24,7 +24,7 @@ WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
 PointInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
 
 
-@fields_of(FloorPlan)
+@fields_of(FloorPlan, but=("walls",))
 class PlanTable(ValueTable):
     """The size of a room, which goes from the left wall to the right one and from the near to the far one."""
 

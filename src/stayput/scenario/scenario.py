@@ -1,4 +1,4 @@
-"""`Scenario`: the content of a file as a value, and the case, the assembly and the run that it makes."""
+"""`Scenario`: the content of a file as a value, and the case, the scene and the run that it makes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from stayput.motion.suites import Suite
 from stayput.scenario.fields import between, checked, refuse_same_names
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, of_known_type
 from stayput.scenario.pieces import NOTHING, AssemblyOption, OptionTable
-from stayput.scenario.scene import SceneTables, refuse_what_stands_wrong
+from stayput.scenario.scene import SceneTables
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import ContentsTable, EverydayTable, Heading, InitialTable
 from stayput.simulation.case import Case, simulate
@@ -60,7 +60,7 @@ class Scenario(SceneTables):
     >>> run = scenario.run()
     >>> print(scenario.title, *((piece, str(run[piece].outcome)) for piece in run.names))
     Television on a stand ('stand', 'rocked') ('television', 'rocked')
-    >>> plan = sp.read_scenario("examples/bedroom.toml").floor_plan()
+    >>> plan = sp.read_scenario("examples/bedroom.toml").scene().plan
     >>> plan.width, plan.length, [place.name for place in plan.places]  # m
     (3.6, 2.7, ['bed'])
     """
@@ -312,14 +312,9 @@ class Scenario(SceneTables):
         if self.alone:
             with self.naming_file():
                 return self.case(measures).run().named(self.names)
-        whole, plan = self.assembly(), None
-        if self.plan is not None:
-            plan = self.floor_plan()
-            with self.naming_file():
-                refuse_what_stands_wrong(self, plan, whole)
-        with self.naming_pieces():
-            run = simulate(whole, self.surroundings(), self.motion(), gravity=self.gravity)
-        return replace(run, names=self.names, plan=plan)
+        scene, motion = self.scene(), self.motion()
+        with self.naming_keys():
+            return simulate(scene, motion, gravity=self.gravity)
 
 
 def _turned(motion: Motion, turn: float) -> Motion:

@@ -20,7 +20,7 @@ from stayput.simulation.case import Case
 from stayput.simulation.grid import make_grid
 from stayput.simulation.many import run_grid
 from stayput.simulation.outcome import QUANTITIES, fill_columns
-from stayput.simulation.space import results_of, trace_assembly
+from stayput.simulation.space import results_of, trace_scene
 from stayput.simulation.space_engine import SpaceShaking
 from stayput.simulation.sweep import SweepOptions, sweep_case
 
@@ -173,9 +173,9 @@ def _results(scenario: Scenario) -> dict[str, NDArray[Any]]:
     """Return what became of each piece, how many devices failed, and the largest utilisation, by column."""
     if scenario.alone:
         return run_grid(make_grid(scenario.case(), {}), threads=1, progress=False)
-    shaking, assembly = SpaceShaking.of(scenario.motion()), scenario.assembly()
-    with scenario.naming_pieces():
-        traced = trace_assembly(assembly, scenario.surroundings(), shaking, scenario.gravity)
+    shaking, scene = SpaceShaking.of(scenario.motion()), scenario.scene()
+    with scenario.naming_keys():
+        traced = trace_scene(scene, shaking, scenario.gravity)
     devices, results = traced.trace.devices, results_of(traced, shaking.times)
     columns = {name: np.zeros(len(results), ABOUT[name].dtype) for name in OF_A_PIECE}
     fill_columns(columns, 0, results)

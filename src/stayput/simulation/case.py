@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
@@ -32,7 +32,8 @@ if TYPE_CHECKING:
     from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held
     from stayput.mechanics.runner import Traced
-    from stayput.simulation.standing import Assembly, Piece
+    from stayput.simulation.piece import Piece
+    from stayput.simulation.scene import Scene
 
 _KINDS, _MODES = tuple(EventKind), tuple(Mode)
 
@@ -104,8 +105,13 @@ class Case(Brief):
         return simulate(**arguments)
 
 
+@overload
 def simulate(
-    body: Body | Piece | Assembly,
+    body: Scene, room: Motion, /, *, gravity: float = STANDARD_GRAVITY, step: float | None = None
+) -> Run: ...
+@overload
+def simulate(
+    body: Body | Piece,
     room: Room,
     motion: Motion,
     measures: Sequence[Measure] = (),
@@ -116,18 +122,33 @@ def simulate(
     gravity: float = STANDARD_GRAVITY,
     most_events: int | None = None,
     step: float | None = None,
+) -> Run: ...
+def simulate(
+    body: Body | Piece | Scene,
+    room: Room | Motion,
+    motion: Motion | None = None,
+    measures: Sequence[Measure] = (),
+    *,
+    dimensions: Dimensions | None = None,
+    contact: Contact = "coulomb",
+    initial: State | None = None,
+    gravity: float = STANDARD_GRAVITY,
+    most_events: int | None = None,
+    step: float | None = None,
 ) -> Run:
-    """Simulate one body, or an assembly of several in space, in one room under one motion of the floor.
+    """Simulate a scene, or a body or a piece in a room, under one motion of the floor.
 
-    A `Body` is simulated in the plane, or where it has a length and the motion a component ``y``, or a shape
-    of its own, in space; ``dimensions`` chooses. A `Piece` and an `Assembly` are simulated in space.
+    ``simulate(scene, motion)`` and ``simulate(body, room, motion)``: a `Body` is simulated in the plane, or
+    where it has a length and the motion a component ``y``, or a shape of its own, in space; ``dimensions``
+    chooses. A `Piece` and a `Scene` are simulated in space.
 
     Parameters
     ----------
-    body : Body, Piece or Assembly
+    body : Body, Piece or Scene
         What stands.
     room : Room
-        Where it stands. The walls are at either end of x; in space there may be side walls at the ends of y.
+        Where a body or a piece stands. The walls are at either end of x; in space there may be side walls at
+        the ends of y.
     motion : Motion
         Acceleration of the floor: ``x`` along the shaking, ``z`` up, and in space ``y`` across.
     measures : sequence of Measure
@@ -170,45 +191,52 @@ def simulate(
 
     start, asked = State() if initial is None else initial, list_of("measures", measures, Measure)
     if not isinstance(body, Body) or (body.shape is not None and dimensions != 2):
-        from stayput.simulation.space import simulate_assembly
+        from stayput.simulation.space import simulate_scene
 
         of_a_body = {"measures": bool(asked), "initial": start != State(), "contact": contact != "coulomb"}
-        assembly = _assembly_of(body, **of_a_body, dimensions=dimensions not in (None, 3))
-        instance_of("room", room, Room)
-        return simulate_assembly(assembly, room, Motion.given(motion), gravity, step)
-    checked = Case(body, room, motion, contact, start, gravity, asked, dimensions)
+        scene, motion = _in_scene(body, room, motion, **of_a_body, dimensions=dimensions not in (None, 3))
+        return simulate_scene(scene, motion, gravity, step)
+    around, shaken = instance_of("room", room, Room), Motion.given(motion)
+    checked = Case(body, around, shaken, contact, start, gravity, asked, dimensions)
     body = checked.body
-    refuse_bad_start(body, room, start)
+    refuse_bad_start(body, around, start)
     if checked.in_space:
         from stayput.simulation.space import checked_step, simulate_held
 
         if contact != "coulomb":
             raise InputError("model.paper_in_space", "contact")
-        placed = hold(body, room, checked.measures, dimensions=3)
-        return simulate_held(placed, element_rows(placed), motion, start, gravity, checked_step(step))
+        placed = hold(body, around, checked.measures, dimensions=3)
+        return simulate_held(placed, element_rows(placed), shaken, start, gravity, checked_step(step))
     if most_events is not None:
         most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
-    held = hold(body, room, checked.measures)
+    held = hold(body, around, checked.measures)
     refuse_bad_start(held.body, held.room, start)
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
-    shaken = shaking(motion.x, motion.z, motion.dt, law_number(contact))
-    traced = trace(columns[0], shaken, elements)
+    of_floor = shaking(shaken.x, shaken.z, shaken.dt, law_number(contact))
+    traced = trace(columns[0], of_floor, elements)
     results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
-    case = Case(held.body, held.room, motion, contact, start, gravity)
+    case = Case(held.body, held.room, shaken, contact, start, gravity)
     return run_of(case, traced, held, results, most_events)
 
 
-def _assembly_of(what: object, **asked: bool) -> Assembly:
-    """Return what stands as an assembly; raise `InputError` for what only a `Body` by its section has."""
-    from stayput.simulation.standing import Assembly, Piece
+def _in_scene(
+    what: object, room: Room | Motion, motion: Motion | None, **asked: bool
+) -> tuple[Scene, Motion]:
+    """Return the scene of what stands and its motion; refuse what only a `Body` by its section has."""
+    from stayput.simulation.piece import Piece
+    from stayput.simulation.scene import Scene
 
-    standing = instance_of("body", what, (Body, Piece, Assembly))
+    standing = instance_of("body", what, (Body, Piece, Scene))
     for name in asked:
         if asked[name]:
             raise InputError("model.of_a_body", name, name=name)
-    if isinstance(standing, Assembly):
-        return standing
-    return Assembly([Piece(standing) if isinstance(standing, Body) else standing])
+    if not isinstance(standing, Scene):
+        return Scene(
+            [Piece(standing) if isinstance(standing, Body) else standing], instance_of("room", room, Room)
+        ), Motion.given(motion)
+    if motion is not None:
+        raise InputError("model.room_of_a_scene", "room")
+    return standing, Motion.given(room)
 
 
 def law_number(contact: str) -> int:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.solid import Solid
-    from stayput.simulation.standing import Piece
+    from stayput.simulation.piece import Piece
 
 SLIGHT = 1e-6
 """Length of a cross product of two unit vectors up to which they are parallel."""

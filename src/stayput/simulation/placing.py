@@ -21,8 +21,8 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Floor, Room
 from stayput.model.solid import Solid
 from stayput.model.state import State
+from stayput.simulation.piece import Piece, rotation_by
 from stayput.simulation.space_records import NORMALS, planes_of, pose_of, surface_of
-from stayput.simulation.standing import Piece, rotation_by
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from stayput.measures.measure import Measure
     from stayput.model.room import Wall
-    from stayput.simulation.standing import Joint
+    from stayput.simulation.scene import Joint, Scene
 
 
 JOINT = "joint"
@@ -72,7 +72,7 @@ def _set_vectors(springs: NDArray[np.void] | np.void, **vectors: NDArray[np.floa
 
 
 def joint_springs(pieces: Sequence[Piece], joints: Sequence[Joint]) -> NDArray[np.void]:
-    """Return what joins the members of an assembly, as they stand at first, in newtons."""
+    """Return what joins the pieces of a scene, as they stand at first, in newtons."""
     springs = np.zeros(len(joints), SPRING)
     for spring, joint in zip(springs, joints, strict=True):
         first, second = pieces[joint.first], pieces[joint.second]
@@ -97,7 +97,7 @@ def joint_springs(pieces: Sequence[Piece], joints: Sequence[Joint]) -> NDArray[n
 def joint_results(
     joints: Sequence[Joint], springs: NDArray[np.void], devices: NDArray[np.void], forces: NDArray[np.float64]
 ) -> tuple[DeviceResult, ...]:
-    """Return what became of the joints of an assembly, by the devices and forces of its run."""
+    """Return what became of the joints of a scene, by the devices and forces of its run."""
     used = utilisation(springs, devices)
     each = zip(joints, _places(joints), devices, strict=True)
     return tuple(
@@ -109,7 +109,7 @@ def joint_results(
 
 
 def _places(joints: Sequence[Joint]) -> list[str]:
-    """Return what the joints are called: by the members they join, and numbered where these have several."""
+    """Return what the joints are called: by the pieces they join, and numbered where these have several."""
     pairs = [f"{joint.first}-{joint.second}" for joint in joints]
     return [
         f"{pair}, {pairs[: number + 1].count(pair)}" if pairs.count(pair) > 1 else pair
@@ -229,25 +229,22 @@ def held_body(
     )
 
 
-def planes_around(members: Sequence[Piece], room: Room) -> NDArray[np.void]:
-    """Return the room of an assembly as the engine reads it: PLANE; see `planes_of`."""
-    return planes_of(members, room_row(room))
+def planes_around(pieces: Sequence[Piece], room: Room) -> NDArray[np.void]:
+    """Return the room around pieces as the engine reads it: PLANE; see `planes_of`."""
+    return planes_of(pieces, room_row(room))
 
 
 def placed(
-    members: Sequence[Piece],
-    room: Room,
+    scene: Scene,
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
 ) -> tuple[Placed, ...]:
-    """Return the bodies of an assembly with their measures in place.
+    """Return the bodies of a scene with their measures in place.
 
     Parameters
     ----------
-    members : sequence of Piece
-        The members.
-    room : Room
-        Where they stand.
+    scene : Scene
+        The pieces, and where they stand.
     strength : float
         Factor on the strengths of all devices.
     drawn_floor : callable
@@ -258,17 +255,18 @@ def placed(
     InputError
         Measures that cannot be put in place.
     """
-    planes, floor = planes_around(members, room), room_row(room)
+    room = scene.around
+    planes, floor = planes_around(scene.pieces, room), room_row(room)
     none = np.zeros(0, SPRING)
     bodies: list[Placed] = []
-    for number, member in enumerate(members):
+    for number, member in enumerate(scene.pieces):
         if member.body.shape is not None and not member.measures:
             bodies.append(Placed(member, _first_pose(member), floor, none))
             continue
         try:
             held = hold_piece(member, room, planes)
         except InputError as error:
-            raise error.at(f"members[{number}]") from None
+            raise error.at(scene.called(number)) from None
         under = _drawn(held.room.floor, room.floor, drawn_floor)
         held = replace(held, room=replace(held.room, floor=under))
         body = placed_piece(member, held, element_rows(held, strength), number)
@@ -292,7 +290,7 @@ def _drawn(floor: Floor, stated: Floor, drawn_floor: Callable[[Floor], Floor]) -
 
 
 def placed_piece(piece: Piece, held: Held, elements: NDArray[np.void], number: int = 0) -> Placed:
-    """Return a piece of an assembly with its measures; see `held_body`.
+    """Return a piece of a scene with its measures; see `held_body`.
 
     What stands higher stands on another piece, which does not give way as a soft floor does.
     """
@@ -304,7 +302,7 @@ def placed_piece(piece: Piece, held: Held, elements: NDArray[np.void], number: i
 
 
 def hold_piece(piece: Piece, room: Room, planes: NDArray[np.void]) -> Held:
-    """Return a piece of an assembly with its measures in place; see `placed`.
+    """Return a piece of a scene with its measures in place; see `placed`.
 
     A piece that stands on another is held to walls and ceiling as one of the same back and top that reaches
     down to the floor: so heights on the wall, and what bends there, are those of the room.
@@ -357,6 +355,6 @@ def room_seen(piece: Piece, room: Room, planes: NDArray[np.void]) -> Room:
         for side in WALLS_AROUND:
             if np.dot(normal, NORMALS[side]) > 1.0 - ALONG:
                 # to a picometre, so that a gap is to the bit what it is for a piece alone
-                gap = round(piece.along(NORMALS[name])[0] - float(plane["offset"]), 12)
+                gap = round(piece.reach(NORMALS[name])[0] - float(plane["offset"]), 12)
                 seen[side] = replace(getattr(room, name), gap=max(0.0, gap))
     return replace(room, **seen)  # pyright: ignore[reportArgumentType]

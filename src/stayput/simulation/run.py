@@ -33,8 +33,8 @@ if TYPE_CHECKING:
     from stayput.motion.record import Motion
     from stayput.report.page import Player
     from stayput.simulation.outcome import Hit
+    from stayput.simulation.piece import Piece
     from stayput.simulation.space_engine import Gaps
-    from stayput.simulation.standing import Piece
 
 Contact = Literal["coulomb", "paper"]
 """The contact law: unilateral contact with Coulomb friction, or the rules of the paper as written.

@@ -1,8 +1,9 @@
-"""Bodies in space under one motion: assemblies of pieces, and a piece of furniture with measures."""
+"""Bodies in space under one motion: scenes, and a piece of furniture with measures."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -34,20 +35,24 @@ if TYPE_CHECKING:
     from stayput.model.state import State
     from stayput.motion import Motion
     from stayput.simulation.groups import Group
+    from stayput.simulation.piece import Piece
     from stayput.simulation.placing import Placed
+    from stayput.simulation.scene import Joint, Scene
     from stayput.simulation.space_engine import Gaps, SpaceTrace
     from stayput.simulation.space_fate import Fate
-    from stayput.simulation.standing import Assembly, Joint, Piece
 
 ON_FLOOR_WITHIN = 1e-6
 """Height up to which the lowest point of a body is on the floor [m]."""
 
 
-def warn_of_settlement(assembly: Assembly, room: Room) -> None:
+def warn_of_settlement(scene: Scene) -> None:
     """Warn where bodies of another shape stand on a floor that settles: only boxes have the base for that."""
-    shaped = (piece for piece in assembly.members if piece.body.shape is not None)
-    if room.floor.settlement and any(p.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for p in shaped):
-        warn(InputWarning("simulation.settles", value=room.floor.settlement))
+    shaped, settlement = (
+        (piece for piece in scene.pieces if piece.body.shape is not None),
+        scene.room.floor.settlement,
+    )
+    if settlement and any(piece.reach((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for piece in shaped):
+        warn(InputWarning("simulation.settles", value=settlement))
 
 
 def checked_step(step: float | None) -> float:
@@ -55,22 +60,20 @@ def checked_step(step: float | None) -> float:
     return STEP if step is None else within("simulation.step", step, 1e-6, 0.01, "s", "step")
 
 
-def simulate_assembly(
-    assembly: Assembly, room: Room, motion: Motion, gravity: float, step: float | None = None
-) -> Run:
-    """Simulate pieces in space; see `stayput.simulate`.
+def simulate_scene(scene: Scene, motion: Motion, gravity: float, step: float | None = None) -> Run:
+    """Simulate a scene in space; see `stayput.simulate`.
 
-    The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of
-    boxes: for bodies of another shape on the floor it is left out, and warned of.
+    The floor's settlement is a law of boxes: for bodies of another shape on the floor it is left out, and
+    warned of.
     """
-    warn_of_settlement(assembly, room)
-    traced = trace_assembly(
-        assembly, room, SpaceShaking.of(motion), GRAVITY.check(gravity), checked_step(step)
-    )
-    return run_of_assembly(traced, assembly.joints, room, motion)
+    scene.refuse_wrong_places()
+    warn_of_settlement(scene)
+    traced = trace_scene(scene, SpaceShaking.of(motion), GRAVITY.check(gravity), checked_step(step))
+    run = run_of_trace(traced, scene.joints, scene.around, motion)
+    return replace(run, names=scene.names, plan=scene.plan)
 
 
-class AssemblyTrace(NamedTuple):
+class Trace(NamedTuple):
     """Bodies as the engine ran them: bodies, room, what became of them and what holds them, and g [m/s²]."""
 
     bodies: tuple[Placed, ...]
@@ -93,23 +96,20 @@ class AssemblyTrace(NamedTuple):
             first += len(body.springs)
 
 
-def trace_assembly(
-    assembly: Assembly,
-    room: Room,
+def trace_scene(
+    scene: Scene,
     shaking: SpaceShaking,
     gravity: float,
     step: float = STEP,
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
-) -> AssemblyTrace:
-    """Run the bodies of an assembly with their measures in place.
+) -> Trace:
+    """Run the pieces of a scene with their measures in place.
 
     Parameters
     ----------
-    assembly : Assembly
-        The bodies.
-    room : Room
-        Where they stand.
+    scene : Scene
+        The pieces, and where they stand.
     shaking : SpaceShaking
         Of the floor.
     gravity, step : float
@@ -124,10 +124,11 @@ def trace_assembly(
     InputError
         Measures that cannot be put in place, or bodies that begin inside each other or the room.
     """
-    planes = planes_around(assembly.members, room)
-    bodies = placed(assembly.members, room, strength, drawn_floor)
-    joints = joint_springs([body.piece for body in bodies], assembly.joints)
-    return _traced(bodies, planes, joints, assembly.friction, shaking, gravity, step)
+    planes = planes_around(scene.pieces, scene.around)
+    bodies = placed(scene, strength, drawn_floor)
+    joints = joint_springs([body.piece for body in bodies], scene.joints)
+    names = [scene.called(number) for number in range(len(bodies))]
+    return _traced(bodies, names, planes, joints, scene.friction, shaking, gravity, step)
 
 
 def trace_case(
@@ -137,7 +138,7 @@ def trace_case(
     step: float = STEP,
     lies: float = math.inf,
     held: Held | None = None,
-) -> AssemblyTrace:
+) -> Trace:
     """Run a piece by itself; the gaps of the walls are from where it is at rest.
 
     Parameters
@@ -162,14 +163,15 @@ def trace_case(
     """
     body = held_body(case, elements, held=held)
     room = case.copy()  # a piece as high as the room that leans as drawn reaches no farther
-    room["ceiling_distance"] = max(float(case["ceiling_distance"]), -body.piece.along(NORMALS["ceiling"])[0])
+    room["ceiling_distance"] = max(float(case["ceiling_distance"]), -body.piece.reach(NORMALS["ceiling"])[0])
     planes, none = planes_of([body.piece], room), joint_springs([body.piece], ())
     shaken = SpaceShaking(float(case["scale"]) * shaking.acceleration, shaking.dt)
-    return _traced((body,), planes, none, (0.0, 0.0), shaken, float(case["gravity"]), step, lies)
+    return _traced((body,), (), planes, none, (0.0, 0.0), shaken, float(case["gravity"]), step, lies)
 
 
 def _traced(
     bodies: tuple[Placed, ...],
+    names: Sequence[str],
     planes: NDArray[np.void],
     joints: NDArray[np.void],
     between: tuple[float, float],
@@ -177,12 +179,11 @@ def _traced(
     gravity: float,
     step: float,
     lies: float = math.inf,
-) -> AssemblyTrace:
+) -> Trace:
     """Run bodies in a room, with the springs of their joints; the rest as of `run_world` and `world_of`."""
     solids, floors = [body.piece.solid for body in bodies], [body.floor for body in bodies]
     poses, springs = np.stack([body.pose for body in bodies]), [*(body.springs for body in bodies), joints]
     acceleration, dt = shaking.acceleration, shaking.dt
-    names = [f"members[{number}]" for number in range(len(bodies))]
 
     def run(group: Group, held: NDArray[np.void]) -> SpaceTrace:
         world = world_of([solids[body] for body in group], [floors[body] for body in group], planes, between)
@@ -190,15 +191,15 @@ def _traced(
         return run_world(world, poses[[*group]], held, acceleration, dt, step, gravity, lies, called)
 
     trace = run_in_groups(run, solids, poses, np.concatenate(springs), dt)
-    return AssemblyTrace(bodies, planes, trace, gravity)
+    return Trace(bodies, planes, trace, gravity)
 
 
-def results_of(traced: AssemblyTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
+def results_of(traced: Trace, time: NDArray[np.float64]) -> NDArray[np.void]:
     """Return what became of bodies: RESULT, shape (bodies,). Slides are distances in plan, of any direction.
 
     Parameters
     ----------
-    traced : AssemblyTrace
+    traced : Trace
         What the engine returned.
     time : ndarray, shape (samples,)
         Time [s].
@@ -255,17 +256,17 @@ def simulate_held(
         As for `stayput.simulate`.
     """
     case = case_columns(held.body, held.room, initial, gravity)[0]
-    return run_of_assembly(
+    return run_of_trace(
         trace_case(case, elements, SpaceShaking.of(motion), step, held=held), (), held.room, motion
     )
 
 
-def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, motion: Motion) -> Run:
-    """Return the run of an assembly, with the names of its devices and joints.
+def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Motion) -> Run:
+    """Return the run of bodies, with the names of their devices and joints.
 
     Parameters
     ----------
-    traced : AssemblyTrace
+    traced : Trace
         What the engine returned.
     joints : sequence of Joint
         The joints.

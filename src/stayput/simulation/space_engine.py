@@ -107,12 +107,12 @@ def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps, names: Sequence[str | 
             if least < -DEEPEST:
                 surface = phrase(f"simulation.{surface_of(plane)}")
                 raise InputError(
-                    "simulation.begins_inside", "members", body=names[number], surface=surface, depth=-least
+                    "simulation.begins_inside", "pieces", body=names[number], surface=surface, depth=-least
                 )
     for second, first in np.argwhere(np.tril(gaps.bodies < -DEEPEST)).tolist():
         raise InputError(
             "simulation.begin_in_each_other",
-            "members",
+            "pieces",
             first=names[first],
             second=names[second],
             depth=-float(gaps.bodies[second, first]),

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.solid import Solid
+    from stayput.simulation.piece import Piece, RoundSide
     from stayput.simulation.space_engine import Gaps
-    from stayput.simulation.standing import Piece, RoundSide
 
 
 UPRIGHT = math.pi / 3.0
@@ -296,7 +296,7 @@ def _bears(pieces: Sequence[Piece], first: Gaps) -> NDArray[np.bool_]:
 
     What stands on the floor too is borne by that.
     """
-    reach = [piece.along((0.0, 0.0, 1.0)) for piece in pieces]
+    reach = [piece.reach((0.0, 0.0, 1.0)) for piece in pieces]
     low, top = (np.array(ends) for ends in zip(*reach, strict=True))
     below = top[:, np.newaxis] <= low + ON_THE_FLOOR
     return (first.bodies <= TOUCHES) & below & (first.room[:, 0] > TOUCHES)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.model.solid import Solid
-    from stayput.simulation.standing import Piece
+    from stayput.simulation.piece import Piece
 
 
 def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -286,7 +286,7 @@ def planes_of(pieces: Sequence[Piece], room: np.void) -> NDArray[np.void]:
         )
         if math.isfinite(gap):
             normal = NORMALS[name]
-            outermost = min(piece.along(normal)[0] for piece in pieces)
+            outermost = min(piece.reach(normal)[0] for piece in pieces)
             offset = -gap if name == "ceiling" else outermost - gap
             if abs(outermost - offset) < APART:
                 offset = outermost - APART

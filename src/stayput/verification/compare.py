@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.scenario import Scenario
     from stayput.scenario.pieces import AssemblyOption
-    from stayput.simulation.standing import Assembly
+    from stayput.simulation.scene import Scene
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""
@@ -339,13 +339,12 @@ def verify_several(
         Options of which none can be put in place, or a record that cannot be read.
     """
     began = time.perf_counter()
-    room, gravity = scenario.surroundings(), scenario.gravity
     options, rejected = options_of_several(scenario)
     hazard = Hazard.of(scenario)
     ground = hazard.ground
     settings = Settings.of(scenario, len(ground), slide_limit)
-    assemblies = [scenario.assembly(option) for option in options]
-    warn_of_settlement(assemblies[0], room)
+    scenes = [scenario.scene(option) for option in options]
+    warn_of_settlement(scenes[0])
     total = len(ground) * settings.samples * len(options)
     draw = partial(
         draws_of_several,
@@ -361,12 +360,10 @@ def verify_several(
 
         def run(_: list[int], samples: int, start: int) -> list[RunsOfSeveral]:
             drawn = draw(samples, start=start)
-            counted = scenario.counted
-            return run_several(
-                assemblies, room, drawn, floors, gravity, counted, threads=threads, progress=count
-            )
+            counted, gravity = scenario.counted, scenario.gravity
+            return run_several(scenes, drawn, floors, gravity, counted, threads=threads, progress=count)
 
-        with scenario.naming_pieces():
+        with scenario.naming_keys():
             runs, samples, precise = sample_until_precise(len(options), settings, run, together=True)
         made = len(options) * len(ground) * samples
         if made < total:  # samples beyond the asked precision
@@ -375,7 +372,7 @@ def verify_several(
         scenario=scenario,
         intensity=floors.median_intensity,
         slide_limit=slide_limit,
-        options=_verdicts_of_several(scenario, options, assemblies, runs, slide_limit),
+        options=_verdicts_of_several(options, scenes, runs, slide_limit),
         motions=len(ground),
         samples=samples,
         runs=made,
@@ -388,9 +385,8 @@ def verify_several(
 
 
 def _verdicts_of_several(
-    scenario: Scenario,
     options: tuple[AssemblyOption, ...],
-    assemblies: list[Assembly],
+    scenes: list[Scene],
     runs: list[RunsOfSeveral],
     slide_limit: float,
 ) -> tuple[AssemblyOptionVerdict, ...]:
@@ -405,22 +401,22 @@ def _verdicts_of_several(
                     Quantiles.of(outcomes.slide, outcomes.overturned),
                     Quantiles.of(outcomes.tilt, outcomes.overturned),
                 )
-                for name, outcomes in zip(scenario.names, runs[i].of_bodies(), strict=True)
+                for name, outcomes in zip(scenes[i].names, runs[i].of_bodies(), strict=True)
             ),
-            devices=_devices(scenario, assemblies[i], runs[i]),
+            devices=_devices(scenes[i], runs[i]),
         )
         for i, outcomes in ranked_outcomes(runs, [option.count for option in options], slide_limit)
     )
 
 
-def _devices(scenario: Scenario, assembly: Assembly, runs: RunsOfSeveral) -> tuple[DeviceOfSeveral, ...]:
+def _devices(scene: Scene, runs: RunsOfSeveral) -> tuple[DeviceOfSeveral, ...]:
     """Return a summary of each device and joint, in the order of the runs'."""
-    names, devices = scenario.names, list[DeviceOfSeveral]()
-    for name, body in zip(names, placed(assembly.members, scenario.surroundings()), strict=True):
+    names, devices = scene.names, list[DeviceOfSeveral]()
+    for name, body in zip(names, placed(scene), strict=True):
         for element in () if body.held is None else body.held.elements:
             summary = device_summary(element.kind, element, len(devices), runs)
             devices.append(DeviceOfSeveral((name,), summary))
-    for joint in assembly.joints:
+    for joint in scene.joints:
         pieces = names[joint.first], names[joint.second]
         devices.append(DeviceOfSeveral(pieces, device_summary(JOINT, None, len(devices), runs)))
     return tuple(devices)

@@ -183,13 +183,9 @@ def options_of_several(
     """
     nothing = AssemblyOption(NOTHING, False, ((),) * len(scenario.names))
     named = scenario.options
-    room = scenario.surroundings()
 
     def put_in_place(option: AssemblyOption) -> None:
-        try:
-            placed(scenario.assembly(option).members, room)
-        except InputError as error:  # such as mats under a piece on another
-            raise scenario.by_names(error) from None
+        placed(scenario.scene(option))  # refuses mats under a piece on another, say
 
     with scenario.naming_file():
         put_in_place(scenario.stated)
@@ -294,7 +290,7 @@ def inputs_in_room(measures: tuple[Measure, ...], scenario: Scenario, number: in
     number : int
         The piece.
     """
-    table, room = scenario.pieces[number], scenario.surroundings()
+    table, room = scenario.pieces[number], scenario.room.room()
     known = table.preset is None or table.mass not in (None, FURNITURE[table.preset].mass)
     basis = [Input(phrase("verification.size_and_mass"), GIVEN if known else Confidence.LOW.value)]
     basis += _around(scenario, room.floor, any(isinstance(measure, OtherFriction) for measure in measures))

@@ -304,7 +304,7 @@ def numbered_plan(
         if change.what in names:
             body = names.index(change.what)
             before = pieces[body]
-            at, angle = verdict.scenario.assembly().members[body].at[:2], change.heading - before.heading
+            at, angle = verdict.scenario.scene().pieces[body].at[:2], change.heading - before.heading
             cos, sin = math.cos(angle), math.sin(angle)
             turned = (before.outline - np.asarray(at)) @ np.array([[cos, sin], [-sin, cos]])
             pieces[body] = replace(before, outline=turned + np.asarray(change.at), heading=change.heading)
@@ -324,5 +324,5 @@ def _pieces(verdict: RoomVerdict) -> list[DrawnPiece]:
     verdicts, scenario = {piece.name: piece for piece in verdict.pieces}, verdict.scenario
     return [
         DrawnPiece(name, look, verdicts[name].outline, piece.heading, verdicts[name].covers)
-        for look, (name, piece) in enumerate(zip(scenario.names, scenario.assembly().members, strict=True))
+        for look, (name, piece) in enumerate(zip(scenario.names, scenario.scene().pieces, strict=True))
     ]

@@ -201,8 +201,7 @@ def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, m
         direction=scenario.direction or 0.0,
     )
     run = run_again(
-        scenario.assembly(result.option),
-        scenario.surroundings(),
+        scenario.scene(result.option),
         drawn[member.motion][member.sample],
         floors.motions[member.motion],
         float(floors.scales[member.motion]),

@@ -1,4 +1,4 @@
-"""`Piece`: a body in space where it stands; `Assembly`: several, and what joins them."""
+"""`Piece`: a body where it stands, with the measures that hold it to that."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
+from stayput.errors import instance_of, list_of, name_of, numbers, within, word_of
 from stayput.measures.measure import Measure, refuse_conflicts
 from stayput.model.body import Body
-from stayput.model.room import FRICTION_RANGE
+from stayput.model.room import WALLS_AROUND
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -31,12 +31,15 @@ _VECTORS = (
 """Fields of three numbers, the most of each, and their units."""
 
 
-def _vector(name: str, vector: object, most: float, unit: str) -> tuple[float, ...]:
+def vector_of(name: str, vector: object, most: float, unit: str) -> tuple[float, ...]:
     """Return three numbers, or raise `InputError`."""
     called = phrase(f"simulation.{name}")
     values = numbers(called, vector, name, count=3)
     return tuple(within(called, value, -most, most, unit, name) for value in values)
 
+
+BEHIND = 0.02
+"""Usual gap between a piece and the wall at its back [m]."""
 
 LEVEL = 1e-4
 """How much higher one end of what lies on its round side may be than the other [m]."""
@@ -82,6 +85,15 @@ class Piece:
         tilts it to its front. A box that rests on feet of unequal height leans by itself.
     velocity, rotation_rate : tuple of float
         Of its centre of gravity [m/s], and of itself [rad/s], along x, y and z of the room, at first.
+    name : str, optional
+        What it is called; of several each has a name of its own.
+    on : str, optional
+        The piece of a `Scene` on whose top it stands, from the middle of whose base ``at`` counts then.
+    against : str, optional
+        The wall of a scene's plan to which its back stands, of `WALLS_AROUND`, in the place of ``at`` and
+        ``heading``.
+    along, gap : float
+        Where its middle is along that wall, from the lower x or y, and what is between both [m].
 
     Attributes
     ----------
@@ -122,6 +134,11 @@ class Piece:
     tilt: tuple[float, float, float] = (0.0, 0.0, 0.0)
     velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
     rotation_rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    name: str | None = None
+    on: str | None = None
+    against: str | None = None
+    along: float | None = None
+    gap: float = BEHIND
     solid: Solid = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -129,8 +146,15 @@ class Piece:
         object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
         refuse_conflicts(self.measures)
         for name, most, unit in _VECTORS:
-            object.__setattr__(self, name, _vector(name, getattr(self, name), most, unit))
+            object.__setattr__(self, name, vector_of(name, getattr(self, name), most, unit))
         within("simulation.heading", self.heading, -2.0 * math.pi, 2.0 * math.pi, "rad", "heading")
+        for name in ("name", "on"):
+            if getattr(self, name) is not None:
+                name_of(name, getattr(self, name))
+        if self.against is not None:
+            word_of("against", self.against, WALLS_AROUND, "against")
+        for name in ("along", "gap") if self.along is not None else ("gap",):
+            within(name, getattr(self, name), 0.0, 100.0, "m", name)
         object.__setattr__(self, "solid", self.body.solid)
 
     @property
@@ -172,7 +196,7 @@ class Piece:
         """Where its centre of gravity is at first [m], shape (3,)."""
         return np.asarray(self.at) + self.turn @ self.solid.centre_of_gravity
 
-    def along(self, direction: tuple[float, float, float]) -> tuple[float, float]:
+    def reach(self, direction: tuple[float, float, float]) -> tuple[float, float]:
         """Return how far its corners and round edges reach along a unit vector, least and most [m]."""
         in_frame = self.turn.T @ direction
         place = float(np.dot(self.at, direction))
@@ -200,150 +224,3 @@ def _to_vertical(up: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.array(
         [[1.0 - x * x / square, -x * y / square, -x], [-x * y / square, 1.0 - y * y / square, -y], [x, y, z]]
     )
-
-
-@dataclass(frozen=True, slots=True)
-class Joint:
-    """What joins two bodies of an assembly.
-
-    Without ``to`` it is a connector: a point of the one body is held to where it is on the other, in all
-    directions. With ``to`` it is a belt or a chain from the one point to the other, which only pulls.
-
-    Parameters
-    ----------
-    first, second : int
-        The numbers of the two members, from 0.
-    at : tuple of float
-        The point of the first, in the room as they stand at first [m].
-    to : tuple of float, optional
-        The point of the second, in the same way; default the same point.
-    stiffness : float
-        [N/m].
-    strength : float
-        Pull that it bears, for a connector along the vertical [N]; inf: any.
-    shear : float
-        Force that a connector bears across the vertical [N]; inf: any. Pull and shear act together:
-        it breaks where (pull/strength)² + (shear/shear strength)² reaches 1.
-    slack : float
-        How much longer a belt is than the straight way [m].
-    damping : float
-        Ratio of the critical damping of the lighter body on it.
-
-    Raises
-    ------
-    InputError
-        A number out of range.
-
-    Examples
-    --------
-    >>> import stayput as sp
-    >>> lower = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, mass=40.0))
-    >>> upper = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, mass=30.0), at=(0.0, 0.0, 0.9))
-    >>> screws = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=2e3) for x in (-0.15, 0.15)]  # N
-    >>> for joints in ([], screws):  # the upper one falls off, or takes all with it
-    ...     both = sp.Assembly([lower, upper], joints=joints)
-    ...     print(*(piece.outcome for piece in sp.simulate(both, sp.Room(), sp.near_fault()).pieces))
-    rocked fell off
-    overturned overturned
-    """
-
-    first: int
-    second: int
-    at: tuple[float, float, float]
-    to: tuple[float, float, float] | None = None
-    stiffness: float = 1e6
-    strength: float = math.inf
-    shear: float = math.inf
-    slack: float = 0.0
-    damping: float = 0.1
-
-    def __post_init__(self) -> None:
-        for name in ("first", "second"):
-            whole_within(f"simulation.joint_{name}", getattr(self, name), 0, MOST_BODIES - 1, "", name)
-        if self.first == self.second:
-            raise InputError("simulation.joins_itself", "second", member=f"members[{self.first}]")
-        object.__setattr__(self, "at", _vector("at", self.at, 100.0, "m"))
-        if self.to is not None:
-            object.__setattr__(self, "to", _vector("to", self.to, 100.0, "m"))
-        within("simulation.joint_stiffness", self.stiffness, 1.0, 1e9, "N/m", "stiffness")
-        for name in ("strength", "shear"):
-            value = getattr(self, name)
-            if not (isinstance(value, float) and value == math.inf):
-                within(f"simulation.joint_{name}", value, *STRENGTH_RANGE, "N", name)
-        within("simulation.joint_slack", self.slack, 0.0, 10.0, "m", "slack")
-        within("simulation.joint_damping", self.damping, 0.0, 2.0, "", "damping")
-        if self.slack > 0.0 and self.to is None:
-            raise InputError("simulation.slack_without_to", "slack", value=self.slack)
-
-
-STRENGTH_RANGE = (1e-3, 1e9)
-"""Smallest and largest strength of a joint but inf [N]."""
-
-MOST_BODIES = 100
-"""Most bodies of an assembly."""
-
-
-@dataclass(frozen=True, slots=True)
-class Assembly:
-    """Several bodies in a room, on, beside or joined to one another.
-
-    Parameters
-    ----------
-    members : sequence of Piece
-        The bodies, not inside each other.
-    friction : tuple of float
-        Static and kinetic coefficients of friction between them.
-    joints : sequence of Joint
-        What joins them.
-
-    Raises
-    ------
-    InputError
-        No bodies or too many, a coefficient out of range, or a joint of a member that there is not.
-
-    Examples
-    --------
-    >>> import stayput as sp
-    >>> lower, upper = sp.Body.box(0.45, 0.9, 1.0, 60.0), sp.Body.box(0.35, 0.9, 0.9, 30.0)
-    >>> dresser = sp.Assembly([sp.Piece(lower), sp.Piece(upper, at=(-0.05, 0.0, 1.0))])
-    >>> run = sp.simulate(dresser, sp.Room(), sp.near_fault().scaled(0.5))
-    >>> print(f"{run[1].peak_slide:.2f}")  # of the upper one [m]
-    0.08
-    """
-
-    members: Sequence[Piece]
-    friction: tuple[float, float] = (0.4, 0.3)
-    joints: Sequence[Joint] = ()
-
-    def __post_init__(self) -> None:
-        members = list_of("members", self.members, Piece)
-        whole_within("simulation.bodies", len(members), 1, MOST_BODIES, "", "members")
-        joined = list_of("joints", self.joints, Joint)
-        for number, joint in enumerate(joined):
-            last = max(joint.first, joint.second)
-            if last >= len(members):
-                raise InputError(
-                    "simulation.joint_member", f"joints[{number}]", number=last, last=len(members) - 1
-                )
-            for member, at in ((joint.first, joint.at), (joint.second, joint.to or joint.at)):
-                piece = members[member]
-                reach = 2.0 * float(np.linalg.norm(np.ptp(piece.solid.vertices, axis=0)))
-                apart = float(np.linalg.norm(np.asarray(at) - piece.place))
-                if apart > reach:
-                    name, holds = f"joints[{number}]", f"members[{member}]"
-                    raise InputError(
-                        "simulation.joint_astray", name, name=name, member=holds, apart=apart, most=reach
-                    )
-        object.__setattr__(self, "members", members)
-        object.__setattr__(self, "friction", friction_between(self.friction))
-        object.__setattr__(self, "joints", joined)
-
-
-def friction_between(friction: object) -> tuple[float, float]:
-    """Return the coefficients of friction between bodies, or raise `InputError`."""
-    called = phrase("simulation.friction")
-    values = numbers(called, friction, "friction", count=2)
-    static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
-    if kinetic > static:
-        raise InputError("simulation.kinetic_above_static", "friction", kinetic=kinetic, static=static)
-    return static, kinetic

@@ -1,0 +1,324 @@
+"""`Scene`: a room with pieces, on, beside or joined to one another."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
+from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace
+from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room, Wall
+from stayput.simulation.convex import inside_each_other
+from stayput.simulation.piece import Piece, vector_of
+from stayput.simulation.run import default_names
+from stayput.simulation.space_engine import DEEPEST
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """What joins two pieces of a scene.
+
+    Without ``to`` it is a connector: a point of the one body is held to where it is on the other, in all
+    directions. With ``to`` it is a belt or a chain from the one point to the other, which only pulls.
+
+    Parameters
+    ----------
+    first, second : int
+        The numbers of the two pieces, from 0.
+    at : tuple of float
+        The point of the first, in the room as they stand at first [m].
+    to : tuple of float, optional
+        The point of the second, in the same way; default the same point.
+    stiffness : float
+        [N/m].
+    strength : float
+        Pull that it bears, for a connector along the vertical [N]; inf: any.
+    shear : float
+        Force that a connector bears across the vertical [N]; inf: any. Pull and shear act together:
+        it breaks where (pull/strength)² + (shear/shear strength)² reaches 1.
+    slack : float
+        How much longer a belt is than the straight way [m].
+    damping : float
+        Ratio of the critical damping of the lighter body on it.
+
+    Raises
+    ------
+    InputError
+        A number out of range.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> lower = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, mass=40.0))
+    >>> upper = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, mass=30.0), at=(0.0, 0.0, 0.9))
+    >>> screws = [sp.Joint(0, 1, at=(x, 0.0, 0.9), strength=2e3) for x in (-0.15, 0.15)]  # N
+    >>> for joints in ([], screws):  # the upper one falls off, or takes all with it
+    ...     both = sp.Scene([lower, upper], joints=joints)
+    ...     print(*(piece.outcome for piece in sp.simulate(both, sp.near_fault()).pieces))
+    rocked fell off
+    overturned overturned
+    """
+
+    first: int
+    second: int
+    at: tuple[float, float, float]
+    to: tuple[float, float, float] | None = None
+    stiffness: float = 1e6
+    strength: float = math.inf
+    shear: float = math.inf
+    slack: float = 0.0
+    damping: float = 0.1
+
+    def __post_init__(self) -> None:
+        for name in ("first", "second"):
+            whole_within(f"simulation.joint_{name}", getattr(self, name), 0, MOST_BODIES - 1, "", name)
+        if self.first == self.second:
+            raise InputError("simulation.joins_itself", "second", piece=f"pieces[{self.first}]")
+        object.__setattr__(self, "at", vector_of("at", self.at, 100.0, "m"))
+        if self.to is not None:
+            object.__setattr__(self, "to", vector_of("to", self.to, 100.0, "m"))
+        within("simulation.joint_stiffness", self.stiffness, 1.0, 1e9, "N/m", "stiffness")
+        for name in ("strength", "shear"):
+            value = getattr(self, name)
+            if not (isinstance(value, float) and value == math.inf):
+                within(f"simulation.joint_{name}", value, *STRENGTH_RANGE, "N", name)
+        within("simulation.joint_slack", self.slack, 0.0, 10.0, "m", "slack")
+        within("simulation.joint_damping", self.damping, 0.0, 2.0, "", "damping")
+        if self.slack > 0.0 and self.to is None:
+            raise InputError("simulation.slack_without_to", "slack", value=self.slack)
+
+
+STRENGTH_RANGE = (1e-3, 1e9)
+"""Smallest and largest strength of a joint but inf [N]."""
+
+MOST_BODIES = 100
+"""Most bodies of a scene."""
+
+
+def refuse_places(
+    stated: Iterable[tuple[str | None, str | None, float | None]], names: Sequence[str], *, in_plan: bool
+) -> None:
+    """Raise `InputError` where a piece stands on none before it, or against a wall of no plan.
+
+    Parameters
+    ----------
+    stated : iterable of tuple
+        Fields ``on``, ``against`` and ``along`` of each `Piece`.
+    names : sequence of str
+        What they are called.
+    in_plan : bool
+        Whether the room has a plan.
+    """
+    for number, (on, against, along) in enumerate(stated):
+        key = f"pieces[{number}]"
+        if on is not None and on not in names[:number]:
+            raise InputError("scenario.stands_on", f"{key}.on", value=repr(on))
+        if against is not None and not in_plan:
+            raise InputError("rooms.against_without_plan", f"{key}.against", value=repr(against))
+        if against is not None and along is None:
+            raise InputError("rooms.against_without_along", f"{key}.along", wall=against)
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """A room with pieces, on, beside or joined to one another.
+
+    Parameters
+    ----------
+    pieces : sequence of Piece
+        What stands there, not inside each other. What stands on another piece or against a wall is moved to
+        its place: it has ``at`` and ``heading`` then.
+    room : Room
+        Floor, walls and ceiling. The gaps of its walls are from the outermost of all pieces; where there is a
+        plan, that says where the walls are.
+    plan : FloorPlan, optional
+        The room seen from above.
+    joints : sequence of Joint
+        What joins the pieces.
+    friction : tuple of float
+        Static and kinetic coefficients of friction between them.
+
+    Attributes
+    ----------
+    names : tuple of str
+        What the pieces are called.
+    around : Room
+        The room with the walls of its plan.
+
+    Raises
+    ------
+    InputError
+        No pieces or too many, a coefficient out of range, a joint of a piece that there is not, a piece on
+        none before it or beside it, or walls beside those of a plan.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> chest, case = sp.Body.box(0.45, 0.9, 1.0, 60.0), sp.Body.box(0.35, 0.9, 0.9, 30.0)
+    >>> pieces = [sp.Piece(chest, name="chest"), sp.Piece(case, (-0.05, 0.0, 0.0), name="case", on="chest")]
+    >>> run = sp.simulate(sp.Scene(pieces), sp.near_fault().scaled(0.5))
+    >>> print(f"{run['case'].peak_slide:.2f}")  # m
+    0.08
+
+    In a room with a plan:
+
+    >>> body = sp.Body(width=0.3, height=1.8, mass=80.0, length=0.9)
+    >>> bookcase = sp.Piece(body, against="left_wall", along=1.5)
+    >>> scene = sp.Scene([bookcase], plan=sp.FloorPlan(width=3.6, length=2.7))
+    >>> print(scene.pieces[0].at, scene.around.right_wall.gap)
+    (0.17, 1.5, 0.0) 3.28
+    """
+
+    pieces: Sequence[Piece]
+    room: Room = field(default_factory=Room)
+    plan: FloorPlan | None = None
+    joints: Sequence[Joint] = ()
+    friction: tuple[float, float] = (0.4, 0.3)
+    names: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    around: Room = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        pieces = list_of("pieces", self.pieces, Piece)
+        whole_within("simulation.bodies", len(pieces), 1, MOST_BODIES, "", "pieces")
+        instance_of("room", self.room, Room)
+        if self.plan is not None:
+            instance_of("plan", self.plan, FloorPlan)
+        names = [piece.name or usual for piece, usual in zip(pieces, default_names(len(pieces)), strict=True)]
+        for number, name in enumerate(names):
+            if name in names[:number]:
+                raise InputError("rooms.same_name", f"pieces[{number}].name", name=repr(name))
+        places = [(piece.on, piece.against, piece.along) for piece in pieces]
+        refuse_places(places, names, in_plan=self.plan is not None)
+        put = list[Piece]()
+        for number, piece in enumerate(pieces):
+            below = None if piece.on is None else put[names.index(piece.on)]
+            put.append(_in_its_place(piece, f"pieces[{number}].at", below, self.plan))
+        object.__setattr__(self, "pieces", put)
+        object.__setattr__(self, "names", tuple(names))
+        object.__setattr__(self, "around", _around(put, self.room, self.plan))
+        object.__setattr__(self, "friction", friction_between(self.friction))
+        object.__setattr__(self, "joints", list_of("joints", self.joints, Joint))
+        self._refuse_joints()
+
+    def _refuse_joints(self) -> None:
+        for number, joint in enumerate(self.joints):
+            last = max(joint.first, joint.second)
+            if last >= len(self.pieces):
+                key = f"joints[{number}]"
+                raise InputError("simulation.joint_piece", key, number=last, last=len(self.pieces) - 1)
+            for body, at in ((joint.first, joint.at), (joint.second, joint.to or joint.at)):
+                piece = self.pieces[body]
+                reach = 2.0 * float(np.linalg.norm(np.ptp(piece.solid.vertices, axis=0)))
+                apart = float(np.linalg.norm(np.asarray(at) - piece.place))
+                if apart > reach:
+                    name, holds = f"joints[{number}]", self.called(body)
+                    raise InputError("simulation.joint_astray", name, piece=holds, apart=apart, most=reach)
+
+    def called(self, number: int) -> str:
+        """Return how sentences call a piece."""
+        return repr(self.names[number]) if self.pieces[number].name else f"pieces[{number}]"
+
+    def part(self, numbers: Sequence[int]) -> Scene:
+        """Return the scene of some of the pieces, with the joints between them."""
+        joints = [
+            replace(joint, first=numbers.index(joint.first), second=numbers.index(joint.second))
+            for joint in self.joints
+            if joint.first in numbers and joint.second in numbers
+        ]
+        return replace(self, pieces=[self.pieces[number] for number in numbers], joints=joints)
+
+    def with_piece(self, number: int, piece: Piece) -> Scene:
+        """Return the scene with another piece in the place of one."""
+        pieces = [piece if n == number else other for n, other in enumerate(self.pieces)]
+        return replace(self, pieces=pieces)
+
+    def refuse_wrong_places(self) -> None:
+        """Raise `InputError` where a piece stands in floor, wall, ceiling, another, or where a person is.
+
+        Without a plan nothing is refused here: what begins inside something is, as it is simulated.
+        """
+        plan, ceiling = self.plan, self.room.ceiling
+        if plan is None:
+            return
+        sides = np.array([plan.width, plan.length])
+        reach: list[NDArray[np.float64]] = []
+        for number, piece in enumerate(self.pieces):
+            corners = piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)
+            low, high = corners.min(axis=0), corners.max(axis=0)
+            key, name = f"pieces[{number}].at", self.called(number)
+            values: dict[str, Any] = {"name": name}
+            if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
+                values |= {"width": plan.width, "length": plan.length}
+                for axis, letter in enumerate("xy"):
+                    values |= {f"low_{letter}": float(low[axis]), f"high_{letter}": float(high[axis])}
+                raise InputError("rooms.in_a_wall", key, **values)
+            if low[2] < -DEEPEST:
+                values |= {"body": name, "depth": -float(low[2]), "surface": phrase("simulation.floor")}
+                raise InputError("simulation.begins_inside", key, **values)
+            if ceiling is not None and high[2] > ceiling.height + 1e-6:
+                values |= {"high": float(high[2]), "height": ceiling.height}
+                raise InputError("rooms.in_the_ceiling", key, **values)
+            reach.append(np.stack([low, high]))
+            others: list[tuple[Piece | PersonPlace, str]] = [
+                (other, self.called(before))
+                for before, other in enumerate(self.pieces[:number])
+                if (reach[before][0] < high).all() and (low < reach[before][1]).all()  # else they are apart
+            ]
+            others += [(place, repr(place.name)) for place in plan.places]
+            for other, what in others:
+                depth = inside_each_other(piece, other)
+                if depth > DEEPEST:
+                    raise InputError("rooms.in_another", key, name=name, other=what, depth=depth)
+
+
+def _in_its_place(piece: Piece, key: str, below: Piece | None, plan: FloorPlan | None) -> Piece:
+    """Return a piece where it stands in its scene: on another, or with its back to a wall of the plan."""
+    if plan is not None and piece.against is not None and piece.along is not None:
+        behind = -Piece(piece.body).reach((1.0, 0.0, 0.0))[0]
+        x, y = plan.on_wall(piece.against, piece.along, piece.gap + behind)
+        return replace(piece, at=(x, y, 0.0), heading=FACING[piece.against], against=None, along=None)
+    if below is None:
+        return piece
+    level = replace(below, at=(0.0, 0.0, 0.0))
+    (low_x, high_x), (low_y, high_y) = level.reach((1.0, 0.0, 0.0)), level.reach((0.0, 1.0, 0.0))
+    x, y, _ = piece.at
+    if not (low_x <= x <= high_x and low_y <= y <= high_y):
+        ends: dict[str, Any] = {"low_x": low_x, "high_x": high_x, "low_y": low_y, "high_y": high_y}
+        raise InputError("scenario.beside_support", key, value=[x, y], other=repr(piece.on), **ends)
+    top = float(level.solid.vertices[:, 2].max())
+    return replace(piece, at=(x + below.at[0], y + below.at[1], below.at[2] + top), on=None)
+
+
+def _around(pieces: Sequence[Piece], room: Room, plan: FloorPlan | None) -> Room:
+    """Return a room with the walls of its plan, from which the outermost of pieces are so far away."""
+    if plan is None:
+        return room
+    for name in WALLS_AROUND:
+        if getattr(room, name) is not None:
+            raise InputError("scenario.only_one", f"room.{name}", other="plan")
+    x, y = (np.array([piece.reach(axis) for piece in pieces]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
+    low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
+    walls = {
+        name: Wall(max(0.0, distance), construction=plan.walls)
+        for name, distance in plan.distances(low, high).items()
+    }
+    return replace(room, **walls)
+
+
+def friction_between(friction: object) -> tuple[float, float]:
+    """Return the coefficients of friction between bodies, or raise `InputError`."""
+    called = phrase("simulation.friction")
+    values = numbers(called, friction, "friction", count=2)
+    static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
+    if kinetic > static:
+        raise InputError("simulation.kinetic_above_static", "friction", kinetic=kinetic, static=static)
+    return static, kinetic
