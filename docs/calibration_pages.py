@@ -28,7 +28,7 @@ from stayput.measures import MEASURES
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.suites import synthetic_suite
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.uncertainty import uniforms
 from stayput.verification.options import Option
 

@@ -10,13 +10,15 @@ import validation_run
 
 from stayput.catalogue.names import FAMILIES as NAMES
 from stayput.motion.intensity import long_period_response
-from stayput.motion.spectrum import mean_period
-from stayput.motion.suites import FAMILIES, MIX, Suite, japanese_design, synthetic_suite
-from stayput.motion.suites.families import KINDS
-from stayput.motion.suites.synthesis import synthetic_motion
+from stayput.motion.response import mean_period
+from stayput.motion.suites.families import FAMILIES, KINDS, MIX
+from stayput.motion.suites.synthesis import synthetic_motion, synthetic_suite
+from stayput.motion.suites.target import japanese_design
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from stayput.motion.suites.suite import Suite
 
 COUNT = 40
 PERIODS = np.array([0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0])

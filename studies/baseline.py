@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from stayput import Suite, synthetic_suite
 from stayput.estimates import kaneko_hayashi_velocity
 from stayput.fragility import JMA_INTENSITY, PFV, Trials, fragility_curve
 from stayput.measures import Held
@@ -23,7 +24,6 @@ from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level, run_levels
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.suites import Suite, synthetic_suite
 from stayput.report.palette import INK
 from stayput.scenario.tables import BuildingTable
 from stayput.uncertainty import USUAL

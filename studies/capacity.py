@@ -14,6 +14,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from stayput import Suite, TargetSpectrum, synthetic_suite
 from stayput.estimates import SCATTER, kaneko_hayashi_branch, kaneko_hayashi_median
 from stayput.fragility import FragilityCurve, IntensityMeasure, Trials, fragility_curve
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
@@ -22,7 +23,6 @@ from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
 from stayput.model.state import State
-from stayput.motion.suites import Suite, TargetSpectrum, synthetic_suite
 from stayput.report.figures import plain_log
 from stayput.report.palette import INK, MUTED
 from stayput.simulation.many import run_columns

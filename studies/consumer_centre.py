@@ -23,7 +23,7 @@ from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.suites import synthetic_suite
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.palette import ALARM, INK
 from studies.study import NO, PARTLY, YES, Quantity, Study, claim, panels, span
 

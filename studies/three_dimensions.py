@@ -14,6 +14,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from stayput import Suite, synthetic_suite
 from stayput.fragility import difference, probability
 from stayput.measures import GelMats, LBracket, TensionPole
 from stayput.model.body import Body
@@ -22,7 +23,6 @@ from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.suites import Suite, synthetic_suite
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import Outcome
 from stayput.uncertainty import USUAL

@@ -26,7 +26,7 @@ from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion import near_fault
 from stayput.report.palette import ALARM, INK
-from stayput.verification.options import Option
+from stayput.scenario.option import Option
 from studies.study import Quantity, Study, claim, panels, span
 
 if TYPE_CHECKING:
@@ -52,16 +52,16 @@ FAR, SOME, MOST = 0.30, 0.10, 0.5
 NO_DEVICE = Option("no device")
 
 MATS = tuple(
-    Option(f"mats {side} × {side} × {thick} mm", (GelMats(area=side**2 / 1e6, thickness=thick / 1e3),))
+    Option(f"mats {side} × {side} × {thick} mm", ((GelMats(area=side**2 / 1e6, thickness=thick / 1e3),),))
     for side, thick in ((30, 3), (40, 4), (50, 5))
 )
 """Four pads each; 100 kPa in tension and 50 kPa in shear on the label, of which 0.7 are reached."""
 
-STOPPERS = tuple(Option(f"stopper {t} mm", (WedgeStopper(thickness=t / 1e3),)) for t in (5, 10))
+STOPPERS = tuple(Option(f"stopper {t} mm", ((WedgeStopper(thickness=t / 1e3),),)) for t in (5, 10))
 """About 0.7° and 1.4° of tilt for a cupboard."""
 
 POLES = tuple(
-    Option(f"poles {preload} N, ceiling {strength} N", (TensionPole(preload=preload, strength=strength),))
+    Option(f"poles {preload} N, ceiling {strength} N", ((TensionPole(preload=preload, strength=strength),),))
     for preload, strength in ((100, 300), (200, 1000))
 )
 """Two poles each: the lower and the upper ends of the usual preload and of what a ceiling bears."""
@@ -70,7 +70,7 @@ ALONE = (*MATS, *STOPPERS, *POLES)
 """The seven devices that are tested alone."""
 
 TOGETHER = tuple(
-    Option(f"{stopper.name} + {poles.name}", stopper.measures + poles.measures)
+    Option(f"{stopper.name} + {poles.name}", (stopper.measures + poles.measures,))
     for stopper, poles in product(STOPPERS, POLES)
 )
 """A stopper with poles."""

@@ -22,7 +22,7 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
 from stayput.montecarlo.hazard import factors_to_level_zero
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.suites import synthetic_suite
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.palette import ALARM, INK, MUTED
 from stayput.simulation.case import simulate
 from stayput.simulation.many import run_columns
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from stayput.montecarlo.sampling import DrawTable
     from stayput.motion import Motion
-    from stayput.motion.suites import Suite
+    from stayput.motion.suites.suite import Suite
 
 SUN = 0.0303
 """A sun, a tenth of a shaku [m]."""

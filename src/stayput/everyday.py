@@ -39,11 +39,11 @@ class Everyday:
     drawer_extension : float
         How far an open drawer and what is in it move forward [m].
     load : float
-        Mass on an open drawer's front [kg]; 27.2 kg are 60 lb.
+        Mass on an open drawer's front [kg]; the default is 60 lb.
     pull : float
-        Horizontal pull forward [N].
+        Horizontal pull forward [N]; the default is 10 lbf.
     pull_height : float
-        Height of the pull above the floor, or the top where that is lower [m].
+        Height of the pull above the floor, or the top where that is lower [m]; the default is 56 in.
     carpet : float
         By how much the back stands higher than the front [m]; `CARPET` is that of the rule.
 
@@ -63,58 +63,22 @@ class Everyday:
     0.011 0.88
     """
 
-    drawers: int = parameter(
-        0, "", 0, 30, ("Number of drawers", "引き出しの数"), "Drawers that can be open at once.", decides=True
-    )
+    drawers: int = parameter(0, "", 0, 30, ("Number of drawers", "引き出しの数"), decides=True)
     drawer_share: float = parameter(
-        0.5,
-        "",
-        0.0,
-        0.95,
-        ("Share of the mass in drawers", "引き出しの質量の割合"),
-        "Share of the piece's mass in all drawers together, with what is in them.",
+        0.5, "", 0.0, 0.95, ("Share of the mass in drawers", "引き出しの質量の割合")
     )
-    drawer_extension: float = parameter(
-        0.25,
-        "m",
-        0.0,
-        2.0,
-        ("Drawer extension", "引き出しの引き出し長さ"),
-        "How far an open drawer moves forward.",
-    )
+    drawer_extension: float = parameter(0.25, "m", 0.0, 2.0, ("Drawer extension", "引き出しの引き出し長さ"))
     load: float = parameter(
         27.2,
         "kg",
         0.0,
         500.0,
         ("Load on an open drawer", "引き出しにかかる荷重"),
-        "Mass on an open drawer's front; the default is 60 lb.",
         confidence=Confidence.MEDIUM,
     )
-    pull: float = parameter(
-        45.0,
-        "N",
-        0.0,
-        1e4,
-        ("Horizontal pull", "水平に引く力"),
-        "Horizontal pull forward; the default is 10 lbf.",
-    )
-    pull_height: float = parameter(
-        1.42,
-        "m",
-        0.01,
-        100.0,
-        ("Height of the pull", "引く高さ"),
-        "Height of the pull, or the top where that is lower; the default is 56 in.",
-    )
-    carpet: float = parameter(
-        0.0,
-        "m",
-        0.0,
-        0.5,
-        ("Lift by carpet", "カーペットによる浮き"),
-        "By how much the back stands higher than the front.",
-    )
+    pull: float = parameter(45.0, "N", 0.0, 1e4, ("Horizontal pull", "水平に引く力"))
+    pull_height: float = parameter(1.42, "m", 0.01, 100.0, ("Height of the pull", "引く高さ"))
+    carpet: float = parameter(0.0, "m", 0.0, 0.5, ("Lift by carpet", "カーペットによる浮き"))
 
     def __post_init__(self) -> None:
         check_fields(self)

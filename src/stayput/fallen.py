@@ -25,7 +25,8 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.floors import of_the_ground
-from stayput.motion.suites import Suite, synthetic_suite
+from stayput.motion.suites.suite import Suite
+from stayput.motion.suites.synthesis import synthetic_suite
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -67,7 +67,7 @@ def inside(label: str) -> str:
     )
 
 
-def joined(parts: Iterable[Phrase], by: str = "common.listed") -> Phrase:
+def joined(parts: Iterable[Phrase], by: str | Phrase = "common.listed") -> Phrase:
     """Return phrases as a list in one."""
     english, japanese = zip(*parts, strict=True)
     between = phrase(by)

@@ -116,7 +116,7 @@ def hold_verifications(patched: pytest.MonkeyPatch, least: int = 0) -> threading
     go_on, verify = threading.Event(), api.verify
 
     def held(scenario: Any, *, on_progress: Callable[[int, int], None], **more: Any) -> Any:
-        while len(scenario.measures) >= least and not go_on.wait(0.01):
+        while len(scenario.options) >= least and not go_on.wait(0.01):
             on_progress(1, 1000)
         return verify(scenario, on_progress=on_progress, **more)
 

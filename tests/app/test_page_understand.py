@@ -164,7 +164,7 @@ def test_the_ranking_is_there_before_its_curves(
     def held(scenario: Scenario, *, on_verdict: Callable[[Verdict], None], **more: Any) -> Verdict:
         def told(known: Verdict) -> None:
             on_verdict(known)
-            assert len(scenario.measures) < 3 or go_on.wait(COMPILING / 1000)
+            assert len(scenario.options) < 3 or go_on.wait(COMPILING / 1000)
 
         return verify(scenario, on_verdict=told, **more)
 

@@ -11,8 +11,9 @@ from stayput.app.refusals import RefusedError
 from stayput.app.verification import runs_of, with_options
 from stayput.contents import Contents
 from stayput.scenario import Scenario
+from stayput.scenario.option import YOURS
 from stayput.verification.contents import MOTIONS, runs_of_contents
-from stayput.verification.options import YOURS, compared_options
+from stayput.verification.options import compared_options
 
 ON_CARPET = {
     "furniture": {"preset": "bookcase"},

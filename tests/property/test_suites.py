@@ -6,6 +6,7 @@ import hashlib
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -14,8 +15,11 @@ from hypothesis import strategies as st
 
 from stayput.motion.integrals import displacement, velocity
 from stayput.motion.processing import QUANTUM, ending_at_rest
-from stayput.motion.suites import FAMILIES, Suite, synthetic_motion, synthetic_suite
-from stayput.motion.suites.families import Draws
+from stayput.motion.suites.families import FAMILIES, Draws
+from stayput.motion.suites.synthesis import synthetic_motion, synthetic_suite
+
+if TYPE_CHECKING:
+    from stayput.motion.suites.suite import Suite
 
 SEED = 11
 
@@ -32,7 +36,7 @@ def test_another_process_finds_the_same_bits():
     script = "\n".join(
         (
             "import hashlib",
-            "from stayput.motion.suites import synthetic_motion",
+            "from stayput.motion.suites.synthesis import synthetic_motion",
             f"for family, number in {list(reversed(ASKED))!r}:",
             f"    motion = synthetic_motion(family, number, {SEED})",
             "    bits = b''.join(a.tobytes() for a in motion.components.values())",

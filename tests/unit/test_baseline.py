@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.cli import app
-from stayput.motion.baseline import oscillates_about_offset
+from stayput.motion.processing import oscillates_about_offset
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -16,7 +16,8 @@ from stayput.fragility import INTENSITY_MEASURES
 from stayput.measures import MEASURES
 from stayput.model.room import SURFACES
 from stayput.motion.intensity import CLASSES
-from stayput.motion.suites import FAMILIES, MIXED
+from stayput.motion.suites.families import FAMILIES
+from stayput.motion.suites.synthesis import MIXED
 from stayput.progress import bar, is_drawn, is_quiet, keep_quiet
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import pytest
 from commands import cli
 
 import stayput as sp
-from stayput.motion.measures import DisplacementPeak
+from stayput.motion.intensity import DisplacementPeak
 
 
 def at2(file: Path, direction: str, amplitude: float) -> Path:

@@ -15,8 +15,8 @@ from stayput.files import name_part
 from stayput.fragility import INTENSITY_MEASURES
 from stayput.fragility.exports import plain_names
 from stayput.report.verdict import exports
+from stayput.scenario.option import Option
 from stayput.spreadsheets import harmless
-from stayput.verification.options import Option
 
 PGA = INTENSITY_MEASURES["PGA"]
 NAMES = st.text(st.characters(exclude_categories=("Cs",)), min_size=1, max_size=200)

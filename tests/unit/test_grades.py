@@ -15,8 +15,9 @@ from stayput.measures.measure import GRADE_OF, MEANINGS, Grade
 from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv
+from stayput.scenario.option import Option
 from stayput.verification.notes import APART, notes
-from stayput.verification.options import Option, grade, inputs, weakest
+from stayput.verification.options import grade, inputs, weakest
 
 MINE = {"width": 0.4, "height": 1.8, "mass": 90.0}
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
@@ -28,7 +29,7 @@ def scenario(furniture=MINE, room=ROOM, **tables):
 
 
 def option(*measures):
-    return Option("it", measures)
+    return Option("it", (measures,))
 
 
 def test_a_grade_is_that_of_the_weakest_input_that_decides():

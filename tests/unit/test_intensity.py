@@ -9,6 +9,8 @@ from stayput import InputError
 from stayput.motion import Motion, near_fault, sine
 from stayput.motion.intensity import (
     CLASSES,
+    Intensities,
+    SpectralMeasures,
     intensity_class,
     intensity_of_class,
     jma_from_pgv,
@@ -16,8 +18,7 @@ from stayput.motion.intensity import (
     mercalli,
     published_intensity,
 )
-from stayput.motion.measures import Intensities, SpectralMeasures
-from stayput.motion.spectrum import fourier_amplitude, konno_ohmachi, mean_period
+from stayput.motion.response import fourier_amplitude, konno_ohmachi, mean_period
 from stayput.scenario.shaking import ShakingTable
 
 

@@ -117,10 +117,10 @@ def test_two_measures_for_one_place_are_refused(measures, message):
         (sp.Room(), TensionPole(), "need a ceiling"),
         (sp.Room(ceiling=sp.Ceiling(4.0)), TensionPole(), "have 2.2 m below the ceiling"),
         (sp.Room(), TensionPole(ceiling_height=1.81), "have 0.01 m below the ceiling"),
-        (ROOM, TensionPole(setback=0.5), "at most the width, 0.4 m"),
-        (ROOM, Belt(setback=0.5), "at most the width, 0.4 m"),
+        (ROOM, TensionPole(setback=0.5), "setback is 0.5 m; it must be between 0 and 0.4 m"),
+        (ROOM, Belt(setback=0.5), "setback is 0.5 m; it must be between 0.02 and 0.4 m"),
         (ROOM, MEASURES["chain"](angle=1.4), "between floor and ceiling"),
-        (ROOM, Ballast(height=2.0), "at most the piece's, 1.8 m"),
+        (ROOM, Ballast(height=2.0), "height is 2 m; it must be between 0 and 1.8 m"),
     ],
 )
 def test_a_measure_that_cannot_be_put_there_is_refused(room, measure, message):

@@ -18,8 +18,9 @@ from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv
+from stayput.scenario.option import Option
 from stayput.verification import verify
-from stayput.verification.options import Impossible, Option, compared_options
+from stayput.verification.options import Impossible, compared_options
 
 TABLES = {
     "furniture": {"preset": "chest"},
@@ -79,7 +80,7 @@ def test_its_row_of_the_csv_has_no_number(verdict):
 
 def test_its_curve_is_missed_with_the_reason(tmp_path):
     other = Impossible(
-        Option("belt", (Belt(angle=1.3),)), sp.InputError("Belts angle is 1.3 rad, and so on.")
+        Option("belt", ((Belt(angle=1.3),),)), sp.InputError("Belts angle is 1.3 rad, and so on.")
     )
     verdict = replace(verdict_cases.made(), impossible=(other,))
     _, left_out = write_curves(verdict, next(iter(verdict.without.curves)), tmp_path / "curves")
@@ -100,7 +101,7 @@ def test_where_nothing_is_left_to_compare_it_is_refused():
     with pytest.raises(sp.InputError, match=REASON):
         verify(scenario(STEEP), levels=())
     sentence = sp.InputError("A sentence that nobody has put into Japanese.")
-    poles = Impossible(Option("p", (TensionPole(),)), sentence)
+    poles = Impossible(Option("p", ((TensionPole(),),)), sentence)
     assert poles.why("ja") == poles.why("en")
 
 

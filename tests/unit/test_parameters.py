@@ -24,7 +24,7 @@ from stayput.model.parameters import Parameter, check_fields, parameter_of, para
 from stayput.model.room import Floor
 from stayput.model.state import State
 from stayput.motion.ground_shaking import EarthquakeSource
-from stayput.motion.suites import synthetic_suite
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.scenario import Scenario
 from stayput.scenario.messages import kinds
 

@@ -9,6 +9,7 @@ from commands import cli
 import stayput as sp
 from stayput.measures import MEASURES, GelMats, LBracket, TensionPole, WedgeStopper, parameters
 from stayput.scenario import Scenario, read_scenario
+from stayput.scenario.option import Option
 
 LEAST = {"furniture": {"preset": "bookcase"}}
 FILE = """
@@ -48,28 +49,28 @@ def file(tmp_path):
 
 def test_what_the_file_says_arrives(file):
     scenario = read_scenario(file)
-    assert scenario.measures == (
+    assert [(option.name, option.measures) for option in scenario.options] == [
         ("l_bracket", (LBracket(strength=1200.0, screws="up"),)),
         ("stopper and pole", (WedgeStopper(), TensionPole(count=3))),
         ("small mats", (GelMats(area=0.0009),)),
-    )
+    ]
     told = scenario.uncertainty
     assert (told.samples, told.seed, told.precision) == (100, 7, 0.05)
     assert scenario.case().measures == ()
-    assert scenario.case(scenario.measures[1].measures).measures == scenario.measures[1].measures
+    assert scenario.case(scenario.options[1].measures).measures == scenario.options[1].measures
 
 
 @pytest.mark.parametrize("kind", MEASURES)
 def test_every_default_written_out_is_the_default(kind):
     given = {about.name: about.default for about in parameters(MEASURES[kind]) if about.default is not None}
-    (found,) = parsed({"type": kind, **given}).measures
-    assert found == (kind, (MEASURES[kind](),))
-    assert parsed({"type": kind}).measures == (found,)
+    (found,) = parsed({"type": kind, **given}).options
+    assert found == Option(kind, ((MEASURES[kind](),),))
+    assert parsed({"type": kind}).options == (found,)
 
 
 def test_names_that_are_not_given_are_the_types():
     both = {"combine": [{"type": "wedge_stopper"}, {"type": "tension_pole"}]}
-    assert [one.name for one in parsed({"type": "belt"}, both).measures] == [
+    assert [one.name for one in parsed({"type": "belt"}, both).options] == [
         "belt",
         "wedge_stopper + tension_pole",
     ]

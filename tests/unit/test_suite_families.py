@@ -10,9 +10,9 @@ import pytest
 
 from stayput.motion.integrals import displacement, velocity
 from stayput.motion.processing import QUANTUM, ending_at_rest
-from stayput.motion.spectrum import mean_period
-from stayput.motion.suites import FAMILIES, synthetic_suite
-from stayput.motion.suites.ground_motion import ETA, PointSource, SoilLayer, saragoni_hart
+from stayput.motion.response import mean_period
+from stayput.motion.suites.families import ETA, FAMILIES, PointSource, SoilLayer, saragoni_hart
+from stayput.motion.suites.synthesis import synthetic_suite
 
 COUNT = 24
 

@@ -20,11 +20,11 @@ from stayput.cli import app
 from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, spectral_acceleration
 from stayput.fragility.exports import in_openquake
 from stayput.fragility.intensity_measures import FLOOR_JMA
-from stayput.motion.measures import Intensities
+from stayput.motion.intensity import Intensities
 from stayput.report.plot import plot_run
 from stayput.report.room.data import room_data
 from stayput.report.verdict.curves import curves_svg
-from stayput.report.verdict.data import several_data, verdict_data
+from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv
@@ -235,7 +235,7 @@ def test_several_pieces_and_rooms_say_it_too(folder):
             sp.verify(sp.Scenario.parse(given), progress=False),
             sp.verify_room(sp.Scenario.parse({**BEDROOM, **given}), changes=False, progress=False),
         ]
-    for verdict, data in zip(verdicts, (several_data, room_data), strict=True):
+    for verdict, data in zip(verdicts, (verdict_data, room_data), strict=True):
         assert data(verdict)["motion_floor"] == "floor 6"
         assert data(verdict)["intensity_class"] is None
         assert "by the motion on floor 6, not of the place" in verdict.sentence("en")

@@ -21,7 +21,8 @@ from stayput.fragility import INTENSITY_MEASURES, Trials, fragility_curve, proba
 from stayput.measures import MEASURES, Belt
 from stayput.model.body import FURNITURE
 from stayput.montecarlo.counting import Quantiles
-from stayput.motion.suites import FAMILIES, synthetic_suite
+from stayput.motion.suites.families import FAMILIES
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.names import given_name
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
@@ -31,11 +32,11 @@ from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
 from stayput.report.verdict.tables import device_rows, simulations, verdict_csv
+from stayput.scenario.option import Option
 from stayput.simulation.outcome import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification.contents import ContentsVerdict, Leaving
 from stayput.verification.notes import SlidingShare, everyday_note
-from stayput.verification.options import Option
 from stayput.verification.words import headline, reason, title
 
 
@@ -144,9 +145,9 @@ def test_a_difference_that_may_be_chance_is_told_as_one(estimate, ends, said, ch
 @pytest.mark.parametrize("language", ["en", "ja"])
 def test_two_of_one_measure_are_told_apart(language):
     one = verdict_cases.made()
-    strong = replace(one.best, option=Option("strong belt", (Belt(strength=4000.0),)), rank=2)
+    strong = replace(one.best, option=Option("strong belt", ((Belt(strength=4000.0),),)), rank=2)
     two = replace(one, options=(one.best, strong, *one.options[1:]))
-    label = one.best.option.label(language)
+    label = say(one.best.option.label(), language)
     assert title(one.best.option, one, language) == label
     titles = {title(each.option, two, language) for each in two.options}
     assert len(titles) == 4

@@ -20,12 +20,12 @@ from stayput.report.verdict.assumptions import settlement_assumptions
 from stayput.report.verdict.pairs import replay_of_several
 from stayput.scenario import Scenario
 from stayput.simulation.placing import placed
-from stayput.verification.options import label, options_of_several
+from stayput.verification.options import compared_options
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from stayput.verification import AssemblyVerdict
+    from stayput.verification import Verdict
 
 VASE: dict[str, Any] = {"name": "vase", "bottom": 0.1, "top": 0.18, "height": 0.3, "mass": 1.5}
 
@@ -63,7 +63,7 @@ def parsed(**changed: Any) -> Scenario:
 
 
 @pytest.fixture(scope="module")
-def verdict() -> AssemblyVerdict:
+def verdict() -> Verdict:
     return sp.verify(parsed(), threads=2, progress=False)
 
 
@@ -86,35 +86,35 @@ def test_without_another_option_nothing_is_said_of_those_compared(
 
 
 def test_the_usual_options() -> None:
-    options, rejected = options_of_several(parsed())
+    options, rejected = compared_options(parsed())
     names = [option.name for option in options]
     kinds = ["l_bracket", "belt", "tension_pole", "gel_mats"]
     assert names == ["none", "joined", "l_bracket", *(f"joined + {kind}" for kind in kinds)]
     assert not rejected
     bracket = options[2]
-    assert [len(measures) for measures in bracket.measures] == [0, 1, 0]
+    assert [len(measures) for measures in bracket.on] == [0, 1, 0]
     assert not bracket.joined
-    assert label(bracket, parsed().names)[0] == "Screwed L-brackets on upper"
+    assert bracket.label(parsed().names)[0] == "Screwed L-brackets on upper"
     without = {key: value for key, value in DRESSER.items() if key != "joints"}
-    unjoined, _ = options_of_several(Scenario.parse(without))
+    unjoined, _ = compared_options(Scenario.parse(without))
     assert [option.name for option in unjoined] == ["none", *kinds]
 
 
 def test_options_of_a_file() -> None:
     both, mats = option("both", "upper", "belt"), option("mats between", "upper", "gel_mats")
-    options, rejected = options_of_several(parsed(options=[both, mats]))
+    options, rejected = compared_options(parsed(options=[both, mats]))
     assert [option.name for option in options] == ["none", "both"]
     assert options[1].joined
     assert rejected[0].why("en").startswith("'upper': Adhesive gel mats belong on the floor")
     with pytest.raises(sp.InputError, match="belong on the floor"):
-        options_of_several(parsed(options=[mats]))
+        compared_options(parsed(options=[mats]))
 
 
 def test_measures_of_a_piece_are_in_place_as_stated() -> None:
     furniture = [dict(piece) for piece in DRESSER["furniture"]]
     furniture[1]["measures"] = [{"type": "l_bracket"}]
     scenario = parsed(furniture=furniture)
-    assert [option.name for option in options_of_several(scenario)[0]] == ["none", "joined", "as stated"]
+    assert [option.name for option in compared_options(scenario)[0]] == ["none", "joined", "as stated"]
     assert {device.kind for device in scenario.run().devices} == {"l_bracket", "joint"}
     assert Scenario.parse(DRESSER | {"furniture": furniture}).to_toml() == scenario.to_toml()
 
@@ -166,7 +166,7 @@ def test_draws_do_not_depend_on_the_order_of_the_pieces() -> None:
 def test_what_is_drawn() -> None:
     scenario = parsed()
     draw = DRAW
-    drawn = drawn_scene(scenario.scene(options_of_several(scenario)[0][1]), draw)
+    drawn = drawn_scene(scenario.scene(compared_options(scenario)[0][1]), draw)
     lower, upper, vase = drawn.pieces
     assert lower.body.mass == pytest.approx(60.0 * draw.pieces[0].mass)
     assert lower.body.base_insets[0] > 0.0
@@ -180,7 +180,7 @@ def test_what_is_drawn() -> None:
 def test_pieces_on_the_floor_sink_in_as_drawn_and_as_stated() -> None:
     """The lower part has the narrower base, of which the length is looked at: the depth has drawn insets."""
     scenario = parsed(room={"floor": "carpet"})
-    scene = scenario.scene(options_of_several(scenario)[0][1])
+    scene = scenario.scene(compared_options(scenario)[0][1])
     for standing, factor in (
         (scenario.scene(), 1.0),
         (scene, 1.0),
@@ -217,7 +217,7 @@ def test_what_a_soft_floor_leaves_out_is_said() -> None:
 
 def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:
     scenario = parsed(room={**DRESSER["room"], "back_wall": {"gap": 0.1}})
-    bracket = next(one for one in options_of_several(scenario)[0] if one.name == "l_bracket")
+    bracket = next(one for one in compared_options(scenario)[0] if one.name == "l_bracket")
     scene = scenario.scene(bracket)
     drawn = draws_of_several("abc", 1, 16, seed=1)[0]
     gaps = [drawn_scene(scene, draw).room.left_wall.gap for draw in drawn]
@@ -226,7 +226,7 @@ def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:
     assert min(gaps) < 0.1
 
 
-def test_a_verdict(verdict: AssemblyVerdict) -> None:
+def test_a_verdict(verdict: Verdict) -> None:
     assert verdict.runs == 2 * 7
     assert verdict.scenario.counted == (0, 1)
     assert verdict.without.probabilities["overturned"].estimate > 0.6
@@ -235,7 +235,7 @@ def test_a_verdict(verdict: AssemblyVerdict) -> None:
     assert "家具のいずれかが" in verdict.sentence("ja")
     joined = next(one for one in verdict.options if one.option.name == "joined")
     assert [device.pieces for device in joined.devices] == [("upper", "lower")] * 2
-    assert joined.devices[0].summary.peak.median > 0.0
+    assert joined.devices[0].peak.median > 0.0
     for option in verdict.options:
         falls = [piece.probabilities["overturned"].fell for piece in option.pieces[:2]]
         assert max(falls) <= option.probabilities["overturned"].fell <= sum(falls)
@@ -249,7 +249,7 @@ def test_the_bits_do_not_depend_on_threads() -> None:
         assert mine.devices == theirs.devices
 
 
-def test_runs_are_made_again(verdict: AssemblyVerdict) -> None:
+def test_runs_are_made_again(verdict: Verdict) -> None:
     run = replay_of_several(verdict, verdict.without, verdict.without.worst)
     assert any(piece.overturned for piece in run.pieces[:2]) == (
         verdict.without.probabilities["overturned"].fell > 0
@@ -257,7 +257,7 @@ def test_runs_are_made_again(verdict: AssemblyVerdict) -> None:
     assert np.isfinite(run.place).all()
 
 
-def test_what_is_written(verdict: AssemblyVerdict, tmp_path: Path) -> None:
+def test_what_is_written(verdict: Verdict, tmp_path: Path) -> None:
     data = json.loads(verdict.to_json())
     assert [option["rank"] for option in data["options"]] == list(range(1, 8))
     assert [piece["counts"] for piece in data["options"][0]["pieces"]] == [True, True, False]

@@ -12,7 +12,7 @@ import report_runs
 import verdict_cases
 
 import stayput as sp
-from stayput.catalogue import LANGUAGES, earthquake, page
+from stayput.catalogue import LANGUAGES, earthquake, page, say
 from stayput.fragility import probability
 from stayput.fragility.probabilities import percent
 from stayput.inventory.report import storey_map
@@ -21,9 +21,9 @@ from stayput.measures import MEASURES, Belt, DeviceResult
 from stayput.montecarlo.counting import DEVICE_FAILED, Quantiles
 from stayput.report.summary import rows, sentence, sentences_of_piece
 from stayput.report.verdict import numbers
+from stayput.scenario.option import Option
 from stayput.simulation.outcome import Outcome
 from stayput.verification.notes import shaken_notes
-from stayput.verification.options import Option
 from stayput.verification.words import headline, reason, title
 from stayput.wording import FAR, counted, inside
 
@@ -49,7 +49,7 @@ def all_words(run):
 def held(kind, **values):
     """Return a verdict whose best option is a measure of a kind, with a device that fails in all runs."""
     verdict = verdict_cases.made()
-    best = replace(verdict.best, option=Option(kind, (MEASURES[kind](**values),)))
+    best = replace(verdict.best, option=Option(kind, ((MEASURES[kind](**values),),)))
     return replace(verdict, options=(best, *verdict.options[1:]))
 
 
@@ -145,15 +145,15 @@ def test_the_device_that_failed_first_is_named_within_its_sentence(kind):
 @pytest.mark.parametrize("language", ["en", "ja"])
 def test_the_user_s_own_name_is_kept(language):
     verdict = verdict_cases.made()
-    mine = replace(verdict.best, option=Option("Grandma's belt", (Belt(),)))
+    mine = replace(verdict.best, option=Option("Grandma's belt", ((Belt(),),)))
     named = replace(verdict, options=(mine, *verdict.options[1:]))
     assert "Grandma's belt" in title(mine.option, named, language)
     assert "Grandma's belt" in headline(named, language)
-    yours = Option("yours", (Belt(strength=900.0),))  # the set of the page's reader has no name of its own
+    yours = Option("yours", ((Belt(strength=900.0),),))  # the set of the page's reader has no name of its own
     assert not yours.own_name
     for plain in verdict.options:
-        assert title(plain.option, verdict, language) == plain.option.label(language)
-    mats = replace(verdict.best, option=Option("うちのマット", (MEASURES["gel_mats"](),)))
+        assert title(plain.option, verdict, language) == say(plain.option.label(), language)
+    mats = replace(verdict.best, option=Option("うちのマット", ((MEASURES["gel_mats"](),),)))
     whole = replace(verdict, options=(mats, *verdict.options[1:]))
     shown = {"en": "うちのマット (Adhesive gel mats)", "ja": "うちのマット（耐震ゲルマット（粘着マット式））"}
     assert title(mats.option, whole, language) == shown[language]

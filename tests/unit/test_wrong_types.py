@@ -12,7 +12,7 @@ import pytest
 import stayput as sp
 from stayput import estimates
 from stayput.fragility import PGA
-from stayput.standards import equipment_loads, position_of
+from stayput.standards.equipment import equipment_loads, position_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -8,10 +8,10 @@ import stayput as sp
 from stayput.fragility import INTENSITY_MEASURES, Trials, difference, fragility_curve, probability
 from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
-from stayput.standards import equipment_loads
+from stayput.scenario.option import Option
+from stayput.standards.equipment import equipment_loads
 from stayput.verification.notes import Ac156Estimate, Estimates, SlidingShare
-from stayput.verification.options import Option
-from stayput.verification.verdict import DeviceSummary, OptionVerdict, Verdict
+from stayput.verification.verdict import DeviceSummary, OptionVerdict, PieceVerdict, Verdict
 
 SCENARIO = {
     "title": "Study",
@@ -43,13 +43,16 @@ def curves(name, middle):
 def option(name, measures, rank, share, *, bare, middle=6.0, slide=0.03, devices=()):
     fallen = shares(share)
     of = curves(name, middle)
+    chances = {event: probability(shares(share, n)) for n, event in enumerate(EVENTS)}
+    slides, tilts = Quantiles(slide, np.inf), Quantiles(0.02, np.inf)
     return OptionVerdict(
-        option=Option(name, measures),
+        option=Option(name, (measures,)),
         rank=rank,
-        probabilities={event: probability(shares(share, n)) for n, event in enumerate(EVENTS)},
+        pieces=(PieceVerdict("bookcase", chances, slides, tilts),),
+        probabilities=chances,
         change=difference(fallen, bare) if measures else None,
-        slide=Quantiles(slide, np.inf),
-        tilt=Quantiles(0.02, np.inf),
+        slide=slides,
+        tilt=tilts,
         devices=devices,
         curves=of,
         capacities={p: next(iter(of.values())).capacity(p) for p in (0.1, 0.5)},

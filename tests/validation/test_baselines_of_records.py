@@ -9,7 +9,7 @@ import pytest
 
 import stayput as sp
 from real_records import MOTIONS, recorded
-from stayput.motion.baseline import oscillates_about_offset
+from stayput.motion.processing import oscillates_about_offset
 
 RECORDS = {
     "elcentro_1940_180.AT2": {},

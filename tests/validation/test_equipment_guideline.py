@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.standards import equipment_loads, position_of
+from stayput.standards.equipment import equipment_loads, position_of
 
 G = 9.80665
 

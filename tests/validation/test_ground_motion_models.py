@@ -23,7 +23,8 @@ from stayput.motion.ground_shaking import (
     strength_of_mercalli,
 )
 from stayput.motion.intensity import jma_from_pgv, mercalli, mercalli_beyond, pgv_of_mercalli
-from stayput.motion.suites import FAMILIES, synthetic_suite
+from stayput.motion.suites.families import FAMILIES
+from stayput.motion.suites.synthesis import synthetic_suite
 
 ROCK = 600.0
 """Shear-wave velocity of the ground that the paper's equation is for [m/s]."""

@@ -10,16 +10,10 @@ import pytest
 from real_records import MOTIONS, recorded
 from stayput.errors import InputError
 from stayput.motion.integrals import displacement, velocity
-from stayput.motion.spectrum import mean_period
-from stayput.motion.suites import (
-    Suite,
-    TargetSpectrum,
-    asce7,
-    japanese_design,
-    read_suite,
-    read_target,
-    synthetic_suite,
-)
+from stayput.motion.response import mean_period
+from stayput.motion.suites.suite import Suite, read_suite
+from stayput.motion.suites.synthesis import synthetic_suite
+from stayput.motion.suites.target import TargetSpectrum, asce7, japanese_design, read_target
 
 KOBE = ("jma_kobe_1995_ns.AT2", "jma_kobe_1995_ew.AT2", "nishi_akashi_1995_090.AT2")
 OTHERS = ("elcentro_1940_180.AT2", "arleta_1994_360.at2", "jma_uki_2016.csv")
@@ -129,7 +123,7 @@ def test_matched_motions_are_synthetic_at_rest_and_keep_their_envelope():
 
 
 def test_the_bits_of_a_matched_suite_do_not_depend_on_threads():
-    from stayput.motion.suites.matching import matched
+    from stayput.motion.suites.target import matched
 
     target, motions = japanese_design(), list(synthetic_suite("near-fault", 3))
     for together in (False, True):

@@ -15,7 +15,7 @@ import stayput as sp
 from real_records import MOTIONS
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
-from stayput.verification.options import Option
+from stayput.scenario.option import Option
 from studies.study import span
 from studies.tokyo import (
     ALONE,
@@ -148,7 +148,7 @@ def test_the_claim_at_the_lower_level_has_the_numbers_of_its_table(motion, reque
 def test_what_the_ceiling_bears_decides_for_poles():
     motions = tuple(facings(record()).values())
     options = [
-        Option(f"{strength:g} N", (replace(POLES[0].measures[0], strength=strength),))
+        Option(f"{strength:g} N", ((replace(POLES[0].measures[0], strength=strength),),))
         for strength in (1000.0, 300.0, 150.0)
     ]
     runs = runs_of(BODIES["cupboard"], ROOM, options, motions, FULL, 8, 1)

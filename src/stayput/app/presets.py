@@ -28,7 +28,7 @@ from stayput.motion.ground_shaking import (
     strength_of_sa,
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
-from stayput.motion.suites import synthetic_suite
+from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.palette import MODE_COLOURS
 from stayput.verification.options import USUAL
 

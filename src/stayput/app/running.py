@@ -22,10 +22,10 @@ from stayput.report.film.scene import TIME_DIGITS, ground_displacement, scene_of
 from stayput.report.film.shape import rounded
 from stayput.report.summary import device_results, piece_results, place_called, sentences_of_piece
 from stayput.rooms.events import happens_in
+from stayput.scenario.option import YOURS
 from stayput.simulation.case import simulate
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.space_fate import ROCKED, SLID
-from stayput.verification.options import YOURS
 from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ ALIKE = 0.05
 
 def own_measures(scenario: Scenario) -> tuple[Measure, ...]:
     """Return the user's own set of measures."""
-    return next((measure_set.measures for measure_set in scenario.measures if measure_set.name == YOURS), ())
+    return next((measure_set.measures for measure_set in scenario.options if measure_set.name == YOURS), ())
 
 
 def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) -> Run:

@@ -12,8 +12,8 @@ from stayput.errors import InputError
 from stayput.model.parameters import parameter_of
 from stayput.motion import sine
 from stayput.scenario import Scenario
+from stayput.scenario.option import YOURS
 from stayput.scenario.shaking import RECORD_FILES, SuiteTable
-from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

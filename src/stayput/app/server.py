@@ -33,8 +33,8 @@ from stayput.app.service import Service
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, InputWarning, reason_of
 from stayput.scenario import Scenario
+from stayput.scenario.option import YOURS
 from stayput.verification import verify
-from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
     from collections.abc import AsyncGenerator, Callable, Sequence

@@ -22,9 +22,10 @@ from stayput.report.verdict.tables import estimate_rows
 from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import Scenario
 from stayput.scenario.measures import table_of
+from stayput.scenario.option import YOURS
 from stayput.verification.contents import runs_of_contents
 from stayput.verification.notes import everyday_note, shaken_notes
-from stayput.verification.options import YOURS, compared_options, usual, weakest
+from stayput.verification.options import compared_options, usual, weakest
 from stayput.verification.words import asides
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from stayput.building.modes import (
 from stayput.errors import InputError, instance_of
 from stayput.model.parameters import STANDARD_GRAVITY, check_fields, parameter, quantity
 from stayput.vocabulary import preset_meant
-from stayput.wording import brief
+from stayput.wording import Brief
 
 _DAMPING = ("", 0.0, 0.5, ("Building damping", "建物の減衰定数"))
 _YIELD = ("", 1e-3, 10.0, ("Building yield_coefficient", "建物の降伏せん断力係数"))
@@ -130,7 +130,7 @@ class Isolation:
 
 
 @dataclass(frozen=True, repr=False)
-class Building(ShakenFloors):
+class Building(ShakenFloors, Brief):
     """A regular building: storeys of one height and one mass, stiffnesses from the Ai distribution.
 
     Furniture of storey 1 stands on the ground (of a base-isolated building: on the slab above the
@@ -178,45 +178,18 @@ class Building(ShakenFloors):
     [7.3, 7.5, 10.7]
     """
 
-    storeys: int = parameter(
-        10, "", 1, MOST_STOREYS - 1, ("Number of storeys", "建物の階数"), "Number of storeys."
-    )
+    storeys: int = parameter(10, "", 1, MOST_STOREYS - 1, ("Number of storeys", "建物の階数"))
     structure: str = "RC"
-    period: float | None = parameter(
-        None,
-        "s",
-        0.02,
-        20.0,
-        ("Building period", "建物の固有周期"),
-        "First natural period; default by height.",
-    )
-    damping: float | None = parameter(
-        None, *_DAMPING, "Damping ratio of every mode; default the structure's."
-    )
-    storey_height: float | None = parameter(
-        None,
-        "m",
-        1.5,
-        20.0,
-        ("Building storey_height", "建物の階高"),
-        f"Height of a storey; default {STOREY_HEIGHT:g} m.",
-    )
+    period: float | None = parameter(None, "s", 0.02, 20.0, ("Building period", "建物の固有周期"))
+    damping: float | None = parameter(None, *_DAMPING)
+    storey_height: float | None = parameter(None, "m", 1.5, 20.0, ("Building storey_height", "建物の階高"))
     nonlinear: bool = True
-    yield_coefficient: float | None = parameter(
-        None, *_YIELD, "Shear coefficient of the lowest storey at yielding."
-    )
-    post_yield: float | None = parameter(None, *_POST_YIELD, "Stiffness after yielding over that before it.")
+    yield_coefficient: float | None = parameter(None, *_YIELD)
+    post_yield: float | None = parameter(None, *_POST_YIELD)
     isolation: Isolation = field(default_factory=Isolation)
     vertical_amplification: float = parameter(
-        1.0,
-        "",
-        *AMPLIFICATION_RANGE,
-        ("Building vertical_amplification", "建物の上下動の増幅率"),
-        "Factor on the vertical motion at the roof, growing linearly from 1.",
+        1.0, "", *AMPLIFICATION_RANGE, ("Building vertical_amplification", "建物の上下動の増幅率")
     )
-
-    def __repr__(self) -> str:
-        return brief(self)
 
     def __post_init__(self) -> None:
         structure = preset_meant("structure", "building.structure", self.structure, STRUCTURES, "structure")

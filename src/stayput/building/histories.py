@@ -122,64 +122,44 @@ def component_response(
     shapes = np.ascontiguousarray(modes.shapes[[i for i in floors if i >= 0]].T)
     drift_shapes = np.ascontiguousarray(modes.drifts.T)
     masses = np.empty((len(ground), shapes.shape[1]))
-    if model.yield_shears is not None:
-        drift, energy = _yielding(
-            model, np.array(model.yield_shears), ground, h, shapes, drift_shapes, masses
-        )
-    else:
+    step = np.empty((STEP_ROWS, len(modes.omega)))
+    if model.yield_shears is None:
         shown = drift_shapes if drifts else drift_shapes[:, :0].copy()
-        drift = np.empty((len(ground), shown.shape[1]))
-        step = np.empty((STEP_ROWS, len(modes.omega)))
+        drift, energy = np.empty((len(ground), shown.shape[1])), None
         fill_step(modes.omega, np.array(model.damping), h, step)
         scratch = np.empty((3, len(modes.omega)))
         linear_histories(ground, step, modes.participation, shapes, shown, scratch, masses, drift)
-        energy = None
+    else:
+        longest, shortest = float(modes.periods[0]), float(modes.periods[-1])
+        wanted = min(longest / SUBSTEPS_IN_A_PERIOD[0], shortest / SUBSTEPS_IN_A_PERIOD[1])
+        substeps = math.ceil(h / wanted - 1e-9)
+        if substeps > MOST_SUBSTEPS:
+            least = SUBSTEPS_IN_A_PERIOD[1] * h / MOST_SUBSTEPS
+            raise InputError("building.period_too_short", "stiffnesses", period=shortest, least=least)
+        fill_step(modes.omega, np.array(model.damping), h / substeps, step)
+        stiffness, softened = np.array(model.stiffnesses), 1.0 - np.array(model.post_yield)
+        storeys = np.stack((stiffness, softened * stiffness, np.array(model.yield_shears) / stiffness))
+        # Row 3 of a step is what a unit of a at its end adds to q, so −Σ d · row 3 · d is what a unit of the
+        # force κp at the end of the sub-step adds to the drifts.
+        coupling = -np.einsum("js,j,jt->st", drift_shapes, step[3], drift_shapes, optimize=False)
+        drift, energies = np.empty((len(ground), len(stiffness))), np.empty((len(ground), ENERGIES))
+        yielding_histories(
+            ground,
+            substeps,
+            h / substeps,
+            step,
+            modes.participation,
+            shapes,
+            drift_shapes,
+            np.ascontiguousarray(coupling),
+            storeys,
+            np.empty((8, len(stiffness))),
+            masses,
+            drift,
+            energies,
+        )
+        energy = Energy(*np.ascontiguousarray(energies.T))
     acceleration = np.empty((len(ground), len(floors)))
     acceleration[:, [i for i, floor in enumerate(floors) if floor < 0]] = ground[:, None]
     acceleration[:, [i for i, floor in enumerate(floors) if floor >= 0]] = masses
     return Histories(h, acceleration, drift, energy)
-
-
-def _yielding(
-    model: ShearModel,
-    yield_shears: NDArray[np.float64],
-    ground: NDArray[np.float64],
-    dt: float,
-    shapes: NDArray[np.float64],
-    drift_shapes: NDArray[np.float64],
-    acceleration: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], Energy]:
-    """Fill the accelerations of the masses; return the drifts and the energies."""
-    modes = model.modes
-    longest, shortest = float(modes.periods[0]), float(modes.periods[-1])
-    wanted = min(longest / SUBSTEPS_IN_A_PERIOD[0], shortest / SUBSTEPS_IN_A_PERIOD[1])
-    substeps = math.ceil(dt / wanted - 1e-9)
-    if substeps > MOST_SUBSTEPS:
-        least = SUBSTEPS_IN_A_PERIOD[1] * dt / MOST_SUBSTEPS
-        raise InputError("building.period_too_short", "stiffnesses", period=shortest, least=least)
-    h = dt / substeps
-    step = np.empty((STEP_ROWS, len(modes.omega)))
-    fill_step(modes.omega, np.array(model.damping), h, step)
-    stiffness, softened = np.array(model.stiffnesses), 1.0 - np.array(model.post_yield)
-    storeys = np.stack((stiffness, softened * stiffness, yield_shears / stiffness))
-    # Row 3 of a step is what a unit of a at its end adds to q, so −Σ d · row 3 · d is what a unit of the
-    # force κp at the end of the sub-step adds to the drifts.
-    coupling = -np.einsum("js,j,jt->st", drift_shapes, step[3], drift_shapes, optimize=False)
-    drift = np.empty((len(ground), len(stiffness)))
-    energy = np.empty((len(ground), ENERGIES))
-    yielding_histories(
-        ground,
-        substeps,
-        h,
-        step,
-        modes.participation,
-        shapes,
-        drift_shapes,
-        np.ascontiguousarray(coupling),
-        storeys,
-        np.empty((8, len(stiffness))),
-        acceleration,
-        drift,
-        energy,
-    )
-    return drift, Energy(*np.ascontiguousarray(energy.T))

@@ -58,12 +58,10 @@ class ShakenFloors:
             Language of the texts, "en" or "ja".
         """
         from stayput.report.building import draw_modes
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
 
         number = whole_within("building.modes", modes, 1, MOST_STOREYS, "", "modes")
-        axis = axes_of(ax)
-        draw_modes(axis, self.model, number, check_language(language))
-        return drawn(axis)
+        return plotted(ax, draw_modes, self.model, number, check_language(language))
 
     def respond(self, motion: Motion) -> FloorResponse:
         """Return the response of all floors to a motion of the ground.

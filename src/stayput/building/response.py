@@ -86,11 +86,9 @@ class FloorResponse:
             Something else to draw, or a storey that the building has not.
         """
         from stayput.report.building import draw_floors
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
 
-        axis = axes_of(ax)
-        draw_floors(axis, self, what, storeys, check_language(language))
-        return drawn(axis)
+        return plotted(ax, draw_floors, self, what, storeys, check_language(language))
 
     def figure(
         self, title: str = "", *, storeys: Sequence[int] | None = None, language: str = "en"

@@ -1,16 +1,148 @@
-"""Measures: why one cannot be put in place. What they are called stands beside their parameters."""
+"""Measures: what they are, and why one cannot be put in place. What their parameters are called stands beside these."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    # What each is called; how it works and what makes it fail
+    "against_wall": ("Moved against the wall", "壁に寄せる"),
+    "against_wall_about": (
+        (
+            "Against the wall the piece cannot rock back, which often keeps the rocking from building up; it "
+            "can still fall forwards."
+        ),
+        "壁に寄せると後ろへ揺れないため揺れが大きくなりにくいが、手前への転倒は防げない。",
+    ),
+    "away_from_wall": ("Moved away from the wall", "壁から離す"),
+    "away_from_wall_about": (
+        (
+            "Away from the wall the piece does not bounce off it towards the room; nothing limits its "
+            "rocking then."
+        ),
+        "壁から離すと壁に当たってはね返ることはないが、揺れを止めるものもなくなる。",
+    ),
+    "ballast": ("Ballast at the bottom", "底部のおもり"),
+    "ballast_about": (
+        (
+            "Extra mass near the base lowers the centre of gravity, so that it takes more to tip the piece; "
+            "it ties nothing down, and strong shaking tips it all the same."
+        ),
+        "底近くにおもりを足して重心を下げ、倒れにくくするが、固定するわけではないので強い揺れでは倒れる。",
+    ),
+    "lower_shelves": ("Heavy things on the lower shelves", "重い物を下段に収納"),
+    "lower_shelves_about": (
+        (
+            "Heavy things moved from the upper half to the lower one lower the centre of gravity; it costs "
+            "nothing, and holds nothing once the piece is lifted off its edge far enough."
+        ),
+        "重い物を上段から下段へ移して重心を下げるもので、費用はかからないが、固定の代わりにはならない。",
+    ),
+    "l_bracket": ("Screwed L-brackets", "L型金具（ねじ留め）"),
+    "l_bracket_about": (
+        (
+            "Brackets screwed to the top and to the wall tie the piece to it; they fail where the "
+            "screws are drawn out, sooner with the bracket below the edge and its screws pointing up."
+        ),
+        "家具の上部と壁をL型金具でねじ留めするが、ねじが引き抜けると効かなくなり、上向きの取付けは弱い。",
+    ),
+    "l_bracket_board": ("L-brackets in gypsum board", "L型金具（石こうボードに固定）"),
+    "l_bracket_board_about": (
+        (
+            "Brackets on anchors in gypsum board look the same as those in studs, but each holds a pull of "
+            "only about 300 N and then comes out of the board without warning."
+        ),
+        "下地のない石こうボードに留めたL型金具は、見た目は同じでも1個あたり約300 Nの引張りにしか耐えず、超えると前触れなく抜ける。",
+    ),
+    "belt": ("Belts", "ベルト式"),
+    "belt_about": (
+        (
+            "Belts to the wall stop the piece once they are taut; they act only in tension, and a jerk after "
+            "slack may tear them or their anchors."
+        ),
+        "壁とつないだベルトが張ると転倒を止めるが、引張りにしか効かず、たるみがあると急な力で破損または脱落することがある。",
+    ),
+    "chain": ("Chains", "チェーン式"),
+    "chain_about": (
+        (
+            "Chains to the wall stop the piece once they are taut; they are usually slack, and the jerk "
+            "bends their hooks open or tears their screws out."
+        ),
+        "壁とつないだチェーンが張ると転倒を止めるが、たるみやすく、急な力でフックが伸びたりねじが抜けたりする。",
+    ),
+    "anti_slip_sheet": ("Anti-slip sheet", "滑り止めシート"),
+    "anti_slip_sheet_about": (
+        (
+            "Rubber under the base keeps the piece from sliding; it does not keep it from tipping, and a "
+            "tall piece that can no longer slide may tip sooner."
+        ),
+        "底面のゴムで滑りを防ぐが、転倒は防げず、背の高い家具では滑れないぶん早く倒れることがある。",
+    ),
+    "felt_glides": ("Felt glides", "フェルトパッド"),
+    "felt_glides_about": (
+        (
+            "Felt under the base lets the piece slide before it tips; it then wanders and may hit what "
+            "stands near."
+        ),
+        "底面のフェルトで滑りやすくして転倒を避けるが、家具が移動し、周囲の物にぶつかることがある。",
+    ),
+    "sliding_glides": ("Sliding glides (PTFE)", "すべりパッド（フッ素樹脂）"),
+    "sliding_glides_about": (
+        (
+            "PTFE under the base lets the piece slide at a small force, so that it does not tip; it travels "
+            "far and may hit what stands near."
+        ),
+        "底面のフッ素樹脂で小さな力でも滑らせて転倒を避けるが、大きく移動し、周囲の物にぶつかることがある。",
+    ),
+    "free_casters": ("Casters, free", "キャスター（ロックなし）"),
+    "free_casters_about": (
+        (
+            "Rolling casters hardly pass the shaking on, so the piece does not tip; it rolls far and hits "
+            "what stands near."
+        ),
+        "キャスターが転がって揺れが伝わりにくく倒れにくいが、大きく動き回り、周囲の物に衝突する。",
+    ),
+    "locked_casters": ("Casters, locked", "キャスター（ロックあり）"),
+    "locked_casters_about": (
+        (
+            "Locked casters that hold slide like feet; in shake-table tests of hospital equipment, locking "
+            "did not always lessen how far it moved, and a piece that tips under shaking tips on them too."
+        ),
+        "ロックが効けば転がらず脚のように滑るだけになるが、医療機器の振動台実験では移動量が必ずしも減らず、強い揺れでの転倒も防げない。",
+    ),
+    "base_isolator": ("Furniture base isolator", "家具用免震装置"),
+    "base_isolator_about": (
+        (
+            "The piece stands on a tray that slides easily, so that little shaking reaches it; where the "
+            "floor moves more than the stroke, the stops hit and may tip it."
+        ),
+        "滑りやすい台に載せて揺れを伝えにくくするが、床の動きが可動範囲を超えるとストッパーに当たり、倒れることがある。",
+    ),
+    "gel_mats": ("Adhesive gel mats", "耐震ゲルマット（粘着マット式）"),
+    "gel_mats_about": (
+        (
+            "Sticky gel under the corners holds the base down and sideways; it tears off for good where pull "
+            "and shear together exceed its bond, which dust, rough floors and age weaken."
+        ),
+        "四隅の粘着ゲルで底面を床に留めるが、引きはがす力とずれの力が粘着力を超えるとはがれて元に戻らず、ほこりや凹凸、劣化で弱くなる。",
+    ),
+    "wedge_stopper": ("Wedge stopper", "ストッパー式（くさび）"),
+    "wedge_stopper_about": (
+        (
+            "A rubber wedge under the front edge leans the piece back towards the wall; it only shifts the "
+            "balance by about a degree, so strong shaking tips the piece all the same."
+        ),
+        "前下部にくさび状のゴムを挟んで家具を壁側へわずかに傾けるが、傾きは1度ほどなので強い揺れでは倒れる。",
+    ),
+    "tension_pole": ("Tension poles", "ポール式（突っ張り棒）"),
+    "tension_pole_about": (
+        (
+            "Poles jammed against the ceiling press the piece down; they drop out when the ceiling gives "
+            "way, the top moves away from it, or they lean too far."
+        ),
+        "天井との間に突っ張って家具を押さえるが、天井が弱くてへこんだり、上部が離れて緩んだり、傾いたりすると脱落する。",
+    ),
+    # Refusals
     "own_class": (
         "{name} has no kind or no label; a measure's kind must be a text, its label two: English and Japanese.",
         "自作の対策{name}に、種類（kind）または名称（label）がありません。kindは文字列、labelは英語と日本語の2つの文字列にしてください。",
     ),
-    "parameter": ("“{measure}” {name}", "「{measure}」の{name}"),
-    "wrong_word": (
-        "{name} is {value}; it must be {words}.",
-        "{name}が{value}になっています。次のいずれかにしてください：{words}",
-    ),
-    "or": (" or ", "、"),
     "twice": (
         "{measure} is given twice, both {place}; only one of them can be there.",
         "「{measure}」が2回指定されています。同じ場所（{place}）に使えるのは1つだけです。",
@@ -123,10 +255,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{measure} do not stick to carpet or tatami; the floor must be hard and smooth.",
         "「{measure}」はカーペットや畳には粘着しません。硬く平らな床で使ってください。",
     ),
-    "setback": (
-        "“{measure}” setback is {setback:g} m; it must be at most the width, {width:g} m.",
-        "「{measure}」の背面からの距離は{setback:g} mです。家具の奥行き（{width:g} m）以下にしてください。",
-    ),
     "anchor": (
         (
             "“{measure}” angle is {angle:.3g} rad, which puts its anchor at {height:.3g} m; "
@@ -141,10 +269,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "length": (
         "{measure} have {space:g} m below the ceiling; that must be between {low:g} and {high:g} m.",
         "家具と天井の間が{space:g} mです。「{measure}」を使うには{low:g}～{high:g} mにしてください。",
-    ),
-    "height": (
-        "“{measure}” height is {height:g} m; it must be at most the piece's, {most:g} m.",
-        "「{measure}」の高さは{height:g} mです。家具の高さ（{most:g} m）以下にしてください。",
     ),
     "share": (
         "“{measure}” share is {share:g}; it must be no more than the upper half of this piece holds.",

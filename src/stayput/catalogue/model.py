@@ -5,6 +5,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "load_width": ("load_width", "棚の荷物の奥行き（load_width）"),
     "static_friction": ("{surface} static friction", "{surface}の静止摩擦係数"),
     "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),
+    "field_of": ("“{owner}” {name}", "「{owner}」の{name}"),
     # Bodies
     "cg_outside": (
         (

@@ -328,9 +328,5 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The band is {value}; it must be two periods (shortest, longest) [s].",
         "周期の範囲が{value}になっています。2つの周期（最短、最長）[s] を指定してください。",
     ),
-    "target_line": (
-        "{file}, line {number} is {line!r}; it must be a period [s] and Sa [{unit}].",
-        "「{file}」の{number}行目が「{line}」になっています。周期（秒）とSa（{unit}）を書いてください。",
-    ),
 }
 """Texts by their keys: English, Japanese."""

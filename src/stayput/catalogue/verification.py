@@ -56,7 +56,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "none": ("a measure", "対策"),
     "if_there": ("{option}", "{option}があれば"),
-    "this_piece": ("the {name}", "この家具は"),
+    "what": ("the {name}", "この家具は"),
     "better": (
         "In shaking of JMA intensity {strength} {what} overturns {falls}{bare}; with {option}, {then}{chance}.",
         "{strength}の揺れで、{what}{falls}。{option}{then}。{chance}",

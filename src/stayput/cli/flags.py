@@ -423,7 +423,7 @@ def chosen_measures(scenario: Scenario, names: Sequence[str]) -> tuple[Measure, 
     """
     from stayput.measures import MEASURES
 
-    named = {measure_set.name: measure_set.measures for measure_set in scenario.measures}
+    named = {measure_set.name: measure_set.measures for measure_set in scenario.options}
     known = [*named, *(kind for kind in MEASURES if kind not in named)]
     measures: list[Measure] = []
     for name in names:

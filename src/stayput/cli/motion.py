@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
     from stayput.building.response import FloorResponse
     from stayput.motion import Motion
-    from stayput.motion.measures import DisplacementPeak
+    from stayput.motion.intensity import DisplacementPeak
     from stayput.motion.spectrum import ResponseSpectrum
 
 app = typer.Typer(cls=HelpfulGroup, help="cli_help.motion", no_args_is_help=True, rich_markup_mode=None)
@@ -75,7 +75,7 @@ def _number(value: float) -> float | None:
 
 def _measures(motion: Motion) -> dict[str, Any]:
     """Return how strong a motion is, as one JSON object."""
-    from stayput.motion.measures import Intensities, SpectralMeasures
+    from stayput.motion.intensity import Intensities, SpectralMeasures
 
     about, moved = Intensities.of(motion), _displacements(motion)
     parts = {name: (peaks, SpectralMeasures.of(motion, name)) for name, peaks in motion.peaks().items()}
@@ -130,7 +130,7 @@ LINES = {
 def _print_info(motion: Motion, lang: str) -> None:
     from stayput.catalogue.names import INTENSITIES
     from stayput.motion.floors import floor_phrase
-    from stayput.motion.measures import Intensities
+    from stayput.motion.intensity import Intensities
     from stayput.report.names import given_name, motion_label
 
     console, paragraph = terminal(lang, motion_label(motion, lang))
@@ -162,7 +162,7 @@ def _print_info(motion: Motion, lang: str) -> None:
 
 
 def _displacements(motion: Motion) -> dict[str, DisplacementPeak]:
-    from stayput.motion.measures import DisplacementPeak
+    from stayput.motion.intensity import DisplacementPeak
 
     return {name: DisplacementPeak.of(motion, name) for name in motion.components}
 

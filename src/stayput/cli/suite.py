@@ -24,7 +24,8 @@ from stayput.errors import InputError, unknown
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
-    from stayput.motion.suites import Suite, TargetSpectrum
+    from stayput.motion.suites.suite import Suite
+    from stayput.motion.suites.target import TargetSpectrum
 
 FITS = ("scale", "match", "together")
 
@@ -98,7 +99,7 @@ def _target_of(text: str) -> TargetSpectrum:
     InputError
         A text or a file that cannot be read.
     """
-    from stayput.motion.suites import asce7, japanese_design, read_target
+    from stayput.motion.suites.target import asce7, japanese_design, read_target
 
     kind, _, rest = text.partition(":")
     if kind == "asce7":

@@ -18,31 +18,28 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Probability
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
-    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.verification import Verdict
 
 _NEXT = 3
 """How many changes of a room are listed after those that help."""
 
 
-def print_verdict(verdict: Verdict | AssemblyVerdict | RoomVerdict, lang: str) -> None:
+def print_verdict(verdict: Verdict | RoomVerdict, lang: str) -> None:
     """Print a verdict.
 
     Parameters
     ----------
-    verdict : Verdict, AssemblyVerdict or RoomVerdict
+    verdict : Verdict or RoomVerdict
         The verdict.
     lang : str
         "en" or "ja".
     """
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification import AssemblyVerdict
 
     if isinstance(verdict, RoomVerdict):
         _print_room(verdict, lang)
-    elif isinstance(verdict, AssemblyVerdict):
-        _print_several(verdict, lang)
     else:
-        _print_one(verdict, lang)
+        _print_options(verdict, lang)
 
 
 class _Line(NamedTuple):
@@ -55,7 +52,7 @@ class _Line(NamedTuple):
     reason: str
 
 
-def _print_one(verdict: Verdict, lang: str) -> None:
+def _print_options(verdict: Verdict, lang: str) -> None:
     from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
     from stayput.montecarlo.counting import OVERTURNED
     from stayput.report.verdict import numbers
@@ -64,18 +61,21 @@ def _print_one(verdict: Verdict, lang: str) -> None:
     from stayput.verification.words import title
     from stayput.wording import with_aside
 
-    text = partial(word, language=lang)
-    capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
-    inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
+    text, alone = partial(word, language=lang), verdict.scenario.alone
     lines: list[_Line] = []
     for row in ranking(verdict, lang):
         result = row.option
         falls, *others = _shares(row.shares, lang)
-        reached = (numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES)
-        share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
-        out = () if row.contents is None else (numbers.probability(row.contents, lang),)
-        cells = (share, *others, *out, _slide(row.slide[0], result.slide.median, lang), *reached)
-        ends = numbers.interval(result.probabilities[OVERTURNED], lang)
+        slide = _slide(row.slide[0], result.slide.median, lang)
+        if alone:
+            reached = (numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES)
+            share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
+            out = () if row.contents is None else (numbers.probability(row.contents, lang),)
+            cells = (share, *others, *out, slide, *reached)
+        else:
+            each = (numbers.probability(chance, lang) for _, chance in row.pieces)
+            cells = (falls, *others, slide, *each)
+        ends = numbers.interval(result.probabilities[OVERTURNED], lang) if alone else ""
         label = title(result.option, verdict, lang)
         label = with_aside(label, ends, lang) if ends else label
         lines.append(_Line(str(result.rank), row.name or row.label, cells, label, row.reason))
@@ -83,9 +83,16 @@ def _print_one(verdict: Verdict, lang: str) -> None:
     rejected = [
         (item.option.name if item.option.own_name else label, label, why) for (label, why), item in impossible
     ]
-    headings = (text("measure"), *_events(verdict, lang), *inside, text("brief_slide"), *capacities)
-    jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
-    below = (text("brief_text", intensity=jma.names), grades_text(lang))
+    events = _events(verdict, lang)
+    if alone:
+        capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
+        inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
+        headings = (text("measure"), *events, *inside, text("brief_slide"), *capacities)
+        jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
+        below = (text("brief_text", intensity=jma.names), grades_text(lang))
+    else:
+        headings = (say("several.option", lang), *events, text("brief_slide"), *verdict.scenario.names)
+        below = (say("several.brief_text", lang),)
     _print_ranking(
         verdict,
         lang,
@@ -96,30 +103,11 @@ def _print_one(verdict: Verdict, lang: str) -> None:
         below=below,
         notes=verdict.notes(lang),
         end=simulations(verdict, lang),
-        last=len(SHARES),
+        last=len(SHARES) if alone else 0,
     )
 
 
-def _print_several(verdict: AssemblyVerdict, lang: str) -> None:
-    from stayput.report.verdict import numbers
-    from stayput.report.verdict.numbers import word
-    from stayput.report.verdict.tables import impossible_rows, several_ranking, simulations
-
-    lines: list[_Line] = []
-    for row in several_ranking(verdict, lang):
-        slide = _slide(row.slide[0], row.option.slide.median, lang)
-        each = (numbers.probability(chance, lang) for _, chance in row.pieces)
-        cells = (*_shares(row.shares, lang), slide, *each)
-        lines.append(_Line(str(row.option.rank), row.name, cells, row.label, row.reason))
-    rejected = [(label, label, why) for label, why in impossible_rows(verdict, lang)]
-    slid, option = word("brief_slide", lang), say("several.option", lang)
-    headings = (option, *_events(verdict, lang), slid, *verdict.scenario.names)
-    below = (say("several.brief_text", lang),)
-    above, end = verdict.sentence(lang), simulations(verdict, lang)
-    _print_ranking(verdict, lang, headings, lines, rejected, above=above, below=below, end=end)
-
-
-def _events(verdict: Verdict | AssemblyVerdict, lang: str) -> list[str]:
+def _events(verdict: Verdict, lang: str) -> list[str]:
     """Return the headings of the columns of events."""
     from stayput.montecarlo.counting import EVENTS
     from stayput.report.verdict import numbers
@@ -142,7 +130,7 @@ def _slide(slide: str, median: float, lang: str) -> str:
 
 
 def _print_ranking(
-    verdict: Verdict | AssemblyVerdict,
+    verdict: Verdict,
     lang: str,
     headings: Sequence[str],
     lines: Sequence[_Line],
@@ -158,7 +146,7 @@ def _print_ranking(
 
     Parameters
     ----------
-    verdict : Verdict or AssemblyVerdict
+    verdict : Verdict
         The verdict.
     lang : str
         "en" or "ja".

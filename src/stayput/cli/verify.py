@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from stayput.fragility import IntensityMeasure
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
-    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.verification import Verdict
 
 
 @takes(SHAKING)
@@ -159,7 +159,7 @@ def _only(scenario: Scenario, names: list[str]) -> Scenario:
     """
     chosen_measures(scenario, names)  # refuses unknown names
     tables = scenario.model_dump(by_alias=True, exclude_unset=True)
-    stated_names = (measure_set.name for measure_set in scenario.measures)
+    stated_names = (measure_set.name for measure_set in scenario.options)
     stated = dict(zip(stated_names, tables.get("measures") or (), strict=True))
     tables["measures"] = [stated.get(name, {"type": name}) for name in dict.fromkeys(names)]
     return type(scenario).parse(tables, scenario.folder)
@@ -171,7 +171,7 @@ def _verified(
     slide_limit: float,
     every_run: bool,
     threads: int | None,
-) -> Verdict | AssemblyVerdict | RoomVerdict:
+) -> Verdict | RoomVerdict:
     from stayput.rooms.verify import verify_room
     from stayput.verification import verify as compare
 

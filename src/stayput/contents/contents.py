@@ -95,7 +95,7 @@ class Contents:
     kind : str
         One of `stayput.contents.CONTENTS`.
     shelves : int, optional
-        Number of shelves, the lowest at the base; default as many as loads, or `SHELVES`.
+        Number of shelves, the lowest at the base; default as many as loads, or five.
     loads : sequence of float, optional
         Mass on each shelf from the lowest up [kg].
     mass_share : float, optional
@@ -140,22 +140,9 @@ class Contents:
     """
 
     kind: str = "books"
-    shelves: int | None = parameter(
-        None,
-        "",
-        1,
-        100,
-        ("number of shelves", "棚の数"),
-        f"Number of shelves; default as many as loads, or {SHELVES}.",
-        counts=True,
-    )
+    shelves: int | None = parameter(None, "", 1, 100, ("number of shelves", "棚の数"), counts=True)
     loads: tuple[float, ...] | None = parameter(
-        None,
-        "kg",
-        0.0,
-        MASS_RANGE[1],
-        ("load of a shelf", "棚の荷重"),
-        "Mass on each shelf from the lowest up.",
+        None, "kg", 0.0, MASS_RANGE[1], ("load of a shelf", "棚の荷重")
     )
     mass_share: float | None = other_default(None, ContentsKind, "mass_share")
     width: float | None = other_default(None, ContentsKind, "width")
@@ -163,38 +150,16 @@ class Contents:
     static_friction: float | None = other_default(None, ContentsKind, "static_friction")
     kinetic_friction: float | None = other_default(None, ContentsKind, "kinetic_friction")
     setback: float | None = other_default(None, ContentsKind, "setback")
-    lip: float = parameter(
-        0.0, "m", 0.0, 10.0, ("lip height", "棚の縁の高さ"), "Height of a lip along the front edge."
-    )
-    slope: float = parameter(
-        0.0, "rad", -0.5, 0.5, ("slope of the shelves", "棚の傾き"), "Inclination, + with the front higher."
-    )
+    lip: float = parameter(0.0, "m", 0.0, 10.0, ("lip height", "棚の縁の高さ"))
+    slope: float = parameter(0.0, "rad", -0.5, 0.5, ("slope of the shelves", "棚の傾き"))
     back: bool = True
     doors: str = "none"
     drawers: str = "none"
-    catch: float | None = parameter(
-        None,
-        "N",
-        0.0,
-        1e6,
-        ("holding force of the catch", "留め具の保持力"),
-        "Force at which a catch lets go.",
-    )
-    door_mass: float = parameter(5.0, "kg", 0.0, 1e3, ("mass of the doors", "扉の質量"), "Mass of all doors.")
-    leaf: float = parameter(
-        0.45, "m", 0.01, 10.0, ("width of a sliding leaf", "引き戸1枚の幅"), "Width of a sliding door's leaf."
-    )
-    restitution: float = parameter(
-        0.2,
-        "",
-        0.0,
-        1.0,
-        ("restitution of the items", "物の反発係数"),
-        "Restitution on the lip and the back board.",
-    )
-    items: int = parameter(
-        8, "", 1, 1000, ("items on a shelf", "1段あたりの物の数"), "Items on each shelf that are computed."
-    )
+    catch: float | None = parameter(None, "N", 0.0, 1e6, ("holding force of the catch", "留め具の保持力"))
+    door_mass: float = parameter(5.0, "kg", 0.0, 1e3, ("mass of the doors", "扉の質量"))
+    leaf: float = parameter(0.45, "m", 0.01, 10.0, ("width of a sliding leaf", "引き戸1枚の幅"))
+    restitution: float = parameter(0.2, "", 0.0, 1.0, ("restitution of the items", "物の反発係数"))
+    items: int = parameter(8, "", 1, 1000, ("items on a shelf", "1段あたりの物の数"))
 
     def __post_init__(self) -> None:
         kind = preset_meant("contents", "contents.kind", self.kind, CONTENTS, "kind")

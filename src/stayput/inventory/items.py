@@ -365,7 +365,7 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple
     InputError
         No such measure, one given twice, or too many.
     """
-    named = {measure_set.name: measure_set.measures for measure_set in scenario.measures}
+    named = {measure_set.name: measure_set.measures for measure_set in scenario.options}
     text = text_of("measures", cells.get("measures"), 1000)
     if text is None:
         return {NO_MEASURE: (), **{name: _ordered(measures) for name, measures in named.items()}}

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import IntensityMeasure
     from stayput.inventory.shakemap import GroundLevel, ShakeMap
-    from stayput.motion.suites import Suite
+    from stayput.motion.suites.suite import Suite
     from stayput.scenario.tables import BuildingTable
 
     Changed = Callable[[Mapping[str, Any], Path], Mapping[str, Any]]

@@ -44,17 +44,6 @@ class GelMats(UnderTheBase):
     """
 
     kind: ClassVar[str] = "gel_mats"
-    label: ClassVar[tuple[str, str]] = ("Adhesive gel mats", "耐震ゲルマット（粘着マット式）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Sticky gel under the corners holds the base down and sideways; it tears off for good where pull "
-            "and shear together exceed its bond, which dust, rough floors and age weaken."
-        ),
-        (
-            "四隅の粘着ゲルで底面を床に留めるが、引きはがす力とずれの力が粘着力を超えるとはがれて元に戻らず、"
-            "ほこりや凹凸、劣化で弱くなる。"
-        ),
-    )
 
     rating: float = parameter(
         1e4,
@@ -171,17 +160,6 @@ class WedgeStopper(UnderTheBase):
     """
 
     kind: ClassVar[str] = "wedge_stopper"
-    label: ClassVar[tuple[str, str]] = ("Wedge stopper", "ストッパー式（くさび）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "A rubber wedge under the front edge leans the piece back towards the wall; it only shifts the "
-            "balance by about a degree, so strong shaking tips the piece all the same."
-        ),
-        (
-            "前下部にくさび状のゴムを挟んで家具を壁側へわずかに傾けるが、傾きは1度ほどなので強い揺れでは倒れ"
-            "る。"
-        ),
-    )
 
     thickness: float = parameter(
         0.007, "m", 5e-4, 0.1, ("thickness at the front edge", "前端の厚さ"), decides=True

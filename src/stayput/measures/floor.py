@@ -96,14 +96,6 @@ class AntiSlipSheet(OtherFriction):
     """
 
     kind: ClassVar[str] = "anti_slip_sheet"
-    label: ClassVar[tuple[str, str]] = ("Anti-slip sheet", "滑り止めシート")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Rubber under the base keeps the piece from sliding; it does not keep it from tipping, and a "
-            "tall piece that can no longer slide may tip sooner."
-        ),
-        "底面のゴムで滑りを防ぐが、転倒は防げず、背の高い家具では滑れないぶん早く倒れることがある。",
-    )
 
     on_soft_floor: ClassVar[str] = "measures.rubber_slips"
     static_friction: float = static_of("rubber pad")
@@ -127,14 +119,6 @@ class FeltGlides(OtherFriction):
 
     kind: ClassVar[str] = "felt_glides"
     base: ClassVar[str | None] = "feet"
-    label: ClassVar[tuple[str, str]] = ("Felt glides", "フェルトパッド")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Felt under the base lets the piece slide before it tips; it then wanders and may hit what "
-            "stands near."
-        ),
-        "底面のフェルトで滑りやすくして転倒を避けるが、家具が移動し、周囲の物にぶつかることがある。",
-    )
 
     on_soft_floor: ClassVar[str] = "measures.glides_stick"
     static_friction: float = static_of("felt on wood")
@@ -157,17 +141,6 @@ class SlidingGlides(OtherFriction):
 
     kind: ClassVar[str] = "sliding_glides"
     base: ClassVar[str | None] = "feet"
-    label: ClassVar[tuple[str, str]] = ("Sliding glides (PTFE)", "すべりパッド（フッ素樹脂）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "PTFE under the base lets the piece slide at a small force, so that it does not tip; it travels "
-            "far and may hit what stands near."
-        ),
-        (
-            "底面のフッ素樹脂で小さな力でも滑らせて転倒を避けるが、大きく移動し、周囲の物にぶつかることがある"
-            "。"
-        ),
-    )
 
     on_soft_floor: ClassVar[str] = "measures.glides_stick"
     static_friction: float = static_of("PTFE glide")
@@ -191,14 +164,6 @@ class FreeCasters(OtherFriction):
 
     kind: ClassVar[str] = "free_casters"
     base: ClassVar[str | None] = "feet"
-    label: ClassVar[tuple[str, str]] = ("Casters, free", "キャスター（ロックなし）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Rolling casters hardly pass the shaking on, so the piece does not tip; it rolls far and hits "
-            "what stands near."
-        ),
-        "キャスターが転がって揺れが伝わりにくく倒れにくいが、大きく動き回り、周囲の物に衝突する。",
-    )
 
     static_friction: float = static_of("free caster, hard floor")
     kinetic_friction: float = kinetic_of("free caster, hard floor")
@@ -227,17 +192,6 @@ class LockedCasters(OtherFriction):
 
     kind: ClassVar[str] = "locked_casters"
     base: ClassVar[str | None] = "feet"
-    label: ClassVar[tuple[str, str]] = ("Casters, locked", "キャスター（ロックあり）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Locked casters that hold slide like feet; in shake-table tests of hospital equipment, locking "
-            "did not always lessen how far it moved, and a piece that tips under shaking tips on them too."
-        ),
-        (
-            "ロックが効けば転がらず脚のように滑るだけになるが、医療機器の振動台実験では移動量が必ずしも減らず、"
-            "強い揺れでの転倒も防げない。"
-        ),
-    )
 
     surface: ClassVar[str] = LOCKED_CASTER
     static_friction: float = static_of(LOCKED_CASTER)
@@ -265,17 +219,6 @@ class BaseIsolator(OtherFriction):
     """
 
     kind: ClassVar[str] = "base_isolator"
-    label: ClassVar[tuple[str, str]] = ("Furniture base isolator", "家具用免震装置")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "The piece stands on a tray that slides easily, so that little shaking reaches it; where the "
-            "floor moves more than the stroke, the stops hit and may tip it."
-        ),
-        (
-            "滑りやすい台に載せて揺れを伝えにくくするが、床の動きが可動範囲を超えるとストッパーに当たり、倒れ"
-            "ることがある。"
-        ),
-    )
     static_friction: float = parameter(0.05, "", *FRICTION_RANGE, STATIC, decides=True)
     kinetic_friction: float = parameter(0.04, "", *FRICTION_RANGE, KINETIC, decides=True)
     stroke: float = parameter(0.1, "m", 1e-3, 5.0, ("stroke to either side", "片側の可動範囲"), decides=True)

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from stayput.catalogue import LANGUAGES, Phrase, is_phrase, phrase, say
+from stayput.catalogue import TEXTS, Phrase, is_phrase, phrase
 from stayput.errors import InputError, instance_of, list_of
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
-from stayput.model.parameters import GIVEN, Parameter, parameter, parameters
+from stayput.model.parameters import GIVEN, check_fields, parameter, parameter_of
 from stayput.model.room import Room, Wall
 from stayput.uncertainty import Confidence
 
@@ -62,23 +62,6 @@ def choice(
 ) -> Any:
     """Return the field of a measure for one of several words."""
     return parameter(default, "", 0.0, 0.0, label, confidence=confidence, choices=choices)
-
-
-def check(about: Parameter, value: Any, measure: Phrase) -> None:
-    """Refuse a value that a parameter cannot have.
-
-    Raises
-    ------
-    InputError
-        Not one of the words, not a number, out of range, or not whole where it counts something.
-    """
-    name = phrase("measures.parameter", measure=measure, name=(about.name, about.label[1]))
-    if not about.choices:
-        if value is not None or about.default is not None:
-            about.check(value, called=name)
-    elif value not in about.choices:
-        words = tuple(say("measures.or", lang).join(map(repr, about.choices)) for lang in LANGUAGES)
-        raise InputError("measures.wrong_word", about.name, name=name, value=repr(value), words=words)
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,6 +166,8 @@ class Measure(ABC):
     """Whether it takes holes in a wall."""
 
     def __init_subclass__(cls) -> None:
+        if "label" not in cls.__dict__ and f"measures.{cls.__dict__.get('kind')}_about" in TEXTS:
+            cls.label, cls.about = phrase(f"measures.{cls.kind}"), phrase(f"measures.{cls.kind}_about")
         # beside an exception for users' own classes: what is missing would come up after all computing
         if not is_phrase(getattr(cls, "label", ("", ""))) or not isinstance(getattr(cls, "kind", ""), str):
             raise InputError("measures.own_class", "label", name=cls.__name__)
@@ -190,8 +175,13 @@ class Measure(ABC):
     def __post_init__(self) -> None:
         if not hasattr(self, "kind") or not hasattr(self, "label"):
             raise InputError("measures.own_class", "label", name=type(self).__name__)
-        for about in parameters(self):
-            check(about, getattr(self, about.name), self.label)
+        check_fields(self, owner=self.label)
+
+    def check_most(self, name: str, most: float) -> None:
+        """Refuse a parameter above what the piece allows."""
+        about = parameter_of(self, name)
+        called = phrase("model.field_of", owner=self.label, name=(name, about.label[1]))
+        about.check(getattr(self, name), called=called, bounds=(min(about.low, most), most))
 
     def where(self) -> Phrase | None:
         """Return the place where only one measure can be, or None if it takes up none."""

@@ -51,14 +51,6 @@ class AgainstWall(OtherGap):
     """
 
     kind: ClassVar[str] = "against_wall"
-    label: ClassVar[tuple[str, str]] = ("Moved against the wall", "壁に寄せる")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Against the wall the piece cannot rock back, which often keeps the rocking from building up; it "
-            "can still fall forwards."
-        ),
-        "壁に寄せると後ろへ揺れないため揺れが大きくなりにくいが、手前への転倒は防げない。",
-    )
 
     gap: float = parameter(0.0, "m", 0.0, 10.0, GAP)
 
@@ -80,14 +72,6 @@ class AwayFromWall(OtherGap):
     """
 
     kind: ClassVar[str] = "away_from_wall"
-    label: ClassVar[tuple[str, str]] = ("Moved away from the wall", "壁から離す")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Away from the wall the piece does not bounce off it towards the room; nothing limits its "
-            "rocking then."
-        ),
-        "壁から離すと壁に当たってはね返ることはないが、揺れを止めるものもなくなる。",
-    )
 
     gap: float = parameter(0.3, "m", 0.0, 10.0, GAP)
 
@@ -135,14 +119,6 @@ class Ballast(Measure):
     """
 
     kind: ClassVar[str] = "ballast"
-    label: ClassVar[tuple[str, str]] = ("Ballast at the bottom", "底部のおもり")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Extra mass near the base lowers the centre of gravity, so that it takes more to tip the piece; "
-            "it ties nothing down, and strong shaking tips it all the same."
-        ),
-        "底近くにおもりを足して重心を下げ、倒れにくくするが、固定するわけではないので強い揺れでは倒れる。",
-    )
     acts_on: ClassVar[str] = "the body"
 
     mass: float = parameter(20.0, "kg", 0.01, 1e5, ("mass", "質量"))
@@ -150,10 +126,7 @@ class Ballast(Measure):
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with the mass across its width."""
-        if self.height > body.height:
-            raise InputError(
-                "measures.height", "height", measure=self.label, height=self.height, most=body.height
-            )
+        self.check_most("height", body.height)
         return Held(with_mass(body, self.mass, self.height, (body.width, 0.0)), room, (), (self,))
 
 
@@ -173,14 +146,6 @@ class LowerShelves(Measure):
     """
 
     kind: ClassVar[str] = "lower_shelves"
-    label: ClassVar[tuple[str, str]] = ("Heavy things on the lower shelves", "重い物を下段に収納")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Heavy things moved from the upper half to the lower one lower the centre of gravity; it costs "
-            "nothing, and holds nothing once the piece is lifted off its edge far enough."
-        ),
-        "重い物を上段から下段へ移して重心を下げるもので、費用はかからないが、固定の代わりにはならない。",
-    )
     acts_on: ClassVar[str] = "the body"
 
     share: float = parameter(0.2, "", 0.0, 0.45, ("part of the mass that is moved", "移す質量の割合"))

@@ -52,17 +52,6 @@ class TensionPole(Measure):
     """
 
     kind: ClassVar[str] = "tension_pole"
-    label: ClassVar[tuple[str, str]] = ("Tension poles", "ポール式（突っ張り棒）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Poles jammed against the ceiling press the piece down; they drop out when the ceiling gives "
-            "way, the top moves away from it, or they lean too far."
-        ),
-        (
-            "天井との間に突っ張って家具を押さえるが、天井が弱くてへこんだり、上部が離れて緩んだり、傾いたりす"
-            "ると脱落する。"
-        ),
-    )
 
     count: int = parameter(2, "", 1, 20, ("number of poles", "本数"))
     preload: float = parameter(150.0, "N", 1.0, 1e4, ("preload of one", "1本の突っ張り力"), decides=True)
@@ -160,10 +149,7 @@ class TensionPole(Measure):
             if self.ceiling_height is None:
                 raise InputError("measures.no_ceiling", "room.ceiling", measure=self.label)
             room = replace(room, ceiling=Ceiling(self.ceiling_height))
-        if self.setback > body.width:
-            raise InputError(
-                "measures.setback", "setback", measure=self.label, setback=self.setback, width=body.width
-            )
+        self.check_most("setback", body.width)
         assert room.ceiling is not None
         point = (-body.width / 2 + self.setback, body.height)
         space = room.ceiling.height - at_rest(body, point)[1]

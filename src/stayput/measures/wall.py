@@ -186,14 +186,6 @@ class LBracket(Bracket):
     """
 
     kind: ClassVar[str] = "l_bracket"
-    label: ClassVar[tuple[str, str]] = ("Screwed L-brackets", "L型金具（ねじ留め）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Brackets screwed to the top and to the wall tie the piece to it; they fail where the "
-            "screws are drawn out, sooner with the bracket below the edge and its screws pointing up."
-        ),
-        ("家具の上部と壁をL型金具でねじ留めするが、ねじが引き抜けると効かなくなり、上向きの取付けは弱い。"),
-    )
 
     screws: str = choice("down", ("down", "up"), ("direction of the screws", "ねじの向き"))
     upward_strength: float = parameter(
@@ -228,17 +220,6 @@ class LBracketInBoard(Bracket):
     """
 
     kind: ClassVar[str] = "l_bracket_board"
-    label: ClassVar[tuple[str, str]] = ("L-brackets in gypsum board", "L型金具（石こうボードに固定）")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Brackets on anchors in gypsum board look the same as those in studs, but each holds a pull of "
-            "only about 300 N and then comes out of the board without warning."
-        ),
-        (
-            "下地のない石こうボードに留めたL型金具は、見た目は同じでも1個あたり約300 Nの引張りにしか耐えず、"
-            "超えると前触れなく抜ける。"
-        ),
-    )
 
     wall: str = other_default("plasterboard", WallDevice, "wall")
 
@@ -277,10 +258,7 @@ class Tie(WallDevice):
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the wall."""
         wall = wall_behind(self, room)
-        if self.setback > body.width:
-            raise InputError(
-                "measures.setback", "setback", measure=self.label, setback=self.setback, width=body.width
-            )
+        self.check_most("setback", body.width)
         point = (-body.width / 2 + self.setback, self.height * body.height)
         x, z = at_rest(body, point)
         away = x - _left(body) + wall.gap
@@ -321,17 +299,6 @@ class Belt(Tie):
     """
 
     kind: ClassVar[str] = "belt"
-    label: ClassVar[tuple[str, str]] = ("Belts", "ベルト式")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Belts to the wall stop the piece once they are taut; they act only in tension, and a jerk after "
-            "slack may tear them or their anchors."
-        ),
-        (
-            "壁とつないだベルトが張ると転倒を止めるが、引張りにしか効かず、たるみがあると急な力で破損または脱"
-            "落することがある。"
-        ),
-    )
 
     itself: ClassVar[Link] = BELT
 
@@ -354,17 +321,6 @@ class Chain(Tie):
     """
 
     kind: ClassVar[str] = "chain"
-    label: ClassVar[tuple[str, str]] = ("Chains", "チェーン式")
-    about: ClassVar[tuple[str, str]] = (
-        (
-            "Chains to the wall stop the piece once they are taut; they are usually slack, and the jerk "
-            "bends their hooks open or tears their screws out."
-        ),
-        (
-            "壁とつないだチェーンが張ると転倒を止めるが、たるみやすく、急な力でフックが伸びたりねじが抜けたり"
-            "する。"
-        ),
-    )
 
     itself: ClassVar[Link] = CHAIN
 

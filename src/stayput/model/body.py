@@ -80,7 +80,7 @@ class Body(Shapes, Brief):
     Parameters
     ----------
     width : float
-        Base length b along the shaking [m] (a bookcase's *depth*).
+        Base length b along the shaking [m]: of a bookcase, its *depth*.
     height : float
         Height h [m].
     mass : float
@@ -89,7 +89,8 @@ class Body(Shapes, Brief):
         Offset (e_x, e_z) of the centre of gravity G from the centroid [m], + right, + up.
         G must lie inside the section.
     inertia : float, optional
-        Moment of inertia J_G about G [kg m²]; default m(b²+h²)/12, the uniform rectangle's.
+        Moment of inertia J_G about the centre of gravity [kg m²]; default m(b²+h²)/12, the uniform
+        rectangle's.
     base_heights : tuple of float
         Height of the left and the right base corner in the body's own frame [m]. (0, 0) is a flat
         base; a wedge of 5 mm under the right (front) edge is (0, −0.005): the body then rests
@@ -98,8 +99,8 @@ class Body(Shapes, Brief):
         Distance of the left and the right base corner from the side face above it [m]: feet, casters or a
         plinth stand inside the outline of the piece.
     length : float, optional
-        Length across the shaking [m] (a bookcase's *width*). Nothing in the plane depends on it; in space the
-        body is a box with it.
+        Length across the shaking [m]: of a bookcase, its *width*. Nothing in the plane depends on it; in
+        space the body is a box with it.
     base : str
         What bears on the floor, with which friction resists turning in plan: "flat", the whole base; "edges",
         its outline (a plinth, side boards); "feet", its corners (feet, casters). Nothing in the plane depends
@@ -124,55 +125,19 @@ class Body(Shapes, Brief):
     [2.52, 1.68]
     """
 
-    width: float = field(
-        metadata=quantity(
-            *_SIZE, ("Body width", "家具の奥行き"), "Depth of the piece, which lies along the shaking."
-        )
-    )
-    height: float = field(metadata=quantity(*_SIZE, ("Body height", "家具の高さ"), "Height."))
-    mass: float = field(metadata=quantity(*_MASS, ("Body mass", "家具の質量"), "Mass."))
+    width: float = field(metadata=quantity(*_SIZE, ("Body width", "家具の奥行き")))
+    height: float = field(metadata=quantity(*_SIZE, ("Body height", "家具の高さ")))
+    mass: float = field(metadata=quantity(*_MASS, ("Body mass", "家具の質量")))
     cg_offset: tuple[float, float] = parameter(
-        (0.0, 0.0),
-        *_OFFSET,
-        ("Body cg_offset", "重心のずれ（cg_offset）"),
-        "Offset of the centre of gravity from the centroid, to the right and up.",
+        (0.0, 0.0), *_OFFSET, ("Body cg_offset", "重心のずれ（cg_offset）")
     )
-    inertia: float | None = parameter(
-        None,
-        "kg m²",
-        1e-12,
-        1e12,
-        ("Body inertia", "家具の慣性モーメント"),
-        "Moment of inertia about the centre of gravity; default the uniform rectangle's.",
-    )
-    base_heights: tuple[float, float] = parameter(
-        (0.0, 0.0),
-        *_OFFSET,
-        ("Body base height", "底の角の高さ"),
-        "Height of the left and the right base corner.",
-    )
+    inertia: float | None = parameter(None, "kg m²", 1e-12, 1e12, ("Body inertia", "家具の慣性モーメント"))
+    base_heights: tuple[float, float] = parameter((0.0, 0.0), *_OFFSET, ("Body base height", "底の角の高さ"))
     base_insets: tuple[float, float] = parameter(
-        (0.0, 0.0),
-        *_OFFSET,
-        ("Body base inset", "底の角の内側への距離"),
-        "Distance of the left and the right base corner from the side face above it.",
+        (0.0, 0.0), *_OFFSET, ("Body base inset", "底の角の内側への距離")
     )
-    length: float | None = parameter(
-        None,
-        *_SIZE,
-        ("Body length", "家具の幅（length）"),
-        "Length of the piece across the shaking; nothing in the plane depends on it.",
-    )
-    base: str = parameter(
-        BASES[0],
-        "",
-        0.0,
-        0.0,
-        ("Base", "底面"),
-        "What bears on the floor: the whole base, its edges (plinth, side boards), or feet at its corners. "
-        "In space friction resists turning in plan by it.",
-        choices=BASES,
-    )
+    length: float | None = parameter(None, *_SIZE, ("Body length", "家具の幅（length）"))
+    base: str = parameter(BASES[0], "", 0.0, 0.0, ("Base", "底面"), choices=BASES)
     shape: Solid | None = None
 
     def __post_init__(self) -> None:

@@ -68,10 +68,8 @@ PLACES: dict[str, PlacePreset] = {
 }
 """Places by kind: conventions of this program, to be changed."""
 
-_ALONG = quantity(
-    "m", 0.0, ROOM_SIZE[1], ("start", "始まり"), "From the corner where the wall begins, at the lower x or y."
-)
-_OPENING = quantity("m", 0.1, 20.0, ("width", "幅"), "Clear width.")
+_ALONG = quantity("m", 0.0, ROOM_SIZE[1], ("start", "始まり"))
+_OPENING = quantity("m", 0.1, 20.0, ("width", "幅"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,8 +80,10 @@ class Door:
     ----------
     wall : str
         Its wall, as a field of `stayput.Room`.
-    start, width : float
-        Where it begins along the wall, at the lower x or y, and how wide it is [m].
+    start : float
+        Where it begins along the wall, from the corner at the lower x or y [m].
+    width : float
+        Clear width [m].
     hinge : str
         At which end its hinge is, of `HINGES`.
     opens : str
@@ -132,8 +132,10 @@ class Window:
     ----------
     wall : str
         Its wall, as a field of `stayput.Room`.
-    start, width : float
-        Where it begins along the wall, at the lower x or y, and how wide it is [m].
+    start : float
+        Where it begins along the wall, from the corner at the lower x or y [m].
+    width : float
+        Clear width [m].
     sill : float
         Height of its lower edge [m].
 
@@ -152,16 +154,16 @@ class Window:
     wall: str
     start: float = field(metadata=_ALONG)
     width: float = field(metadata=_OPENING)
-    sill: float = parameter(0.8, "m", 0.0, 10.0, ("sill", "窓の下端の高さ"), "Height of its lower edge.")
+    sill: float = parameter(0.8, "m", 0.0, 10.0, ("sill", "窓の下端の高さ"))
 
     def __post_init__(self) -> None:
         word_of("rooms.wall", self.wall, WALLS_AROUND, "wall")
         check_fields(self)
 
 
-_SIDE = quantity("m", 0.1, 20.0, ("side", "辺の長さ"), "Side.")
-_HEIGHT = quantity("m", 0.0, 10.0, ("height", "高さ"), "Height above the floor.")
-_SHARE = quantity("", 0.0, 1.0, ("share", "割合"), "Share of the time in which somebody is there.")
+_SIDE = quantity("m", 0.1, 20.0, ("side", "辺の長さ"))
+_HEIGHT = quantity("m", 0.0, 10.0, ("height", "高さ"))
+_SHARE = quantity("", 0.0, 1.0, ("share", "割合"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -207,9 +209,7 @@ class PersonPlace:
     length: float = field(metadata=_SIDE)
     low: float = field(metadata=_HEIGHT)
     high: float = field(metadata=_HEIGHT)
-    heading: float = parameter(
-        0.0, "rad", -2.0 * math.pi, 2.0 * math.pi, ("heading", "向き"), "Turn from x towards y."
-    )
+    heading: float = parameter(0.0, "rad", -2.0 * math.pi, 2.0 * math.pi, ("heading", "向き"))
     day: float = field(default=1.0, metadata=_SHARE)
     night: float = field(default=1.0, metadata=_SHARE)
     blocks: bool = False
@@ -282,7 +282,7 @@ class FloorPlan:
     doors: Sequence[Door] = ()
     windows: Sequence[Window] = ()
     places: Sequence[PersonPlace] = ()
-    walls: str = made_of(WALLS, ("Wall construction", "壁の下地"), "What devices on the walls are fixed to.")
+    walls: str = made_of(WALLS, ("Wall construction", "壁の下地"))
 
     def __post_init__(self) -> None:
         for name, kind in (("doors", Door), ("windows", Window), ("places", PersonPlace)):

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import dataclasses
 import inspect
+import re
 from dataclasses import MISSING, dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack, cast
 
-from stayput.errors import InputError, whole_within, within
+from stayput.catalogue import phrase
+from stayput.errors import whole_within, within, word_of
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
@@ -51,7 +53,7 @@ class Parameter:
     label : Phrase
         What it is called, in English and Japanese.
     meaning : str
-        What it is, in one sentence for the documentation; "" where the label says it.
+        What it is: the beginning of what the docstring says of it; "" where the label says it.
     confidence : Confidence
         How well founded the default is.
     choices : tuple of str
@@ -130,18 +132,14 @@ class _More(TypedDict, total=False):
     counts: bool
 
 
-def quantity(
-    unit: str, low: float, high: float, label: Phrase, meaning: str = "", **more: Unpack[_More]
-) -> dict[str, Any]:
+def quantity(unit: str, low: float, high: float, label: Phrase, **more: Unpack[_More]) -> dict[str, Any]:
     """Return what is known of a number, as the metadata of a field without a default; see `Parameter`."""
-    return {"unit": unit, "low": low, "high": high, "label": label, "meaning": meaning, **more}
+    return {"unit": unit, "low": low, "high": high, "label": label, **more}
 
 
-def parameter(
-    default: Any, unit: str, low: float, high: float, label: Phrase, meaning: str = "", **more: Unpack[_More]
-) -> Any:
+def parameter(default: Any, unit: str, low: float, high: float, label: Phrase, **more: Unpack[_More]) -> Any:
     """Return the field of a number with a default; an int takes whole numbers only. See `Parameter`."""
-    return dataclasses.field(default=default, metadata=quantity(unit, low, high, label, meaning, **more))
+    return dataclasses.field(default=default, metadata=quantity(unit, low, high, label, **more))
 
 
 def other_default(default: Any, kind: Any, name: str) -> Any:
@@ -161,8 +159,9 @@ def arguments(**about: Mapping[str, Any]) -> Callable[[F], F]:
     def declare(function: F) -> F:
         signature = inspect.signature(function).parameters
         defaults = {name: signature[name].default for name in about}
+        empty = inspect.Parameter.empty
         function.__dict__["parameters"] = tuple(
-            Parameter(name, MISSING if default is inspect.Parameter.empty else default, **about[name])
+            _parameter(function, name, MISSING if default is empty else default, about[name])
             for name, default in defaults.items()
         )
         return function
@@ -186,7 +185,19 @@ def parameters(of: Any) -> tuple[Parameter, ...]:
 
 @cache
 def _of_fields(kind: type[Any]) -> tuple[Parameter, ...]:
-    return tuple(Parameter(f.name, f.default, **f.metadata) for f in dataclasses.fields(kind) if f.metadata)
+    fields = [field for field in dataclasses.fields(kind) if field.metadata]
+    return tuple(_parameter(kind, field.name, field.default, field.metadata) for field in fields)
+
+
+_ENTRY = re.compile(r"^(\w+(?:, \w+)*) : .*((?:\n    .+)+)", re.MULTILINE)
+_MARKS = re.compile(r"[`*]| \[[^\]]*\]")
+
+
+def _parameter(of: Any, name: str, default: Any, about: Mapping[str, Any]) -> Parameter:
+    """Return what is known of a field, with the paragraph on it in the docstring, without units and marks."""
+    entries = _ENTRY.findall(inspect.getdoc(of) or "")
+    text = next((text for names, text in entries if name in names.split(", ")), "")
+    return Parameter(name, default, **about, meaning=" ".join(_MARKS.sub("", text).split()))
 
 
 def parameter_of(of: Any, name: str) -> Parameter:
@@ -194,13 +205,9 @@ def parameter_of(of: Any, name: str) -> Parameter:
     return next(about for about in parameters(of) if about.name == name)
 
 
-def not_one_of(about: Parameter, value: object, place: str = "") -> InputError:
-    """Return the refusal of a word that is none of a field's choices; see `check_fields`."""
-    name, known = place + about.name, ", ".join(about.choices)
-    return InputError("common.not_one_of", name, name=about.label, value=repr(value), hint="", known=known)
-
-
-def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> None:
+def check_fields(
+    value: Any, *, but: Collection[str] = (), place: str = "", owner: Phrase | None = None
+) -> None:
     """Refuse a dataclass's value with a number out of its range, or a word that is none of its choices.
 
     Parameters
@@ -211,6 +218,8 @@ def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> N
         Fields that the class checks by itself: lists, and what other fields bound more narrowly.
     place : str
         What the fields' names begin with in the input, such as "isolation.".
+    owner : Phrase, optional
+        What a sentence calls the value, where its fields alone do not tell which one it is.
 
     Raises
     ------
@@ -218,13 +227,13 @@ def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> N
         The first that is.
     """
     for about in parameters(value):
-        number = getattr(value, about.name)
+        number, called, field = getattr(value, about.name), about.label, place + about.name
+        if owner is not None:
+            called = phrase("model.field_of", owner=owner, name=(about.name, about.label[1]))
         if about.choices:
-            if number not in about.choices:
-                raise not_one_of(about, number, place)
-            continue
-        if about.name not in but and not (number is None and about.default is None):
-            about.check(number, field=place + about.name)
+            word_of(called, number, about.choices, field)
+        elif about.name not in but and not (number is None and about.default is None):
+            about.check(number, called=called, field=field)
             if number is not None and hasattr(number, "dtype"):  # out of an array: kept as Python's own
                 object.__setattr__(value, about.name, number.item())
 

@@ -28,26 +28,24 @@ FRICTION_RANGE = (0.0, 1e6)
 """Smallest and largest coefficient of friction: 1e3, say, is for a body that must not slip."""
 
 
-_CORNER = "the {} base corner alone, as of a strip of rubber"
-_BASES: dict[str, tuple[Phrase, str]] = {
-    "": (("Floor", "床"), "the flat base"),
-    "edge_": (("Floor edge", "底の角"), "a single corner"),
-    "left_edge_": (("Floor left edge", "底の左の角"), _CORNER.format("left")),
-    "right_edge_": (("Floor right edge", "底の右の角"), _CORNER.format("right")),
+_BASES: dict[str, Phrase] = {
+    "": ("Floor", "床"),
+    "edge_": ("Floor edge", "底の角"),
+    "left_edge_": ("Floor left edge", "底の左の角"),
+    "right_edge_": ("Floor right edge", "底の右の角"),
 }
-"""Parts of the base with friction of their own: how the fields begin, what they are called, what they are."""
+"""Parts of the base with friction of their own: how the fields begin, and what they are called."""
 
 
 def _friction(default: float | None, base: str, kind: str) -> Any:
     """Return the field of a part of the base's static or kinetic coefficient of friction."""
-    surface, which = _BASES[base]
-    label = phrase(f"model.{kind}_friction", surface=surface)
-    return parameter(default, "", *FRICTION_RANGE, label, f"{kind.capitalize()} friction of {which}.")
+    label = phrase(f"model.{kind}_friction", surface=_BASES[base])
+    return parameter(default, "", *FRICTION_RANGE, label)
 
 
-def _restitution(default: float, label: Phrase, meaning: str) -> Any:
+def _restitution(default: float, label: Phrase) -> Any:
     """Return the field of a coefficient of restitution."""
-    return parameter(default, "", 0.0, 1.0, label, meaning)
+    return parameter(default, "", 0.0, 1.0, label)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -56,20 +54,28 @@ class Floor:
 
     Parameters
     ----------
-    static_friction, kinetic_friction : float
-        Amontons–Coulomb coefficients μ ≥ μ' of the flat base.
-    edge_static_friction, edge_kinetic_friction : float, optional
-        The same for a single corner ("rotational" in the paper, 14WCEE 2008); default the flat base's.
+    static_friction : float
+        Coefficient μ of static friction of the flat base (Amontons–Coulomb).
+    kinetic_friction : float
+        Coefficient μ' ≤ μ of kinetic friction of the flat base.
+    edge_static_friction : float, optional
+        Static friction of a single corner ("rotational" in the paper, 14WCEE 2008); default the flat base's.
+    edge_kinetic_friction : float, optional
+        Kinetic friction of a single corner; default the flat base's.
     restitution : float
         Factor e on the rotation rate at a change of fulcrum, on top of the momentum balance (the paper's
         Eq. 3.14); 1 is Housner's.
     normal_restitution : float
         Newton's restitution e_n of a landing corner (``contact="coulomb"`` only); 0 is plastic.
-    left_edge_static_friction, left_edge_kinetic_friction : float, optional
-        Coefficients of the left base corner alone, as of a strip of rubber under it; it has them flat or
+    left_edge_static_friction : float, optional
+        Static friction of the left base corner alone, as of a strip of rubber under it; it has that flat or
         tipped. Default: as the other corner's.
-    right_edge_static_friction, right_edge_kinetic_friction : float, optional
-        The same for the right base corner.
+    left_edge_kinetic_friction : float, optional
+        Kinetic friction of the left base corner alone.
+    right_edge_static_friction : float, optional
+        Static friction of the right base corner alone.
+    right_edge_kinetic_friction : float, optional
+        Kinetic friction of the right base corner alone.
     landing_place : float
         ξ, where a landing pushes, as a part of the way from below the centre of gravity to the corner: 1 is
         the corner itself, Housner's; a flat base lands over a region, and loses less (Kalliontzis, Sritharan
@@ -101,36 +107,14 @@ class Floor:
     kinetic_friction: float = _friction(0.3, "", "kinetic")
     edge_static_friction: float | None = _friction(None, "edge_", "static")
     edge_kinetic_friction: float | None = _friction(None, "edge_", "kinetic")
-    restitution: float = _restitution(
-        1.0,
-        ("Floor restitution", "床の反発係数"),
-        "Factor on the rotation rate at a change of fulcrum; 1: Housner.",
-    )
-    normal_restitution: float = _restitution(
-        0.0,
-        ("Floor normal restitution", "床の鉛直方向の反発係数"),
-        "Newton's restitution of a landing corner.",
-    )
+    restitution: float = _restitution(1.0, ("Floor restitution", "床の反発係数"))
+    normal_restitution: float = _restitution(0.0, ("Floor normal restitution", "床の鉛直方向の反発係数"))
     left_edge_static_friction: float | None = _friction(None, "left_edge_", "static")
     left_edge_kinetic_friction: float | None = _friction(None, "left_edge_", "kinetic")
     right_edge_static_friction: float | None = _friction(None, "right_edge_", "static")
     right_edge_kinetic_friction: float | None = _friction(None, "right_edge_", "kinetic")
-    landing_place: float = parameter(
-        1.0,
-        "",
-        0.0,
-        1.0,
-        ("Floor landing place", "着地の力の位置"),
-        "Where a landing pushes, as a part of half the base; 1: at the corner, Housner.",
-    )
-    settlement: float = parameter(
-        0.0,
-        "m",
-        0.0,
-        MOST_SETTLEMENT,
-        ("Floor settlement", "床の沈み込み"),
-        "How far a flat base sinks in under the piece at rest; 0: a rigid floor.",
-    )
+    landing_place: float = parameter(1.0, "", 0.0, 1.0, ("Floor landing place", "着地の力の位置"))
+    settlement: float = parameter(0.0, "m", 0.0, MOST_SETTLEMENT, ("Floor settlement", "床の沈み込み"))
     surface: str = field(default="", compare=False)
 
     def __repr__(self) -> str:
@@ -144,7 +128,7 @@ class Floor:
             word_of("model.surface", self.surface, SURFACES, "surface")
         flat, edge = (self.static_friction, self.kinetic_friction), self.edge_friction
         each = (flat, edge, self._own("left_edge_", edge), self._own("right_edge_", edge))
-        for (base, (called, _)), (static, kinetic) in zip(_BASES.items(), each, strict=True):
+        for (base, called), (static, kinetic) in zip(_BASES.items(), each, strict=True):
             if kinetic > static:
                 name = f"{base}kinetic_friction"
                 raise InputError(
@@ -250,9 +234,9 @@ CEILINGS = ("joist", "plasterboard", "dropped", "concrete")
 """What a pole may push against: plasterboard is that between the joists, a dropped ceiling hangs on wires."""
 
 
-def made_of(choices: tuple[str, ...], label: Phrase, meaning: str) -> Any:
+def made_of(choices: tuple[str, ...], label: Phrase) -> Any:
     """Return the field of what a surface is made of."""
-    return parameter(choices[0], "", 0.0, 0.0, label, meaning, choices=choices)
+    return parameter(choices[0], "", 0.0, 0.0, label, choices=choices)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -280,18 +264,10 @@ class Wall(Brief):
     0.2 overturned
     """
 
-    gap: float = field(
-        metadata=quantity(
-            "m", 0.0, 1e4, ("Wall gap", "壁とのすき間"), "Clear distance from the body's side to the wall."
-        )
-    )
-    restitution: float = _restitution(0.3, ("Wall restitution", "壁の反発係数"), "Wall collision factor.")
-    friction: float = parameter(
-        0.3, "", *FRICTION_RANGE, ("Wall friction", "壁の摩擦係数"), "Friction of a corner on the wall."
-    )
-    construction: str = made_of(
-        WALLS, ("Wall construction", "壁の下地"), "What devices on the wall are fixed to."
-    )
+    gap: float = field(metadata=quantity("m", 0.0, 1e4, ("Wall gap", "壁とのすき間")))
+    restitution: float = _restitution(0.3, ("Wall restitution", "壁の反発係数"))
+    friction: float = parameter(0.3, "", *FRICTION_RANGE, ("Wall friction", "壁の摩擦係数"))
+    construction: str = made_of(WALLS, ("Wall construction", "壁の下地"))
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -305,8 +281,10 @@ class Ceiling(Brief):
     ----------
     height : float
         Height above the floor [m].
-    restitution, friction : float
-        As for `Wall`.
+    restitution : float
+        Ceiling collision factor.
+    friction : float
+        Coefficient of friction of a corner on the ceiling, static and kinetic alike.
     construction : str
         What poles push against, of `CEILINGS`; it changes nothing else.
 
@@ -321,18 +299,10 @@ class Ceiling(Brief):
     rocked
     """
 
-    height: float = field(
-        metadata=quantity("m", 1e-3, 1e4, ("Ceiling height", "天井の高さ"), "Height above the floor.")
-    )
-    restitution: float = _restitution(0.3, ("Ceiling restitution", "天井の反発係数"), "Collision factor.")
-    friction: float = parameter(
-        0.3,
-        "",
-        *FRICTION_RANGE,
-        ("Ceiling friction", "天井の摩擦係数"),
-        "Friction of a corner on the ceiling.",
-    )
-    construction: str = made_of(CEILINGS, ("Ceiling construction", "天井の下地"), "What poles push against.")
+    height: float = field(metadata=quantity("m", 1e-3, 1e4, ("Ceiling height", "天井の高さ")))
+    restitution: float = _restitution(0.3, ("Ceiling restitution", "天井の反発係数"))
+    friction: float = parameter(0.3, "", *FRICTION_RANGE, ("Ceiling friction", "天井の摩擦係数"))
+    construction: str = made_of(CEILINGS, ("Ceiling construction", "天井の下地"))
 
     def __post_init__(self) -> None:
         check_fields(self)

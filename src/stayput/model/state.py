@@ -22,11 +22,15 @@ class State(Brief):
 
     Parameters
     ----------
-    tilt, tilt_rate : float
-        Tilt from the position of rest, + to the right, and its rate [rad, rad/s]; the body turns about
-        the corner on the side it tilts to.
-    slide, slide_rate : float
-        Displacement of that corner from its place at rest, and its rate [m, m/s].
+    tilt : float
+        Tilt from the position of rest [rad], + to the right; the body turns about the corner on the side it
+        tilts to.
+    tilt_rate : float
+        Rate of the tilt [rad/s].
+    slide : float
+        Displacement of that corner from its place at rest [m], + to the right.
+    slide_rate : float
+        Rate of the slide [m/s].
 
     Raises
     ------
@@ -43,14 +47,10 @@ class State(Brief):
     [0.59, 1.35, 1.94, 2.41, 2.79]
     """
 
-    tilt: float = parameter(0.0, "rad", -1.57, 1.57, ("Initial tilt", "初期の傾き"), "Tilt, + right.")
-    tilt_rate: float = parameter(
-        0.0, "rad/s", -1e3, 1e3, ("Initial tilt rate", "初期の傾きの角速度"), "Tilt rate."
-    )
-    slide: float = parameter(0.0, "m", -1e3, 1e3, ("Initial slide", "初期の移動量"), "Slide, + right.")
-    slide_rate: float = parameter(
-        0.0, "m/s", -1e3, 1e3, ("Initial slide rate", "初期の移動速度"), "Slide rate."
-    )
+    tilt: float = parameter(0.0, "rad", -1.57, 1.57, ("Initial tilt", "初期の傾き"))
+    tilt_rate: float = parameter(0.0, "rad/s", -1e3, 1e3, ("Initial tilt rate", "初期の傾きの角速度"))
+    slide: float = parameter(0.0, "m", -1e3, 1e3, ("Initial slide", "初期の移動量"))
+    slide_rate: float = parameter(0.0, "m/s", -1e3, 1e3, ("Initial slide rate", "初期の移動速度"))
 
     def __post_init__(self) -> None:
         check_fields(self)

@@ -85,8 +85,9 @@ class Outcomes:
         """Join the samples of several batches."""
         if len(parts) == 1:
             return parts[0]
-        names = [field.name for field in fields(cls)]
-        return cls(*(np.concatenate([getattr(part, name) for part in parts], axis=1) for name in names))
+        columns = {field.name: [getattr(part, field.name) for part in parts] for field in fields(cls)}
+        stated = {name: values for name, values in columns.items() if values[0] is not None}
+        return cls(**{name: np.concatenate(values, axis=1) for name, values in stated.items()})
 
     def probability_of_overturning(self) -> Probability:
         """Return the probability of overturning."""

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from stayput.mechanics.runner import Shaking
     from stayput.motion import Motion
-    from stayput.motion.suites import Suite
+    from stayput.motion.suites.suite import Suite
     from stayput.scenario import Scenario
     from stayput.scenario.tables import BuildingTable
     from stayput.simulation.space_engine import SpaceShaking

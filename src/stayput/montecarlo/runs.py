@@ -22,7 +22,7 @@ from stayput.montecarlo.counting import Outcomes
 from stayput.simulation.many import run_columns, run_rows
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Runs(Outcomes):
-    """Outcomes of the body and of its devices.
+    """Outcomes of one piece or several with one option, and of their devices.
 
     Parameters
     ----------
@@ -41,12 +41,24 @@ class Runs(Outcomes):
     used : ndarray, shape (motions, samples, elements)
         Utilisation of each device: its largest peak force over its strength.
     masses : ndarray, shape (motions, samples)
-        Mass of the body [kg].
+        By what forces are multiplied: the mass of the body [kg], or 1 where they are in newtons.
+    results : ndarray of RESULT, shape (motions, samples, bodies), optional
+        What became of each of several pieces; of those that count together any overturned or hit a wall, and
+        slide and tilt are the largest of theirs.
     """
 
     devices: NDArray[np.void]
     used: NDArray[np.float64]
     masses: NDArray[np.float64]
+    results: NDArray[np.void] | None = None
+
+    def of_bodies(self) -> Iterator[Outcomes]:
+        """Yield the outcomes of each of the pieces."""
+        if self.results is None:
+            yield self
+            return
+        for results in np.moveaxis(self.results, -1, 0):
+            yield Outcomes.of(results, self.device_failed)
 
 
 def run_level(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -15,7 +15,7 @@ from stayput.measures.wall import REACH
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, HOLDS
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
-from stayput.montecarlo.counting import Outcomes
+from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor, drawn_place, drawn_surfaces
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
@@ -24,7 +24,7 @@ from stayput.simulation.space_engine import STEP, SpaceShaking
 from stayput.uncertainty import QUANTITIES, Uncertainty, Uniform
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator, Sequence
+    from collections.abc import Callable, Collection, Sequence
 
     from numpy.typing import NDArray
 
@@ -171,32 +171,6 @@ def _drawn_room(scene: Scene, draw: Draw) -> Room:
     return drawn_surfaces(drawn, draw)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class RunsOfSeveral(Outcomes):
-    """Outcomes of several pieces with one option, over motions and samples; of those that count together.
-
-    Any of them overturned, hit a wall; slide and tilt are the largest of theirs.
-
-    Parameters
-    ----------
-    results : ndarray of RESULT, shape (motions, samples, bodies)
-        What became of each.
-    devices : ndarray of DEVICE, shape (motions, samples, devices)
-        What became of each device and joint, in newtons.
-    used : ndarray, shape (motions, samples, devices)
-        Utilisation of each.
-    """
-
-    results: NDArray[np.void]
-    devices: NDArray[np.void]
-    used: NDArray[np.float64]
-
-    def of_bodies(self) -> Iterator[Outcomes]:
-        """Yield the outcomes of each of the pieces."""
-        for results in np.moveaxis(self.results, -1, 0):
-            yield Outcomes.of(results, self.device_failed)
-
-
 def run_several(
     scenes: Sequence[Scene],
     drawn: Sequence[Sequence[DrawOfSeveral]],
@@ -206,7 +180,7 @@ def run_several(
     *,
     threads: int | None = None,
     progress: Callable[[int], None] | None = None,
-) -> list[RunsOfSeveral]:
+) -> list[Runs]:
     """Run several options at one level together, so that all threads are busy.
 
     Parameters
@@ -322,20 +296,21 @@ def _runs(
     results: NDArray[np.void],
     each: Sequence[tuple[NDArray[np.void], NDArray[np.float64]]],
     counted: Sequence[int],
-) -> RunsOfSeveral:
+) -> Runs:
     """Return the runs of an option, of which each has its devices with their utilisation."""
     shape = (*results.shape[:2], -1)
     devices = np.array([row for row, _ in each], DEVICE).reshape(shape)
     used = np.array([row for _, row in each], np.float64).reshape(shape)
     counted_results = results[..., list(counted)]
-    return RunsOfSeveral(
+    return Runs(
         overturned=(counted_results["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
         missing=(results["outcome"] == FAILED_OUTCOME).any(axis=-1),
         hit_wall=np.any(counted_results["wall_impacts"] > 0, axis=-1),
         device_failed=(devices["failure"] != HOLDS).any(axis=-1),
         slide=counted_results["peak_slide"].max(axis=-1),
         tilt=counted_results["peak_tilt"].max(axis=-1),
-        results=results,
         devices=devices,
         used=used,
+        masses=np.ones(results.shape[:2]),
+        results=results,
     )

@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
 
 _UNNAMED = "(unnamed)"
+
+LISTED: Phrase = (", ", "、")
+"""What parts the labels of a listing."""
+
 _UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
 _VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|(?!HZ)[A-Z]{{1,2}}Z")
@@ -185,7 +189,7 @@ def _of_one_sensor(channels: Sequence[Channel]) -> bool:
 def labels_phrase(labels: Iterable[str]) -> Phrase:
     """Return the labels of channels as a listing in both languages."""
     shown = [label or _UNNAMED for label in labels]
-    return ", ".join(shown), "、".join(shown)
+    return LISTED[0].join(shown), LISTED[1].join(shown)
 
 
 def direction(label: str) -> str:
@@ -243,24 +247,18 @@ def _horizontal(channels: Sequence[Channel]) -> dict[int, str]:
     return {i: channel.label for i, channel in enumerate(channels) if not is_vertical(channel.label)}
 
 
-def refuse_vertical(channels: Sequence[Channel], component: str | None) -> None:
-    """Raise `InputError` where a component names a vertical channel of a file that has horizontal ones."""
-    if values := _vertical_beside_horizontal(channels, component):
-        raise InputError("motion.vertical_component", "component", **values)
+def check_horizontal(channels: Sequence[Channel], component: str | None, *, refuse: bool) -> None:
+    """Refuse a component that names a vertical channel of a file that has horizontal ones, or warn of it.
 
-
-def warn_of_vertical(channels: Sequence[Channel], component: str | None) -> None:
-    """Warn of the same: in Python it may be meant, as for the spectrum of a vertical channel."""
-    if values := _vertical_beside_horizontal(channels, component):
-        warn(InputWarning("motion.vertical_as_x", "component", **values))
-
-
-def _vertical_beside_horizontal(channels: Sequence[Channel], component: str | None) -> dict[str, Any] | None:
-    """Return the values of the sentence that says so, or None where it is not so."""
+    In Python it may be meant, as for the spectrum of a vertical channel.
+    """
     horizontal = _horizontal(channels)
     if component is None or not horizontal or _chosen(channels, component) in horizontal:
-        return None
-    return {"component": str(component), "channels": _numbered(channels, horizontal)}
+        return
+    values: dict[str, Any] = {"component": str(component), "channels": _numbered(channels, horizontal)}
+    if refuse:
+        raise InputError("motion.vertical_component", "component", **values)
+    warn(InputWarning("motion.vertical_as_x", "component", **values))
 
 
 def _numbered(channels: Sequence[Channel], which: Collection[int]) -> Phrase:

@@ -71,37 +71,19 @@ class EarthquakeSource:
     depth : float
         Depth of the middle of the fault [km].
     kind : str
-        Where it breaks, of `EARTHQUAKE_TERMS`.
+        Where it breaks: in the crust, between two plates or within a plate that dives.
     vs30 : float
-        Mean shear-wave velocity of the uppermost 30 m of the ground [m/s].
+        Mean shear-wave velocity of the uppermost 30 m of the ground [m/s]: about 600 on rock, 180 on soft
+        soil.
     """
 
-    magnitude: float = field(
-        metadata=quantity("", 5.8, 8.3, ("Magnitude", "マグニチュード"), "Moment magnitude.")
-    )
-    distance: float = field(
-        metadata=quantity("km", 3.0, 300.0, ("Distance", "断層からの距離"), "Shortest distance to the fault.")
-    )
-    depth: float = parameter(
-        10.0, "km", 0.0, 120.0, ("Depth", "震源の深さ"), "Depth of the middle of the fault."
-    )
+    magnitude: float = field(metadata=quantity("", 5.8, 8.3, ("Magnitude", "マグニチュード")))
+    distance: float = field(metadata=quantity("km", 3.0, 300.0, ("Distance", "断層からの距離")))
+    depth: float = parameter(10.0, "km", 0.0, 120.0, ("Depth", "震源の深さ"))
     kind: str = parameter(
-        "crustal",
-        "",
-        0.0,
-        0.0,
-        ("Kind of earthquake", "地震の種類"),
-        "Where it breaks: in the crust, between two plates or within a plate that dives.",
-        choices=tuple(EARTHQUAKE_TERMS),
+        "crustal", "", 0.0, 0.0, ("Kind of earthquake", "地震の種類"), choices=tuple(EARTHQUAKE_TERMS)
     )
-    vs30: float = parameter(
-        300.0,
-        "m/s",
-        100.0,
-        1500.0,
-        ("Ground", "地盤の平均S波速度"),
-        "Mean shear-wave velocity of the uppermost 30 m: about 600 on rock, 180 on soft soil.",
-    )
+    vs30: float = parameter(300.0, "m/s", 100.0, 1500.0, ("Ground", "地盤の平均S波速度"))
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -271,66 +253,60 @@ def strength_of_intensity(intensity: float) -> GroundStrength:
     )
 
 
-@arguments(
-    pga=quantity(
-        "m/s²",
-        1e-3,
-        LARGEST_ACCELERATION,
-        ("Peak ground acceleration", "地面の最大加速度"),
-        "Peak acceleration of the ground, of the larger horizontal component, that every motion is scaled "
-        "to, in the place of an intensity.",
-    )
-)
+@arguments(pga=quantity("m/s²", 1e-3, LARGEST_ACCELERATION, ("Peak ground acceleration", "地面の最大加速度")))
 def strength_of_pga(pga: float) -> GroundStrength:
-    """Return the strength of a peak acceleration [m/s²]."""
+    """Return the strength of a peak acceleration.
+
+    Parameters
+    ----------
+    pga : float
+        Peak acceleration of the ground [m/s²], of the larger horizontal component, that every motion is
+        scaled to, in the place of an intensity.
+    """
     return _of_peak("PGA", pga)
 
 
-@arguments(
-    pgv=quantity(
-        "m/s",
-        1e-4,
-        10.0,
-        ("Peak ground velocity", "地面の最大速度"),
-        "Peak velocity of the ground, of the larger horizontal component, that every motion is scaled to, "
-        "in the place of an intensity.",
-    )
-)
+@arguments(pgv=quantity("m/s", 1e-4, 10.0, ("Peak ground velocity", "地面の最大速度")))
 def strength_of_pgv(pgv: float) -> GroundStrength:
-    """Return the strength of a peak velocity [m/s]."""
+    """Return the strength of a peak velocity.
+
+    Parameters
+    ----------
+    pgv : float
+        Peak velocity of the ground [m/s], of the larger horizontal component, that every motion is scaled
+        to, in the place of an intensity.
+    """
     return _of_peak("PGV", pgv)
 
 
 @arguments(
-    period=quantity(
-        "s", 0.01, 10.0, ("Period", "周期"), "Natural period of the oscillator, whose damping is 5 %."
-    ),
-    value=quantity(
-        "m/s²",
-        1e-3,
-        LARGEST_ACCELERATION,
-        ("Spectral acceleration", "加速度応答"),
-        "Spectral acceleration, the geometric mean of the horizontal components, that every motion is scaled "
-        "to, in the place of an intensity.",
-    ),
+    period=quantity("s", 0.01, 10.0, ("Period", "周期")),
+    value=quantity("m/s²", 1e-3, LARGEST_ACCELERATION, ("Spectral acceleration", "加速度応答")),
 )
 def strength_of_sa(period: float, value: float) -> GroundStrength:
-    """Return the strength of a spectral acceleration [m/s²] at a period [s]."""
+    """Return the strength of a spectral acceleration at a period.
+
+    Parameters
+    ----------
+    period : float
+        Natural period of the oscillator [s], whose damping is 5 %.
+    value : float
+        Spectral acceleration [m/s²], the geometric mean of the horizontal components, that every motion is
+        scaled to, in the place of an intensity.
+    """
     return _of_peak("SA", value, period)
 
 
-@arguments(
-    mmi=quantity(
-        "",
-        2.0,
-        10.0,
-        ("Modified Mercalli intensity", "改正メルカリ震度"),
-        "Modified Mercalli intensity, in the place of a JMA intensity: motions are scaled to the peak "
-        "velocity and its scatter of Worden et al. (2012).",
-    )
-)
+@arguments(mmi=quantity("", 2.0, 10.0, ("Modified Mercalli intensity", "改正メルカリ震度")))
 def strength_of_mercalli(mmi: float) -> GroundStrength:
-    """Return the strength of a modified Mercalli intensity."""
+    """Return the strength of a modified Mercalli intensity.
+
+    Parameters
+    ----------
+    mmi : float
+        Modified Mercalli intensity, in the place of a JMA intensity: motions are scaled to the peak velocity
+        and its scatter of Worden et al. (2012).
+    """
     about = phrase("ground_shaking.mmi", value=mmi)
     source = phrase("ground_shaking.mmi_source")
     return GroundStrength("PGV", math.log10(pgv_of_mercalli(mmi)), MERCALLI_SCATTER, about, about, source)

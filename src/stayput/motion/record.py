@@ -13,14 +13,15 @@ import numpy as np
 from stayput.errors import InputError, finite, instance_of, shown, visible, whole_within, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
-from stayput.motion.baseline import check_baseline, checked_record
-from stayput.motion.channels import Listing, common_length, motion_fields, warn_of_vertical
+from stayput.motion.channels import Listing, check_horizontal, common_length, motion_fields
 from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
 from stayput.motion.one_record import check_one_record
 from stayput.motion.processing import (
     MOST_SAMPLES,
     STEP_RANGE,
+    check_baseline,
+    checked_record,
     checked_samples,
     coarsen,
     refine,
@@ -277,12 +278,10 @@ class Motion:
         InputError
             Another history, or a component that is not there.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.plot import draw_motion
 
-        axis = axes_of(ax)
-        draw_motion(axis, self, what, component, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_motion, self, what, component, check_language(language), **line)
 
     def figure(self, title: str = "", *, language: str = "en") -> Figure:
         """Return a figure with acceleration, velocity and displacement of every component."""
@@ -491,6 +490,6 @@ class Motion:
             that is gravity.
         """
         channels = channels_of_traces(traces, unit, name, location)
-        warn_of_vertical(channels, component)
+        check_horizontal(channels, component, refuse=False)
         motion = cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))
         return checked_record(motion, remove_mean=remove_mean)

@@ -1,4 +1,4 @@
-"""Response spectra of rows of acceleration samples, by period and damping."""
+"""Response spectra of rows of acceleration samples, by period and damping; Fourier spectra."""
 
 from __future__ import annotations
 
@@ -99,12 +99,10 @@ class ResponseSpectrum:
         InputError
             Another response.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.spectra import draw_spectrum
 
-        axis = axes_of(ax)
-        draw_spectrum(axis, self, what, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_spectrum, self, what, check_language(language), **line)
 
     @property
     def psv(self) -> NDArray[np.float64]:
@@ -167,3 +165,59 @@ def spectrum_of_samples(
     peak_responses(a.copy(), dt, checked, zeta, peaks)
     sd, sv, sa, sva = (np.ascontiguousarray(column) for column in peaks.T)
     return ResponseSpectrum(checked, zeta, sd, sv, sa, sva)
+
+
+def fourier_amplitude(a: NDArray[np.float64], dt: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the frequencies [Hz] and the amplitude of the Fourier integral |∫a e^(−2πift) dt| there [m/s].
+
+    Parameters
+    ----------
+    a : ndarray, shape (n,)
+        Acceleration [m/s²].
+    dt : float
+        Time between samples [s].
+
+    Returns
+    -------
+    tuple of ndarray, shape (n // 2 + 1,)
+        From 0 to the Nyquist frequency, in steps of 1/(n dt).
+    """
+    return np.fft.rfftfreq(len(a), dt).astype(np.float64), dt * np.abs(np.fft.rfft(a))
+
+
+def konno_ohmachi(
+    frequencies: NDArray[np.float64], amplitude: NDArray[np.float64], at: NDArray[np.float64], b: float = 20.0
+) -> NDArray[np.float64]:
+    """Return an amplitude spectrum smoothed over equal parts of the logarithm of frequency.
+
+    The window is [sin(b log₁₀ f/fc) / (b log₁₀ f/fc)]⁴ (Konno and Ohmachi 1998).
+
+    Parameters
+    ----------
+    frequencies, amplitude : ndarray, shape (n,)
+        The spectrum; 0 Hz is left out.
+    at : ndarray, shape (m,)
+        Frequencies fc at which it is wanted [Hz].
+    b : float
+        Bandwidth; 20 is strong smoothing, 40 weaker.
+    """
+    f, size = frequencies[frequencies > 0.0], amplitude[frequencies > 0.0]
+    log_f = np.log10(f)
+    smooth = np.empty(len(at))
+    for i, centre in enumerate(np.log10(at)):
+        weight = np.sinc(b / np.pi * (log_f - centre)) ** 4
+        smooth[i] = float((weight * size).sum() / weight.sum())
+    return smooth
+
+
+def mean_period(a: NDArray[np.float64], dt: float) -> float:
+    """Return Tm = Σ C²/f / Σ C² over 0.25 to 20 Hz, C the Fourier amplitudes [s]; NaN of a still floor.
+
+    Rathje, Abrahamson and Bray (1998). A motion shorter than 4 s holds no such low frequencies: what it has
+    is taken.
+    """
+    f, amplitude = fourier_amplitude(a, dt)
+    band = (f >= 0.25) & (f <= 20.0)
+    power = amplitude[band] ** 2
+    total = float(power.sum())
+    return float((power / f[band]).sum()) / total if total > 0.0 else float("nan")

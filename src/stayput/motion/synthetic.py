@@ -52,13 +52,13 @@ def _then_quiet(a: NDArray[np.float64], still: int) -> NDArray[np.float64]:
 
 @arguments(
     amplitude=quantity(
-        "m/s²", -LARGEST_ACCELERATION, LARGEST_ACCELERATION, ("Sine amplitude", "正弦波の振幅"), "Amplitude."
+        "m/s²", -LARGEST_ACCELERATION, LARGEST_ACCELERATION, ("Sine amplitude", "正弦波の振幅")
     ),
-    frequency=quantity("Hz", 1e-3, 1e3, ("Sine frequency", "正弦波の振動数"), "Frequency."),
-    duration=quantity("s", 1e-3, 1e5, ("Sine duration", "正弦波の継続時間"), "Time of shaking."),
-    phase=quantity("rad", -1e3, 1e3, ("Sine phase", "正弦波の位相"), "Phase; π/2 is a cosine."),
-    dt=quantity("s", *STEP_RANGE, ("Sine dt", "正弦波の時間刻み"), "Largest time step."),
-    quiet=quantity("s", 0.0, 1e5, ("Sine quiet", "正弦波の後の静止時間"), "Still floor after the shaking."),
+    frequency=quantity("Hz", 1e-3, 1e3, ("Sine frequency", "正弦波の振動数")),
+    duration=quantity("s", 1e-3, 1e5, ("Sine duration", "正弦波の継続時間")),
+    phase=quantity("rad", -1e3, 1e3, ("Sine phase", "正弦波の位相")),
+    dt=quantity("s", *STEP_RANGE, ("Sine dt", "正弦波の時間刻み")),
+    quiet=quantity("s", 0.0, 1e5, ("Sine quiet", "正弦波の後の静止時間")),
 )
 def sine(
     amplitude: float,
@@ -74,13 +74,13 @@ def sine(
     Parameters
     ----------
     amplitude : float
-        A [m/s²].
+        Amplitude A [m/s²].
     frequency : float
-        f [Hz].
+        Frequency f [Hz].
     duration : float
         Time of shaking [s]; ``1 / frequency`` is one full wave.
     phase : float
-        φ [rad]; π/2 is a cosine.
+        Phase φ [rad]; π/2 is a cosine.
     dt : float
         Largest time step [s]; the step is made to divide ``duration`` exactly.
     quiet : float

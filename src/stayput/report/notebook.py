@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.motion import Motion
     from stayput.motion.response import ResponseSpectrum
-    from stayput.motion.suites import Suite
+    from stayput.motion.suites.suite import Suite
     from stayput.simulation.run import Run
     from stayput.verification import Verdict
 

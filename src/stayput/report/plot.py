@@ -18,7 +18,7 @@ from stayput.catalogue import say
 from stayput.catalogue.names import EVENTS, MODES, OUTCOMES
 from stayput.errors import word_of
 from stayput.model.state import State, standing_corners, wall_faces
-from stayput.motion.measures import DisplacementPeak
+from stayput.motion.intensity import DisplacementPeak
 from stayput.motion.record import MotionHistory
 from stayput.report.figures import (
     FONT,

@@ -11,8 +11,8 @@ from matplotlib.ticker import LogLocator
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
-from stayput.motion.response import SpectralResponse
-from stayput.motion.spectrum import DAMPING, PERIODS, fourier_amplitude, konno_ohmachi, response_spectrum
+from stayput.motion.response import SpectralResponse, fourier_amplitude, konno_ohmachi
+from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
 from stayput.motion.suites.suite import SuiteSpectra
 from stayput.report.figures import (
     FONT,

@@ -108,7 +108,7 @@ def changes_between(before: Scenario, after: Scenario) -> tuple[Change, ...]:
 
     A piece that stands on or is joined to another in either counts as not moved.
     """
-    stated = [room.stated.measures for room in (before, after)]
+    stated = [room.stated.on for room in (before, after)]
     scenes = [room.scene() for room in (before, after)]
     pieces = [scene.pieces for scene in scenes]
     single = [{group[0] for group in groups_of(room) if len(group) == 1} for room in (before, after)]

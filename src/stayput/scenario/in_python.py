@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, fields
+from dataclasses import asdict, fields, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, cast
 
@@ -16,8 +16,9 @@ from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import Body
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.motion import Motion
-from stayput.motion.suites import Suite
-from stayput.scenario.measures import NamedMeasures, table_of
+from stayput.motion.suites.suite import Suite
+from stayput.scenario.measures import table_of
+from stayput.scenario.option import NOTHING, Option
 from stayput.scenario.scenario import Scenario
 from stayput.uncertainty import Uncertainty
 
@@ -124,12 +125,12 @@ def scenario_of_case(
     return scenario_of(case.body, case.room, case.motion, compared, uncertainty, tables=tables)
 
 
-def named_sets(measures: MeasureSets) -> list[NamedMeasures]:
+def named_sets(measures: MeasureSets) -> list[Option]:
     """Return measures that are compared under their names: one's own, or those of their kinds."""
     if isinstance(measures, Mapping):
-        return [NamedMeasures(name, _together(members)) for name, members in measures.items()]
-    sets = [_together(members) for members in list_of("measures", measures)]
-    return [NamedMeasures(" + ".join(measure.kind for measure in together), together) for together in sets]
+        return [Option(name, (_together(members),)) for name, members in measures.items()]
+    sets = (Option(NOTHING, (_together(members),)) for members in list_of("measures", measures))
+    return [replace(option, name=option.generated_name) for option in sets]
 
 
 def _together(measures: Measure | Sequence[Measure]) -> tuple[Measure, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import reduce
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self, cast
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, cast
 
 from pydantic import (
     BaseModel,
@@ -36,21 +36,6 @@ from stayput.scenario.messages import shown
 from stayput.uncertainty import QUANTITIES, USUAL, Uncertainty
 
 COMBINE = "combine"
-
-
-class NamedMeasures(NamedTuple):
-    """One or several measures together, under a name.
-
-    Attributes
-    ----------
-    name : str
-        Its name in the scenario.
-    measures : tuple of Measure
-        The measures.
-    """
-
-    name: str
-    measures: tuple[Measure, ...]
 
 
 class MeasureTable(Table):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
 from typing import TYPE_CHECKING, Annotated, Self
 
@@ -23,9 +23,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from stayput.measures import Measure
-
-NOTHING = "none"
-"""Name of the option without joints and measures, which every verification has."""
 
 if TYPE_CHECKING:
     MeasuresInPlace = list[SingleChoice]
@@ -207,30 +204,6 @@ class JointTable(Table):
         """
         stated = self.model_dump(exclude={"first", "second"}, exclude_none=True)
         return Joint(names.index(self.first), names.index(self.second), **stated)
-
-
-@dataclass(frozen=True, slots=True)
-class AssemblyOption:
-    """What may hold several pieces: their joints, and measures on each.
-
-    Parameters
-    ----------
-    name : str
-        What it is called; unique.
-    joined : bool
-        Whether the joints are in place.
-    measures : tuple of tuple of Measure
-        Of each piece.
-    """
-
-    name: str
-    joined: bool
-    measures: tuple[tuple[Measure, ...], ...]
-
-    @property
-    def count(self) -> int:
-        """How many things are put in place: measures, and the joints together."""
-        return sum(map(len, self.measures)) + self.joined
 
 
 class HeldPieceTable(Table):

@@ -14,10 +14,11 @@ from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.motion.suites import Suite
+from stayput.motion.suites.suite import Suite
 from stayput.scenario.fields import between, checked, refuse_same_names
-from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, of_known_type
-from stayput.scenario.pieces import NOTHING, AssemblyOption, OptionTable
+from stayput.scenario.measures import MeasureChoice, UncertaintyTable, of_known_type
+from stayput.scenario.option import NOTHING, Option
+from stayput.scenario.pieces import OptionTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.scene import SceneTables
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import ContentsTable, EverydayTable, Heading, InitialTable
@@ -119,7 +120,7 @@ class Scenario(SceneTables):
             raise InputError("scenario.no_length", "furniture.length")
         if self.contents is not None:
             emptied(self.piece.body(), self.contents)
-        _refuse_same_names(self.measures)
+        _refuse_same_names(self.options)
 
     def _check_pieces(self) -> None:
         if self.stated_dimensions == 2:
@@ -157,7 +158,7 @@ class Scenario(SceneTables):
         comment = f"# {say('scenario.in_python', what=what)}\n" if what else ""
         return super().to_toml() + comment
 
-    _own_measures: tuple[NamedMeasures, ...] | None = PrivateAttr(default=None)
+    _own_options: tuple[Option, ...] | None = PrivateAttr(default=None)
 
     @property
     def in_python(self) -> dict[str, Any]:
@@ -167,14 +168,14 @@ class Scenario(SceneTables):
         return {
             "motions": self.shaking.in_python,
             "building": self.shaking.building and self.shaking.building.in_python,
-            "measures": self._own_measures,
+            "measures": self._own_options,
             "quantities": None if quantities is QUANTITIES else Uncertainty(drawn),
         }
 
     def with_python(
         self,
         motions: Suite | None = None,
-        measures: Sequence[NamedMeasures] | None = None,
+        measures: Sequence[Option] | None = None,
         quantities: Uncertainty | None = None,
     ) -> Self:
         """Return the same with Python objects in the place of its own tables, where they are given.
@@ -192,7 +193,7 @@ class Scenario(SceneTables):
         copy = self.model_copy(update=changed)
         if measures is not None:
             _refuse_same_names(measures)
-            copy._own_measures = tuple(measures)
+            copy._own_options = tuple(measures)
         return copy
 
     def kept(self) -> dict[str, Any]:
@@ -216,26 +217,21 @@ class Scenario(SceneTables):
         return None if table is None else table.contents(self.piece.shelves)
 
     @property
-    def measures(self) -> tuple[NamedMeasures, ...]:
-        """What may hold the furniture, each under its name; empty where the file says nothing."""
-        if self._own_measures is not None:
-            return self._own_measures
-        return tuple(NamedMeasures(table.title, table.measures()) for table in self.measure_tables or ())
-
-    @property
     def without_measures(self) -> bool:
         """Whether it was said in Python that no measures are compared, the usual ones neither."""
-        return self._own_measures == ()
+        return self._own_options == ()
 
     @property
-    def options(self) -> tuple[AssemblyOption, ...]:
-        """What a verification of several pieces compares; empty where the file says nothing."""
-        return tuple(
-            AssemblyOption(
-                table.name, table.joined and bool(self.joints), tuple(table.on(name) for name in self.names)
-            )
+    def options(self) -> tuple[Option, ...]:
+        """What a verification compares, each under its name; empty where the file says nothing."""
+        if self._own_options is not None:
+            return self._own_options
+        of_a_piece = (Option(table.title, (table.measures(),)) for table in self.measure_tables or ())
+        of_several = (
+            Option(table.name, tuple(map(table.on, self.names)), table.joined and bool(self.joints))
             for table in self.option_tables or ()
         )
+        return *of_a_piece, *of_several
 
     def motion(self) -> Motion:
         """Make the motion of the floor: of a suite, that of its ``member``.
@@ -325,9 +321,9 @@ def _turned(motion: Motion, turn: float) -> Motion:
     return both.rotated(turn)
 
 
-def _refuse_same_names(measures: Sequence[NamedMeasures]) -> None:
+def _refuse_same_names(options: Sequence[Option]) -> None:
     taken = {NOTHING: phrase("scenario.option_of_nothing")}
-    refuse_same_names("measures", [named.name for named in measures], taken)
+    refuse_same_names("measures", [option.name for option in options], taken)
 
 
 def read_scenario(path: str | Path) -> Scenario:
@@ -347,7 +343,7 @@ def read_scenario(path: str | Path) -> Scenario:
     --------
     >>> import stayput as sp
     >>> scenario = sp.read_scenario("examples/verify.toml")
-    >>> for option in scenario.measures:
+    >>> for option in scenario.options:
     ...     run = scenario.run(option.measures)
     ...     print(f"{option.name}: {run.outcome}")
     felt_glides: overturned

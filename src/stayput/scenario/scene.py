@@ -13,8 +13,9 @@ from stayput.model.floor_plan import MOST_PLACES, Door, FloorPlan, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
 from stayput.scenario.fields import TABLE, between, checked, refuse_same_names
+from stayput.scenario.option import AS_STATED, Option
 from stayput.scenario.origin import FromFile
-from stayput.scenario.pieces import AssemblyOption, JointTable, PieceTable, in_place
+from stayput.scenario.pieces import JointTable, PieceTable, in_place
 from stayput.scenario.plan import (  # noqa: TC001 - pydantic reads the annotations
     DoorTable,
     PlaceTable,
@@ -145,17 +146,17 @@ class SceneTables(FromFile):
         return furniture or tuple(range(len(self.pieces)))
 
     @property
-    def stated(self) -> AssemblyOption:
+    def stated(self) -> Option:
         """The pieces as the file states them: with its joints, and with the measures of its pieces."""
         measures = tuple(in_place(piece.measures) for piece in self.pieces)
-        return AssemblyOption("as stated", bool(self.joints), measures)
+        return Option(AS_STATED, measures, bool(self.joints))
 
-    def scene(self, option: AssemblyOption | None = None) -> Scene:
+    def scene(self, option: Option | None = None) -> Scene:
         """Make the room with its pieces.
 
         Parameters
         ----------
-        option : AssemblyOption, optional
+        option : Option, optional
             What is in place; default what the file states.
 
         Raises
@@ -167,7 +168,7 @@ class SceneTables(FromFile):
         with self.naming_file(), self._keys():
             pieces = [
                 piece.standing(checked(self.key_of(number), partial(piece.body_in, self._folder)), measures)
-                for number, (piece, measures) in enumerate(zip(self.pieces, chosen.measures, strict=True))
+                for number, (piece, measures) in enumerate(zip(self.pieces, chosen.on, strict=True))
             ]
             joints = self._joints() if chosen.joined else []
             friction = self.static_friction, self.kinetic_friction

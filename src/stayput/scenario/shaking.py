@@ -25,7 +25,9 @@ from stayput.motion.ground_shaking import (
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
 from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, chosen_columns
-from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
+from stayput.motion.suites.families import FAMILIES
+from stayput.motion.suites.suite import Suite, read_suite
+from stayput.motion.suites.synthesis import MIXED, synthetic_suite
 from stayput.scenario.fields import (
     NAME,
     NUMBER,

@@ -17,8 +17,7 @@ from stayput.errors import instance_of, whole_within, within, word_of
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import NUMBER_RANGE, SEED_RANGE, Draws
-from stayput.motion.suites.matching import matched
-from stayput.motion.suites.target import TargetSpectrum
+from stayput.motion.suites.target import TargetSpectrum, matched
 
 EDITIONS = ("7-16", "7-22")
 """Editions of ASCE 7 whose floor amplification the spectrum has."""

@@ -4,6 +4,6 @@ from __future__ import annotations
 
 from stayput.verification.compare import LEVELS
 from stayput.verification.entry import verify
-from stayput.verification.verdict import AssemblyVerdict, Verdict
+from stayput.verification.verdict import Verdict
 
-__all__ = ["LEVELS", "AssemblyVerdict", "Verdict", "verify"]
+__all__ = ["LEVELS", "Verdict", "verify"]

@@ -1,4 +1,4 @@
-"""Monte Carlo comparison of one piece, or of several, without and with each measure or joint."""
+"""Monte Carlo comparison of what may hold the furniture: nothing, measures, joints."""
 
 from __future__ import annotations
 
@@ -6,32 +6,29 @@ import time
 from dataclasses import replace
 from functools import cache, partial
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stayput.errors import InputError, not_allowed, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.fragility.intensity_measures import FLOOR_JMA
-from stayput.measures import Element, Held, hold
+from stayput.measures import Element, hold
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Outcomes, Quantiles, members, severity
+from stayput.montecarlo.counting import Quantiles, members, severity
 from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels
 from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of, sample_until_precise
-from stayput.montecarlo.several import RunsOfSeveral, draws_of_several, run_several
+from stayput.montecarlo.several import draws_of_several, run_several
 from stayput.progress import tally
 from stayput.simulation.placing import JOINT, placed
 from stayput.simulation.space import warn_of_settlement
 from stayput.verification.contents import ContentsVerdict, contents_verdicts
 from stayput.verification.notes import Estimates
-from stayput.verification.options import Option, compared_options, options_of_several
+from stayput.verification.options import compared_options
 from stayput.verification.verdict import (
     AsInstalled,
-    AssemblyOptionVerdict,
-    AssemblyVerdict,
-    DeviceOfSeveral,
     DeviceSummary,
     OptionVerdict,
     PieceVerdict,
@@ -39,15 +36,14 @@ from stayput.verification.verdict import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
-    from typing import Any
+    from collections.abc import Callable, Mapping, Sequence
 
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.scenario import Scenario
-    from stayput.scenario.pieces import AssemblyOption
+    from stayput.scenario.option import Option
     from stayput.simulation.scene import Scene
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
@@ -66,6 +62,75 @@ def curve_levels(dimensions: int) -> NDArray[np.float64]:
     return LEVELS if dimensions == 2 else LEVELS_IN_SPACE
 
 
+class Contest:
+    """The options of a verification, ready to meet motions and draws.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What stands where.
+    options : tuple of Option
+        What is in place, that with nothing first.
+    settings : Settings
+        Of the draws.
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    """
+
+    def __init__(
+        self, scenario: Scenario, options: tuple[Option, ...], settings: Settings, threads: int | None
+    ) -> None:
+        self.scenario, self.options, self._settings, self._threads = scenario, options, settings, threads
+        self._drawn: dict[str, Any] = {"as_stated": settings.as_stated, "quantities": settings.quantities}
+        self._scenes: list[Scene] = []
+        self._last: tuple[object, list[Rows]] = None, []
+        self.devices: list[list[tuple[tuple[str, ...], Element | None]]] = []
+        """What holds the pieces of each option: the pieces, and the device; None of a joint."""
+        if scenario.alone:
+            body, room = scenario.piece.body(), scenario.room.room()
+            for option in options:
+                held = hold(body, room, option.measures, dimensions=scenario.dimensions)
+                self.devices.append([(scenario.names, element) for element in held.elements])
+            return
+        self._scenes = [scenario.scene(option) for option in options]
+        warn_of_settlement(self._scenes[0])
+        for scene in self._scenes:
+            on_pieces = zip(scene.names, placed(scene), strict=True)
+            each = [
+                ((name,), element) for name, body in on_pieces if body.held for element in body.held.elements
+            ]
+            joints = [((scene.names[joint.first], scene.names[joint.second]), None) for joint in scene.joints]
+            self.devices.append([*each, *joints])
+
+    def rows(self, options: tuple[Option, ...], samples: int, start: int = 0) -> list[Rows]:
+        """Return the rows of options of a lone piece, for some samples of each motion."""
+        asked = options, samples, start
+        if asked == self._last[0]:
+            return self._last[1]
+        scenario, settings = self.scenario, self._settings
+        body, room = scenario.piece.body(), scenario.room.room()
+        drawn = draws(settings.motions, samples, settings.seed, start, **self._drawn)
+        stands = settings.gravity, scenario.initial.state(), scenario.dimensions
+        rows = [rows_of(body, room, option.measures, drawn, *stands) for option in options]
+        self._last = asked, rows
+        return rows
+
+    def run(
+        self, floors: FloorMotions, samples: int, start: int, progress: Callable[[int], None]
+    ) -> list[Runs]:
+        """Run all options at one level, for some samples of each motion."""
+        if not self._scenes:
+            rows = self.rows(self.options, samples, start)
+            return run_level(rows, floors, threads=self._threads, progress=progress)
+        scenario, settings = self.scenario, self._settings
+        direction = scenario.direction or 0.0
+        place = settings.motions, samples, settings.seed, start
+        drawn = draws_of_several(scenario.names, *place, direction=direction, **self._drawn)
+        shaken = floors, settings.gravity, scenario.counted
+        with scenario.naming_keys():
+            return run_several(self._scenes, drawn, *shaken, threads=self._threads, progress=progress)
+
+
 def compare(
     scenario: Scenario,
     *,
@@ -78,45 +143,35 @@ def compare(
     on_progress: Callable[[int, int], None] | None,
     on_verdict: Callable[[Verdict], None] | None,
 ) -> Verdict:
-    """Compare the measures of a scenario of one piece; see `stayput.verify`."""
+    """Compare the options of a scenario; see `stayput.verify`."""
     began, limit = time.perf_counter(), slide_limit
-    if levels is None:
-        levels = curve_levels(scenario.dimensions)
-    rows = numbers("fragility.level", levels, "levels")
-    if rows.ndim != 1:
-        raise not_allowed("fragility.level", repr(levels), "common.list", "levels")
-    if np.any(np.diff(rows) <= 0.0):
-        raise InputError("verification.levels_not_increasing", "levels")
+    rows = _levels(scenario, levels)
     options, impossible = compared_options(scenario)
-    hazard, dimensions = Hazard.of(scenario, tuple(further)), scenario.dimensions
+    hazard = Hazard.of(scenario, tuple(further))
     ground = hazard.ground
     settings = Settings.of(scenario, len(ground), limit)
     faulty = _badly_installed(options, scenario)
-    body, room = scenario.piece.body(), scenario.room.room()
-    held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
+    contest = Contest(scenario, options, settings, threads)
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
     with tally(total, "progress.verifying", progress, on_progress) as count:
         floors = hazard.stated_by(scenario, threads)
-        batches: list[list[Rows]] = []
 
         def run(_: list[int], samples: int, start: int) -> list[Runs]:
-            batches.append(_rows(options, scenario, settings, samples, start))
-            return run_level(batches[-1], floors, threads=threads, progress=count)
+            return contest.run(floors, samples, start, count)
 
-        estimates = Estimates.of(body, floors, scenario, threads)
+        body = scenario.piece.body() if scenario.alone else None
+        estimates = None if body is None else Estimates.of(body, floors, scenario, threads)
 
         def ranked(outcomes: list[Runs], samples: int) -> Verdict:
-            made = len(options) * len(ground) * samples
             return Verdict(
                 scenario=scenario,
                 intensity=floors.median_intensity,
                 slide_limit=limit,
-                options=_verdicts(options, held, outcomes, limit),
+                options=_verdicts(contest, outcomes, limit),
                 estimates=estimates,
-                levels=np.empty(0),
                 motions=len(ground),
                 samples=samples,
-                runs=made,
+                runs=len(options) * len(ground) * samples,
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
                 impossible=impossible,
@@ -138,7 +193,7 @@ def compare(
             count(unneeded)
         installed: dict[str, AsInstalled] = {}
         if faulty:
-            bad = _rows(tuple(option for option, *_ in faulty), scenario, settings, samples)
+            bad = contest.rows(tuple(option for option, *_ in faulty), samples)
             bad_runs = run_level(bad, floors, threads=threads, progress=count)
             well = {option.name: runs for option, runs in zip(options, here, strict=True)}
             for (option, how, share), runs in zip(faulty, bad_runs, strict=True):
@@ -148,14 +203,14 @@ def compare(
         falls: list[Falls] = []
         made = 0
         if len(rows):
-            drawn = batches[0] if len(batches) == 1 else _rows(options, scenario, settings, samples)
+            drawn = contest.rows(options, samples)
             falls, made = run_levels(
                 drawn, rows, floors_at, every_run=every_run, threads=threads, progress=count
             )
         measures = [floors_at(float(level)) for level in rows]
     return replace(
         ranked(here, samples),
-        options=_verdicts(options, held, here, limit, falls, measures, installed, inside),
+        options=_verdicts(contest, here, limit, falls, measures, installed, inside),
         levels=rows,
         runs=at_a_level + badly + made,
         settled=at_a_level * len(rows) - made,
@@ -164,22 +219,18 @@ def compare(
     )
 
 
-def _rows(
-    options: tuple[Option, ...], scenario: Scenario, settings: Settings, samples: int, start: int = 0
-) -> list[Rows]:
-    """Return the rows of every option, for some samples of each motion."""
-    body, room = scenario.piece.body(), scenario.room.room()
-    drawn = draws(
-        settings.motions,
-        samples,
-        settings.seed,
-        start,
-        as_stated=settings.as_stated,
-        quantities=settings.quantities,
-    )
-    initial, gravity = scenario.initial.state(), settings.gravity
-    dimensions = scenario.dimensions
-    return [rows_of(body, room, each.measures, drawn, gravity, initial, dimensions) for each in options]
+def _levels(scenario: Scenario, levels: ArrayLike | None) -> NDArray[np.float64]:
+    """Return the levels of the fragility curves: those asked for, or the usual ones."""
+    if levels is None:
+        return curve_levels(scenario.dimensions) if scenario.alone else np.empty(0)
+    rows = numbers("fragility.level", levels, "levels")
+    if rows.ndim != 1:
+        raise not_allowed("fragility.level", repr(levels), "common.list", "levels")
+    if np.any(np.diff(rows) <= 0.0):
+        raise InputError("verification.levels_not_increasing", "levels")
+    if len(rows) and not scenario.alone:
+        raise InputError("several.levels", "levels")
+    return rows
 
 
 def _badly_installed(
@@ -187,7 +238,7 @@ def _badly_installed(
 ) -> list[tuple[Option, tuple[Phrase, ...], float]]:
     """Return the options badly installed of which the scenario asks a share, what is wrong, and the share."""
     faulty: list[tuple[Option, tuple[Phrase, ...], float]] = []
-    for option in options:
+    for option in options if scenario.alone else ():
         bad, wrong = option.badly_installed(scenario.room.room()) or (option, ())
         share = scenario.uncertainty.badly(max(each.share for each in wrong)) if wrong else 0.0
         if share > 0.0:
@@ -224,8 +275,7 @@ def _curves(
 
 
 def _verdicts(
-    options: tuple[Option, ...],
-    held: list[Held],
+    contest: Contest,
     stated: list[Runs],
     slide_limit: float,
     falls: Sequence[Falls] = (),
@@ -233,17 +283,40 @@ def _verdicts(
     installed: Mapping[str, AsInstalled] = MappingProxyType({}),
     inside: Sequence[ContentsVerdict | None] = (),
 ) -> tuple[OptionVerdict, ...]:
+    """Return the verdicts on all options, the best first."""
+    options, bare, names = contest.options, stated[0], contest.scenario.names
+    chances = [runs.probabilities(slide_limit) for runs in stated]
+    order = sorted(range(len(stated)), key=lambda i: (*severity(chances[i], options[i].count), i))
     verdicts: list[OptionVerdict] = []
-    for i, outcomes in ranked_outcomes(stated, [len(option.measures) for option in options], slide_limit):
+    for rank, i in enumerate(order, start=1):
         option, runs = options[i], stated[i]
+        missing, comparisons = runs.missing | bare.missing, len(stated) - 1
+        typical, worst = members(runs)
         curves = _curves(option.name, falls[i], measures) if measures else {}
         verdicts.append(
             OptionVerdict(
                 option=option,
-                **outcomes,
+                rank=rank,
+                probabilities=chances[i],
+                change=difference(runs.overturned, bare.overturned, missing, comparisons=comparisons)
+                if i
+                else None,
+                slide=Quantiles.of(runs.slide, runs.overturned),
+                tilt=Quantiles.of(runs.tilt, runs.overturned),
+                typical=typical,
+                worst=worst,
+                pieces=tuple(
+                    PieceVerdict(
+                        name,
+                        outcomes.probabilities(slide_limit),
+                        Quantiles.of(outcomes.slide, outcomes.overturned),
+                        Quantiles.of(outcomes.tilt, outcomes.overturned),
+                    )
+                    for name, outcomes in zip(names, runs.of_bodies(), strict=True)
+                ),
                 devices=tuple(
-                    device_summary(element.kind, element, number, runs, runs.masses)
-                    for number, element in enumerate(held[i].elements)
+                    device_summary(pieces, element, number, runs)
+                    for number, (pieces, element) in enumerate(contest.devices[i])
                 ),
                 curves=curves,
                 capacities={p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {},
@@ -254,169 +327,35 @@ def _verdicts(
     return tuple(verdicts)
 
 
-def ranked_outcomes(
-    runs: Sequence[Outcomes], costs: Sequence[int], slide_limit: float
-) -> Iterator[tuple[int, dict[str, Any]]]:
-    """Yield the number of each option, the best first, and what its verdict tells of all its runs, by field.
-
-    Parameters
-    ----------
-    runs : sequence of Outcomes
-        Those of each option, that without anything first.
-    costs : sequence of int
-        How many things each option puts in place.
-    slide_limit : float
-        Slide that counts as too far [m].
-    """
-    chances, bare, count = [each.probabilities(slide_limit) for each in runs], runs[0], len(runs) - 1
-    order = sorted(range(len(runs)), key=lambda i: (*severity(chances[i], costs[i]), i))
-    for rank, i in enumerate(order, start=1):
-        held, missing = runs[i], runs[i].missing | bare.missing
-        typical, worst = members(held)
-        fields: dict[str, Any] = {
-            "rank": rank,
-            "probabilities": chances[i],
-            "change": difference(held.overturned, bare.overturned, missing, comparisons=count) if i else None,
-            "slide": Quantiles.of(held.slide, held.overturned),
-            "tilt": Quantiles.of(held.tilt, held.overturned),
-            "typical": typical,
-            "worst": worst,
-        }
-        yield i, fields
-
-
 def device_summary(
-    kind: str,
-    element: Element | None,
-    number: int,
-    runs: Runs | RunsOfSeveral,
-    mass: NDArray[np.float64] | float = 1.0,
+    pieces: tuple[str, ...], element: Element | None, number: int, runs: Runs
 ) -> DeviceSummary:
     """Return a summary of the device of a number, or of a joint, which is no element of a measure.
 
     Parameters
     ----------
-    kind : str
-        The measure that it belongs to.
+    pieces : tuple of str
+        What it holds.
     element : Element or None
         The device.
     number : int
         Its place among all devices of the runs.
-    runs : Runs or RunsOfSeveral
+    runs : Runs
         The runs.
-    mass : ndarray or float
-        By what their forces are multiplied: the body's mass [kg] where they are per unit mass.
     """
     device, missing = runs.devices[:, :, number], runs.missing
     nowhere = np.zeros_like(missing)
     along = np.maximum(device["peak_pull"], device["peak_push"])
     failed = device["failure"] != HOLDS
     times = device["failure_time"][failed & ~missing]
+    kind = JOINT if element is None else element.kind
     return DeviceSummary(
         kind=kind,
         name=kind if element is None else f"{kind} {element.place}".strip(),
         failed=probability(failed, missing),
         failure_time=float(np.median(times)) if times.size else np.nan,
-        peak=Quantiles.of(mass * np.hypot(along, device["peak_shear"]), nowhere),
+        peak=Quantiles.of(runs.masses * np.hypot(along, device["peak_shear"]), nowhere),
         used=Quantiles.of(runs.used[:, :, number], nowhere),
         weakest=None if element is None else weakest(element, device[~missing]),
+        pieces=pieces,
     )
-
-
-def verify_several(
-    scenario: Scenario,
-    *,
-    slide_limit: float,
-    threads: int | None = None,
-    progress: bool | None = None,
-    on_progress: Callable[[int, int], None] | None = None,
-) -> AssemblyVerdict:
-    """Compare what may hold several pieces, at the scenario's own shaking; see `stayput.verify`.
-
-    Raises
-    ------
-    InputError
-        Options of which none can be put in place, or a record that cannot be read.
-    """
-    began = time.perf_counter()
-    options, rejected = options_of_several(scenario)
-    hazard = Hazard.of(scenario)
-    ground = hazard.ground
-    settings = Settings.of(scenario, len(ground), slide_limit)
-    scenes = [scenario.scene(option) for option in options]
-    warn_of_settlement(scenes[0])
-    total = len(ground) * settings.samples * len(options)
-    draw = partial(
-        draws_of_several,
-        scenario.names,
-        settings.motions,
-        seed=settings.seed,
-        as_stated=settings.as_stated,
-        quantities=settings.quantities,
-        direction=scenario.direction or 0.0,
-    )
-    with tally(total, "progress.verifying", progress, on_progress) as count:
-        floors = hazard.stated_by(scenario, threads)
-
-        def run(_: list[int], samples: int, start: int) -> list[RunsOfSeveral]:
-            drawn = draw(samples, start=start)
-            counted, gravity = scenario.counted, scenario.gravity
-            return run_several(scenes, drawn, floors, gravity, counted, threads=threads, progress=count)
-
-        with scenario.naming_keys():
-            runs, samples, precise = sample_until_precise(len(options), settings, run, together=True)
-        made = len(options) * len(ground) * samples
-        if made < total:  # samples beyond the asked precision
-            count(total - made)
-    return AssemblyVerdict(
-        scenario=scenario,
-        intensity=floors.median_intensity,
-        slide_limit=slide_limit,
-        options=_verdicts_of_several(options, scenes, runs, slide_limit),
-        motions=len(ground),
-        samples=samples,
-        runs=made,
-        precise=precise,
-        seed=settings.seed,
-        seconds=time.perf_counter() - began,
-        rejected=rejected,
-        floor=floors.floor,
-    )
-
-
-def _verdicts_of_several(
-    options: tuple[AssemblyOption, ...],
-    scenes: list[Scene],
-    runs: list[RunsOfSeveral],
-    slide_limit: float,
-) -> tuple[AssemblyOptionVerdict, ...]:
-    return tuple(
-        AssemblyOptionVerdict(
-            option=options[i],
-            **outcomes,
-            pieces=tuple(
-                PieceVerdict(
-                    name,
-                    outcomes.probabilities(slide_limit),
-                    Quantiles.of(outcomes.slide, outcomes.overturned),
-                    Quantiles.of(outcomes.tilt, outcomes.overturned),
-                )
-                for name, outcomes in zip(scenes[i].names, runs[i].of_bodies(), strict=True)
-            ),
-            devices=_devices(scenes[i], runs[i]),
-        )
-        for i, outcomes in ranked_outcomes(runs, [option.count for option in options], slide_limit)
-    )
-
-
-def _devices(scene: Scene, runs: RunsOfSeveral) -> tuple[DeviceOfSeveral, ...]:
-    """Return a summary of each device and joint, in the order of the runs'."""
-    names, devices = scene.names, list[DeviceOfSeveral]()
-    for name, body in zip(names, placed(scene), strict=True):
-        for element in () if body.held is None else body.held.elements:
-            summary = device_summary(element.kind, element, len(devices), runs)
-            devices.append(DeviceOfSeveral((name,), summary))
-    for joint in scene.joints:
-        pieces = names[joint.first], names[joint.second]
-        devices.append(DeviceOfSeveral(pieces, device_summary(JOINT, None, len(devices), runs)))
-    return tuple(devices)

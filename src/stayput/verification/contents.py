@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from stayput.contents import Contents
     from stayput.model.body import Body
     from stayput.scenario import Scenario
-    from stayput.verification.options import Option
+    from stayput.scenario.option import Option
 
 OPEN = 0.5
 """How far the drawers of the bound with open drawers are out, as a part of the depth."""

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
-
-import numpy as np
+from typing import TYPE_CHECKING, Any
 
 from stayput.errors import InputError, instance_of, list_of, within
 from stayput.fragility import IntensityMeasure, intensity_measure
@@ -15,7 +13,7 @@ from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.scenario import Scenario
 from stayput.scenario.in_python import MeasureSets, StatedShaking, scenario_of, scenario_of_case
 from stayput.simulation.case import Case
-from stayput.verification.compare import compare, verify_several
+from stayput.verification.compare import compare
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -24,46 +22,7 @@ if TYPE_CHECKING:
 
     from stayput.building import Building, ShearModel
     from stayput.uncertainty import Uncertainty
-    from stayput.verification.verdict import AssemblyVerdict, Verdict
-
-
-class _Runs(TypedDict, total=False):
-    """How runs are made, whatever stands."""
-
-    slide_limit: float
-    threads: int | None
-    progress: bool | None
-    on_progress: Callable[[int, int], None] | None
-
-
-class _RunsOfOne(_Runs, total=False):
-    """What is asked of one piece, too."""
-
-    measures: MeasureSets | None
-    uncertainty: Uncertainty | None
-    samples: int | None
-    seed: int | None
-    precision: float | None
-    levels: ArrayLike | None
-    intensity_measures: Sequence[IntensityMeasure]
-    every_run: bool
-    on_verdict: Callable[[Verdict], None] | None
-
-
-@overload
-def verify(
-    what: Case | Body,
-    room: Room | None = ...,
-    *,
-    shaking: StatedShaking | None = ...,
-    building: Building | ShearModel | None = ...,
-    storey: int | None = ...,
-    **asked: Unpack[_RunsOfOne],
-) -> Verdict: ...
-
-
-@overload
-def verify(what: Scenario, **asked: Unpack[_RunsOfOne]) -> Any: ...
+    from stayput.verification.verdict import Verdict
 
 
 def verify(
@@ -86,7 +45,7 @@ def verify(
     progress: bool | None = None,
     on_progress: Callable[[int, int], None] | None = None,
     on_verdict: Callable[[Verdict], None] | None = None,
-) -> Verdict | AssemblyVerdict:
+) -> Verdict:
     """Compare measures over motions and over draws of the uncertain quantities.
 
     Every option meets the same motions and the same draws. At the stated shaking samples are added until
@@ -142,7 +101,7 @@ def verify(
 
     Returns
     -------
-    Verdict or AssemblyVerdict
+    Verdict
         The options, the best first.
 
     Raises
@@ -168,12 +127,6 @@ def verify(
     2
     """
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
-    runs: dict[str, Any] = {
-        "slide_limit": limit,
-        "threads": threads,
-        "progress": progress,
-        "on_progress": on_progress,
-    }
     settings = {"samples": samples, "seed": seed, "precision": precision}
     stated = {key: value for key, value in settings.items() if value is not None}
     place: dict[str, Any] = {"building": building, "storey": storey}
@@ -197,14 +150,18 @@ def verify(
             scenario = subject
     if scenario.plan is not None:
         raise InputError("rooms.use_verify_room", "what")
-    if not scenario.alone:
-        if levels is not None and np.size(levels):
-            raise InputError("several.levels", "levels")
-        return verify_several(scenario, **runs)
     further = list_of("intensity_measures", intensity_measures, IntensityMeasure)
     known = dict.fromkeys(intensity_measure(measure.key, "intensity_measures") for measure in further)
     return compare(
-        scenario, levels=levels, further=[*known], every_run=every_run, on_verdict=on_verdict, **runs
+        scenario,
+        levels=levels,
+        further=[*known],
+        slide_limit=limit,
+        every_run=every_run,
+        threads=threads,
+        progress=progress,
+        on_progress=on_progress,
+        on_verdict=on_verdict,
     )
 
 

@@ -25,8 +25,9 @@ from stayput.measures.measure import GRADE_OF, MEANINGS
 from stayput.model.parameters import STANDARD_GRAVITY, parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
-from stayput.standards import EquipmentLoad, ac156, asce43_sliding, equipment_loads, position_of
-from stayput.standards.asce43 import FRICTION_RANGE, VERTICAL_SHARE
+from stayput.standards.ac156 import ac156
+from stayput.standards.asce43 import FRICTION_RANGE, VERTICAL_SHARE, asce43_sliding
+from stayput.standards.equipment import EquipmentLoad, equipment_loads, position_of
 from stayput.verification.options import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR, joined
@@ -38,7 +39,7 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
-    from stayput.verification.options import Option
+    from stayput.scenario.option import Option
     from stayput.verification.verdict import Verdict
 
 
@@ -174,7 +175,8 @@ def notes(verdict: Verdict) -> tuple[Phrase, ...]:
     verdict : Verdict
         The verdict.
     """
-    return *shaken_notes(verdict, verdict.best.option), everyday_note(verdict)
+    everyday = (everyday_note(verdict),) if verdict.scenario.alone else ()
+    return *shaken_notes(verdict, verdict.best.option), *everyday
 
 
 def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
@@ -192,6 +194,8 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
         yield phrase("verification.strength", strength=strength.told(verdict.motions))
     if verdict.floor:
         yield phrase("verification.of_a_floor", floor=floor_phrase(verdict.floor))
+    if not verdict.scenario.alone:
+        return
     yield from _estimate(verdict)
     yield from _field(verdict)
     yield _grade(graded, verdict)
@@ -231,6 +235,7 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
 
 
 def _estimate(verdict: Verdict) -> Iterator[Phrase]:
+    assert verdict.estimates is not None
     formula = verdict.estimates.overturning_ratio
     simulated = verdict.without.probabilities[OVERTURNED].estimate
     if not abs(formula - simulated) > APART:  # nor where the simulation has no result

@@ -6,12 +6,12 @@ The earthquakes are what is asked, so they have no grade.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Generic, TypeVar
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from stayput.catalogue import Phrase, phrase, say
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
-from stayput.measures import MEASURES, BadlyInstalled, Measure, TensionPole, hold
+from stayput.measures import MEASURES, Measure, TensionPole, hold
 from stayput.measures.floor import OtherFriction
 from stayput.measures.measure import GRADE_OF, Grade
 from stayput.measures.wall import WallDevice
@@ -19,20 +19,17 @@ from stayput.model.body import FURNITURE
 from stayput.model.parameters import GIVEN, parameters
 from stayput.model.room import SURFACES, Floor
 from stayput.model.state import refuse_bad_start
-from stayput.scenario.pieces import NOTHING, AssemblyOption
+from stayput.scenario.option import NOTHING, Option
 from stayput.simulation.placing import placed
 from stayput.uncertainty import Confidence
 from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Sequence
+    from collections.abc import Iterator
 
-    from stayput.model.room import Room
     from stayput.scenario import Scenario
     from stayput.scenario.pieces import PieceTable
     from stayput.scenario.tables import BuildingTable
-
-OptionT = TypeVar("OptionT")
 
 USUAL = ("anti_slip_sheet", "felt_glides", "gel_mats", "wedge_stopper", "l_bracket", "belt", "tension_pole")
 """Measures that are compared where a scenario names none; each that can be applied."""
@@ -40,65 +37,20 @@ USUAL = ("anti_slip_sheet", "felt_glides", "gel_mats", "wedge_stopper", "l_brack
 COMBINED = ("wedge_stopper", "tension_pole")
 """The usual pair: each makes up for what the other lacks."""
 
-YOURS = "yours"
-"""Name of the set that is put together on the app's page; the user has not chosen it."""
-
 
 @dataclass(frozen=True, slots=True)
-class Option:
-    """A set of measures that is compared with others.
-
-    Parameters
-    ----------
-    name : str
-        What the user calls it; unique.
-    measures : tuple of Measure
-        The measures; none for the option without a measure.
-    """
-
-    name: str
-    measures: tuple[Measure, ...] = ()
-
-    @property
-    def own_name(self) -> bool:
-        """Whether the name is the user's own, and not made of its measures' types."""
-        kinds = [measure.kind for measure in self.measures]
-        return bool(kinds) and self.name not in (" + ".join(kinds), "+".join(kinds), YOURS)
-
-    def badly_installed(self, room: Room) -> tuple[Option, tuple[BadlyInstalled, ...]] | None:
-        """Return the measures as one installs them who does it badly, and what is wrong; None if nothing is.
-
-        All that can be badly installed is, since the same person does it.
-        """
-        each = [measure.badly_installed(room) for measure in self.measures]
-        wrong = tuple(bad for bad in each if bad is not None)
-        if not wrong:
-            return None
-        pairs = zip(self.measures, each, strict=True)
-        measures = tuple(measure if bad is None else bad.measure for measure, bad in pairs)
-        return replace(self, measures=measures), wrong
-
-    def label(self, language: str) -> str:
-        """Return its label in "en" or "ja"."""
-        if not self.measures:
-            return say("common.without", language)
-        joint = " + " if language == "en" else "+"
-        return joint.join(say(measure.label, language) for measure in self.measures)
-
-
-@dataclass(frozen=True, slots=True)
-class Impossible(Generic[OptionT]):
+class Impossible:
     """An option that cannot be put in place: it has no numbers, not even 0.
 
     Parameters
     ----------
-    option : Option or AssemblyOption
-        The measures.
+    option : Option
+        What would hold the pieces.
     error : InputError
         Why not.
     """
 
-    option: OptionT
+    option: Option
     error: InputError
 
     def why(self, language: str) -> str:
@@ -106,44 +58,48 @@ class Impossible(Generic[OptionT]):
         return self.error.told("ja" if language == "ja" else "en")
 
 
-def _possible(
-    options: Iterable[OptionT], put_in_place: Callable[[OptionT], object]
-) -> tuple[tuple[OptionT, ...], tuple[Impossible[OptionT], ...]]:
-    """Return those options that can be put in place, and those that cannot with the reason."""
-    possible: list[OptionT] = []
-    impossible: list[Impossible[OptionT]] = []
-    for option in options:
-        try:
-            put_in_place(option)
-        except InputError as error:  # no wall behind, no ceiling known, an anchor above the ceiling
-            impossible.append(Impossible(option, error.with_traceback(None)))
-        else:
-            possible.append(option)
-    return tuple(possible), tuple(impossible)
-
-
 def usual() -> tuple[Option, ...]:
-    """Return the usual measures, each alone, and the usual pair, whether they can be applied or not."""
+    """Return the usual measures on a piece, each alone, and the usual pair, whether they can be applied."""
     sets = [(name,) for name in USUAL] + [COMBINED]
-    return tuple(Option(" + ".join(names), tuple(MEASURES[name]() for name in names)) for names in sets)
+    return tuple(Option(" + ".join(names), (tuple(MEASURES[name]() for name in names),)) for names in sets)
 
 
-def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible[Option], ...]]:
-    """Return the options that a verification compares, that without a measure first, and the impossible ones.
+def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
+    """Return the options that a verification compares, that with nothing first, and the impossible ones.
 
     Raises
     ------
     InputError
-        A piece that stands in a wall or in the ceiling, or measures of which none can be applied there.
+        Pieces that stand in a wall or in the ceiling, what the file states, or options of which none can be
+        put in place.
     """
-    named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
-    body, room = scenario.piece.body(), scenario.room.room()
-    refuse_bad_start(body, room, scenario.initial.state())
-    compared = named if named or scenario.without_measures else usual()
-    possible, impossible = _possible(compared, lambda option: hold(body, room, option.measures))
+    named, room = scenario.options, scenario.room.room()
+
+    def put_in_place(option: Option) -> object:
+        if scenario.alone:
+            return hold(scenario.piece.body(), room, option.measures)
+        return placed(scenario.scene(option))
+
+    if scenario.alone:
+        refuse_bad_start(scenario.piece.body(), room, scenario.initial.state())
+        compared = named if named or scenario.without_measures else usual()
+    else:
+        with scenario.naming_file():
+            put_in_place(scenario.stated)
+        compared = named or _usual_of_several(scenario)
+    possible, impossible = list[Option](), list[Impossible]()
+    for option in compared:
+        try:
+            put_in_place(option)
+        except InputError as error:  # no wall behind, no ceiling known, mats under a piece on another
+            impossible.append(Impossible(option, error.with_traceback(None)))
+        else:
+            possible.append(option)
     if named and not possible:
-        raise impossible[0].error
-    return (Option(NOTHING), *possible), impossible
+        with scenario.naming_file():
+            raise impossible[0].error
+    nothing = Option(NOTHING, ((),) * len(scenario.names))
+    return (nothing, *possible), tuple(impossible)
 
 
 ON_TOP = ("l_bracket", "belt", "tension_pole")
@@ -156,65 +112,23 @@ ALONE = ("l_bracket",)
 """Those of them that are compared without the joints too."""
 
 
-def label(option: AssemblyOption, names: Sequence[str] = ()) -> Phrase:
-    """Return what an option consists of: "Joints + Belts on upper part"; no "on" without names."""
-    if not option.count:
-        return phrase("several.nothing")
-    on: dict[Phrase, list[str]] = {}
-    for number, measures in enumerate(option.measures):
-        for measure in measures:
-            on.setdefault(measure.label, []).extend(names[number : number + 1])
-    parts = [phrase("several.joined")] if option.joined else []
-    for what, held in on.items():
-        pieces = " and ".join(held), "と".join(held)
-        parts.append(phrase("several.on", measure=what, pieces=pieces) if held else what)
-    return joined(parts, "action_plan.plus")
-
-
-def options_of_several(
-    scenario: Scenario,
-) -> tuple[tuple[AssemblyOption, ...], tuple[Impossible[AssemblyOption], ...]]:
-    """Return the options that a verification compares, that without anything first, and the impossible ones.
-
-    Raises
-    ------
-    InputError
-        What the file states, or options of which none can be put in place.
-    """
-    nothing = AssemblyOption(NOTHING, False, ((),) * len(scenario.names))
-    named = scenario.options
-
-    def put_in_place(option: AssemblyOption) -> None:
-        placed(scenario.scene(option))  # refuses mats under a piece on another, say
-
-    with scenario.naming_file():
-        put_in_place(scenario.stated)
-    possible, rejected = _possible(named or _usual(scenario), put_in_place)
-    if named and not possible:
-        with scenario.naming_file():
-            raise rejected[0].error
-    return (nothing, *possible), rejected
-
-
-def _usual(scenario: Scenario) -> tuple[AssemblyOption, ...]:
+def _usual_of_several(scenario: Scenario) -> tuple[Option, ...]:
     """Return the options where a file names none: its joints and measures, or the usual ones."""
     stated, joints = scenario.stated, bool(scenario.joints)
-    options = [AssemblyOption("joined", True, ((),) * len(scenario.names))] if joints else []
-    if any(stated.measures):
+    options = [Option("joined", ((),) * len(scenario.names), joined=True)] if joints else []
+    if any(stated.on):
         return (*options, stated)
     carried = {piece.on for piece in scenario.pieces if piece.is_furniture}
     for kinds, chosen in (
         (ON_TOP, [piece.is_furniture and piece.title not in carried for piece in scenario.pieces]),
         (BELOW, [piece.is_furniture and piece.on is None for piece in scenario.pieces]),
     ):
-        if not any(chosen):
-            continue
-        for kind in kinds:
-            measures = tuple((MEASURES[kind](),) if on else () for on in chosen)
+        for kind in kinds if any(chosen) else ():
+            on = tuple((MEASURES[kind](),) if held else () for held in chosen)
             if not joints or kind in ALONE:
-                options.append(AssemblyOption(kind, False, measures))
+                options.append(Option(kind, on))
             if joints:
-                options.append(AssemblyOption(f"joined + {kind}", True, measures))
+                options.append(Option(f"joined + {kind}", on, joined=True))
     return tuple(options)
 
 
@@ -306,7 +220,7 @@ def inputs_in_room(measures: tuple[Measure, ...], scenario: Scenario, number: in
     return tuple(basis)
 
 
-def _around(scenario: Scenario | Scenario, floor: Floor, replaced: bool) -> Iterator[Input]:
+def _around(scenario: Scenario, floor: Floor, replaced: bool) -> Iterator[Input]:
     """Yield what decides of the floor, whose friction a measure may have replaced, and of the building."""
     if not replaced:
         yield Input(phrase("verification.floor_friction"), floor_tag(scenario))

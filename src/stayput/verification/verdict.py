@@ -1,9 +1,11 @@
-"""The results of verifications of one piece or several: for every option its probabilities, and its rank."""
+"""The results of a verification: for every option its probabilities, and its rank."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Generic, TypeVar
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
 from stayput.saved import InJson
@@ -13,7 +15,6 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
-    import numpy as np
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
@@ -21,12 +22,10 @@ if TYPE_CHECKING:
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
     from stayput.measures.measure import Grade
     from stayput.scenario import Scenario
-    from stayput.scenario.pieces import AssemblyOption
+    from stayput.scenario.option import Option
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.notes import Estimates
-    from stayput.verification.options import Impossible, Option
-
-RankedT = TypeVar("RankedT")
+    from stayput.verification.options import Impossible
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +49,8 @@ class DeviceSummary:
         device without a strength to reach.
     weakest : Phrase, optional
         What gave way in most of the runs in which it failed, or would first; none where nothing can.
+    pieces : tuple of str
+        The piece that it holds; of a joint the two that it joins.
     """
 
     kind: str
@@ -59,6 +60,7 @@ class DeviceSummary:
     peak: Quantiles
     used: Quantiles
     weakest: Phrase | None = None
+    pieces: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,43 +85,52 @@ class AsInstalled:
     usual: Mapping[str, float]
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class RankedOption:
-    """What is known of any option, whether of one piece or of several; see `OptionVerdict`."""
+@dataclass(frozen=True, slots=True)
+class PieceVerdict:
+    """What becomes of one of several pieces with an option.
 
-    rank: int
+    Parameters
+    ----------
+    name : str
+        The piece.
+    probabilities : mapping of str to Probability
+        Of each of `EVENTS`; that of a device's failure counts all devices.
+    slide, tilt : Quantiles
+        Peak slide [m] and tilt [rad].
+    """
+
+    name: str
     probabilities: Mapping[str, Probability]
-    change: Difference | None
     slide: Quantiles
     tilt: Quantiles
-    typical: Member
-    worst: Member
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
-class OptionVerdict(RankedOption):
-    """Results of one option: no measure, or one or several of them.
+@dataclass(frozen=True, slots=True, eq=False, repr=False, kw_only=True)
+class OptionVerdict:
+    """Results of one option: nothing, measures, joints.
 
     Parameters
     ----------
     option : Option
-        The measures.
+        What is in place.
     rank : int
         1 for the best.
     probabilities : mapping of str to Probability
-        Of each of `EVENTS`, at the scenario's shaking.
+        Of each of `EVENTS` for any of the pieces that count (`Scenario.counted`), at the scenario's shaking.
     change : Difference, optional
-        Probability of overturning less that without a measure; none for the latter itself.
+        Probability that any overturns less that without anything; none for the latter itself.
     slide, tilt : Quantiles
-        Peak slide [m] and tilt [rad].
-    devices : tuple of DeviceSummary
-        Of each device that bears a force.
-    curves : mapping of IntensityMeasure to FragilityCurve
-        Probability of overturning against every intensity measure.
-    capacities : mapping of float to Capacity
-        JMA intensity of the ground at which this share overturns: 0.1 and 0.5.
+        Peak slide [m] and tilt [rad] of that which moves farthest.
     typical, worst : Member
         A run of median severity, and the worst.
+    pieces : tuple of PieceVerdict
+        Each of the pieces.
+    devices : tuple of DeviceSummary
+        Of each device that bears a force, and of each joint.
+    curves : mapping of IntensityMeasure to FragilityCurve
+        Probability of overturning against every intensity measure; of a lone piece.
+    capacities : mapping of float to Capacity
+        JMA intensity of the ground at which this share overturns: 0.1 and 0.5; of a lone piece.
     installed : AsInstalled, optional
         As people install it, where the scenario asks for that and it can be badly installed.
     contents : ContentsVerdict, optional
@@ -127,6 +138,14 @@ class OptionVerdict(RankedOption):
     """
 
     option: Option
+    rank: int
+    probabilities: Mapping[str, Probability]
+    change: Difference | None
+    slide: Quantiles
+    tilt: Quantiles
+    typical: Member
+    worst: Member
+    pieces: tuple[PieceVerdict, ...]
     devices: tuple[DeviceSummary, ...]
     curves: Mapping[IntensityMeasure, FragilityCurve]
     capacities: Mapping[float, Capacity]
@@ -139,35 +158,7 @@ class OptionVerdict(RankedOption):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False, kw_only=True)
-class Ranking(InJson, Generic[RankedT]):
-    """What is known of any verification, whether of one piece or of several; see `Verdict`."""
-
-    intensity: float
-    slide_limit: float
-    options: tuple[RankedT, ...]
-    motions: int
-    samples: int
-    runs: int
-    seed: int
-    seconds: float
-    precise: bool = False
-    floor: str = ""
-
-    @property
-    def best(self) -> RankedT:
-        """The option that ranks first."""
-        return self.options[0]
-
-    def report(self, path: str | Path, language: str = "en") -> Path:
-        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
-        from stayput.report.verdict.html import write_report
-
-        assert isinstance(self, Verdict | AssemblyVerdict)
-        return write_report(self, path, language)
-
-
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
-class Verdict(Ranking[OptionVerdict]):
+class Verdict(InJson):
     """The outcome of a verification.
 
     Parameters
@@ -179,23 +170,23 @@ class Verdict(Ranking[OptionVerdict]):
     slide_limit : float
         Slide that counts as too far [m].
     options : tuple of OptionVerdict
-        The best first; exactly one of them has no measure.
-    estimates : Estimates
-        Quick estimates by formulas, to stand beside.
-    levels : ndarray, shape (levels,)
-        JMA intensities of the fragility curves.
+        The best first; exactly one of them has nothing in place.
     motions, samples : int
         Motions, and Monte Carlo samples of each.
     runs : int
         Simulations that were made.
-    settled : int
-        Runs of the fragility curves that were not made: stronger shaking left the piece far from falling.
-    precise : bool
-        Whether the asked precision was reached.
     seed : int
         Seed of the draws.
     seconds : float
         How long it took.
+    estimates : Estimates, optional
+        Quick estimates by formulas, to stand beside those of a lone piece.
+    levels : ndarray, shape (levels,)
+        JMA intensities of the fragility curves.
+    settled : int
+        Runs of the fragility curves that were not made: stronger shaking left the piece far from falling.
+    precise : bool
+        Whether the asked precision was reached.
     impossible : tuple of Impossible
         Options that cannot be put in place here, with the reason.
     complete : bool
@@ -218,11 +209,21 @@ class Verdict(Ranking[OptionVerdict]):
     """
 
     scenario: Scenario
-    estimates: Estimates
-    levels: NDArray[np.float64]
+    intensity: float
+    slide_limit: float
+    options: tuple[OptionVerdict, ...]
+    motions: int
+    samples: int
+    runs: int
+    seed: int
+    seconds: float
+    estimates: Estimates | None = None
+    levels: NDArray[np.float64] = field(default_factory=lambda: np.empty(0))
     settled: int = 0
-    impossible: tuple[Impossible[Option], ...] = ()
+    precise: bool = False
+    impossible: tuple[Impossible, ...] = ()
     complete: bool = True
+    floor: str = ""
 
     def __repr__(self) -> str:
         ranked = ", ".join(
@@ -246,17 +247,26 @@ class Verdict(Ranking[OptionVerdict]):
         language : str
             Language of the texts, "en" or "ja".
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.fragility import draw_ranking
 
-        axis = axes_of(ax)
-        draw_ranking(axis, self, check_language(language))
-        return drawn(axis)
+        return plotted(ax, draw_ranking, self, check_language(language))
+
+    @property
+    def best(self) -> OptionVerdict:
+        """The option that ranks first."""
+        return self.options[0]
 
     @property
     def without(self) -> OptionVerdict:
-        """The option without a measure."""
-        return next(option for option in self.options if not option.option.measures)
+        """The option with nothing in place."""
+        return next(option for option in self.options if not option.option.count)
+
+    def report(self, path: str | Path, language: str = "en") -> Path:
+        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
+        from stayput.report.verdict.html import write_report
+
+        return write_report(self, path, language)
 
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""
@@ -288,129 +298,6 @@ class Verdict(Ranking[OptionVerdict]):
         from stayput.report.verdict.markdown import verdict_markdown
 
         return verdict_markdown(self, language)
-
-    def to_csv(self) -> str:
-        """Return the ranking as CSV."""
-        from stayput.report.verdict.tables import verdict_csv
-
-        return verdict_csv(self)
-
-
-@dataclass(frozen=True, slots=True)
-class PieceVerdict:
-    """What becomes of one of several pieces with an option.
-
-    Parameters
-    ----------
-    name : str
-        The piece.
-    probabilities : mapping of str to Probability
-        Of each of `EVENTS`; that of a device's failure counts all devices.
-    slide, tilt : Quantiles
-        Peak slide [m] and tilt [rad].
-    """
-
-    name: str
-    probabilities: Mapping[str, Probability]
-    slide: Quantiles
-    tilt: Quantiles
-
-
-@dataclass(frozen=True, slots=True)
-class DeviceOfSeveral:
-    """Summary of a device or a joint: the piece that it holds, or the two that it joins."""
-
-    pieces: tuple[str, ...]
-    summary: DeviceSummary
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class AssemblyOptionVerdict(RankedOption):
-    """Results of one option of several pieces.
-
-    Parameters
-    ----------
-    option : AssemblyOption
-        The joints and the measures.
-    rank : int
-        1 for the best.
-    probabilities : mapping of str to Probability
-        Of each of `EVENTS` for any of the pieces that count (`Scenario.counted`), at the
-        scenario's shaking.
-    change : Difference, optional
-        Probability that any overturns less that without anything; none for the latter itself.
-    slide, tilt : Quantiles
-        Peak slide [m] and tilt [rad] of that which moves farthest.
-    pieces : tuple of PieceVerdict
-        Each of the pieces.
-    devices : tuple of DeviceOfSeveral
-        Each device and joint.
-    typical, worst : Member
-        A run of median severity, and the worst.
-    """
-
-    option: AssemblyOption
-    pieces: tuple[PieceVerdict, ...]
-    devices: tuple[DeviceOfSeveral, ...]
-
-
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
-class AssemblyVerdict(Ranking[AssemblyOptionVerdict]):
-    """The outcome of a verification of several pieces.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The scenario.
-    intensity : float
-        JMA intensity of the ground.
-    slide_limit : float
-        Slide that counts as too far [m].
-    options : tuple of AssemblyOptionVerdict
-        The best first; exactly one of them has neither joints nor measures.
-    motions, samples : int
-        Motions, and Monte Carlo samples of each.
-    runs : int
-        Simulations that were made.
-    precise : bool
-        Whether the asked precision was reached.
-    seed : int
-        Seed of the draws.
-    seconds : float
-        How long it took.
-    rejected : tuple of Impossible
-        Options that cannot be put in place here, with the reason.
-    """
-
-    scenario: Scenario
-    rejected: tuple[Impossible[AssemblyOption], ...] = ()
-
-    def __repr__(self) -> str:
-        best, pieces = self.best, ", ".join(self.scenario.names)
-        return f"AssemblyVerdict(JMA {self.intensity:.2f}; {pieces}; best: {best.option.name})"
-
-    @property
-    def without(self) -> AssemblyOptionVerdict:
-        """The option without joints and measures."""
-        return next(option for option in self.options if not option.option.count)
-
-    def sentence(self, language: str = "en") -> str:
-        """Return the verdict in one sentence, in "en" or "ja"."""
-        from stayput.verification.words import headline_of_several
-
-        return headline_of_several(self, language)
-
-    def to_json(self) -> str:
-        """Return the verdict as JSON; keys carry their units."""
-        from stayput.report.verdict.data import json_text, several_data
-
-        return json_text(several_data(self))
-
-    def to_markdown(self, language: str = "en") -> str:
-        """Return the verdict as Markdown, in "en" or "ja"."""
-        from stayput.report.verdict.markdown import several_markdown
-
-        return several_markdown(self, language)
 
     def to_csv(self) -> str:
         """Return the ranking as CSV."""

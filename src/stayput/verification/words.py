@@ -5,22 +5,21 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import LANGUAGES, Phrase, phrase, say
+from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import CONTENTS, INTENSITIES
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
-from stayput.verification.options import Impossible, Option, label
 from stayput.wording import FAR, inside, is_open, joined, with_aside
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from stayput.fragility import Probability
     from stayput.rooms.verdict import RoomVerdict
-    from stayput.scenario.pieces import AssemblyOption
-    from stayput.verification.verdict import AssemblyOptionVerdict, AssemblyVerdict, OptionVerdict, Verdict
-
-    Ranked = Verdict | AssemblyVerdict
+    from stayput.scenario.option import Option
+    from stayput.verification.verdict import AsInstalled, OptionVerdict, Verdict
 
 ALIKE = 0.05
 """Shares that differ by less than this, and not clearly, are called about the same."""
@@ -43,7 +42,7 @@ def class_phrase(intensity: float, floor: str = "") -> Phrase:
     return phrase("ground_shaking.of_floor", strength=strength, floor=floor_phrase(floor))
 
 
-def shaking_phrase(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> Phrase:
+def shaking_phrase(verdict: Verdict | RoomVerdict) -> Phrase:
     """Return how strong shaking is: its class, and what was stated where that is not the class itself."""
     shaking, strength = verdict.scenario.shaking, class_phrase(verdict.intensity, verdict.floor)
     if shaking.strength is None or isinstance(shaking.intensity, str):
@@ -80,21 +79,31 @@ def falls_phrase(share: float) -> Phrase:
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
     """Return an option's label, in brackets behind its name where that is the user's own."""
-    return _titled(option.label(language), option, verdict, language)
+    return say(_titled(option, verdict, in_sentence=False), language)
+
+
+def _titled(option: Option, verdict: Verdict, *, in_sentence: bool) -> Phrase:
+    """Return the title of an option, which may stand within a sentence."""
+    names, several = verdict.scenario.names, len(option.on) > 1
+    labels = [other.option.label(names) for other in (*verdict.options, *verdict.impossible)]
+    label, alone = option.label(names), labels.count(option.label(names)) == 1
+    own, english = option.own_name, label[0]
+    if in_sentence or (own and several):
+        english = inside(english)
+    if own:
+        aside = english, label[1]
+        return with_aside(option.name, aside[0], "en"), with_aside(option.name, aside[1], "ja")
+    if alone or not option.count:
+        return english, label[1]
+    return with_aside(english, option.name, "en"), with_aside(label[1], option.name, "ja")
 
 
 def _title_inside(option: Option, verdict: Verdict) -> Phrase:
-    """Return an option's label within a sentence."""
-    english = _titled(inside(option.label("en")), option, verdict, "en")
-    return english, title(option, verdict, "ja")
-
-
-def _titled(label: str, option: Option, verdict: Verdict, language: str) -> str:
-    options = (result.option for result in (*verdict.options, *verdict.impossible))
-    alone = sum(other.label(language) == option.label(language) for other in options) == 1
-    if option.own_name:
-        return with_aside(option.name, label, language)
-    return label if alone or not option.measures else with_aside(label, option.name, language)
+    """Return an option's title within a sentence; of several pieces the user's own name stands for it."""
+    english, japanese = _titled(option, verdict, in_sentence=True)
+    if option.own_name and len(option.on) > 1:
+        english = f"“{option.name}”"
+    return english, japanese
 
 
 def length(metres: float) -> str:
@@ -178,21 +187,36 @@ def _of_contents(verdict: Verdict) -> Phrase:
 def _helps(option: OptionVerdict, without: OptionVerdict) -> bool:
     """Return whether fewer overturn with an option than without a measure, by a share that is mentioned."""
     held, bare = option.probabilities[OVERTURNED].estimate, without.probabilities[OVERTURNED].estimate
-    return bool(option.option.measures) and held < bare - SMALL
+    return option.option.count > 0 and held < bare - SMALL
 
 
 def _headline(verdict: Verdict) -> Phrase:
-    what = phrase("verification.this_piece", name=verdict.scenario.piece.title)
+    where = _where(verdict)
+    what = phrase(f"{where}.what", name=verdict.scenario.piece.title)
     if math.isnan(verdict.without.probabilities[OVERTURNED].estimate):
-        return phrase("verification.no_bare_run", none=phrase("verification.none"))
+        return phrase("verification.no_bare_run", none=phrase(f"{where}.none"))
     if _helps(verdict.best, verdict.without):
-        option = phrase("verification.if_there", option=_title_inside(verdict.best.option, verdict))
+        option = phrase(f"{where}.if_there", option=_title_inside(verdict.best.option, verdict))
         return _better(verdict, what, option)
-    more = phrase("verification.none_helps") if len(verdict.options) > 1 else ""
-    return _falls_or_stands(verdict, "verification.stays_upright", what, more)
+    more: Phrase | str = ""
+    if len(verdict.options) > 1:
+        more = phrase(f"{where}.none_helps")
+    elif verdict.impossible and where == "several":
+        more = phrase("several.none_possible")
+    return _falls_or_stands(verdict, what, more)
 
 
-def _better(verdict: Ranked, what: Phrase, option: Phrase, bare: Phrase | str = "") -> Phrase:
+def _bare(verdict: Verdict) -> Phrase | str:
+    """Return that several pieces have nothing in place."""
+    return "" if verdict.scenario.alone else phrase("several.without")
+
+
+def _where(verdict: Verdict) -> str:
+    """Return the module of the catalogue that tells what overturns: this piece, or any of several."""
+    return "verification" if verdict.scenario.alone else "several"
+
+
+def _better(verdict: Verdict, what: Phrase, option: Phrase) -> Phrase:
     """Return how often something overturns without anything, and with the best option."""
     best, share = verdict.best, verdict.without.probabilities[OVERTURNED].estimate
     held, unclear = best.probabilities[OVERTURNED].estimate, best.change is not None and not best.change.clear
@@ -201,21 +225,20 @@ def _better(verdict: Ranked, what: Phrase, option: Phrase, bare: Phrase | str = 
         strength=shaking_phrase(verdict),
         what=what,
         falls=falls_phrase(share),
-        bare=bare,
+        bare=_bare(verdict),
         option=option,
         then=phrase(f"verification.then_{'falls' if held else 'never'}", share=share_text(held)),
         chance=phrase("verification.may_be_chance") if unclear else "",
     )
 
 
-def _falls_or_stands(
-    verdict: Ranked, upright: str, what: Phrase, more: Phrase | str, bare: Phrase | str = ""
-) -> Phrase:
-    """Return how often something overturns without anything, or that it stays upright, by its own id."""
+def _falls_or_stands(verdict: Verdict, what: Phrase, more: Phrase | str) -> Phrase:
+    """Return how often something overturns without anything, or that it stays upright."""
     chance, strength = verdict.without.probabilities[OVERTURNED], shaking_phrase(verdict)
+    where = _where(verdict)
     if chance.estimate < SMALL:
-        return phrase(upright, strength=strength, what=what, doubt=doubt(chance))
-    falls = falls_phrase(chance.estimate)
+        return phrase(f"{where}.stays_upright", strength=strength, what=what, doubt=doubt(chance))
+    falls, bare = falls_phrase(chance.estimate), _bare(verdict)
     return phrase("verification.bare_falls", strength=strength, what=what, falls=falls, bare=bare, more=more)
 
 
@@ -226,11 +249,9 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     return sentence_of([say(part, language) for part in _reasons(option, verdict)], language)
 
 
-def _overturns(option: OptionVerdict | AssemblyOptionVerdict, verdict: Ranked, where: str) -> Phrase:
-    """Return how often something overturns with an option, beside how often without anything.
-
-    What overturns, and what there is none of, is told by the catalogue's module ``where``.
-    """
+def _overturns(option: OptionVerdict, verdict: Verdict) -> Phrase:
+    """Return how often something overturns with an option, beside how often without anything."""
+    where = _where(verdict)
     bare, held = (ranked.probabilities[OVERTURNED].estimate for ranked in (verdict.without, option))
     it, change = phrase(f"{where}.it"), option.change
     if change is None:
@@ -251,10 +272,13 @@ def sentence_of(clauses: list[str], language: str) -> str:
     return f"{text[:1].upper()}{text[1:]}." if language == "en" else f"{text}。"
 
 
+OFTEN = 0.05
+"""From this share on a failing device is mentioned."""
+
+
 def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     shares = {event: chance.estimate for event, chance in option.probabilities.items()}
-    held = shares[OVERTURNED]
-    parts = [_overturns(option, verdict, "verification")]
+    parts = [_overturns(option, verdict), *_of_pieces(option, verdict)]
     if option.contents is not None:
         parts.append(contents_out(option, verdict))
         if (leaving := option.contents.leaving) is not None:
@@ -262,103 +286,60 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
             key = "verification.from_the_top" if middle == highest else "verification.from_shelves"
             shelves = phrase(key, height=middle, highest=highest)
             parts.append(phrase("verification.contents_leave", from_where=shelves, fast=leaving.fast))
-    if shares[DEVICE_FAILED] >= 0.05:
+    if shares[DEVICE_FAILED] >= OFTEN:
         parts.append(phrase("verification.device_fails", share=share_text(shares[DEVICE_FAILED])))
-        worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)
-        if worst is not None and worst.weakest is not None:
-            parts.append(phrase("verification.gives_way", weakest=worst.weakest))
-    if (installed := option.installed) is not None:
-        usual, badly = installed.usual[OVERTURNED], installed.badly[OVERTURNED]
-        alike = share_text(usual) == share_text(held) or badly.low <= held <= badly.high
-        parts.append(
-            phrase(
-                "verification.alike_as_installed" if alike else "verification.as_installed",
-                well=share_text(held),
-                usual=share_text(usual),
-                share=percent(installed.share),
-                how=joined(installed.how),
-            )
-        )
-    if slides_off(option, verdict):
+        parts += _gives_way(option)
+    if option.installed is not None:
+        parts.append(_as_installed(option.installed, shares[OVERTURNED]))
+    scenario = verdict.scenario
+    if scenario.alone and slides_off(option, verdict):
         parts.append(phrase("verification.slides_far", far=FAR))
     elif math.isfinite(option.slide.p90) and option.slide.p90 >= 0.01:
-        parts.append(phrase("verification.slides", length=length(option.slide.p90)))
-    elif shares[SLID] < SMALL and shares[OVERTURNED] < SMALL:
+        parts.append(phrase(f"{_where(verdict)}.slides", length=length(option.slide.p90)))
+    elif scenario.alone and shares[SLID] < SMALL and shares[OVERTURNED] < SMALL:
         parts.append(phrase("verification.stays_where_it_is"))
-    scenario = verdict.scenario
+    if not scenario.alone:
+        return parts
     body, room = scenario.piece.body(), scenario.room.room()
     cautions = (caution for measure in option.option.measures for caution in measure.cautions(body, room))
     return [*parts, *(phrase("verification.caution", caution=caution) for caution in cautions)]
 
 
-OFTEN = 0.05
-"""From this share on a failing device is mentioned."""
-
-
-def title_of_several(
-    result: AssemblyOptionVerdict | Impossible[AssemblyOption], verdict: AssemblyVerdict, language: str
-) -> str:
-    """Return what an option consists of, after its name where that is the user's own."""
-    content = label(result.option, verdict.scenario.names)
-    if not is_own(result, verdict):
-        return say(content, language)
-    return with_aside(result.option.name, inside(content[0]) if language == "en" else content[1], language)
-
-
-def is_own(result: AssemblyOptionVerdict | Impossible[AssemblyOption], verdict: AssemblyVerdict) -> bool:
-    """Return whether an option has a name of the user's own."""
-    return result.option in verdict.scenario.options
-
-
-def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
-    """Return the verdict in one sentence."""
-    best, bare = verdict.best, verdict.without.probabilities[OVERTURNED].estimate
-    if math.isnan(bare):
-        return say("verification.no_bare_run", language, none=phrase("several.none"))
-    what, without = phrase("several.what"), phrase("several.without")
-    if best.option.count and best.probabilities[OVERTURNED].estimate < bare - SMALL:
-        english, japanese = (title_of_several(best, verdict, each) for each in LANGUAGES)
-        english = f"“{best.option.name}”" if is_own(best, verdict) else inside(english)
-        option = phrase("several.if_there", option=(english, japanese))
-        return say(_better(verdict, what, option, without), language)
-    more: Phrase | str = ""
-    if len(verdict.options) > 1 or verdict.rejected:
-        more = phrase("several.none_helps" if len(verdict.options) > 1 else "several.none_possible")
-    return say(_falls_or_stands(verdict, "several.stays_upright", what, more, without), language)
-
-
-def reason_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict, language: str) -> str:
-    """Return why an option stands where it does, in one sentence."""
-    if math.isnan(result.probabilities[OVERTURNED].estimate):
-        return say("verification.no_run", language)
-    return sentence_of([say(part, language) for part in _reasons_of_several(result, verdict)], language)
-
-
-def _reasons_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> list[Phrase]:
-    parts = [_overturns(result, verdict, "several")]
-    shares = [piece.probabilities[OVERTURNED].estimate for piece in result.pieces]
+def _of_pieces(option: OptionVerdict, verdict: Verdict) -> Iterator[Phrase]:
+    """Yield which of several pieces overturns most often, and what that does not count overturns too."""
+    shares = [piece.probabilities[OVERTURNED].estimate for piece in option.pieces]
     counted = verdict.scenario.counted
-    worst = max(counted, key=lambda number: shares[number])
+    worst = max(counted, key=shares.__getitem__)
     if len(counted) > 1 and shares[worst] >= SMALL:
-        name = result.pieces[worst].name
-        parts.append(phrase("several.most_often", name=name, share=share_text(shares[worst])))
-    for number, piece in enumerate(result.pieces):
+        name = option.pieces[worst].name
+        yield phrase("several.most_often", name=name, share=share_text(shares[worst]))
+    for number, piece in enumerate(option.pieces):
         if number not in counted and shares[number] >= SMALL:
-            parts.append(phrase("several.loose", name=piece.name, falls=falls_phrase(shares[number])))
-    failing = result.probabilities[DEVICE_FAILED].estimate
-    if failing >= OFTEN:
-        parts.append(phrase("verification.device_fails", share=share_text(failing)))
-        parts += _gives_way(result)
-    if math.isfinite(result.slide.p90) and result.slide.p90 >= 0.01:
-        parts.append(phrase("several.slides", length=length(result.slide.p90)))
-    return parts
+            yield phrase("several.loose", name=piece.name, falls=falls_phrase(shares[number]))
 
 
-def _gives_way(result: AssemblyOptionVerdict) -> list[Phrase]:
-    """Return which device fails most often, as a clause."""
-    worst = max(result.devices, key=lambda device: device.summary.failed.estimate)
+def _gives_way(option: OptionVerdict) -> Iterator[Phrase]:
+    """Yield which device or joint fails most often, as a clause."""
+    worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)
+    if worst is None:
+        return
     if len(worst.pieces) == 2:
         first, second = worst.pieces
-        return [phrase("several.joint_fails", first=first, second=second)]
-    weakest = worst.summary.weakest
-    return [] if weakest is None else [phrase("several.device_of", name=worst.pieces[0], weakest=weakest)]
+        yield phrase("several.joint_fails", first=first, second=second)
+    elif worst.weakest is not None and len(option.pieces) > 1:
+        yield phrase("several.device_of", name=worst.pieces[0], weakest=worst.weakest)
+    elif worst.weakest is not None:
+        yield phrase("verification.gives_way", weakest=worst.weakest)
+
+
+def _as_installed(installed: AsInstalled, held: float) -> Phrase:
+    """Return how often it overturns as people install a measure, beside how often when well installed."""
+    usual, badly = installed.usual[OVERTURNED], installed.badly[OVERTURNED]
+    alike = share_text(usual) == share_text(held) or badly.low <= held <= badly.high
+    return phrase(
+        "verification.alike_as_installed" if alike else "verification.as_installed",
+        well=share_text(held),
+        usual=share_text(usual),
+        share=percent(installed.share),
+        how=joined(installed.how),
+    )

@@ -16,16 +16,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, instance_of, warn, warnings_to, whole_within, within
 from stayput.motion import seismogram
-from stayput.motion.baseline import checked_record
 from stayput.motion.channels import (
+    check_horizontal,
     is_vertical,
     labels_phrase,
     motion_fields,
-    refuse_vertical,
-    warn_of_vertical,
 )
 from stayput.motion.floors import BOREHOLE, floor_phrase
-from stayput.motion.processing import STEP_RANGE
+from stayput.motion.processing import STEP_RANGE, checked_record
 from stayput.motion.readers import california, databases, japan
 from stayput.motion.readers.columns import COLUMNS, MOST_SKIPPED, ReadingOptions, chosen_columns, read_columns
 from stayput.motion.readers.text import check_end, file_text, other_format
@@ -100,7 +98,7 @@ def read_motion(
         It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
         file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
         floor, channels seem to be missing, columns of other quantities are left out, the sensor is in a
-        borehole; a component has an offset (see `stayput.motion.baseline.oscillates_about_offset`), or the
+        borehole; a component has an offset (see `stayput.motion.processing.oscillates_about_offset`), or the
         time step is longer than 0.1 s.
 
     Examples
@@ -110,7 +108,7 @@ def read_motion(
     >>> sp.read_motion(path).pga
     4.0
     """
-    return motion_of([read_file(path, unit, **options)], along(component, warn_of_vertical))
+    return motion_of([read_file(path, unit, **options)], along(component, refuse=False))
 
 
 def read_shaking(
@@ -136,7 +134,7 @@ def read_shaking(
         Likewise; or ``component`` names a vertical channel of a file that has horizontal ones.
     """
     file = read_file(path, unit, several=several, **options)
-    return motion_of([file], along(component, refuse_vertical))
+    return motion_of([file], along(component))
 
 
 def read_vertical(
@@ -161,24 +159,22 @@ def read_vertical(
     return motion_of([read_file(path, unit, several=several, **options)], _vertical_of)
 
 
-def along(
-    component: str | None, look_at: Callable[[Sequence[Channel], str | None], None]
-) -> Callable[[Sequence[Channel]], str | None]:
+def along(component: str | None, *, refuse: bool = True) -> Callable[[Sequence[Channel]], str | None]:
     """Return what names the channel along the shaking, for `motion_of`.
 
     Parameters
     ----------
     component : str, optional
         The channel; None where it is not said.
-    look_at : callable
-        Refuses a vertical one, or warns of it.
+    refuse : bool
+        Whether a vertical one is refused; else it is warned of.
     """
 
     def named(channels: Sequence[Channel]) -> str | None:
         if component is not None and channels[0].role:
             about: dict[str, Any] = {"name": "component", "other": "columns", "component": component}
             raise InputError("motion.component_and_columns", "component", **about)
-        look_at(channels, component)
+        check_horizontal(channels, component, refuse=refuse)
         return component
 
     return named

@@ -16,17 +16,21 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass, field
+from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, warn
-from stayput.motion.channels import Channel, plain_label
-from stayput.motion.readers.text import FixedBlock, Reader, check_count, lacks, lines, not_as_stated, numbers
+from stayput.motion.channels import LISTED, Channel, plain_label
+from stayput.motion.readers.text import Reader, check_count, fields, lacks, lines, not_as_stated, numbers
 from stayput.motion.units import acceleration_unit, time_step
+from stayput.wording import joined
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
+
+    import numpy as np
+    from numpy.typing import NDArray
 
 _ANNOUNCED = re.compile(
     r"^ *[0-9]{1,9} +POINTS +OF +(?:ACCEL|VELOC|DISPL) +DATA +EQUALLY[ -]+SPACED +AT",
@@ -73,146 +77,11 @@ def _plain(line: str) -> str:
     return " ".join(line.split())
 
 
-class _Block(NamedTuple):
-    """The line that announces a block of V2."""
-
-    kind: str
-    points: int
-    step: float
-    rest: str
-
-
-@dataclass
-class _ChannelText:
-    """What a V2 file says of one channel.
-
-    Attributes
-    ----------
-    header : list of str
-        The lines above its blocks.
-    blocks : list of _Block
-        What announces its blocks.
-    samples : FixedBlock
-        The acceleration.
-    """
-
-    header: list[str] = field(default_factory=list[str])
-    blocks: list[_Block] = field(default_factory=list[_Block])
-    samples: FixedBlock = field(default_factory=lambda: FixedBlock("the_samples"))
-
-    def take(self, line: str) -> None:
-        """Read a line."""
-        block = _BLOCK.fullmatch(_plain(line))
-        if block is not None:
-            count, step = numbers([block[1], block[3]], "the_line_before_the_samples").tolist()
-            self.blocks.append(_Block(block[2].upper(), int(count), step, block[4]))
-            if block[2].upper() == "ACCEL":
-                fields = _FIELDS.search(block[4])
-                per_line, self.samples.width = (int(fields[1]), int(fields[2])) if fields else (8, 10)
-                _check_layout(line, int(count), per_line, self.samples.width)
-        elif not self.blocks:
-            if len(self.header) < _HEADER_LINES:
-                self.header.append(line)
-        elif self.blocks[-1].kind == "ACCEL":
-            self.samples.add(line)
-
-    def labels(self) -> list[tuple[int, str]]:
-        """Return the numbers and the directions that the header gives the channel."""
-        matches = filter(None, map(_CHANNEL.search, self.header))
-        return [(int(m[1]), _FROM.split(m[2].strip(), maxsplit=1)[0].strip()) for m in matches]
-
-    def channels_of_file(self) -> int:
-        """Return how many channels the header's integers state; 0 where they are not there."""
-        rows = (line.split() for line in self.header)
-        first = next((row for row in rows if len(row) == 16 and all(map(str.isdecimal, row))), None)
-        return int(first[3]) if first else 0
-
-    def name(self) -> str:
-        """Return station and event."""
-        titles = [line.strip() for line in self.header]
-        while titles and not titles[0].upper().startswith("CORRECTED"):
-            titles.pop(0)
-        return f"{titles[6]}, {titles[2]}" if len(titles) > 6 else ""
-
-    def peak(self) -> float | None:
-        """Return the peak acceleration that the header states [m/s²]."""
-        match = next((m for line in self.header if (m := _PEAK.search(_plain(line)))), None)
-        return match and float(numbers([match[1]], "the_peak")[0]) * acceleration_unit(match[2], None)
-
-
-def _check_layout(line: str, *sizes: int) -> None:
-    """Refuse a line before samples that announces none, or fields without width."""
-    if min(sizes) < 1:
-        raise InputError("motion.header_line", line=excerpt(line.strip()), wanted=phrase("motion.a_layout"))
-
-
-def _check_number(part: _ChannelText, last_line: str, position: int) -> str:
-    """Return the channel's direction; its numbers in the header and in the last line must agree."""
-    labels = part.labels()
-    end = _CSMIP_END.search(_plain(last_line))
-    numbers = {number for number, _ in labels} | ({int(end[1])} if end else set[int]())
-    if len(numbers) > 1:
-        listing = " and ".join(map(str, sorted(numbers)))
-        raise InputError("motion.csmip_two_numbers", channel=position, numbers=listing)
-    directions = [direction for _, direction in labels]
-    if len({plain_label(direction) for direction in directions}) > 1:
-        english, japanese = zip(*map(excerpt, directions), strict=True)
-        listing = ", ".join(english), "".join(japanese)
-        taken = excerpt(directions[0])
-        warn(InputWarning("motion.csmip_directions", channel=position, directions=listing, taken=taken))
-    return directions[0] if directions else ""
-
-
-def _csmip_channel(
-    part: _ChannelText, last_line: str, position: int, unit: str | None, dt: float | None
-) -> Channel:
-    accelerations = [block for block in part.blocks if block.kind == "ACCEL"]
-    if len(accelerations) != 1:
-        raise InputError("motion.csmip_acceleration_lines", channel=position, count=len(accelerations))
-    _, count, step, rest = accelerations[0]
-    # Velocity and displacement last as long as the acceleration, but may have their own, longer time step.
-    for other in part.blocks:
-        lasts, other_lasts = count * step, other.points * other.step
-        if other.step != step if other.points == count else abs(other_lasts - lasts) > max(step, other.step):
-            about: dict[str, Any] = {"lasts": lasts, "kind": other.kind, "other": other_lasts}
-            raise InputError("motion.csmip_lengths", channel=position, **about)
-    stated = _UNIT.search(rest)
-    factor = acceleration_unit(stated[1].rstrip(".") if stated else None, unit)
-    samples = part.samples.array()
-    check_count(len(samples), count)
-    label = _check_number(part, last_line, position)
-    place = " ".join(" ".join(part.header).split())
-    return Channel(label, factor * samples, time_step(step, dt), part.name(), part.peak(), location=place)
-
-
-def _read_csmip(text: str, unit: str | None, dt: float | None) -> list[Channel]:
-    """Return the channels of a V2 file.
-
-    Raises
-    ------
-    InputError
-        A channel has no acceleration or more than one, no unit, or not as many samples as stated.
-    """
-    channels: list[Channel] = []
-    part, stated = _ChannelText(), 0
-    for _, line in lines(text):
-        if not line.lstrip().startswith("/&"):
-            part.take(line)
-            continue
-        channels.append(_csmip_channel(part, line, len(channels) + 1, unit, dt))
-        stated = max(stated, part.channels_of_file())
-        part = _ChannelText()
-    if part.blocks or any(line.strip() for line in part.header):
-        raise InputError("motion.no_end", line="/&")
-    if stated > len(channels):
-        warn(InputWarning("motion.csmip_channels_missing", stated=stated, count=len(channels)))
-    return channels
-
-
 class _Lines:
-    """The file's lines one after the other, with a look at the next."""
+    """The file's lines one after the other, with a look at the next; ``last`` is how its last one begins."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, last: str) -> None:
+        self._last = last
         self._rest: Iterator[str] = (line for _, line in lines(text))
         self.line: str | None = next(self._rest, None)
 
@@ -225,25 +94,128 @@ class _Lines:
         """Return the line and go on to the next; refuse a file that is at its end."""
         line = self.line
         if line is None:
-            raise InputError("motion.no_end", line="End-of-data")
+            raise InputError("motion.no_end", line=self._last)
         self.line = next(self._rest, None)
         return line
 
-    def until_end(self) -> Iterator[str]:
-        """Yield the lines up to one that ends a block of samples, or to the end of the file."""
-        line = self.line
-        while line is not None and not (
-            line.startswith(("E", "e", "/&")) and _COSMOS_END.match(_plain(line))
-        ):
-            yield line
-            line = next(self._rest, None)
-        self.line = line
+    def until(self, ends: Callable[[str], object]) -> Iterator[str]:
+        """Yield the lines up to one that ends a part, or to the end of the file."""
+        while self.line is not None and not ends(self.line):
+            yield self.take()
 
-    def skip_blank(self) -> bool:
-        """Pass over blank lines; return whether a line is left."""
-        while self.line is not None and not self.line.strip():
-            self.take()
+    def skip_to(self, ends: Callable[[str], object]) -> bool:
+        """Pass over the same lines; return whether one is left."""
+        for _ in self.until(ends):
+            pass
         return self.line is not None
+
+
+def _check_layout(line: str, *sizes: int) -> None:
+    """Refuse a line before samples that announces none, or fields without width."""
+    if min(sizes) < 1:
+        raise InputError("motion.header_line", line=excerpt(line.strip()), wanted=phrase("motion.a_layout"))
+
+
+class _Block(NamedTuple):
+    """A block of V2: what the line that announces it says, and its samples where they are accelerations."""
+
+    kind: str
+    points: int
+    step: float
+    rest: str
+    samples: NDArray[np.float64]
+
+
+def _ends_part(line: str) -> bool:
+    """Return whether a line ends a channel of V2, or announces a block."""
+    return line.lstrip().startswith("/&") or _BLOCK.fullmatch(_plain(line)) is not None
+
+
+def _csmip_block(rest: _Lines) -> _Block | None:
+    """Return the block that comes next; None where none does."""
+    block = _BLOCK.fullmatch(rest.plain)
+    if block is None:
+        return None
+    announced, kind = rest.take(), block[2].upper()
+    count, step = numbers([block[1], block[3]], "the_line_before_the_samples").tolist()
+    layout = _FIELDS.search(block[4])
+    per_line, width = (int(layout[1]), int(layout[2])) if layout else (8, 10)
+    if kind == "ACCEL":
+        _check_layout(announced, int(count), per_line, width)
+    samples = numbers(fields(rest.until(_ends_part), width) if kind == "ACCEL" else [], "the_samples")
+    rest.skip_to(_ends_part)
+    return _Block(kind, int(count), step, block[4], samples)
+
+
+def _check_number(header: list[str], last_line: str, position: int) -> str:
+    """Return the channel's direction; its numbers in the header and in the last line must agree."""
+    matches = list(filter(None, map(_CHANNEL.search, header)))
+    end = _CSMIP_END.search(_plain(last_line))
+    numbers = {int(m[1]) for m in matches} | ({int(end[1])} if end else set[int]())
+    if len(numbers) > 1:
+        listing = " and ".join(map(str, sorted(numbers)))
+        raise InputError("motion.csmip_two_numbers", channel=position, numbers=listing)
+    directions = [_FROM.split(m[2].strip(), maxsplit=1)[0].strip() for m in matches]
+    if len({plain_label(direction) for direction in directions}) > 1:
+        listing, taken = joined(map(excerpt, directions), LISTED), excerpt(directions[0])
+        warn(InputWarning("motion.csmip_directions", channel=position, directions=listing, taken=taken))
+    return directions[0] if directions else ""
+
+
+def _csmip_channel(
+    rest: _Lines, position: int, unit: str | None, dt: float | None
+) -> tuple[Channel, list[str]]:
+    """Return the channel that comes next, and its header."""
+    header = list(islice(rest.until(_ends_part), _HEADER_LINES))
+    rest.skip_to(_ends_part)
+    blocks = list(iter(lambda: _csmip_block(rest), None))
+    last_line = rest.take()
+    accelerations = [block for block in blocks if block.kind == "ACCEL"]
+    if len(accelerations) != 1:
+        raise InputError("motion.csmip_acceleration_lines", channel=position, count=len(accelerations))
+    _, count, step, about_samples, samples = accelerations[0]
+    # Velocity and displacement last as long as the acceleration, but may have their own, longer time step.
+    for other in blocks:
+        lasts, other_lasts = count * step, other.points * other.step
+        if other.step != step if other.points == count else abs(other_lasts - lasts) > max(step, other.step):
+            about: dict[str, Any] = {"lasts": lasts, "kind": other.kind, "other": other_lasts}
+            raise InputError("motion.csmip_lengths", channel=position, **about)
+    stated = _UNIT.search(about_samples)
+    factor = acceleration_unit(stated[1].rstrip(".") if stated else None, unit)
+    check_count(len(samples), count)
+    label = _check_number(header, last_line, position)
+    titles = [line.strip() for line in header]
+    first = next((i for i, line in enumerate(titles) if line.upper().startswith("CORRECTED")), len(titles))
+    name = f"{titles[first + 6]}, {titles[first + 2]}" if len(titles) > first + 6 else ""
+    peak = next((m for line in header if (m := _PEAK.search(_plain(line)))), None)
+    stated_peak = peak and float(numbers([peak[1]], "the_peak")[0]) * acceleration_unit(peak[2], None)
+    place = " ".join(" ".join(header).split())
+    return Channel(label, factor * samples, time_step(step, dt), name, stated_peak, location=place), header
+
+
+def _read_csmip(text: str, unit: str | None, dt: float | None) -> list[Channel]:
+    """Return the channels of a V2 file.
+
+    Raises
+    ------
+    InputError
+        A channel has no acceleration or more than one, no unit, or not as many samples as stated.
+    """
+    rest, stated = _Lines(text, "/&"), 0
+    channels: list[Channel] = []
+    while rest.skip_to(str.strip):
+        channel, header = _csmip_channel(rest, len(channels) + 1, unit, dt)
+        channels.append(channel)
+        integers = (row for row in map(str.split, header) if len(row) == 16 and all(map(str.isdecimal, row)))
+        stated = max(stated, next((int(row[3]) for row in integers), 0))
+    if stated > len(channels):
+        warn(InputWarning("motion.csmip_channels_missing", stated=stated, count=len(channels)))
+    return channels
+
+
+def _ends_samples(line: str) -> bool:
+    """Return whether a line ends a block of samples of COSMOS."""
+    return line.startswith(("E", "e", "/&")) and _COSMOS_END.match(_plain(line)) is not None
 
 
 def _cosmos_values(rest: _Lines, kind: str, least: int = 0) -> list[float]:
@@ -252,10 +224,8 @@ def _cosmos_values(rest: _Lines, kind: str, least: int = 0) -> list[float]:
     if match is None or match[2].lower() != kind:
         raise lacks(f"the_{kind}_header")
     rest.take()
-    block = FixedBlock(f"the_{kind}_header", max(1, int(match[4])))
-    for _ in range(int(match[3])):
-        block.add(rest.take())
-    values = block.array().tolist()
+    some_lines = (rest.take() for _ in range(int(match[3])))
+    values = numbers(fields(some_lines, max(1, int(match[4]))), f"the_{kind}_header").tolist()
     if len(values) != int(match[1]) or len(values) < least:
         wanted = match[1] if len(values) != int(match[1]) else f"≥ {least}"
         raise InputError("motion.cosmos_header_count", kind=kind, count=len(values), wanted=wanted)
@@ -290,17 +260,14 @@ def _cosmos_channel(
         raise InputError("motion.header_line", line=excerpt(announced), wanted=phrase("motion.a_layout"))
     kind, points, width = count[2].lower(), int(count[1]), int(layout[2])
     _check_layout(announced, points, int(layout[1] or 1), width)
-    block = FixedBlock("the_samples", width)
-    for sample_line in rest.until_end():
-        if kind == "accel":
-            block.add(sample_line)
+    samples = numbers(fields(rest.until(_ends_samples), width) if kind == "accel" else [], "the_samples")
+    rest.skip_to(_ends_samples)
     end = _COSMOS_END.match(_plain(rest.take()))
     assert end is not None
     if end[2] is not None and end[2].lower() != kind:
         raise InputError("motion.cosmos_another_end", begun=_KINDS[kind], ended=_KINDS[end[2].lower()])
     if kind != "accel":
         return None
-    samples = block.array()
     check_count(len(samples), points)
     factor = acceleration_unit(units[1].strip() if units else None, unit)
     interval, peak = reals[61], reals[63]
@@ -324,10 +291,10 @@ def _read_cosmos(text: str, unit: str | None, dt: float | None) -> list[Channel]
     InputError
         There is no acceleration, a header block is damaged, or there are not as many samples as stated.
     """
-    rest = _Lines(text)
+    rest = _Lines(text, "End-of-data")
     channels: list[Channel] = []
     header: tuple[list[str], list[float]] | None = None
-    while rest.skip_blank():
+    while rest.skip_to(str.strip):
         if header is None or _COUNT.match(rest.plain) is None:
             header = _cosmos_header(rest)
         channel = _cosmos_channel(*header, rest, unit, dt)

@@ -22,26 +22,28 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 import numpy as np
 
 from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, warn, without_control
-from stayput.motion.channels import Channel, in_borehole, is_direction, labels_phrase
+from stayput.motion.channels import LISTED, Channel, in_borehole, is_direction, labels_phrase
 from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
-from stayput.motion.readers.quantities import axes_of, column_factors, other_quantities, without_unit
-from stayput.motion.readers.text import Numbers, Reader, check_count, chunks, not_as_stated, numbers
+from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers
 from stayput.motion.units import (
+    axes_of,
+    column_factors,
     known_unit,
     not_the_files_own,
+    other_quantities,
     regular_step,
     stated_factor,
     stated_step,
     stated_unit,
     time_step,
     unit_factor,
+    without_unit,
 )
 from stayput.spreadsheets import named_columns
+from stayput.wording import joined
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
+    from collections.abc import Iterator, Sequence
 
 _COMMENT = ("#", "%", "//", "!")
 _STARTS = re.compile(r"[\"']?[+\-]?\.?[0-9]")
@@ -102,37 +104,33 @@ def _fields(line: str, *, chosen: bool) -> list[str]:
     return split(line)
 
 
-def _table(
+def _numbers_at(
     text: str, skipped: int, places: Sequence[int], *, chosen: bool, counted: bool
-) -> NDArray[np.float64]:
-    """Return the numbers of the columns at some places, shape (rows, columns), below so many lines.
+) -> Iterator[str]:
+    """Yield the numbers of the columns at some places, row by row, below so many lines.
 
     Where their number is stated those of one column may stand in rows of any length.
     """
-    table, count, row = Numbers("the_numbers"), 0, 0
-    for chunk in chunks(text):
-        tokens: list[str] = []
-        for line in map(str.strip, chunk.split("\n")):
-            seen = line if line.isascii() else without_control(line).strip()
-            if not seen or seen.startswith(_COMMENT):
-                continue
-            if skipped:
-                skipped -= 1
-                continue
-            values = _fields(line, chosen=chosen)
-            row, count = row + 1, count or len(values)
-            as_they_stand = counted or places == range(count)
-            if len(values) != count and not counted:
-                about: dict[str, Any] = {"row": row, "columns": count}
-                if row == 2:
-                    about |= {"count": len(values), "option": "skip_lines"}
-                    raise InputError("motion.column_first_row", "skip_lines", **about)
-                raise InputError("motion.row_width", value=excerpt(line), **about)
-            tokens += values if as_they_stand else [values[place] for place in places]
-        table.add(tokens)
+    count, row = 0, 0
+    for _, line in lines(text):
+        seen = line.strip() if line.isascii() else without_control(line).strip()
+        if not seen or seen.startswith(_COMMENT):
+            continue
+        if skipped:
+            skipped -= 1
+            continue
+        values = _fields(line.strip(), chosen=chosen)
+        row, count = row + 1, count or len(values)
+        if len(values) != count and not counted:
+            about: dict[str, Any] = {"row": row, "columns": count}
+            if row == 2:
+                about |= {"count": len(values), "option": "skip_lines"}
+                raise InputError("motion.column_first_row", "skip_lines", **about)
+            raise InputError("motion.row_width", value=excerpt(line.strip()), **about)
+        as_they_stand = counted or places == range(count)
+        yield from values if as_they_stand else (values[place] for place in places)
     if not count:
         raise InputError("motion.few_rows", rows=0)
-    return table.array().reshape(-1, len(places))
 
 
 def read_columns(
@@ -159,7 +157,8 @@ def read_columns(
     head.titles[:], skipped = [line for line in head.titles if any(map(str.isalnum, line))], len(head.titles)
     counted = not chosen and head.states_count()
     places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, counted)
-    table = _table(text, skipped + counted, places, chosen=bool(chosen), counted=counted)
+    values = _numbers_at(text, skipped + counted, places, chosen=bool(chosen), counted=counted)
+    table = numbers(values, "the_numbers").reshape(-1, len(places))
     above = head.comments + head.titles
     if line := stated_factor(above):
         raise InputError("motion.column_factor", "skip_lines", line=excerpt(line), option="skip_lines")
@@ -347,8 +346,7 @@ def places_of(chosen: Mapping[str, str], headings: Sequence[str], count: int) ->
             matches = [i for i, text in enumerate(plain) if text == wanted]
             matches = matches or [i for i, text in enumerate(bare) if text == wanted]
         if len(matches) != 1 or matches[0] in places:
-            english, japanese = zip(*map(excerpt, (*headings[:10], "")), strict=True)
-            listed = ", ".join((f"1–{count}", *english[:-1])), "、".join((f"1–{count}", *japanese[:-1]))
+            listed = joined([(f"1–{count}", f"1–{count}"), *map(excerpt, headings[:10])], LISTED)
             raise InputError(
                 "motion.no_such_column", "columns", role=role, column=excerpt(column), known=listed
             )

@@ -20,11 +20,11 @@ from stayput.motion.channels import Channel, in_borehole
 from stayput.motion.readers.text import (
     Reader,
     check_count,
-    free_numbers,
     lines,
     not_as_stated,
     numbers,
     quantity,
+    words,
 )
 from stayput.motion.units import acceleration_unit, stated_unit, time_step
 
@@ -100,10 +100,10 @@ def _read_peer(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     if match is None:
         raise InputError("motion.header_line", line=excerpt(size), wanted=phrase("motion.npts_and_dt"))
     count = quantity(match[1], (), "npts")
-    words = match[2].split()
-    unit_of_step = words[1:2] if words[1:2] and words[1].rstrip(".,").isalpha() else []
-    step = quantity(" ".join([words[0].rstrip(","), *unit_of_step]), _SECONDS, "dt")
-    samples = free_numbers(text, start, "the_samples")
+    number, *others = match[2].split()
+    unit_of_step = others[:1] if others and others[0].rstrip(".,").isalpha() else []
+    step = quantity(" ".join([number.rstrip(","), *unit_of_step]), _SECONDS, "dt")
+    samples = numbers(words(text, start), "the_samples")
     check_count(len(samples), count)
     label, place = _direction(titles[1] if len(titles) > 1 else "")
     step, below = time_step(step, dt), in_borehole(label, titles)
@@ -141,7 +141,7 @@ def _read_esm(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         raise InputError("motion.no_header_entry", what=(missing[0], f"「{missing[0]}」"))
     count, step = numbers([header[key] for key in _NEEDED], "the_esm_size").tolist()
     factor = acceleration_unit(header.get("UNITS") or None, unit)
-    samples = free_numbers(text, begin, "the_samples")
+    samples = numbers(words(text, begin), "the_samples")
     check_count(len(samples), count)
     if header.get("DURATION_S"):
         duration = float(numbers([header["DURATION_S"]], "duration")[0])

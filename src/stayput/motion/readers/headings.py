@@ -7,9 +7,9 @@ import unicodedata
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.errors import InputError, excerpt, without_control
-from stayput.motion.channels import is_direction, is_down, is_vertical
-from stayput.motion.readers.quantities import BRACKET, is_motion, time_factor
-from stayput.motion.units import UNIT_OF_TIME, known_unit, quantity_of
+from stayput.motion.channels import LISTED, is_direction, is_down, is_vertical
+from stayput.motion.units import BRACKET, UNIT_OF_TIME, is_motion, known_unit, quantity_of, time_factor
+from stayput.wording import joined
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -351,8 +351,7 @@ def is_time(text: str) -> bool:
 
 
 def _listed(texts: Sequence[str]) -> Phrase:
-    english, japanese = zip(*map(excerpt, texts), strict=True)
-    return ", ".join(english), "、".join(japanese)
+    return joined(map(excerpt, texts), LISTED)
 
 
 def _names(texts: Sequence[str]) -> tuple[str, ...]:

@@ -22,13 +22,13 @@ from stayput.errors import InputError, excerpt
 from stayput.motion.channels import Channel, in_borehole
 from stayput.motion.readers.text import (
     Reader,
-    free_numbers,
     lacks,
     lines,
     not_as_stated,
     numbers,
     quantity,
     rows_of,
+    words,
 )
 from stayput.motion.units import acceleration_unit, regular_step, time_step
 
@@ -133,7 +133,7 @@ def _read_knet(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         raise lacks(what)
 
     factor = acceleration_unit("gal", unit)
-    counts = free_numbers(text, top[_KNET_HEADER_LINES][0], "the_counts")
+    counts = numbers(words(text, top[_KNET_HEADER_LINES][0]), "the_counts")
     rate = quantity(entry("Sampling Freq(Hz)", "sampling_frequency"), ("HZ",), "sampling_frequency")
     seconds = quantity(entry("Duration Time(s)", "duration"), ("S",), "duration")
     peak = quantity(entry("Max. Acc. (gal)", "the_peak"), ("GAL",), "the_peak")

@@ -11,6 +11,7 @@ import math
 import os
 import re
 from array import array
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -21,7 +22,7 @@ from stayput.errors import InputError, excerpt, instance_of, reason_of
 from stayput.files import LARGEST_RECORD
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
@@ -96,9 +97,8 @@ def chunks(text: str, start: int = 0) -> Iterator[str]:
         start = stop
 
 
-def lines(text: str) -> Iterator[tuple[int, str]]:
-    """Yield the lines of a text: where each begins, and the line without its end."""
-    start = 0
+def lines(text: str, start: int = 0) -> Iterator[tuple[int, str]]:
+    """Yield the lines of a text from a place on: where each begins, and the line without its end."""
     for chunk in chunks(text, start):
         for line in chunk.removesuffix("\n").split("\n"):
             yield start, line
@@ -143,7 +143,7 @@ def check_end(text: str) -> None:
 
 _DECIMAL = re.compile(r"[+\-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+\-]?[0-9]+)?")
 _COMMA = re.compile(r"[+\-]?[0-9]*,[0-9]+(?:[eE][+\-]?[0-9]+)?")
-_BUFFERED = 8192  # fields of which a list is made at a time
+_BATCH = 8192  # numbers of which a list is made at a time
 _QUANTITY = re.compile(rf"({_DECIMAL.pattern}) ?([A-Za-z/²^]{{0,12}})\.?,?")
 
 
@@ -166,78 +166,55 @@ class Reader(NamedTuple):
     read: Callable[[str, str | None, float | None], list[Channel]]
 
 
-class Numbers:
-    """An array of numbers that grows with what is read.
+def numbers(tokens: Iterable[str], what: str) -> NDArray[np.float64]:
+    """Return tokens as numbers, shape (n,).
 
     Parameters
     ----------
+    tokens : iterable of str
+        The numbers, blanks around them.
     what : str
-        What the numbers are: the key of their name in `stayput.catalogue.motion`.
-    """
-
-    def __init__(self, what: str) -> None:
-        self._what = what
-        self._values = array("d")
-
-    def __len__(self) -> int:
-        return len(self._values)
-
-    def add(self, tokens: Sequence[str]) -> None:
-        """Read tokens as numbers.
-
-        Raises
-        ------
-        InputError
-            A token is not a finite decimal number.
-        """
-        plain = "".join(tokens)
-        # float() reads all tokens fast, but takes "nan", "1_000" and other scripts' digits too.
-        try:
-            values = np.array(list(map(float, tokens)), dtype=np.float64)
-        except ValueError:
-            values = None
-        if values is None or not np.isfinite(values).all() or "_" in plain or not plain.isascii():
-            position, token = next(
-                ((i, t) for i, t in enumerate(tokens) if not _is_finite_decimal(t)), (0, "")
-            )
-            comma = _COMMA.fullmatch(token.strip()) is not None
-            raise InputError(
-                "motion.decimal_comma" if comma else "motion.not_a_decimal",
-                option="decimal_comma",
-                index=len(self) + position + 1,
-                what=phrase(f"motion.{self._what}"),
-                value=excerpt(token.strip()),
-            )
-        self._values.frombytes(values.tobytes())
-
-    def array(self) -> NDArray[np.float64]:
-        """Return the numbers, shape (n,); none can be added afterwards."""
-        return np.frombuffer(self._values, dtype=np.float64)
-
-
-def numbers(tokens: Sequence[str], what: str) -> NDArray[np.float64]:
-    """Return the tokens as numbers, shape (n,).
+        What they are: the key of their name in `stayput.catalogue.motion`.
 
     Raises
     ------
     InputError
         A token is not a finite decimal number.
     """
-    values = Numbers(what)
-    values.add(tokens)
-    return values.array()
+    values, rest = array("d"), iter(tokens)
+    while batch := list(islice(rest, _BATCH)):
+        plain = "".join(batch)
+        # float() reads all tokens fast, but takes "nan", "1_000" and other scripts' digits too.
+        try:
+            read = np.array(list(map(float, batch)), dtype=np.float64)
+        except ValueError:
+            read = None
+        if read is None or not np.isfinite(read).all() or "_" in plain or not plain.isascii():
+            place, token = next(((i, t) for i, t in enumerate(batch) if not _is_finite_decimal(t)), (0, ""))
+            raise InputError(
+                "motion.decimal_comma" if _COMMA.fullmatch(token.strip()) else "motion.not_a_decimal",
+                option="decimal_comma",
+                index=len(values) + place + 1,
+                what=phrase(f"motion.{what}"),
+                value=excerpt(token.strip()),
+            )
+        values.frombytes(read.tobytes())
+    return np.frombuffer(values, dtype=np.float64)
 
 
 def _is_finite_decimal(token: str) -> bool:
     return _DECIMAL.fullmatch(token.strip()) is not None and bool(np.isfinite(float(token)))
 
 
-def free_numbers(text: str, start: int, what: str) -> NDArray[np.float64]:
-    """Return the blank-separated numbers of a text from a place on, shape (n,)."""
-    values = Numbers(what)
-    for chunk in chunks(text, start):
-        values.add(chunk.split())
-    return values.array()
+def words(text: str, start: int) -> Iterator[str]:
+    """Yield the words of a text from a place on."""
+    return (word for chunk in chunks(text, start) for word in chunk.split())
+
+
+def fields(some_lines: Iterable[str], width: int) -> Iterator[str]:
+    """Yield the fields of lines that have a fixed width, and may touch."""
+    trimmed = map(str.rstrip, some_lines)
+    return (line[i : i + width] for line in trimmed for i in range(0, len(line), width))
 
 
 def rows_of(
@@ -261,62 +238,19 @@ def rows_of(
     InputError
         A row has another number of values, or one that is not a finite decimal number.
     """
-    samples, row = Numbers("the_samples"), 0
-    for chunk in chunks(text, start):
-        tokens: list[str] = []
-        for line in chunk.removesuffix("\n").split("\n"):
-            if (values := split(line)) is None:
+
+    def values() -> Iterator[str]:
+        row = 0
+        for _, line in lines(text, start):
+            if (items := split(line)) is None:
                 continue
             row += 1
-            if len(values) != aside + columns:
+            if len(items) != aside + columns:
                 said = excerpt(line.rstrip(", \t"))
                 raise InputError("motion.row_width", row=row, value=said, columns=aside + columns)
-            tokens += values[aside:]
-        samples.add(tokens)
-    return samples.array().reshape(-1, columns)
+            yield from items[aside:]
 
-
-class FixedBlock:
-    """A block of numbers in fields of a fixed width, which may touch.
-
-    Parameters
-    ----------
-    what : str
-        What the numbers are: the key of their name in `stayput.catalogue.motion`.
-    width : int
-        Characters of a field.
-    """
-
-    def __init__(self, what: str, width: int = 10) -> None:
-        self.width = width
-        self._numbers = Numbers(what)
-        self._buffer: list[str] = []
-
-    def add(self, line: str) -> None:
-        """Read a line.
-
-        Raises
-        ------
-        InputError
-            A field is not a finite decimal number.
-        """
-        trimmed = line.rstrip()
-        # The last line of a block may hold one number that is not padded to the width.
-        if 0 < len(trimmed) <= self.width:
-            self._buffer.append(trimmed)
-        else:
-            self._buffer += [trimmed[i : i + self.width] for i in range(0, len(trimmed), self.width)]
-        if len(self._buffer) > _BUFFERED:
-            self._flush()
-
-    def _flush(self) -> None:
-        self._numbers.add(self._buffer)
-        self._buffer.clear()
-
-    def array(self) -> NDArray[np.float64]:
-        """Return the numbers, shape (n,); none can be added afterwards."""
-        self._flush()
-        return self._numbers.array()
+    return numbers(values(), "the_samples").reshape(-1, columns)
 
 
 def quantity(text: str, units: Sequence[str], what: str) -> float:

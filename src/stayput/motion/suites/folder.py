@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, warn
-from stayput.motion.channels import is_vertical, labels_phrase, plain_origin, refuse_vertical
+from stayput.motion.channels import is_vertical, labels_phrase, plain_origin
 from stayput.motion.readers import along, motion_of, read_file
+from stayput.wording import joined
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Hashable, Sequence
@@ -94,8 +95,7 @@ def records_in(
         if all(is_vertical(channel.label) for file in files for channel in file.channels):
             left_out.setdefault("vertical_only", []).extend(file.path.name for file in records.pop(key))
     if left_out:
-        english, japanese = zip(*(_listed(kind, names) for kind, names in left_out.items()), strict=True)
-        files = "; ".join(english), "、".join(japanese)
+        files = joined((_listed(kind, names) for kind, names in left_out.items()), ("; ", "、"))
         warn(InputWarning("motion.suite_left_out", "source", name=title, files=files))
     return [_motion(files, component) for files in records.values()]
 
@@ -132,7 +132,7 @@ def _motion(files: Sequence[ReadFile], component: str | None) -> Motion:
     with naming(files[0].path):
         if component is None and len(files) > 1:
             return motion_of(files, first_horizontal)
-        return motion_of(files, along(component, refuse_vertical))
+        return motion_of(files, along(component))
 
 
 def _listed(kind: str, names: Sequence[str]) -> Phrase:

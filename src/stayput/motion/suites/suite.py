@@ -15,8 +15,7 @@ from stayput.motion.readers import read_shaking
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
 from stayput.motion.suites.folder import naming, records_in
-from stayput.motion.suites.matching import matched
-from stayput.motion.suites.target import DEFAULT_BAND, band_periods
+from stayput.motion.suites.target import DEFAULT_BAND, band_periods, matched
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -277,12 +276,10 @@ class Suite(Sequence[Motion]):
         InputError
             Something else to draw, or a component that is not there.
         """
-        from stayput.report.figures import axes_of, drawn
+        from stayput.report.figures import plotted
         from stayput.report.spectra import draw_suite
 
-        axis = axes_of(ax)
-        draw_suite(axis, self, what, target, component, check_language(language), **line)
-        return drawn(axis)
+        return plotted(ax, draw_suite, self, what, target, component, check_language(language), **line)
 
     def figure(
         self,

@@ -20,18 +20,16 @@ from stayput.model.parameters import arguments, quantity
 from stayput.motion.processing import ending_at_rest, fft_length
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import (
+    DT,
     FAMILIES,
     KINDS,
     MIX,
     NUMBER_RANGE,
     SEED_RANGE,
     Draws,
-    draw_parameters,
-)
-from stayput.motion.suites.ground_motion import (
-    DT,
     cosine_taper,
     crust_amplification,
+    draw_parameters,
     envelope,
     s_arrival,
     saragoni_hart,
@@ -255,8 +253,8 @@ def mixed_order(count: int) -> list[str]:
 
 
 @arguments(
-    count=quantity("", *COUNT_RANGE, phrase("motion.name_count"), "Number of motions."),
-    seed=quantity("", *SEED_RANGE, phrase("motion.name_seed"), "The same seed gives the same motions."),
+    count=quantity("", *COUNT_RANGE, phrase("motion.name_count")),
+    seed=quantity("", *SEED_RANGE, phrase("motion.name_seed")),
 )
 def synthetic_suite(
     family: str = MIXED,
@@ -280,7 +278,7 @@ def synthetic_suite(
     count : int
         Number of motions, 1 to 1,000.
     seed : int
-        0 to 2³² − 1.
+        The same seed gives the same motions; 0 to 2³² − 1.
     target : TargetSpectrum, optional
         Spectrum to be met; see `Suite.matched`.
     band : (float, float)

@@ -116,7 +116,7 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         yield phrase("action_plan.falls", pieces=falling)
     in_place = [
         phrase("rooms.fix", measure=measure.label, piece=piece_within(name))
-        for name, measures in zip(verdict.scenario.names, verdict.scenario.stated.measures, strict=True)
+        for name, measures in zip(verdict.scenario.names, verdict.scenario.stated.on, strict=True)
         for measure in measures
     ]
     if in_place:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
     from stayput.scenario.measures import UncertaintyTable
-    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.verification import Verdict
 
 MODEL = "model"
 """Tag of a limit of the model, beside those of `stayput.measures.measure.GRADE_OF`."""
@@ -56,28 +56,18 @@ def told(assumptions: Iterable[Assumption], language: str) -> list[tuple[str, st
 def assumptions(verdict: Verdict) -> list[Assumption]:
     """Return the assumptions of a verdict, apart from the parameters of the measures."""
     scenario = verdict.scenario
+    stands = [_furniture(scenario)] if scenario.alone else [*_pieces(scenario)]
+    between: list[Assumption] = []
+    if not scenario.alone:
+        between = [_DRAWN_BETWEEN, *settlement_assumptions(scenario), *_rolling(scenario)]
     return [
-        _furniture(scenario),
+        *stands,
         *_room(scenario, scenario.room.room()),
         *_contents(scenario),
         *_shaking(scenario, verdict.motions),
         *_draws(scenario.uncertainty),
-        *(_limit(f"report.limit_{key}") for key in ("body", "contacts", "devices")),
-    ]
-
-
-def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
-    """Return the assumptions of a verdict on several pieces."""
-    scenario = verdict.scenario
-    return [
-        *_pieces(scenario),
-        *_room(scenario, scenario.room.room()),
-        *_shaking(scenario, verdict.motions),
-        *_draws(scenario.uncertainty),
-        _DRAWN_BETWEEN,
-        _limit("several.limit_body"),
-        *settlement_assumptions(scenario),
-        *_rolling(scenario),
+        *between,
+        _limit("report.limit_body" if scenario.alone else "several.limit_body"),
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
     ]
 

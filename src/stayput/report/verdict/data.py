@@ -13,11 +13,11 @@ from stayput.measures import parameters
 from stayput.measures.measure import MEANINGS
 from stayput.motion.intensity import intensity_class
 from stayput.report.summary import attributes, by_language, number
-from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
-from stayput.report.verdict.tables import contents_data, flat_quantiles
+from stayput.report.verdict.assumptions import assumptions, told
+from stayput.report.verdict.tables import contents_data
 from stayput.verification.notes import everyday_cases, notes
 from stayput.verification.options import inputs
-from stayput.verification.words import reason, reason_of_several, title_of_several
+from stayput.verification.words import reason
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -28,10 +28,10 @@ if TYPE_CHECKING:
     from stayput.report.verdict.assumptions import Assumption
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
-    from stayput.verification import AssemblyVerdict, Verdict
+    from stayput.scenario.option import Option
+    from stayput.verification import Verdict
     from stayput.verification.notes import Estimates
-    from stayput.verification.options import Impossible
-    from stayput.verification.verdict import AssemblyOptionVerdict, DeviceOfSeveral, OptionVerdict
+    from stayput.verification.verdict import DeviceSummary, OptionVerdict, PieceVerdict
 
 
 _ENDS = ("estimate", "low", "high")
@@ -42,7 +42,7 @@ def json_text(data: dict[str, Any]) -> str:
     return json.dumps(data, allow_nan=False, ensure_ascii=False, indent=2) + "\n"
 
 
-def head_data(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> dict[str, Any]:
+def head_data(verdict: Verdict | RoomVerdict) -> dict[str, Any]:
     """Return the version, the title, and the verdict in one sentence by the language."""
     return {
         "stayput": stayput.__version__,
@@ -51,7 +51,7 @@ def head_data(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> dict[str, Any
     }
 
 
-def shaking_data(verdict: Verdict | AssemblyVerdict | RoomVerdict) -> dict[str, Any]:
+def shaking_data(verdict: Verdict | RoomVerdict) -> dict[str, Any]:
     """Return how strong the shaking is."""
     return {
         "jma_intensity": number(verdict.intensity),
@@ -98,19 +98,17 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "options": [_option(result, verdict) for result in verdict.options],
         "not_possible": [
             {
-                **_rejected(item, item.option.label),
-                "measures": [_measure(measure) for measure in item.option.measures],
+                "name": item.option.name,
+                "label": by_language(item.option.label(verdict.scenario.names)),
+                "reason": in_both(item.why),
+                **_in_place(item.option, verdict.scenario),
             }
             for item in verdict.impossible
         ],
-        "estimates": _estimates(verdict.estimates),
-        "everyday": everyday_data(verdict.scenario),
+        "estimates": None if verdict.estimates is None else _estimates(verdict.estimates),
+        "everyday": everyday_data(verdict.scenario) if verdict.scenario.alone else None,
         **_foot(verdict.scenario, assumptions(verdict)),
     }
-
-
-def _rejected(item: Impossible[Any], label: Callable[[str], str]) -> dict[str, Any]:
-    return {"name": item.option.name, "label": in_both(label), "reason": in_both(item.why)}
 
 
 def _estimates(estimates: Estimates) -> dict[str, Any]:
@@ -166,18 +164,18 @@ def everyday_data(scenario: Scenario) -> list[dict[str, Any]]:
 
 
 def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
-    change, installed = result.change, result.installed
+    change, installed, scenario = result.change, result.installed, verdict.scenario
+    graded = inputs(result.option, scenario) if scenario.alone else ()
     return {
         "rank": result.rank,
         "name": result.option.name,
-        "label": in_both(result.option.label),
+        "label": by_language(result.option.label(scenario.names)),
         "reason": in_both(partial(reason, result, verdict)),
-        "grade": verdict.grade(result).value,
+        "grade": verdict.grade(result).value if graded else None,
         "inputs": [
-            {**by_language(item.label), "grade": item.grade.value, "tag": item.tag}
-            for item in inputs(result.option, verdict.scenario)
+            {**by_language(item.label), "grade": item.grade.value, "tag": item.tag} for item in graded
         ],
-        "measures": [_measure(measure) for measure in result.option.measures],
+        **_in_place(result.option, scenario),
         "probabilities": {event: _probability(value) for event, value in result.probabilities.items()},
         "as_installed": None
         if installed is None
@@ -190,18 +188,8 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         "overturned_change": None if change is None else attributes(change, *_ENDS, "clear", "pairs"),
         "peak_slide_m": quantiles_data(result.slide),
         "peak_tilt_rad": quantiles_data(result.tilt),
-        "devices": [
-            {
-                "type": device.kind,
-                "name": device.name,
-                "failed": _probability(device.failed),
-                "failure_time_s": number(device.failure_time),
-                "peak_force_n": quantiles_data(device.peak),
-                "utilisation": quantiles_data(device.used),
-                "weakest": None if device.weakest is None else by_language(device.weakest),
-            }
-            for device in result.devices
-        ],
+        "pieces": [_piece(piece, body in scenario.counted) for body, piece in enumerate(result.pieces)],
+        "devices": [_device(device) for device in result.devices],
         "contents": None if result.contents is None else contents_data(result.contents),
         "capacities": [
             {
@@ -212,6 +200,38 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             for capacity in result.capacities.values()
         ],
         "curves": [_curve(curve) for curve in result.curves.values()],
+    }
+
+
+def _in_place(option: Option, scenario: Scenario) -> dict[str, Any]:
+    """Return what an option puts in place: its measures by piece, and whether the joints are."""
+    held = zip(scenario.names, option.on, strict=True)
+    return {
+        "joined": option.joined,
+        "measures": {name: [_measure(measure) for measure in measures] for name, measures in held},
+    }
+
+
+def _piece(piece: PieceVerdict, counts: bool) -> dict[str, Any]:
+    return {
+        "name": piece.name,
+        "counts": counts,
+        "probabilities": {event: _probability(chance) for event, chance in piece.probabilities.items()},
+        "peak_slide_m": quantiles_data(piece.slide),
+        "peak_tilt_rad": quantiles_data(piece.tilt),
+    }
+
+
+def _device(device: DeviceSummary) -> dict[str, Any]:
+    return {
+        "type": device.kind,
+        "name": device.name,
+        "holds": list(device.pieces),
+        "failed": _probability(device.failed),
+        "failure_time_s": number(device.failure_time),
+        "peak_force_n": quantiles_data(device.peak),
+        "utilisation": quantiles_data(device.used),
+        "weakest": None if device.weakest is None else by_language(device.weakest),
     }
 
 
@@ -259,57 +279,4 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
         "lognormal": None
         if lognormal is None
         else attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
-    }
-
-
-def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
-    """Return a verdict on several pieces as plain values; see `verdict_data`."""
-    return {
-        **head_data(verdict),
-        "best": verdict.best.option.name,
-        **shaking_data(verdict),
-        "slide_limit_m": verdict.slide_limit,
-        **attributes(verdict, "motions", "samples", "runs", "seed", "precise", "seconds"),
-        "options": [_option_of_several(result, verdict) for result in verdict.options],
-        "not_possible": [_rejected(x, partial(title_of_several, x, verdict)) for x in verdict.rejected],
-        **_foot(verdict.scenario, several_assumptions(verdict)),
-    }
-
-
-def _option_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> dict[str, Any]:
-    scenario = verdict.scenario
-    measures = zip(scenario.names, result.option.measures, strict=True)
-    return {
-        "name": result.option.name,
-        "rank": result.rank,
-        "label": in_both(partial(title_of_several, result, verdict)),
-        "reason": in_both(partial(reason_of_several, result, verdict)),
-        "joined": result.option.joined,
-        "measures": {name: [measure.kind for measure in held] for name, held in measures},
-        "probabilities": {event: _counted(chance) for event, chance in result.probabilities.items()},
-        "change": None if result.change is None else number(result.change.estimate),
-        **flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt),
-        "pieces": [
-            {
-                "name": piece.name,
-                "counts": body in scenario.counted,
-                "probabilities": {event: _counted(chance) for event, chance in piece.probabilities.items()},
-                **flat_quantiles(peak_slide_m=piece.slide, peak_tilt_rad=piece.tilt),
-            }
-            for body, piece in enumerate(result.pieces)
-        ],
-        "devices": [_device_of_several(device) for device in result.devices],
-    }
-
-
-def _device_of_several(device: DeviceOfSeveral) -> dict[str, Any]:
-    summary = device.summary
-    return {
-        "holds": list(device.pieces),
-        "kind": summary.kind,
-        "name": summary.name,
-        "failed": number(summary.failed.estimate),
-        "failure_time_s_median": number(summary.failure_time),
-        **flat_quantiles(peak_force_n=summary.peak, utilisation=summary.used),
-        "weakest": None if summary.weakest is None else by_language(summary.weakest),
     }

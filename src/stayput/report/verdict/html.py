@@ -13,7 +13,7 @@ from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.page import framed, rendered, write_page
 from stayput.report.verdict import numbers
-from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
+from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
 from stayput.report.verdict.numbers import word
@@ -26,12 +26,9 @@ from stayput.report.verdict.tables import (
     grades_text,
     impossible_rows,
     ranking,
-    several_device_rows,
-    several_ranking,
     simulations,
     weakest_inputs,
 )
-from stayput.verification import AssemblyVerdict
 from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:
@@ -45,15 +42,15 @@ if TYPE_CHECKING:
     from stayput.verification.verdict import OptionVerdict
 
 
-def write_report(verdict: Verdict | AssemblyVerdict, path: str | Path, language: str = "en") -> Path:
+def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Path:
     """Write a report of a verdict: one HTML file with drawings, curves, animations and all inputs.
 
     It loads nothing from elsewhere, and can be printed. Up to four of the runs are done again for it.
 
     Parameters
     ----------
-    verdict : Verdict or AssemblyVerdict
-        The verdict, on one piece or on several.
+    verdict : Verdict
+        The verdict.
     path : str or Path
         The file, whose name ends in .html.
     language : str
@@ -72,15 +69,15 @@ def write_report(verdict: Verdict | AssemblyVerdict, path: str | Path, language:
     return write_page(path, language, lambda: report_html(verdict, language))
 
 
-def report_html(verdict: Verdict | AssemblyVerdict, language: str = "en") -> str:
+def report_html(verdict: Verdict, language: str = "en") -> str:
     """Return the text of a report; see `write_report`."""
-    if isinstance(verdict, AssemblyVerdict):
+    if not verdict.scenario.alone:
         return rendered("verdict/several.html", _content_of_several(verdict, language))
     return rendered("verdict/report.html", _content(verdict, language))
 
 
 def shared_content(
-    verdict: Verdict | AssemblyVerdict | RoomVerdict,
+    verdict: Verdict | RoomVerdict,
     texts: str,
     kind: str,
     sheets: Iterable[str],
@@ -91,7 +88,7 @@ def shared_content(
 
     Parameters
     ----------
-    verdict : Verdict, AssemblyVerdict or RoomVerdict
+    verdict : Verdict or RoomVerdict
         The verdict.
     texts : str
         The part of the catalogue that has the page's own texts.
@@ -119,7 +116,7 @@ def shared_content(
 
 
 def _of_a_ranking(
-    verdict: Verdict | AssemblyVerdict, texts: str, kind: str, rests_on: Iterable[Assumption], language: str
+    verdict: Verdict, texts: str, kind: str, rests_on: Iterable[Assumption], language: str
 ) -> dict[str, Any]:
     command = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
     return {
@@ -152,16 +149,17 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     }
 
 
-def _content_of_several(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:
-    kind, rests_on = say("several.report", language), several_assumptions(verdict)
-    content = _of_a_ranking(verdict, "several", kind, rests_on, language)
-    rows = several_ranking(verdict, language)
+def _content_of_several(verdict: Verdict, language: str) -> dict[str, Any]:
+    content = _of_a_ranking(
+        verdict, "several", say("several.report", language), assumptions(verdict), language
+    )
+    rows = ranking(verdict, language)
     return {
         **content,
         "headline": verdict.sentence(language),
         "rows": rows,
         "device_columns": [say("several.holds", language), *content["device_columns"]],
-        "details": [(row, several_device_rows(row.option, language)) for row in rows if row.option.devices],
+        "details": [(row, device_rows(row.option, language)) for row in rows if row.option.devices],
     }
 
 

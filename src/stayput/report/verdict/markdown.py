@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import stayput
 from stayput.catalogue import say
-from stayput.report.verdict.assumptions import assumptions, several_assumptions, told
+from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval, word
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
@@ -18,11 +18,8 @@ from stayput.report.verdict.tables import (
     grades_text,
     impossible_rows,
     ranking,
-    several_device_rows,
-    several_ranking,
     simulations,
 )
-from stayput.verification import AssemblyVerdict
 from stayput.verification.words import title
 from stayput.wording import with_aside
 
@@ -44,50 +41,41 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
     language : str
         "en" or "ja".
     """
-    text = partial(word, language=language)
-    contents = (text("contents_out"),) if verdict.without.contents is not None else ()
-    columns = (
-        *_events(verdict, text("measure"), text("overturned"), language),
-        *contents,
-        text("slide_both"),
-        *(text("capacity", share=f"{100.0 * share:g}") for share in SHARES),
-        text("grade"),
-        text("why"),
-    )
+    text, own = partial(word, language=language), partial(say, language=language)
+    alone, rows = verdict.scenario.alone, ranking(verdict, language)
     devices = [
-        (title(result.option, verdict, language), *row)
-        for result in verdict.options
-        for row in device_rows(result, language)
+        (title(row.option.option, verdict, language), *each)
+        for row in rows
+        for each in device_rows(row.option, language)
     ]
-    estimates = table((text("formula"), text("says"), text("beside")), estimate_rows(verdict, language))
+    if alone:
+        contents = (text("contents_out"),) if verdict.without.contents is not None else ()
+        option, any_piece, kind = text("measure"), text("overturned"), text("report")
+        capacities = (text("capacity", share=f"{100.0 * share:g}") for share in SHARES)
+        further = *contents, text("slide_both"), *capacities, text("grade"), text("why")
+        about, below = "", f"\n{plain(grades_text(language))}"
+        held, heading = (option,), text("devices")
+    else:
+        option, any_piece, kind = own("several.option"), own("several.any"), own("several.report")
+        further = own("several.each"), text("slide_both"), text("why")
+        about, below = f"{own('several.about')}\n", ""
+        held, heading = (option, own("several.holds")), own("several.details")
+    estimates: tuple[str, ...] = ()
+    if verdict.estimates is not None:
+        rows_of_formulas = table(
+            (text("formula"), text("says"), text("beside")), estimate_rows(verdict, language)
+        )
+        estimates = _section(text("estimates"), f"{text('estimates_text')}\n", *rows_of_formulas)
     return _text(
-        *_head(verdict, text("report"), verdict.sentence(language), language),
+        *_head(verdict, kind, verdict.sentence(language), language),
+        *filter(None, [about]),
         *(f"{plain(note)}\n" for note in verdict.notes(language)),
         *_runs(verdict, language),
-        *_ranking(verdict, columns, ranking(verdict, language), language),
-        f"\n{plain(grades_text(language))}",
-        *_devices(text("devices"), (text("measure"),), devices, language),
-        *_section(text("estimates"), f"{text('estimates_text')}\n", *estimates),
+        *_ranking(verdict, (*_events(verdict, option, any_piece, language), *further), rows, language),
+        *filter(None, [below]),
+        *_devices(heading, held, devices, language),
+        *estimates,
         *_foot(verdict, assumptions(verdict), language),
-    )
-
-
-def several_markdown(verdict: AssemblyVerdict, language: str = "en") -> str:
-    """Return a verdict on several pieces as a text in Markdown; see `verdict_markdown`."""
-    text = partial(word, language=language)
-    rows = several_ranking(verdict, language)
-    option, any_piece, each, holds = (
-        say(f"several.{key}", language) for key in ("option", "any", "each", "holds")
-    )
-    columns = (*_events(verdict, option, any_piece, language), each, text("slide_both"), text("why"))
-    devices = [(row.label, *cells) for row in rows for cells in several_device_rows(row.option, language)]
-    return _text(
-        *_head(verdict, say("several.report", language), verdict.sentence(language), language),
-        f"{say('several.about', language)}\n",
-        *_runs(verdict, language),
-        *_ranking(verdict, columns, rows, language),
-        *_devices(say("several.details", language), (option, holds), devices, language),
-        *_foot(verdict, several_assumptions(verdict), language),
     )
 
 
@@ -99,11 +87,11 @@ def _section(heading: str, *lines: str) -> tuple[str, ...]:
     return f"\n## {heading}\n", *lines
 
 
-def _head(verdict: Verdict | AssemblyVerdict, kind: str, said: str, language: str) -> tuple[str, str]:
+def _head(verdict: Verdict, kind: str, said: str, language: str) -> tuple[str, str]:
     return f"# {plain(verdict.scenario.title or kind)}", f"\n**{plain(said)}**\n"
 
 
-def _runs(verdict: Verdict | AssemblyVerdict, language: str) -> Iterator[str]:
+def _runs(verdict: Verdict, language: str) -> Iterator[str]:
     """Yield how many runs were made, and what they do not tell."""
     yield simulations(verdict, language)
     if verdict.motions == 1:
@@ -112,7 +100,7 @@ def _runs(verdict: Verdict | AssemblyVerdict, language: str) -> Iterator[str]:
         yield f"\n{word('not_precise', language)}"
 
 
-def _events(verdict: Verdict | AssemblyVerdict, option: str, falls: str, language: str) -> tuple[str, ...]:
+def _events(verdict: Verdict, option: str, falls: str, language: str) -> tuple[str, ...]:
     """Return the headings of rank, option and events in a ranking."""
     text = partial(word, language=language)
     slid = text("slid", limit=length(verdict.slide_limit, language))
@@ -120,10 +108,10 @@ def _events(verdict: Verdict | AssemblyVerdict, option: str, falls: str, languag
 
 
 def _ranking(
-    verdict: Verdict | AssemblyVerdict, columns: Sequence[str], rows: Sequence[RankingRow[Any]], language: str
+    verdict: Verdict, columns: Sequence[str], rows: Sequence[RankingRow], language: str
 ) -> tuple[str, ...]:
     """Return the section of the ranking, with what cannot be put in place at its end."""
-    lines = [_cells(row, isinstance(verdict, AssemblyVerdict), language) for row in rows]
+    lines = [_cells(row, not verdict.scenario.alone, language) for row in rows]
     blank = (NO_NUMBER,) * (len(columns) - 4)
     impossible = [
         (NO_NUMBER, label, word("not_possible", language), *blank, reason)
@@ -139,7 +127,7 @@ def _devices(
     return _section(heading, *table(columns, rows)) if rows else ()
 
 
-def _foot(verdict: Verdict | AssemblyVerdict, rests_on: Iterable[Assumption], language: str) -> Iterator[str]:
+def _foot(verdict: Verdict, rests_on: Iterable[Assumption], language: str) -> Iterator[str]:
     """Yield the assumptions, and how to do it again."""
     text = partial(word, language=language)
     rows = [(what, value, text(confidence)) for what, value, confidence in told(rests_on, language)]
@@ -150,7 +138,7 @@ def _foot(verdict: Verdict | AssemblyVerdict, rests_on: Iterable[Assumption], la
     yield text("caution")
 
 
-def _cells(row: RankingRow[Any], several: bool, language: str) -> tuple[str, ...]:
+def _cells(row: RankingRow, several: bool, language: str) -> tuple[str, ...]:
     listed = word("listed", language)
     shares = [NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares]
     head, slide = (str(row.option.rank), row.label, *shares), listed.join(row.slide)

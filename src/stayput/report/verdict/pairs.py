@@ -14,7 +14,7 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_held, draws
 from stayput.montecarlo.several import draws_of_several
 from stayput.montecarlo.several import replay as run_again
-from stayput.motion.suites import Suite
+from stayput.motion.suites.suite import Suite
 from stayput.report.animation import film_of, player_page
 from stayput.report.figures import embedded
 from stayput.report.fonts import drawable
@@ -26,22 +26,21 @@ from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import word
 from stayput.simulation.case import Case, run_of
 from stayput.simulation.space import simulate_held
-from stayput.verification import Verdict
-from stayput.verification.words import title, title_of_several
+from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from stayput.montecarlo.counting import Member
     from stayput.motion import Motion
+    from stayput.scenario.option import Option
     from stayput.simulation.run import Run
-    from stayput.verification import AssemblyVerdict
-    from stayput.verification.options import Option
-    from stayput.verification.verdict import AssemblyOptionVerdict
+    from stayput.verification import Verdict
+    from stayput.verification.verdict import OptionVerdict
 
 MOST_EVENTS = 2000
 """Events of a run in the plane that its plot marks: the first ones, and the last."""
 
 
-def pairs_of(verdict: Verdict | AssemblyVerdict, language: str) -> list[dict[str, Any]]:
+def pairs_of(verdict: Verdict, language: str) -> list[dict[str, Any]]:
     """Return what a report shows of the typical and the worst case, run again.
 
     The typical case is that without a measure, the worst one that of the best measure; without a best
@@ -49,21 +48,21 @@ def pairs_of(verdict: Verdict | AssemblyVerdict, language: str) -> list[dict[str
 
     Parameters
     ----------
-    verdict : Verdict or AssemblyVerdict
+    verdict : Verdict
         The verdict.
     language : str
         "en" or "ja".
     """
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
-    without = phrase("common.without" if isinstance(verdict, Verdict) else "several.nothing")
+    without = phrase("common.without" if verdict.scenario.alone else "several.nothing")
     pairs: list[dict[str, Any]] = []
     for kind, member in (("typical", verdict.without.typical), ("worst", verdict.best.worst)):
         sides = _sides(verdict, member, language)
         runs = [run for _, run in sides]
         window = window_of(runs)
         about = word(f"{kind}{'' if len(sides) > 1 else '_bare'}_text", language, without=without)
-        if kind == "typical" and len(runs) > 1 and isinstance(verdict, Verdict):
+        if kind == "typical" and len(runs) > 1 and verdict.scenario.alone:
             about += place_of_the_measure(verdict, runs[1], language)
         shown: list[dict[str, Any]] = []
         for label, run in sides:
@@ -82,20 +81,18 @@ def pairs_of(verdict: Verdict | AssemblyVerdict, language: str) -> list[dict[str
     return pairs
 
 
-def _sides(verdict: Verdict | AssemblyVerdict, member: Member, language: str) -> list[tuple[str, Run]]:
+def _sides(verdict: Verdict, member: Member, language: str) -> list[tuple[str, Run]]:
     """Return labels and runs of what is shown side by side: no measure, and the best one, if it is one."""
-    if isinstance(verdict, Verdict):
-        options = [verdict.without.option, verdict.best.option]
-        on_floor = floor_motion(verdict, verdict.scenario.ground(), member)
-        return [
-            (title(option, verdict, language), replay(verdict, option, member, *on_floor))
-            for option in options[: 1 + bool(options[1].measures)]
-        ]
-    results = [verdict.without, verdict.best]
-    return [
-        (title_of_several(result, verdict, language), replay_of_several(verdict, result, member))
-        for result in results[: 1 + bool(verdict.best.option.count)]
-    ]
+    scenario = verdict.scenario
+    sides: list[tuple[str, Run]] = []
+    on_floor = floor_motion(verdict, scenario.ground(), member) if scenario.alone else None
+    for result in [verdict.without, verdict.best][: 1 + bool(verdict.best.option.count)]:
+        if on_floor is None:
+            run = replay_of_several(verdict, result, member)
+        else:
+            run = replay(verdict, result.option, member, *on_floor)
+        sides.append((title(result.option, verdict, language), run))
+    return sides
 
 
 def place_of_the_measure(verdict: Verdict, held: Run, language: str) -> str:
@@ -113,7 +110,7 @@ def place_of_the_measure(verdict: Verdict, held: Run, language: str) -> str:
 
 
 def motion_told(
-    verdict: Verdict | AssemblyVerdict,
+    verdict: Verdict,
     member: Member,
     motion: Motion,
     shown: tuple[float, float],
@@ -186,7 +183,7 @@ def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, sca
     return run.named([scenario.piece.name or scenario.piece.preset or ANY_PIECE[0]])
 
 
-def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> Run:
+def replay_of_several(verdict: Verdict, result: OptionVerdict, member: Member) -> Run:
     """Run a member of an option again, with its histories."""
     scenario = verdict.scenario
     hazard, stated = Hazard.of(scenario), scenario.uncertainty

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
-from stayput.measures import MEASURES
 from stayput.measures.measure import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
 from stayput.report.names import place_named
@@ -16,21 +15,17 @@ from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import word
 from stayput.simulation.placing import JOINT, JOINT_LABEL
 from stayput.spreadsheets import csv_text
-from stayput.verification import AssemblyVerdict
-from stayput.verification.options import label, weakest
-from stayput.verification.words import is_own, length, reason, reason_of_several, title, title_of_several
+from stayput.verification.options import weakest
+from stayput.verification.words import length, reason, title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Probability
-    from stayput.model.room import Room
     from stayput.montecarlo.counting import Quantiles
     from stayput.verification import Verdict
     from stayput.verification.contents import ContentsVerdict
-    from stayput.verification.verdict import AssemblyOptionVerdict, DeviceSummary, OptionVerdict
-
-AnyResult = TypeVar("AnyResult", bound="OptionVerdict | AssemblyOptionVerdict")
+    from stayput.verification.verdict import DeviceSummary, OptionVerdict
 
 SHARES = (0.1, 0.5)
 """Shares of overturning whose intensities stand in the tables."""
@@ -42,12 +37,12 @@ DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_forc
 """Keys of the headings of `device_rows`."""
 
 
-class RankingRow(NamedTuple, Generic[AnyResult]):
+class RankingRow(NamedTuple):
     """One option as it is read: texts in one language.
 
     Parameters
     ----------
-    option : OptionVerdict or AssemblyOptionVerdict
+    option : OptionVerdict
         The option.
     label : str
         What it is called, or what it consists of; of several pieces with their names.
@@ -70,7 +65,7 @@ class RankingRow(NamedTuple, Generic[AnyResult]):
         Each of several pieces, and how likely it overturns.
     """
 
-    option: AnyResult
+    option: OptionVerdict
     label: str
     name: str
     shares: tuple[tuple[str, Probability | None], ...]
@@ -84,7 +79,7 @@ class RankingRow(NamedTuple, Generic[AnyResult]):
     pieces: tuple[tuple[str, Probability], ...] = ()
 
 
-def ranking(verdict: Verdict, language: str) -> list[RankingRow[OptionVerdict]]:
+def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
     """Return the options as they are read, the best first.
 
     Parameters
@@ -94,55 +89,38 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow[OptionVerdict]]:
     language : str
         "en" or "ja".
     """
-    return [
-        RankingRow(
-            result,
-            result.option.label(language),
-            result.option.name if result.option.own_name else "",
-            *_shown(result, verdict.scenario.room.room(), language),
-            reason(result, verdict, language),
-            capacities=tuple(
+    scenario, rows = verdict.scenario, list[RankingRow]()
+    room = scenario.surroundings()
+    for result in verdict.options:
+        option = result.option
+        name = option.name if option.own_name else ""
+        each: dict[str, Any] = {}
+        if scenario.alone:
+            label = say(option.label(), language)
+            each["capacities"] = tuple(
                 (numbers.capacity(reached, language), numbers.capacity_interval(reached, language))
                 for reached in map(result.capacities.get, SHARES)
-            ),
-            grade=verdict.grade(result).value,
-            weakest=weakest_inputs(result, verdict, language),
-            contents=None if result.contents is None else result.contents.out,
+            )
+            each |= {
+                "grade": verdict.grade(result).value,
+                "weakest": weakest_inputs(result, verdict, language),
+            }
+            each["contents"] = None if result.contents is None else result.contents.out
+        else:
+            label, name = title(option, verdict, language), name or say(option.label(), language)
+            each["pieces"] = tuple((piece.name, piece.probabilities[OVERTURNED]) for piece in result.pieces)
+        shares = tuple(
+            (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
+            for event in EVENTS
         )
-        for result in verdict.options
-    ]
+        slide, tilt = numbers.slides(result.slide, room, language), numbers.angles(result.tilt, language)
+        why = reason(result, verdict, language)
+        rows.append(RankingRow(result, label, name, shares, slide, tilt, why, **each))
+    return rows
 
 
-def several_ranking(verdict: AssemblyVerdict, language: str) -> list[RankingRow[AssemblyOptionVerdict]]:
-    """Return the options of several pieces as they are read, the best first."""
-    return [
-        RankingRow(
-            result,
-            title_of_several(result, verdict, language),
-            result.option.name if is_own(result, verdict) else say(label(result.option), language),
-            *_shown(result, verdict.scenario.surroundings(), language),
-            reason_of_several(result, verdict, language),
-            pieces=tuple((piece.name, piece.probabilities[OVERTURNED]) for piece in result.pieces),
-        )
-        for result in verdict.options
-    ]
-
-
-def _shown(
-    result: OptionVerdict | AssemblyOptionVerdict, room: Room, language: str
-) -> tuple[tuple[tuple[str, Probability | None], ...], tuple[str, str], tuple[str, str]]:
-    """Return the shares, slides and tilts of a row."""
-    shares = tuple(
-        (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
-        for event in EVENTS
-    )
-    return shares, numbers.slides(result.slide, room, language), numbers.angles(result.tilt, language)
-
-
-def impossible_rows(verdict: Verdict | AssemblyVerdict, language: str) -> list[tuple[str, str]]:
+def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
     """Return label and reason of each option that cannot be put in place."""
-    if isinstance(verdict, AssemblyVerdict):
-        return [(title_of_several(item, verdict, language), item.why(language)) for item in verdict.rejected]
     return [(title(item.option, verdict, language), item.why(language)) for item in verdict.impossible]
 
 
@@ -160,7 +138,7 @@ def weakest_inputs(result: OptionVerdict, verdict: Verdict, language: str) -> st
 
 
 def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
-    """Return the results of each device of an option, as texts.
+    """Return the results of each device and joint of an option, as texts.
 
     Parameters
     ----------
@@ -172,22 +150,16 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
     Returns
     -------
     list of tuple
-        Name, share of failures with its interval, median time of failure, weakest link, and median and 90 %
-        of the peak force and of the part of the strength that was used.
+        Of several pieces which it holds; name, share of failures with its interval, median time of failure,
+        weakest link, and median and 90 % of the peak force and of the part of the strength that was used.
     """
-    labels = {measure.kind: measure.label for measure in result.option.measures}
+    labels = {JOINT: JOINT_LABEL} | {measure.kind: measure.label for measure in result.option.measures}
+    joint, several = " – " if language == "en" else "と", len(result.pieces) > 1
     return [
-        _device(device, labels.get(device.kind, (device.kind, device.kind)), language)
-        for device in result.devices
-    ]
-
-
-def several_device_rows(result: AssemblyOptionVerdict, language: str) -> list[tuple[str, ...]]:
-    """Return what each device and joint holds, and its results, as texts: see `device_rows`."""
-    labels = {JOINT: JOINT_LABEL} | {kind: measure.label for kind, measure in MEASURES.items()}
-    joint = " – " if language == "en" else "と"
-    return [
-        (joint.join(device.pieces), *_device(device.summary, labels[device.summary.kind], language))
+        (
+            *(joint.join(device.pieces),) * several,
+            *_device(device, labels.get(device.kind, (device.kind, device.kind)), language),
+        )
         for device in result.devices
     ]
 
@@ -206,43 +178,39 @@ def _device(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, .
     )
 
 
-def simulations(verdict: Verdict | AssemblyVerdict, language: str) -> str:
+def simulations(verdict: Verdict, language: str) -> str:
     """Return the number of simulations in words, and of the runs that were settled without one."""
     counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
-    if isinstance(verdict, AssemblyVerdict):
+    if not verdict.scenario.alone:
         return say("several.simulations", language, **counts)
     made = word("simulations_text", language, **counts)
     return made + word("settled_text", language, settled=f"{verdict.settled:,}") if verdict.settled else made
 
 
-def verdict_csv(verdict: Verdict | AssemblyVerdict) -> str:
+def verdict_csv(verdict: Verdict) -> str:
     """Return the ranking as the text of a CSV file: one row an option, empty where there is no number.
 
     What cannot be put in place comes last, without a rank and a number, and with the reason.
     """
-    if isinstance(verdict, AssemblyVerdict):
-        records = [_record_of_several(result, verdict) for result in verdict.options]
-        records += [
-            {
-                "option": item.option.name,
-                "consists_of": title_of_several(item, verdict, "en"),
-                "not_possible": item.why("en"),
-            }
-            for item in verdict.rejected
-        ]
-    else:
-        records = [_record(result, verdict) for result in verdict.options]
-        records += [
-            {"option": item.option.name, "measures": item.option.label("en"), "not_possible": item.why("en")}
-            for item in verdict.impossible
-        ]
+    alone = verdict.scenario.alone
+    records = [(_record if alone else _record_of_several)(result, verdict) for result in verdict.options]
+    records += [
+        {
+            "option": item.option.name,
+            "measures" if alone else "consists_of": say(item.option.label(), "en")
+            if alone
+            else title(item.option, verdict, "en"),
+            "not_possible": item.why("en"),
+        }
+        for item in verdict.impossible
+    ]
     names = list(records[0])
     return csv_text(names, ([record.get(name) for name in names] for record in records), "\n")
 
 
 def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     shares = result.probabilities[OVERTURNED]
-    measures = result.option.label("en") if result.option.measures else _NO_MEASURE
+    measures = say(result.option.label(), "en") if result.option.measures else _NO_MEASURE
     record: dict[str, object] = {"rank": result.rank, "option": result.option.name, "measures": measures}
     for event, chance in result.probabilities.items():
         record |= {**_ends(event, chance), f"{event}_count": chance.fell}
@@ -264,8 +232,8 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     }
 
 
-def _record_of_several(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> dict[str, object]:
-    consists = title_of_several(result, verdict, "en")
+def _record_of_several(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
+    consists = title(result.option, verdict, "en")
     record: dict[str, object] = {"rank": result.rank, "option": result.option.name, "consists_of": consists}
     for event, chance in result.probabilities.items():
         record |= _ends(event, chance)
@@ -320,6 +288,7 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
         "en" or "ja".
     """
     estimates, bare = verdict.estimates, verdict.without
+    assert estimates is not None
     room = verdict.scenario.room.room()
     text = partial(word, language=language)
 
